@@ -1,0 +1,61 @@
+#include <doctest/doctest.h>
+
+#include <regex>
+
+#include "house/files.hpp"
+
+using namespace algae::house;
+
+namespace {
+
+/// Every text of the repository that people wrote, but this file.
+std::vector<fs::path> texts() {
+    std::vector<fs::path> all = {"CMakeLists.txt", "CMakePresets.json", "README.md", "CONTRIBUTING.md", "CHANGELOG.md",
+                                 "tools/demo", "tools/test", "tools/setup", "tools/format"};
+    for (const char* folder : {"src", "tests", "cmake", "figures", "theory", "lessons", "paper", "tools"})
+        for (const fs::path& file : files(folder, {".hpp", ".cpp", ".cmake", ".in", ".md", ".txt", ".lsys", ".claim", ".py", ".sh"}))
+            if (file.filename() != "prose_test.cpp") all.push_back(file);
+    return all;
+}
+
+void none_says(const std::vector<fs::path>& where, const std::regex& word, const char* why) {
+    for (const fs::path& file : where) {
+        std::size_t number = 0;
+        for (const std::string& line : lines(file)) {
+            ++number;
+            std::smatch found;
+            if (std::regex_search(line, found, word))
+                FAIL_CHECK(file.string() << ":" << number << ": " << found.str() << ": " << why);
+        }
+    }
+}
+
+}  // namespace
+
+TEST_CASE("nothing is left for later") {
+    none_says(texts(), std::regex(R"(\b(TODO|FIXME|XXX|HACK)\b)"), "do it or open an issue");
+}
+
+TEST_CASE("no path belongs to one machine") {
+    none_says(texts(), std::regex(R"((^|[\s"'=(])/(home|work|Users|root|opt|mnt)/)"), "a path of one machine");
+}
+
+TEST_CASE("only the command line prints or exits") {
+    std::vector<fs::path> library;
+    for (const fs::path& file : files("src", {".hpp", ".cpp"}))
+        if (!file.string().starts_with("src/cli/")) library.push_back(file);
+    none_says(library, std::regex(R"(std::(cout|cerr|clog|exit|abort|quick_exit)\b|\b(f?printf|puts|fmt::print|_exit)\()"),
+              "the library returns or throws");
+}
+
+TEST_CASE("every header is included once and every file has one notion") {
+    for (const fs::path& file : files("src", {".hpp"})) {
+        INFO(file.string());
+        const auto text = lines(file);
+        CHECK((!text.empty() && text[0] == "#pragma once"));
+    }
+    for (const fs::path& file : files("src", {".hpp", ".cpp"})) {
+        INFO(file.string());
+        CHECK(!std::regex_search(file.string(), std::regex(R"(util|helper|misc|common)")));
+    }
+}

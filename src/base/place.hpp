@@ -1,0 +1,25 @@
+#pragma once
+// base: what every room says when it cannot go on. Error, Place, Diagnostics, Budget; nothing else.
+
+#include <compare>
+#include <cstddef>
+#include <string>
+
+namespace algae {
+
+/// A place in a text: lines and columns count from 1, columns in characters (not bytes).
+/// Line 0 means the file as a whole.
+struct Place {
+    std::string file;
+    std::size_t line = 0;
+    std::size_t column = 0;
+
+    auto operator<=>(const Place&) const = default;
+};
+
+/// "koch.lsys:3:11", or "koch.lsys" where the whole file is meant.
+///
+/// Example: to_string(Place{"koch.lsys", 3, 11}) == "koch.lsys:3:11"
+std::string to_string(const Place& place);
+
+}  // namespace algae

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "system/expression.hpp"
+
+namespace algae {
+
+/// A colour, each part from 0 to 1.
+struct Colour {
+    double red = 0, green = 0, blue = 0;
+    bool operator==(const Colour&) const = default;
+};
+
+/// How a system wants to be drawn. Whatever a file does not say is absent here and has the value
+/// given in the comment.
+struct Settings {
+    std::optional<Quantity> angle;    // degrees that + and - turn by; 90
+    std::optional<Quantity> step;     // length of F and f in generation 0; 1
+    std::optional<Quantity> shrink;   // factor on the step per generation; 1
+    struct Start {
+        Quantity x, y, heading;       // heading in degrees, 0 along +x, counter-clockwise
+        bool operator==(const Start&) const = default;
+    };
+    std::optional<Start> start;       // 0 0 0
+    std::optional<Quantity> spin;     // degrees added to the start heading per generation; 0
+    std::optional<Quantity> scale;    // factor of the symbol * on the turtle's own step; * ignored
+    std::optional<Quantity> narrow;   // factor of the symbol ! on the line width; ! ignored
+    std::optional<Quantity> width;    // line width, in points of the picture; 1
+    bool clockwise = false;           // `turn clockwise`: + turns right
+    std::vector<std::string> colours;  // `colour`: names or #rrggbb, the first for the start, the
+                                       // symbol ' goes on to the next; `along`: hue by position
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> generations;  // `generation 0..6`
+
+    bool operator==(const Settings&) const = default;
+};
+
+}  // namespace algae

@@ -1,0 +1,49 @@
+#pragma once
+// turtle: words to Figures; exact where the angle allows it. Knows no picture format.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "base/budget.hpp"
+#include "exact/integer.hpp"
+#include "system/lsystem.hpp"
+#include "turtle/canvas.hpp"
+
+namespace algae {
+
+/// A drawing of one generation of a system, ready to be sent to a canvas as often as one likes.
+/// It holds the rules, not the strokes: drawing streams, and takes memory for one path down the
+/// derivation only.
+class Figure {
+public:
+    virtual ~Figure() = default;
+
+    /// The box around everything that is drawn (strokes and polygons, not invisible moves),
+    /// without line widths. Empty if nothing is drawn.
+    virtual const Box& box() const = 0;
+    /// How many segments are drawn, with multiplicity; polygons do not count.
+    virtual const Integer& segments() const = 0;
+    /// The lines and polygons this figure sends to a canvas at most, or nothing if the bound is
+    /// not known to fit 64 bits.
+    virtual std::optional<std::uint64_t> strokes() const = 0;
+    /// How this figure wants to be drawn, unless the caller knows better.
+    virtual const Settings& settings() const = 0;
+
+    /// Draws everything. A part of the derivation whose drawing lies within `resolution` (in the
+    /// figure's own units, 0 for none) of where it starts may be replaced by the straight stroke
+    /// from its start to its end, or left out where the same part was drawn at the same place
+    /// before: then the work depends on box and resolution, not on the length of the word.
+    /// Throws Error if brackets or braces do not match, with the generation and the position.
+    virtual void draw(Canvas& canvas, double resolution, const Budget& budget) const = 0;
+};
+
+/// The figure of generation `n` of a system.
+///
+/// Throws Error if the system is not one that a turtle in the plane can draw (the message names
+/// the rule or symbol), BoundReached if the budget does not suffice. O(n * size of the rules)
+/// exact operations.
+std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Budget& budget);
+
+}  // namespace algae

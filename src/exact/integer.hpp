@@ -156,17 +156,17 @@ Integer floor_divide(const Integer& dividend, const Integer& divisor);
 /// dividend - divisor * floor_divide(dividend, divisor): it has the sign of the divisor, so it is
 /// not negative for a positive one. Throws `Error` if `divisor` is 0.
 ///
-/// Example: remainder(-7, 3) == 2
+/// Example: remainder(Integer(-7), 3) == 2
 Integer remainder(const Integer& dividend, const Integer& divisor);
 
 /// The quotient of a division without remainder. Throws `Error` if there is one, or on 0.
 ///
-/// Example: exact_divide(-12, 4) == -3
+/// Example: exact_divide(Integer(-12), 4) == -3
 Integer exact_divide(const Integer& dividend, const Integer& divisor);
 
 /// The greatest common divisor, never negative; gcd(0, 0) is 0.
 ///
-/// Example: gcd(12, -18) == 6
+/// Example: gcd(Integer(12), -18) == 6
 Integer gcd(const Integer& left, const Integer& right);
 
 /// The least common multiple, never negative.

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/place.hpp"
@@ -39,8 +41,35 @@ struct Quantity {
     bool operator==(const Quantity& other) const { return expression == other.expression; }
 };
 
-/// The quantity of a plain rational.
+/// The quantity of a plain rational, written as a person would: 0.25, 1/3, -2.
 Quantity quantity(const Rational& value);
+
+/// What a name in an expression stands for; nullptr where it stands for nothing.
+using Names = std::function<const Quantity*(const std::string&)>;
+
+/// The value of an expression: exact where all of it is made by + - * / ^, relations, logic, abs,
+/// floor, ceil, min and max from exact values, or is a sine, cosine, tangent or square root that
+/// happens to be rational. Throws `Diagnostics` with one finding, without its line, at the place of
+/// the part that has no value: an unknown name, a division by 0, sqrt(-1), a number too large.
+///
+/// Example: evaluate(parsed("2^-3*6"), {}).exact == Rational(3, 4)
+Quantity evaluate(const Expression& expression, const Names& names);
+
+/// The number of arguments that a function takes: exactly `least`, or `least` and more; nothing if
+/// there is no such function.
+struct Arity {
+    std::size_t least;
+    bool or_more;
+};
+std::optional<Arity> function_arity(std::string_view name);
+
+/// All functions, by name.
+const std::vector<std::string>& function_names();
+
+/// The shortest decimal that is exactly this, "0.25" or "1e300"; "1/3" where there is none.
+///
+/// Example: shortest_text(Rational(257, 10)) == "25.7"
+std::string shortest_text(const Rational& value);
 
 /// The expression with as few brackets as it needs, blanks only around logical and relational
 /// operators: "x+y", "(x+y)/2", "x <= 3 & y > 0". Read back, it is the same expression.

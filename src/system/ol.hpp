@@ -24,6 +24,9 @@ struct OL {
 /// tables or terminals. O(size of the system).
 View<OL> as_ol(const LSystem& system);
 
+/// An 0L system with one character a letter, for tests and examples.
+OL ol(const std::string& axiom, const std::vector<std::pair<char, std::string>>& productions);
+
 /// Whether no accessible letter has the empty word among its successors (a P0L system).
 bool is_propagating(const OL& system);
 

@@ -143,6 +143,23 @@ D0L d0l(const std::string& axiom, const std::vector<std::pair<char, std::string>
     return make_d0l(std::make_shared<const Alphabet>(std::move(alphabet)), std::move(start), std::move(images));
 }
 
+OL ol(const std::string& axiom, const std::vector<std::pair<char, std::string>>& productions) {
+    LSystem system;
+    const auto word = [&](const std::string& text) {
+        Word letters;
+        for (const char c : text) letters.push_back(system.alphabet.symbol(std::string(1, c)));
+        return letters;
+    };
+    system.axiom.letters = word(axiom);
+    for (const auto& [a, successor] : productions) {
+        Production rule;
+        rule.predecessor.symbol = word(std::string(1, a)).front();
+        rule.successor.letters = word(successor);
+        system.rules.push_back(std::move(rule));
+    }
+    return *as_ol(system);
+}
+
 bool is_propagating(const D0L& system) {
     return std::none_of(system.letters.begin(), system.letters.end(),
                         [&](Symbol a) { return system.rules.images[a].empty(); });

@@ -5,13 +5,23 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "base/budget.hpp"
 #include "exact/integer.hpp"
 #include "system/lsystem.hpp"
 #include "turtle/canvas.hpp"
+#include "turtle/coordinate.hpp"
 
 namespace algae {
+
+/// What is known of a drawing without drawing it.
+struct Facts {
+    Integer segments;                   // drawn, with multiplicity
+    std::vector<Coordinate> end;        // where the turtle stops: x, y
+    std::vector<Coordinate> low, high;  // the box around what is drawn; empty if nothing is
+    bool exact = false;                 // whether the coordinates are exact numbers
+};
 
 /// A drawing of one generation of a system, ready to be sent to a canvas as often as one likes.
 /// It holds the rules, not the strokes: drawing streams, and takes memory for one path down the
@@ -25,6 +35,8 @@ public:
     virtual const Box& box() const = 0;
     /// How many segments are drawn, with multiplicity; polygons do not count.
     virtual const Integer& segments() const = 0;
+    /// The same and more, as exactly as the system allows.
+    virtual const Facts& facts() const = 0;
     /// The lines and polygons this figure sends to a canvas at most, or nothing if the bound is
     /// not known to fit 64 bits.
     virtual std::optional<std::uint64_t> strokes() const = 0;
@@ -39,11 +51,15 @@ public:
     virtual void draw(Canvas& canvas, double resolution, const Budget& budget) const = 0;
 };
 
-/// The figure of generation `n` of a system.
+/// The figure of generation `n` of a system, which must be a D0L system.
 ///
 /// Throws Error if the system is not one that a turtle in the plane can draw (the message names
 /// the rule or symbol), BoundReached if the budget does not suffice. O(n * size of the rules)
 /// exact operations.
 std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Budget& budget);
+
+/// The figure of one word of a system, drawn as its generation `n` is: for systems with choices.
+std::unique_ptr<Figure> figure(const LSystem& system, const Word& word, std::uint64_t n,
+                               const Budget& budget);
 
 }  // namespace algae

@@ -1,0 +1,134 @@
+#include "fold/letter.hpp"
+
+#include <algorithm>
+#include <string>
+
+#include "fold/walk.hpp"
+
+namespace algae {
+
+namespace {
+
+/// The lengths of the words that letters become in k steps, none counted beyond a cap. Rows are
+/// kept at every `stride`-th k and worked out again between, so n rows take the space of 2 sqrt(n).
+class CappedLengths {
+public:
+    CappedLengths(const D0L& system, std::uint64_t n, const Integer& cap, const Budget& budget)
+        : system_(system), cap_(cap), budget_(budget) {
+        while (stride_ * stride_ < n) stride_ *= 2;
+        Row row(system.alphabet->size(), Integer(0));
+        for (const Symbol a : system.letters) row[a] = 1;
+        for (std::uint64_t k = 0;; ++k) {
+            if (k % stride_ == 0) {
+                budget.check();
+                kept_.push_back(row);
+            }
+            if (k == n) break;
+            Row next = after(row);
+            if (next == row) {  // and so for ever
+                settled_ = k;
+                break;
+            }
+            row = std::move(next);
+        }
+    }
+
+    const Integer& of(Symbol a, std::uint64_t k) {
+        k = std::min(k, settled_);
+        const std::uint64_t segment = k / stride_;
+        if (segment != segment_ || rows_.empty()) {
+            segment_ = segment;
+            rows_.assign(1, kept_.at(segment));
+        }
+        while (rows_.size() <= k % stride_) rows_.push_back(after(rows_.back()));
+        return rows_[k % stride_][a];
+    }
+
+private:
+    using Row = std::vector<Integer>;
+
+    Row after(const Row& row) const {
+        Row next(row.size(), Integer(0));
+        for (const Symbol a : system_.letters) {
+            for (const Symbol b : system_.successor(a)) {
+                next[a] += row[b];
+                if (next[a] >= cap_) {
+                    next[a] = cap_;
+                    break;
+                }
+            }
+        }
+        return next;
+    }
+
+    const D0L& system_;
+    Integer cap_;
+    const Budget& budget_;
+    std::uint64_t stride_ = 1;
+    std::uint64_t settled_ = UINT64_MAX;
+    std::vector<Row> kept_;
+    std::uint64_t segment_ = UINT64_MAX;
+    std::vector<Row> rows_;
+};
+
+struct Step {
+    const Symbol* next;
+    const Symbol* end;
+    std::uint64_t steps;
+};
+
+}  // namespace
+
+Word letters_at(const D0L& system, std::uint64_t n, const Integer& at, std::uint64_t count,
+                const Budget& budget) {
+    const Fates fates(system);
+    CappedLengths lengths(system, n, at + 1, budget);
+    // The way down to the letter: at every generation the rest of a successor still to be read.
+    std::vector<Step> path{{system.axiom.data(), system.axiom.data() + system.axiom.size(), n}};
+    Integer left = at;
+    Integer before = 0;
+    for (;;) {
+        Step& here = path.back();
+        while (here.next != here.end && lengths.of(*here.next, here.steps) <= left) {
+            left -= lengths.of(*here.next, here.steps);
+            ++here.next;
+        }
+        if (here.next == here.end) {
+            // Only the axiom's row can end here: below, the letter is known to reach far enough.
+            before = at - left;
+            throw Error("position " + to_string(at) + " is past the end: generation " + std::to_string(n) +
+                        " has " + to_string(before) + " letters");
+        }
+        if (here.steps == 0 || fates.is_constant(*here.next)) break;
+        if (path.size() % 4096 == 0) budget.check();
+        const std::uint64_t steps = here.steps - 1;
+        const Word& successor = system.successor(*here.next++);
+        if (here.next == here.end) path.pop_back();
+        path.push_back({successor.data(), successor.data() + successor.size(), steps});
+    }
+    // From here on letters follow each other without counting.
+    Word found;
+    while (found.size() < count && !path.empty()) {
+        Step& here = path.back();
+        if (here.next == here.end) {
+            path.pop_back();
+            continue;
+        }
+        const Symbol a = *here.next++;
+        const std::uint64_t steps = here.steps;
+        if (steps == 0 || fates.is_constant(a)) {
+            if (found.size() == budget.letters)
+                throw BoundReached("more than " + std::to_string(budget.letters) +
+                                   " letters asked for, the bound set by --max-letters");
+            found.push_back(a);
+            if (found.size() % 65536 == 0) budget.check();
+        } else if (!fates.is_gone(a, steps)) {
+            const Word& successor = system.successor(a);
+            if (here.next == here.end) path.pop_back();
+            path.push_back({successor.data(), successor.data() + successor.size(), steps - 1});
+        }
+    }
+    return found;
+}
+
+}  // namespace algae

@@ -59,3 +59,19 @@ TEST_CASE("every header is included once and every file has one notion") {
         CHECK(!std::regex_search(file.string(), std::regex(R"(util|helper|misc|common)")));
     }
 }
+
+TEST_CASE("the README opens with the two commands") {
+    std::vector<std::string> blocks;  // what stands in its code blocks
+    bool inside = false;
+    for (const std::string& line : lines("README.md")) {
+        if (line.starts_with("```")) {
+            inside = !inside;
+            if (inside) blocks.emplace_back();
+        } else if (inside) {
+            blocks.back() += line + '\n';
+        }
+    }
+    REQUIRE(blocks.size() >= 2);
+    CHECK(blocks[0] == "tools/demo\n");
+    CHECK(blocks[1] == "tools/test\n");
+}

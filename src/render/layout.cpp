@@ -1,0 +1,134 @@
+#include "render/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace algae {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// The largest scale at which the box fits. A single point fits at any scale: 1 then.
+double fitting_scale(const Box& box, double width, double height) {
+    const double scale = std::min(box.breadth() > 0 ? width / box.breadth() : unbounded,
+                                  box.height() > 0 ? height / box.height() : unbounded);
+    return std::isfinite(scale) ? scale : 1;
+}
+
+/// The scale at which all boxes fit; infinite if none has an extent.
+double common_scale(std::span<const Box> boxes, double width, double height) {
+    double scale = unbounded;
+    for (const Box& box : boxes)
+        if (box.breadth() > 0 || box.height() > 0)
+            scale = std::min(scale, fitting_scale(box, width, height));
+    return scale;
+}
+
+/// The figure in the middle of its cell.
+Frame centred(const Box& box, const Cell& cell, double scale) {
+    return {scale, cell.left + cell.width / 2 - scale * (box.low.x / 2 + box.high.x / 2),
+            cell.top + cell.height / 2 + scale * (box.low.y / 2 + box.high.y / 2)};
+}
+
+struct Size {
+    double width = 0, height = 0;
+};
+
+/// The least cell that holds every figure when none may be larger than width times height.
+Size tight_cell(std::span<const Box> boxes, double width, double height, bool one_scale) {
+    const double common = common_scale(boxes, width, height);
+    Size size;
+    for (const Box& box : boxes) {
+        const double scale = one_scale && std::isfinite(common) ? common : fitting_scale(box, width, height);
+        size.width = std::max(size.width, std::min(width, scale * box.breadth()));
+        size.height = std::max(size.height, std::min(height, scale * box.height()));
+    }
+    return size;
+}
+
+}  // namespace
+
+std::size_t panel_columns(std::size_t count) {
+    const std::size_t rows = (count + 4) / 5;
+    return rows == 0 ? 1 : (count + rows - 1) / rows;
+}
+
+Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
+    const std::size_t columns = std::max<std::size_t>(1, std::min(wishes.columns, boxes.size()));
+    const std::size_t rows = std::max<std::size_t>(1, (boxes.size() + columns - 1) / columns);
+    const double across = static_cast<double>(columns), down = static_cast<double>(rows);
+    const double gaps_across = (across + 1) * wishes.margin;
+    const double gaps_down = (down + 1) * wishes.margin + down * wishes.caption;
+    const auto share = [](double whole, double gaps, double parts) {
+        return std::max((whole - gaps) / parts, 1.0);
+    };
+
+    // One figure fills the longest side; several in a row share it, and are not too tall for that.
+    const double steepest = boxes.size() == 1 || columns == 1 ? unbounded : 2;
+    Size cell;
+    if (wishes.width && wishes.height) {
+        cell = {share(*wishes.width, gaps_across, across), share(*wishes.height, gaps_down, down)};
+    } else if (wishes.height) {
+        const double height = share(*wishes.height, gaps_down, down);
+        const double width = std::min(unbounded, height * steepest);
+        cell = {tight_cell(boxes, width, height, wishes.common_scale).width, height};
+    } else if (wishes.width) {
+        const double width = share(*wishes.width, gaps_across, across);
+        const double height = width * steepest;
+        cell = {width, tight_cell(boxes, width, height, wishes.common_scale).height};
+    } else {
+        const double width = share(wishes.longest, gaps_across, across);
+        const double height = columns == 1 ? share(wishes.longest, gaps_down, down) : width * 2;
+        cell = tight_cell(boxes, width, height, wishes.common_scale);
+    }
+    // A figure without extent in a direction that nothing else decides.
+    if (!std::isfinite(cell.width)) cell.width = wishes.longest;
+    if (!std::isfinite(cell.height)) cell.height = wishes.longest;
+
+    Layout result;
+    result.width = wishes.width.value_or(across * cell.width + gaps_across);
+    result.height = wishes.height.value_or(down * cell.height + gaps_down);
+    const double common = common_scale(boxes, cell.width, cell.height);
+    for (std::size_t i = 0; i < boxes.size(); ++i) {
+        const double column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+        Cell place;
+        place.width = cell.width;
+        place.height = cell.height;
+        place.left = wishes.margin + column * (cell.width + wishes.margin);
+        place.top = wishes.margin + row * (cell.height + wishes.margin + wishes.caption);
+        place.caption_top = place.top + cell.height;
+        const Box& box = boxes[i];
+        place.frame = centred(box, place,
+                              wishes.common_scale && std::isfinite(common)
+                                  ? common
+                                  : fitting_scale(box, cell.width, cell.height));
+        result.cells.push_back(place);
+    }
+    return result;
+}
+
+std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes) {
+    wishes.columns = 1;
+    double width = 0, height = 0;
+    for (const Box& box : boxes) {
+        if (box.empty) continue;
+        const Layout alone = layout(std::span(&box, 1), wishes);
+        width = std::max(width, alone.width);
+        height = std::max(height, alone.height);
+    }
+    wishes.width = width;
+    wishes.height = height;
+    std::vector<Layout> pages;
+    for (const Box& box : boxes) pages.push_back(layout(std::span(&box, 1), wishes));
+    if (!wishes.common_scale || pages.empty()) return pages;
+    const Cell& any = pages.front().cells.front();
+    const double scale = common_scale(boxes, any.width, any.height);
+    for (std::size_t i = 0; i < pages.size() && std::isfinite(scale); ++i) {
+        Cell& cell = pages[i].cells.front();
+        cell.frame = centred(boxes[i], cell, scale);
+    }
+    return pages;
+}
+
+}  // namespace algae

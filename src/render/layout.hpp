@@ -1,0 +1,55 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "turtle/canvas.hpp"
+
+namespace algae {
+
+/// Where a figure lies in a picture: its units are scaled and its y axis points up, the picture's
+/// points down.
+struct Frame {
+    double scale = 1, x = 0, y = 0;
+    Point operator()(Point point) const { return {x + scale * point.x, y - scale * point.y}; }
+};
+
+/// A place for one figure and its caption, in the units of the picture.
+struct Cell {
+    double left = 0, top = 0, width = 0, height = 0;
+    Frame frame;
+    double caption_top = 0;
+};
+
+/// What decides a layout. Lengths are those of the picture.
+struct LayoutWishes {
+    std::optional<double> width, height;
+    double longest = 600;  // of the two sides if neither is given
+    double margin = 10;    // around each cell
+    double caption = 0;    // height of the strip under each cell
+    std::size_t columns = 1;
+    bool common_scale = false;
+};
+
+/// The size of a picture and the place of each figure in it.
+struct Layout {
+    double width = 0, height = 0;
+    std::vector<Cell> cells;
+};
+
+/// The layout of figures with these boxes in rows of cells of one size, each figure in the middle
+/// of its cell. In a row of several cells none is more than twice as high as wide unless the
+/// wishes say so.
+Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes);
+
+/// One page for each figure, all of the size that holds the largest in each direction.
+std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes);
+
+/// How many of `count` panels stand in a row: all up to 5, then rows as equal as can be.
+///
+/// Example: panel_columns(7) == 4
+std::size_t panel_columns(std::size_t count);
+
+}  // namespace algae

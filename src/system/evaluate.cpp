@@ -27,8 +27,18 @@ std::uint64_t bits(const Rational& value) {
     throw Diagnostics({Diagnostic{at.place, std::move(message), {}, 0}});
 }
 
+/// The text of an expression, cut if it is long.
+std::string shown(const Expression& expression) {
+    constexpr std::size_t longest = 60;
+    std::string text = to_text(expression);
+    if (text.size() <= longest) return text;
+    std::size_t length = longest;
+    while ((static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
+    return text.substr(0, length) + "...";
+}
+
 Value finite(Value value, const Expression& at) {
-    if (!std::isfinite(value.rounded)) fail(at, "the value of '" + to_text(at) + "' is too large");
+    if (!std::isfinite(value.rounded)) fail(at, "the value of '" + shown(at) + "' is too large");
     return value;
 }
 
@@ -49,7 +59,7 @@ int compare(const Value& left, const Value& right) {
 }
 
 Value power(const Value& base, const Value& exponent, const Expression& at) {
-    if (is_zero(base) && exponent.rounded < 0) fail(at, "a negative power of 0 in '" + to_text(at) + "'");
+    if (is_zero(base) && exponent.rounded < 0) fail(at, "a negative power of 0 in '" + shown(at) + "'");
     if (base.exact && exponent.exact && exponent.exact->is_integer()) {
         if (abs(*base.exact) == 1 || base.exact->is_zero()) {
             const bool even = exponent.exact->numerator().is_even();
@@ -61,7 +71,7 @@ Value power(const Value& base, const Value& exponent, const Expression& at) {
             return exactly(power(*base.exact, exponent.exact->numerator().to_int64()), at);
     }
     const double rounded = std::pow(base.rounded, exponent.rounded);
-    if (std::isnan(rounded)) fail(at, "a power of a negative number that is not whole in '" + to_text(at) + "'");
+    if (std::isnan(rounded)) fail(at, "a power of a negative number that is not whole in '" + shown(at) + "'");
     return finite({std::nullopt, rounded}, at);
 }
 
@@ -77,7 +87,7 @@ Value binary(const Expression& at, const Value& left, const Value& right) {
     if (name == ">") return truth(compare(left, right) > 0);
     if (name == ">=") return truth(compare(left, right) >= 0);
     if (name == "^") return power(left, right, at);
-    if (name == "/" && is_zero(right)) fail(at.operands[1], "division by 0 in '" + to_text(at) + "'");
+    if (name == "/" && is_zero(right)) fail(at.operands[1], "division by 0 in '" + shown(at) + "'");
     switch (name[0]) {
         case '+':
             if (exact) return exactly(*left.exact + *right.exact, at);
@@ -108,7 +118,7 @@ std::optional<Integer> whole_root(const Integer& square) {
 }
 
 Value square_root(const Value& value, const Expression& at) {
-    if (value.rounded < 0) fail(at, "the square root of a negative number in '" + to_text(at) + "'");
+    if (value.rounded < 0) fail(at, "the square root of a negative number in '" + shown(at) + "'");
     if (value.exact) {
         const auto numerator = whole_root(value.exact->numerator());
         const auto denominator = numerator ? whole_root(value.exact->denominator()) : std::nullopt;
@@ -147,7 +157,7 @@ Value tangent(const Value& degrees, const Expression& at) {
     const Value angle = reduced(degrees);
     if (angle.exact) {
         const Rational half = *angle.exact < 180 ? *angle.exact : *angle.exact - 180;
-        if (half == Rational(90)) fail(at, "'" + to_text(at) + "' has no value");
+        if (half == Rational(90)) fail(at, "'" + shown(at) + "' has no value");
         if (half.is_zero()) return truth(false);
         if (half == Rational(45)) return truth(true);
         if (half == Rational(135)) return {Rational(-1), -1};
@@ -178,9 +188,9 @@ Value call(const Expression& at, const std::vector<Value>& values) {
     const double x = first.rounded;
     if (name == "exp") return finite({std::nullopt, std::exp(x)}, at);
     if (name == "atan") return {std::nullopt, std::atan(x) * 180 / std::numbers::pi};
-    if (name == "log" && x <= 0) fail(at, "the logarithm of a number that is not positive in '" + to_text(at) + "'");
+    if (name == "log" && x <= 0) fail(at, "the logarithm of a number that is not positive in '" + shown(at) + "'");
     if (name == "log") return {std::nullopt, std::log(x)};
-    if (std::abs(x) > 1) fail(at, "'" + to_text(at) + "' needs a number from -1 to 1");
+    if (std::abs(x) > 1) fail(at, "'" + shown(at) + "' needs a number from -1 to 1");
     return {std::nullopt, (name == "asin" ? std::asin(x) : std::acos(x)) * 180 / std::numbers::pi};
 }
 

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "notation/source.hpp"
+
+namespace algae {
+
+/// What stopped a grammar: a byte of the text and what is wrong there. Used within this room only.
+struct SyntaxError {
+    const char* where;
+    std::string message;
+};
+
+/// Thrown instead where a statement depends on a faulty one: nothing new is to be said.
+struct DependsOnError {};
+
+/// "expected `expectation`, found ..." at `where`; `end` is the end of what may be read.
+SyntaxError unexpected(const std::string& expectation, const char* where, const char* end);
+
+/// The findings about one text, gathered while its reader goes on.
+class Findings {
+public:
+    explicit Findings(const Source& source) : source_(source) {}
+
+    void add(std::size_t offset, std::string message);
+    void add(const char* where, std::string message) { add(source_.offset(where), std::move(message)); }
+    void add(const Place& place, std::string message) { add(source_.offset(place), std::move(message)); }
+    void add(const SyntaxError& error) { add(error.where, error.message); }
+
+    /// Counts findings that nobody will see.
+    void add_more(std::size_t count) { count_ += count; }
+
+    bool empty() const { return count_ == 0; }
+    std::size_t count() const { return count_; }
+
+    /// Throws `Diagnostics` if there are any: the first twenty in order of place, then one that says
+    /// how many more there are.
+    void throw_if_any() const;
+
+private:
+    struct Finding {
+        std::size_t offset;
+        std::string message;
+    };
+    static constexpr std::size_t most_shown = 20;
+    static constexpr std::size_t most_kept = 10000;
+
+    const Source& source_;
+    std::vector<Finding> findings_;
+    std::size_t count_ = 0;
+};
+
+}  // namespace algae

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+
+#include "system/lsystem.hpp"
+
+namespace algae {
+
+/// The canonical text of a system: title, source, id, alphabet, let, axiom, tables and rules,
+/// ignore, terminals, interpret, settings, expectations; one statement a line, with a line break at
+/// the end of each. It reads back as the same system, and its own canonical text is itself.
+/// Throws nothing on systems that were read; title, source, names and values of a system made
+/// otherwise must be such as can be written in the notation.
+std::string print_lsystem(const LSystem& system);
+
+/// One rule, as in the canonical text, without a line break.
+std::string print_rule(const Alphabet& alphabet, const Production& rule);
+
+/// A word with its arguments, without blanks unless a symbol's name needs them; `ε` if empty.
+///
+/// Example: print_word(Alphabet(), ModuleWord()) == "ε"
+std::string print_word(const Alphabet& alphabet, const ModuleWord& word);
+
+/// The same for a word whose letters have no arguments.
+std::string print_word(const Alphabet& alphabet, const Word& word);
+
+}  // namespace algae

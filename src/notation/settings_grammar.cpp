@@ -1,0 +1,224 @@
+#include "notation/settings_grammar.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "notation/expression_grammar.hpp"
+#include "notation/grammar.hpp"
+#include "notation/suggestion.hpp"
+
+namespace algae {
+
+namespace {
+
+namespace x3 = grammar::x3;
+using grammar::between;
+using grammar::wanted;
+
+const auto digits = x3::raw[x3::lexeme[+x3::char_('0', '9')]];
+
+std::string_view text_of(const boost::iterator_range<const char*>& range) {
+    return between(range.begin(), range.end());
+}
+
+/// A generation: below 2^63.
+std::uint64_t generation(std::string_view text) {
+    constexpr std::size_t most_digits = 19;
+    const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size());
+    std::uint64_t value = 0;
+    if (text.size() - zeros <= most_digits)
+        for (const char digit : text) value = value * 10 + static_cast<std::uint64_t>(digit - '0');
+    if (text.size() - zeros > most_digits || value >> 63 != 0)
+        throw SyntaxError{text.data(), "expected a generation below 2^63, found " + quoted(text)};
+    return value;
+}
+
+void read_generations(std::string_view value, Reading& reading) {
+    const char* here = value.data();
+    const char* const end = here + value.size();
+    std::string_view first, last;
+    const auto on_first = [&](auto& c) { first = last = text_of(x3::_attr(c)); };
+    const auto on_last = [&](auto& c) { last = text_of(x3::_attr(c)); };
+    const auto range = wanted("a generation")[digits[on_first]] >>
+                       -(".." >> wanted("a generation")[digits[on_last]]);
+    x3::phrase_parse(here, end, range, grammar::blank);
+    if (here != end) throw unexpected("'..' or the end of the line", here, end);
+    const std::pair generations{generation(first), generation(last)};
+    if (generations.first > generations.second)
+        throw SyntaxError{last.data(), "expected a generation from " + std::string(first) +
+                                           " on, found " + std::string(last)};
+    reading.system.settings.generations = generations;
+}
+
+void read_expectation(const Statement& statement, Reading& reading) {
+    const std::string_view value = statement.value();
+    const char* here = value.data();
+    const char* const end = here + value.size();
+    std::string_view kind, number;
+    const auto on_kind = [&](auto& c) { kind = text_of(x3::_attr(c)); };
+    const auto on_number = [&](auto& c) { number = text_of(x3::_attr(c)); };
+    const auto head = wanted("what is expected, such as 'length'")[x3::raw[grammar::name][on_kind]] >>
+                      wanted("a generation")[digits[on_number]] >> wanted("':'")[x3::lit(':')];
+    x3::phrase_parse(here, end, head, grammar::blank);
+    const auto& kinds = expectation_kinds();
+    if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
+        std::string all;
+        for (const std::string& known : kinds) all += (all.empty() ? "" : ", ") + known;
+        throw SyntaxError{kind.data(), "expected one of " + all + ", found " + quoted(kind) +
+                                           did_you_mean(kind, kinds)};
+    }
+    if (here == end) throw unexpected("a value", here, end);
+    reading.system.expectations.push_back({std::string(kind), generation(number),
+                                           std::string(between(here, end)),
+                                           reading.source.place(statement.text.data())});
+}
+
+/// The pieces of a text between blanks outside brackets.
+std::vector<std::string_view> pieces(std::string_view text) {
+    std::vector<std::string_view> found;
+    const char* begin = nullptr;
+    std::size_t depth = 0;
+    for (const char* here = text.data(); here != text.data() + text.size();) {
+        const Character next = first_character(between(here, text.data() + text.size()));
+        if (next.code == '(') ++depth;
+        if (next.code == ')' && depth > 0) --depth;
+        if (!is_blank(next.code)) {
+            if (!begin) begin = here;
+        } else if (begin && depth == 0) {
+            found.push_back(between(begin, here));
+            begin = nullptr;
+        }
+        here += next.bytes;
+    }
+    if (begin) found.push_back(between(begin, text.data() + text.size()));
+    return found;
+}
+
+void read_start(std::string_view value, Reading& reading) {
+    const auto parts = pieces(value);
+    const auto part = [&](std::size_t i, const char* what) {
+        const char* const end = value.data() + value.size();
+        if (i >= parts.size()) throw unexpected(what, end, end);
+        return reading.quantity(parse_expression(parts[i], reading.source));
+    };
+    Settings::Start start{part(0, "x, y and heading"), part(1, "y and heading"), part(2, "a heading")};
+    if (parts.size() > 3)
+        throw unexpected("the end of the line after x, y and heading", parts[3].data(),
+                         value.data() + value.size());
+    reading.system.settings.start = std::move(start);
+}
+
+void read_colours(std::string_view value, Reading& reading) {
+    for (const std::string_view colour : pieces(value)) {
+        const bool is_name = std::all_of(colour.begin(), colour.end(), [](char byte) {
+            return is_letter(static_cast<unsigned char>(byte)) && static_cast<unsigned char>(byte) < 0x80;
+        });
+        if (!is_name && colour.front() != '#')
+            throw SyntaxError{colour.data(), "expected a colour's name or #rrggbb, found " + quoted(colour)};
+        reading.system.settings.colours.emplace_back(colour);
+    }
+}
+
+std::optional<Quantity>* number_of(std::string_view name, Settings& settings) {
+    if (name == "angle") return &settings.angle;
+    if (name == "step") return &settings.step;
+    if (name == "shrink") return &settings.shrink;
+    if (name == "spin") return &settings.spin;
+    if (name == "scale") return &settings.scale;
+    if (name == "narrow") return &settings.narrow;
+    return name == "width" ? &settings.width : nullptr;
+}
+
+}  // namespace
+
+const std::vector<std::string>& setting_names() {
+    static const std::vector<std::string> names{
+        "title", "source", "id",    "alphabet", "let",    "axiom", "table",  "ignore",     "terminals", "interpret",
+        "angle", "step",   "shrink", "start",   "spin",   "scale", "narrow", "width",      "colour",
+        "turn",  "generation", "expect"};
+    return names;
+}
+
+const std::vector<std::string>& expectation_kinds() {
+    static const std::vector<std::string> kinds{"length",   "word", "segments", "distinct",
+                                                "vertices", "end",  "box"};
+    return kinds;
+}
+
+void read_constant(const Statement& statement, Reading& reading) {
+    const std::string_view value = statement.value();
+    const char* here = value.data();
+    const char* const end = here + value.size();
+    std::string name;
+    const auto on_name = [&](auto& c) { name = text_of(x3::_attr(c)); };
+    const auto head = wanted("a constant's name")[x3::raw[grammar::name][on_name]];
+    x3::phrase_parse(here, end, head, grammar::blank);
+    try {
+        if (here == end || *here != '=') throw unexpected("'='", here, end);
+        if (reading.constants.count(name))
+            throw SyntaxError{value.data(), "the constant " + quoted(name) + " is given twice"};
+        Quantity quantity = reading.quantity(parse_expression(between(here + 1, end), reading.source));
+        reading.constants.emplace(name, reading.system.constants.size());
+        reading.system.constants.emplace_back(name, std::move(quantity));
+    } catch (...) {
+        reading.broken.insert(name);
+        throw;
+    }
+}
+
+void read_alphabet(const Statement& statement, Reading& reading) {
+    for (const std::string_view name : pieces(statement.value())) {
+        // These open statements that contain arrows, or shape successors: a rule could not be told.
+        for (const char* keyword : {"title", "source", "interpret", "div", "repeat"})
+            if (name == keyword)
+                throw SyntaxError{name.data(), "expected another name, " + quoted(name) + " has a meaning in the notation"};
+        const std::size_t first = name.front() == '?' && name.size() > 1 ? 1 : 0;
+        for (std::size_t i = first; i < name.size();) {
+            const Character next = first_character(name.substr(i));
+            if (is_reserved(next.code))
+                throw SyntaxError{name.data() + i, "expected names without " + quoted(name.substr(i, next.bytes))};
+            i += next.bytes;
+        }
+        const Symbol symbol = reading.lexicon.declare(name);
+        auto& declared = reading.system.declared;
+        if (symbol == declared.size()) declared.push_back(symbol);  // else it is there already
+    }
+}
+
+void read_setting(const Statement& statement, Reading& reading) {
+    const std::string_view name = statement.keyword, value = statement.value();
+    LSystem& system = reading.system;
+    if (name == "title") {
+        system.title = value;
+    } else if (name == "source") {
+        system.source = value;
+    } else if (name == "id") {
+        for (const std::string_view piece : pieces(value)) system.identifiers.emplace_back(piece);
+    } else if (name == "table") {
+        const auto parts = pieces(value);
+        if (parts.size() > 1) throw unexpected("the end of the line", parts[1].data(), value.data() + value.size());
+        if (!reading.tables.emplace(value).second)
+            throw SyntaxError{value.data(), "the table " + quoted(value) + " is opened twice"};
+        system.tables.emplace_back(value);
+    } else if (name == "turn") {
+        if (value != "clockwise" && value != "counter-clockwise")
+            throw unexpected("'clockwise' or 'counter-clockwise'", value.data(), value.data() + value.size());
+        system.settings.clockwise = value == "clockwise";
+    } else if (name == "generation") {
+        read_generations(value, reading);
+    } else if (name == "expect") {
+        read_expectation(statement, reading);
+    } else if (name == "start") {
+        read_start(value, reading);
+    } else if (name == "colour") {
+        read_colours(value, reading);
+    } else if (auto* number = number_of(name, system.settings)) {
+        Quantity quantity = reading.quantity(parse_expression(value, reading.source));
+        if (name == "width" && quantity.value <= 0)
+            throw SyntaxError{value.data(), "expected a width above 0, found " + quoted(value)};
+        *number = std::move(quantity);
+    }
+}
+
+}  // namespace algae

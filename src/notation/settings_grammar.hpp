@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "notation/reading.hpp"
+
+namespace algae {
+
+/// The first words of all settings, in the order in which they are printed.
+const std::vector<std::string>& setting_names();
+
+/// The kinds of expectations, in `expect length 3: 148`.
+const std::vector<std::string>& expectation_kinds();
+
+/// Reads `let NAME = EXPRESSION` into the system. Throws `SyntaxError`.
+void read_constant(const Statement& statement, Reading& reading);
+
+/// Reads names longer than the notation knows, `alphabet wall window`. Throws `SyntaxError`.
+void read_alphabet(const Statement& statement, Reading& reading);
+
+/// Reads any other setting whose value is no word. Throws `SyntaxError`.
+void read_setting(const Statement& statement, Reading& reading);
+
+}  // namespace algae

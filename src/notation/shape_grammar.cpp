@@ -1,0 +1,78 @@
+#include "notation/shape_grammar.hpp"
+
+#include <utility>
+
+#include "notation/expression_grammar.hpp"
+#include "notation/grammar.hpp"
+#include "notation/rule_grammar.hpp"
+
+namespace algae {
+
+namespace {
+
+namespace x3 = grammar::x3;
+using grammar::between;
+using grammar::wanted;
+
+/// A size: an expression, `r` behind it if it is relative.
+struct Size : x3::parser<Size> {
+    using attribute_type = x3::unused_type;
+    static constexpr bool has_attribute = false;
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const& last, const Context&, RuleContext&,
+               Attribute&) const {
+        ShapeSuccessor::Size size{parse_expression(first, last, *source), false};
+        if (first != last && *first == 'r') {
+            size.relative = true;
+            ++first;
+        }
+        sizes->push_back(std::move(size));
+        return true;
+    }
+
+    std::vector<ShapeSuccessor::Size>* sizes;
+    const Source* source;
+};
+
+ShapeSuccessor parse_division(std::string_view text, Reading& reading) {
+    const char* here = text.data();
+    const char* const end = here + text.size();
+    ShapeSuccessor shape;
+    const auto on_operation = [&](auto& c) {
+        shape.operation.assign(x3::_attr(c).begin(), x3::_attr(c).end());
+    };
+    const auto on_axis = [&](auto& c) { shape.axis = x3::_attr(c); };
+    const auto on_part = [&](auto& c) { shape.parts.push_back(x3::_attr(c)); };
+
+    const auto operation = x3::raw[x3::lit("div") | "repeat"][on_operation];
+    const auto axis = wanted("an axis, X, Y or Z")[x3::char_("XYZ")[on_axis]];
+    const auto size = Size{{}, &shape.sizes, &reading.source};
+    const auto sizes = wanted("',' and a size")[x3::lit(',')] >> size >> *(',' >> size) >>
+                       wanted("',' or ')'")[x3::lit(')')];
+    const auto part = (grammar::SymbolParser(reading.lexicon) - '}')[on_part];
+    const auto parts = wanted("'{' and the parts")[x3::lit('{')] >> wanted("a symbol")[+part] >>
+                       wanted("a symbol or '}'")[x3::lit('}')];
+    x3::phrase_parse(here, end, operation >> '(' >> axis >> sizes >> parts, grammar::blank);
+    if (here != end) throw unexpected("the end of the rule", here, end);
+    if (shape.operation == "repeat" && shape.sizes.size() != 1)
+        throw SyntaxError{text.data(), "expected one size of repeat, found " +
+                                           std::to_string(shape.sizes.size())};
+    return shape;
+}
+
+}  // namespace
+
+std::optional<ShapeSuccessor> parse_shape(std::string_view text, const Production& production,
+                                          Reading& reading) {
+    if (text.starts_with("div(") || text.starts_with("repeat(")) return parse_division(text, reading);
+    if (!text.starts_with("I(") || text.back() != ')' || !parameters(production).empty()) return {};
+    const std::string_view inner = trimmed(text.substr(2, text.size() - 3));
+    if (inner.empty() || !is_letter(first_character(inner).code) ||
+        reading.lexicon.length(inner) != inner.size() || reading.constants.count(std::string(inner)))
+        return {};
+    std::string_view rest = inner;
+    return ShapeSuccessor{"I", {}, {}, {*reading.lexicon.next(rest)}};
+}
+
+}  // namespace algae

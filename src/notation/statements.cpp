@@ -1,0 +1,91 @@
+#include "notation/statements.hpp"
+
+#include <algorithm>
+#include <cctype>
+
+#include "notation/characters.hpp"
+
+namespace algae {
+
+namespace {
+
+bool is_ascii_blank(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
+
+std::string_view keyword_of(std::string_view text) {
+    std::size_t length = 0;
+    while (length < text.size() && is_letter(static_cast<unsigned char>(text[length])) &&
+           static_cast<unsigned char>(text[length]) < 0x80)
+        ++length;
+    return text.substr(0, length);
+}
+
+/// Whether `text` begins with `#rrggbb` and nothing sticks to it.
+bool starts_with_colour(std::string_view text) {
+    constexpr std::size_t length = 7;
+    if (text.size() < length) return false;
+    for (std::size_t i = 1; i < length; ++i)
+        if (!std::isxdigit(static_cast<unsigned char>(text[i]))) return false;
+    return text.size() == length || is_ascii_blank(text[length]) || text[length] == ';';
+}
+
+const char* first_arrow(std::string_view text) {
+    const std::size_t ascii = text.find("->");
+    const std::size_t unicode = text.substr(0, ascii).find("→");
+    const std::size_t arrow = unicode != std::string_view::npos ? unicode : ascii;
+    return arrow == std::string_view::npos ? nullptr : text.data() + arrow;
+}
+
+}  // namespace
+
+std::string_view Statement::value() const {
+    return trimmed(text.substr(keyword.size()));
+}
+
+std::vector<Statement> statements(std::string_view text) {
+    std::vector<Statement> found;
+    const char* after_last = text.data();
+    std::size_t begin = 0;
+    const auto add = [&](std::size_t end) {
+        Statement statement;
+        statement.text = trimmed(text.substr(begin, end - begin));
+        if (statement.text.empty()) return;
+        statement.keyword = keyword_of(statement.text);
+        statement.arrow = first_arrow(statement.text);
+        statement.comments = after_last;
+        after_last = statement.text.data() + statement.text.size();
+        found.push_back(statement);
+    };
+    std::size_t here = 0;
+    while (here < text.size()) {
+        const char byte = text[here];
+        if (byte == '\n' || byte == ';') {
+            add(here++);
+            begin = here;
+        } else if (byte == '#' && (here == begin || is_ascii_blank(text[here - 1]))) {
+            if (starts_with_colour(text.substr(here)) &&
+                keyword_of(trimmed(text.substr(begin, here - begin))) == "colour") {
+                ++here;
+                continue;
+            }
+            add(here);
+            here = std::min(text.find('\n', here), text.size());
+            begin = here;
+        } else {
+            ++here;
+        }
+    }
+    add(text.size());
+    return found;
+}
+
+std::vector<std::string_view> comments(std::string_view text) {
+    std::vector<std::string_view> found;
+    for (std::size_t here = text.find('#'); here != std::string_view::npos; here = text.find('#', here)) {
+        const std::size_t end = std::min(text.find('\n', here), text.size());
+        found.push_back(trimmed(text.substr(here, end - here)));
+        here = end;
+    }
+    return found;
+}
+
+}  // namespace algae

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+namespace algae {
+
+/// One setting or rule, cut out of its line: without comment, without blanks at its ends.
+struct Statement {
+    std::string_view text;
+    std::string_view keyword;      // the letters it begins with
+    const char* arrow = nullptr;   // its first `->` or `→`; nullptr if it has none
+    const char* comments = nullptr;  // where the blank lines and comments before it begin
+
+    /// What stands behind the keyword, without blanks.
+    std::string_view value() const;
+};
+
+/// The statements of a text: `;` and line breaks separate them, `#` at the start of a line or
+/// behind white space opens a comment (but in `colour #ff8000` it opens a colour). Linear.
+std::vector<Statement> statements(std::string_view text);
+
+/// The comments in a stretch of text without statements, each with its `#`, without the line break.
+std::vector<std::string_view> comments(std::string_view text);
+
+}  // namespace algae

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "notation/findings.hpp"
+#include "notation/lexicon.hpp"
+#include "notation/source.hpp"
+#include "system/lsystem.hpp"
+
+namespace algae {
+
+/// The word that is the whole of `text`: symbols, some with arguments in brackets; white space
+/// separates, ε is nothing. Linear; a word without arguments takes four bytes a symbol.
+/// Throws `SyntaxError`.
+ModuleWord parse_word(std::string_view text, Lexicon& lexicon, const Source& source);
+
+/// Symbols without arguments. Throws `SyntaxError`.
+Word parse_symbols(std::string_view text, Lexicon& lexicon, const Source& source);
+
+/// Adds a finding for each bracket of the word without its other half; `text` is what the word was
+/// read from.
+void check_brackets(const ModuleWord& word, std::string_view text, Lexicon& lexicon,
+                    const Source& source, Findings& findings);
+
+}  // namespace algae

@@ -21,6 +21,7 @@ struct Facts {
     std::vector<Coordinate> end;        // where the turtle stops: x, y
     std::vector<Coordinate> low, high;  // the box around what is drawn; empty if nothing is
     bool exact = false;                 // whether the coordinates are exact numbers
+    double step = 1;                    // length of a segment, before any change of scale
 };
 
 /// A drawing of one generation of a system, ready to be sent to a canvas as often as one likes.

@@ -73,6 +73,7 @@ PlaneFigure::PlaneFigure(const LSystem& system, D0L rules, std::uint64_t steps,
     const auto step = exact_or(settings_.step, 1), shrink = exact_or(settings_.shrink, 1);
     if (step && shrink && generation < 100'000) exact_unit_ = *step * power(*shrink, static_cast<long>(generation));
     pen_.letters = fold(rules_, steps_, length_lift(), budget).to_double();
+    facts_.step = std::abs(pen_.unit);
     count_segments(budget);
     if (is_lattice()) {
         measure_exactly(budget);

@@ -1,0 +1,57 @@
+#pragma once
+// cli: the command `algae`. One short file a verb: it parses options, calls one function, prints.
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <string>
+
+#include "base/budget.hpp"
+
+namespace algae::cli {
+
+/// How the command ends.
+enum Status { success = 0, refuted = 1, bad_input = 2, undecided = 3, interrupted = 130 };
+
+/// The verbs, and what they leave for `main` to run.
+struct Verbs {
+    CLI::App& app;
+    std::function<int()> chosen;  // the verb on the command line, ready to run
+};
+
+/// Bounds that every verb takes.
+struct Bounds {
+    std::string letters, memory, timeout;
+
+    /// Adds --max-letters, --max-memory and --timeout.
+    void add_to(CLI::App& verb);
+    /// Throws Error if a bound cannot be read.
+    Budget budget() const;
+};
+
+/// A verb with a description and two examples, and the function that runs it.
+template <class Options>
+CLI::App& add_verb(Verbs& verbs, const std::string& name, const std::string& description,
+                   const std::string& examples, std::shared_ptr<Options> options,
+                   int (*run)(const Options&)) {
+    CLI::App& verb = *verbs.app.add_subcommand(name, description);
+    verb.footer("Examples:\n" + examples);
+    verb.callback([&verbs, options, run] { verbs.chosen = [options, run] { return run(*options); }; });
+    return verb;
+}
+
+/// Set by Ctrl-C.
+extern std::atomic<bool> stop;
+
+void add_show(Verbs& verbs);
+void add_fmt(Verbs& verbs);
+void add_derive(Verbs& verbs);
+void add_letter(Verbs& verbs);
+void add_growth(Verbs& verbs);
+void add_draw(Verbs& verbs);
+void add_figures(Verbs& verbs);
+void add_gallery(Verbs& verbs);
+
+}  // namespace algae::cli

@@ -1,0 +1,141 @@
+#include <fmt/format.h>
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <random>
+
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "cli/input.hpp"
+#include "cli/numbers.hpp"
+#include "cli/output.hpp"
+#include "cli/plates.hpp"
+#include "fold/choices.hpp"
+#include "render/picture.hpp"
+
+namespace algae::cli {
+
+namespace {
+
+struct Options {
+    std::string file, generation, output, format, seed;
+    std::string width, height, margin, line_width, background, font_size, columns, caption;
+    std::vector<std::string> colours;
+    bool panels = false, common_scale = false, captions = false, json = false;
+    Bounds bounds;
+};
+
+std::optional<double> optional_number(const std::string& option, const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    return positive(option, text);
+}
+
+PictureOptions picture_options(const Options& options) {
+    PictureOptions picture;
+    picture.width = optional_number("--width", options.width);
+    picture.height = optional_number("--height", options.height);
+    if (!options.margin.empty()) picture.margin = options.margin == "0" ? 0 : positive("--margin", options.margin);
+    picture.line_width = optional_number("--line-width", options.line_width);
+    picture.font_size = optional_number("--font-size", options.font_size);
+    if (!options.columns.empty()) picture.columns = natural("--columns", options.columns);
+    if (!options.background.empty()) picture.background = options.background;
+    picture.colours = options.colours;
+    picture.common_scale = options.common_scale;
+    return picture;
+}
+
+PictureFormat format_of(const Options& options) {
+    if (!options.format.empty()) return picture_format("figure." + options.format);
+    if (options.output == "-") throw Error("-o -: say which format with --format: svg, pdf, png, ps or eps");
+    return picture_format(options.output);
+}
+
+nlohmann::json numbers(const std::vector<Coordinate>& coordinates) {
+    nlohmann::json out = nlohmann::json::array();
+    for (const Coordinate& c : coordinates) out.push_back(c.value());
+    return out;
+}
+
+nlohmann::ordered_json as_json(const FigurePlates& plates, const Drawn& drawn, const std::string& path) {
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const FigurePlate& plate : plates.figures) {
+        const Facts& facts = plate.figure->facts();
+        all.push_back({{"generation", plate.generation},
+                       {"segments", json_number(facts.segments)},
+                       {"bounding_box", {{"min", numbers(facts.low)}, {"max", numbers(facts.high)}}},
+                       {"end", numbers(facts.end)},
+                       {"exact", facts.exact}});
+    }
+    nlohmann::ordered_json out;
+    if (all.size() == 1) out = all.front();
+    else out["figures"] = all;
+    out["output"] = path;
+    out["width"] = drawn.width;
+    out["height"] = drawn.height;
+    out["lines"] = drawn.lines;
+    out["as_image"] = drawn.as_image;
+    return out;
+}
+
+int draw(const Options& options) {
+    const PictureFormat format = format_of(options);
+    const PictureOptions picture = picture_options(options);
+    const Budget budget = options.bounds.budget();
+    const LSystem system = open_system(options.file, budget);
+    const auto generations = options.generation.empty() ? shown_generations(system) : range("-n", options.generation);
+    std::optional<std::uint64_t> seed;
+    if (!options.seed.empty()) seed = natural("--seed", options.seed);
+    FigurePlates plates(system, generations, seed, budget);
+    if (!options.caption.empty()) plates.caption(options.caption);
+    else if (options.captions) plates.caption_with_facts();
+
+    ProgressBar bar("Drawing");
+    const bool single = plates.figures.size() == 1;
+    const bool pages = !single && !options.panels && (format == PictureFormat::pdf || format == PictureFormat::ps);
+    const auto draw_to = [&](auto& target) {
+        if (single && !options.panels)
+            return draw_picture(plates.plates().front(), target, format, picture, budget, &bar);
+        if (pages) return draw_pages(plates.plates(), target, format, picture, budget, &bar);
+        return draw_panels(plates.plates(), target, format, picture, budget, &bar);
+    };
+    if (!single && !pages && !options.panels)
+        throw Error("-n " + options.generation + ": several generations need --panels, or pdf or ps for pages");
+    const Drawn drawn = options.output == "-" ? draw_to(std::cout) : draw_to(options.output);
+    if (drawn.as_image)
+        std::cerr << "algae: note: too many strokes for a vector format, drawn as an image within it\n";
+    for (const std::size_t blank : drawn.blank)
+        std::cerr << "algae: note: nothing is drawn in generation " << plates.figures[blank].generation << '\n';
+    if (options.json) print(as_json(plates, drawn, options.output).dump(2) + "\n");
+    return success;
+}
+
+}  // namespace
+
+void add_draw(Verbs& verbs) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = add_verb(verbs, "draw", "The turtle figure of a generation",
+                              "  algae draw koch -n 4 -o koch.svg\n"
+                              "  algae draw plant-f -n 0..5 --panels --captions -o plants.pdf",
+                              options, draw);
+    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("-n", options->generation, "the generation, or a range such as 0..6: pages of a pdf, or --panels (default: what the file says)")->type_name("N[..M]");
+    verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps; - for standard output")->type_name("FILE")->required();
+    verb.add_option("--format", options->format, "the format, where the name does not say it")->type_name("FORMAT");
+    verb.add_flag("--panels", options->panels, "several generations side by side");
+    verb.add_option("--columns", options->columns, "panels in a row")->type_name("N");
+    verb.add_flag("--common-scale", options->common_scale, "the same scale for all generations");
+    verb.add_option("--width", options->width, "of the picture, in points (png: pixels)")->type_name("W");
+    verb.add_option("--height", options->height, "of the picture, in points (png: pixels)")->type_name("H");
+    verb.add_option("--margin", options->margin, "blank border (default 10)")->type_name("M");
+    verb.add_option("--line-width", options->line_width, "of strokes, in points or pixels (default 1)")->type_name("W");
+    verb.add_option("--colour", options->colours, "names or #rrggbb, the next for each '; or: along, a hue that runs with the word")->delimiter(',')->expected(1)->type_name("COLOUR,...");
+    verb.add_option("--background", options->background, "a colour, or transparent")->type_name("COLOUR");
+    verb.add_flag("--captions", options->captions, "system, generation and angle underneath");
+    verb.add_option("--caption", options->caption, "a text underneath")->type_name("TEXT");
+    verb.add_option("--font-size", options->font_size, "of captions")->type_name("S");
+    verb.add_option("--seed", options->seed, "draw one word of a nondeterministic system, picked at random")->type_name("S");
+    verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object");
+    options->bounds.add_to(verb);
+}
+
+}  // namespace algae::cli

@@ -1,0 +1,139 @@
+#include <algorithm>
+#include <atomic>
+#include <filesystem>
+#include <iostream>
+#include <mutex>
+#include <nlohmann/json.hpp>
+#include <thread>
+
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "cli/input.hpp"
+#include "cli/numbers.hpp"
+#include "cli/output.hpp"
+#include "cli/plates.hpp"
+#include "expect/expectations.hpp"
+
+namespace algae::cli {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+    std::string folder = "figures", out = "out/figures", jobs;
+    std::vector<std::string> formats = {"svg", "pdf"};
+    bool captions = false, check = false, json = false;
+    Bounds bounds;
+};
+
+/// What became of one file.
+struct Outcome {
+    fs::path file;
+    std::vector<std::string> pictures, problems;
+    int status = success;
+};
+
+std::vector<fs::path> system_files(const fs::path& folder) {
+    if (!fs::is_directory(folder)) throw Error(folder.string() + ": expected a folder of .lsys files");
+    std::vector<fs::path> files;
+    for (const auto& entry : fs::recursive_directory_iterator(folder))
+        if (entry.is_regular_file() && entry.path().extension() == ".lsys") files.push_back(entry.path());
+    if (files.empty()) throw Error(folder.string() + ": holds no .lsys files");
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
+    const LSystem system = open_system(outcome.file.string(), budget);
+    for (const Disappointment& unmet : unmet_expectations(system, budget)) {
+        outcome.problems.push_back(to_string(unmet.place) + ": " + unmet.message);
+        outcome.status = refuted;
+    }
+    if (options.check) return;
+    FigurePlates plates(system, shown_generations(system), std::nullopt, budget);
+    if (options.captions) plates.caption_with_facts();
+    const fs::path folder = fs::path(options.out) / fs::relative(outcome.file.parent_path(), options.folder);
+    fs::create_directories(folder);
+    for (const std::string& format : options.formats) {
+        const std::string path = (folder / outcome.file.stem()).string() + '.' + format;
+        const PictureFormat kind = picture_format(path);
+        if (plates.figures.size() == 1)
+            draw_picture(plates.plates().front(), path, kind, {}, budget);
+        else
+            draw_panels(plates.plates(), path, kind, {}, budget);
+        outcome.pictures.push_back(path);
+    }
+}
+
+int worst(int left, int right) { return std::max(left, right); }
+
+int draw_all(const Options& options) {
+    const Budget budget = options.bounds.budget();
+    for (const std::string& format : options.formats) picture_format("figure." + format);
+    std::vector<Outcome> outcomes;
+    for (const fs::path& file : system_files(options.folder)) outcomes.push_back({file, {}, {}, success});
+
+    ProgressBar bar("Figures");
+    std::mutex reporting;
+    std::atomic<std::size_t> next = 0, done = 0;
+    const auto work = [&] {
+        for (std::size_t i = next++; i < outcomes.size(); i = next++) {
+            try {
+                draw_one(options, outcomes[i], budget);
+            } catch (const Interrupted&) {
+                outcomes[i].status = interrupted;
+                return;
+            } catch (const std::exception& error) {
+                outcomes[i].problems.push_back(error.what());
+                outcomes[i].status = dynamic_cast<const BoundReached*>(&error) ? undecided : bad_input;
+            }
+            const std::lock_guard lock(reporting);
+            bar.report(static_cast<double>(++done) / static_cast<double>(outcomes.size()));
+        }
+    };
+    const std::uint64_t jobs = options.jobs.empty() ? std::max(1u, std::thread::hardware_concurrency())
+                                                    : std::clamp<std::uint64_t>(natural("--jobs", options.jobs), 1, 256);
+    {
+        std::vector<std::jthread> threads;
+        for (std::uint64_t i = 1; i < jobs; ++i) threads.emplace_back(work);
+        work();
+    }
+    if (stop) throw Interrupted();
+
+    int status = success;
+    std::size_t pictures = 0, wrong = 0;
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    for (const Outcome& outcome : outcomes) {
+        for (const std::string& problem : outcome.problems) std::cerr << outcome.file.string() << ": " << problem << '\n';
+        wrong += outcome.problems.empty() ? 0 : 1;
+        pictures += outcome.pictures.size();
+        status = worst(status, outcome.status);
+        all.push_back({{"file", outcome.file.string()}, {"pictures", outcome.pictures}, {"problems", outcome.problems}});
+    }
+    if (options.json)
+        print(nlohmann::ordered_json{{"figures", all}}.dump(2) + "\n");
+    else
+        print(std::to_string(outcomes.size()) + " systems, " + std::to_string(pictures) + " pictures" +
+              (options.check ? "" : " in " + options.out) + (wrong ? ", " + std::to_string(wrong) + " with problems" : "") + "\n");
+    return status;
+}
+
+}  // namespace
+
+void add_figures(Verbs& verbs) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = add_verb(verbs, "figures", "Draws every system of a folder and checks what its file expects",
+                              "  algae figures figures --out out/figures\n  algae figures my-paper --formats pdf --captions",
+                              options, draw_all);
+    verb.add_option("DIR", options->folder, "a folder of .lsys files (default figures)");
+    verb.add_option("--out", options->out, "where the pictures go (default out/figures)")->type_name("DIR");
+    verb.add_option("--formats", options->formats, "svg, pdf, png, ps, eps (default svg,pdf)")->delimiter(',')->expected(1)->type_name("LIST");
+    verb.add_option("--jobs", options->jobs, "how many to draw at a time (default: one a core)")->type_name("N");
+    verb.add_flag("--captions", options->captions, "system, generation and angle underneath");
+    verb.add_flag("--check", options->check, "only check what the files expect");
+    verb.add_flag("--json", options->json, "print one JSON object");
+    options->bounds.add_to(verb);
+}
+
+}  // namespace algae::cli

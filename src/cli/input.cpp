@@ -1,0 +1,69 @@
+#include "cli/input.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <memory>
+
+#include "base/error.hpp"
+#include "notation/gallery.hpp"
+#include "notation/read.hpp"
+#include "notation/suggestion.hpp"
+
+namespace algae::cli {
+
+namespace {
+
+/// What reading takes of memory, in bytes a byte of the file.
+constexpr std::uint64_t memory_of_a_byte = 16;
+
+std::string read_all(std::FILE* file, const std::string& name, const Budget& budget) {
+    const std::uint64_t largest = budget.memory / memory_of_a_byte;
+    std::string text;
+    std::string buffer(std::size_t{1} << 16, '\0');
+    errno = 0;
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) {
+        text.append(buffer, 0, count);
+        if (text.size() > largest)
+            throw BoundReached(name + ": has more than " + std::to_string(largest >> 20) +
+                               " MiB, and reading takes " + std::to_string(memory_of_a_byte) +
+                               " times the size of a file; allow more with --max-memory");
+        budget.check();
+    }
+    if (std::ferror(file)) throw Error("cannot read " + name + ": " + std::strerror(errno));
+    return text;
+}
+
+struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+}  // namespace
+
+std::string file_text(const std::string& path, const Budget& budget) {
+    if (path == "-") return read_all(stdin, "standard input", budget);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored)) throw Error(path + ": is a folder, expected a file");
+    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+    if (!file) throw Error("cannot read " + path + ": " + std::strerror(errno));
+    return read_all(file.get(), path, budget);
+}
+
+LSystem open_system(const std::string& file, const Budget& budget) {
+    std::error_code ignored;
+    if (file != "-" && !std::filesystem::exists(file, ignored)) {
+        const auto figures = gallery();
+        const auto found = std::find_if(figures.begin(), figures.end(),
+                                        [&](const GalleryEntry& entry) { return entry.name == file; });
+        if (found != figures.end()) return read_lsystem(found->text, std::string(found->name));
+        std::vector<std::string> names;
+        for (const GalleryEntry& entry : figures) names.emplace_back(entry.name);
+        throw Error("no file " + file + ", and no figure of that name in the gallery" + did_you_mean(file, names) +
+                    "; `algae gallery` lists them");
+    }
+    return read_lsystem(file_text(file, budget), file == "-" ? "standard input" : file);
+}
+
+}  // namespace algae::cli

@@ -1,0 +1,67 @@
+#include <csignal>
+#include <cstdio>
+#include <exception>
+#include <new>
+
+#include "base/error.hpp"
+#include "cli/command.hpp"
+
+namespace {
+
+void on_interrupt(int) { algae::cli::stop.store(true); }
+
+int report(const char* message, int status) {
+    std::fprintf(stderr, "algae: %s\n", message);
+    return status;
+}
+
+/// Runs the chosen verb; every failure becomes one message and a status.
+int run(const std::function<int()>& verb) {
+    using namespace algae;
+    try {
+        return verb();
+    } catch (const Interrupted& error) {
+        return report(error.what(), cli::interrupted);
+    } catch (const BoundReached& error) {
+        return report(error.what(), cli::undecided);
+    } catch (const Diagnostics& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return cli::bad_input;
+    } catch (const Error& error) {
+        return report(error.what(), cli::bad_input);
+    } catch (const std::bad_alloc&) {
+        return report("the machine has no more memory; lower --max-memory or the generation", cli::undecided);
+    } catch (const std::exception& error) {
+        return report(error.what(), cli::bad_input);
+    }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    using namespace algae::cli;
+    std::signal(SIGINT, on_interrupt);
+    CLI::App app("algae derives L-systems exactly, analyses and draws them.", "algae");
+    app.set_version_flag("--version", "algae " ALGAE_VERSION);
+    app.require_subcommand(1);
+    app.footer("`algae VERB --help` shows examples. FILE is a file, - for standard input, or a name that\n"
+               "`algae gallery` lists. Exit status: 0 success, 1 false, 2 bad usage or input,\n"
+               "3 undecided or a bound was reached, 130 interrupted.");
+    Verbs verbs{app, {}};
+    add_show(verbs);
+    add_fmt(verbs);
+    add_derive(verbs);
+    add_letter(verbs);
+    add_growth(verbs);
+    add_draw(verbs);
+    add_figures(verbs);
+    add_gallery(verbs);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return app.exit(error);  // help and version
+        app.exit(error);
+        return bad_input;
+    }
+    return run(verbs.chosen);
+}

@@ -1,0 +1,55 @@
+#include "cli/plates.hpp"
+
+#include <random>
+
+#include "base/error.hpp"
+#include "fold/choices.hpp"
+
+namespace algae::cli {
+
+FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::uint64_t> generations,
+                           std::optional<std::uint64_t> seed, const Budget& budget)
+    : title_(system.title.empty() ? system.name : system.title) {
+    if (const auto& angle = system.settings.angle) {
+        const auto decimal = angle->exact ? exact_decimal(*angle->exact) : std::nullopt;
+        angle_ = (decimal ? *decimal : to_text(angle->expression)) + "°";
+    }
+    for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
+        FigurePlate& plate = figures.emplace_back();
+        plate.generation = n;
+        plate.name = "generation " + std::to_string(n) + " of " + system.name;
+        if (seed) {
+            std::mt19937_64 generator(*seed);
+            plate.figure = figure(system, random_word(*as_ol(system), n, generator, budget), n, budget);
+        } else {
+            if (!as_d0l(system) && as_ol(system))
+                throw Error(as_d0l(system).reason() + "; say --seed S to draw one word picked at random");
+            plate.figure = figure(system, n, budget);
+        }
+    }
+}
+
+void FigurePlates::caption(const std::string& text) {
+    for (FigurePlate& plate : figures) plate.caption = text;
+}
+
+void FigurePlates::caption_with_facts() {
+    for (FigurePlate& plate : figures) {
+        plate.caption = title_ + ", n = " + std::to_string(plate.generation);
+        if (!angle_.empty()) plate.caption += ", " + angle_;
+    }
+}
+
+std::vector<Plate> FigurePlates::plates() const {
+    std::vector<Plate> found;
+    for (const FigurePlate& plate : figures) found.push_back({plate.figure.get(), plate.name, plate.caption});
+    return found;
+}
+
+std::pair<std::uint64_t, std::uint64_t> shown_generations(const LSystem& system) {
+    if (!system.settings.generations)
+        throw Error(system.name + " does not say which generation its figure shows; give one with -n");
+    return *system.settings.generations;
+}
+
+}  // namespace algae::cli

@@ -1,0 +1,97 @@
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command.hpp"
+#include "cli/input.hpp"
+#include "cli/output.hpp"
+#include "notation/print.hpp"
+#include "system/classes.hpp"
+
+namespace algae::cli {
+
+namespace {
+
+struct Options {
+    std::string file;
+    bool json = false;
+    Bounds bounds;
+};
+
+std::vector<std::string> names(const Alphabet& alphabet, const std::vector<Symbol>& symbols) {
+    std::vector<std::string> found;
+    for (const Symbol a : symbols) found.push_back(alphabet.name(a));
+    return found;
+}
+
+std::vector<std::string> all_names(const Alphabet& alphabet) {
+    std::vector<std::string> found;
+    for (Symbol a = 0; a < alphabet.size(); ++a) found.push_back(alphabet.name(a));
+    return found;
+}
+
+nlohmann::ordered_json as_json(const LSystem& system, const Class& kind) {
+    nlohmann::ordered_json out;
+    out["class"] = kind.name();
+    if (!system.title.empty()) out["title"] = system.title;
+    if (!system.source.empty()) out["source"] = system.source;
+    out["alphabet"] = all_names(system.alphabet);
+    out["axiom"] = print_word(system.alphabet, system.axiom);
+    out["rules"] = nlohmann::json::array();
+    for (const Production& rule : system.rules) out["rules"].push_back(print_rule(system.alphabet, rule));
+    out["deterministic"] = kind.deterministic;
+    out["propagating"] = kind.propagating;
+    out["stochastic"] = kind.stochastic;
+    out["parametric"] = kind.parametric;
+    out["bracketed"] = kind.bracketed;
+    out["context"] = {kind.context.first, kind.context.second};
+    out["tables"] = system.tables;
+    out["terminals"] = names(system.alphabet, system.terminals);
+    return out;
+}
+
+std::string as_text(const LSystem& system, const Class& kind) {
+    std::string out;
+    const auto line = [&](const char* label, const std::string& value) {
+        if (!value.empty()) out += fmt::format("{:<15}{}\n", label, value);
+    };
+    const auto answer = [](bool yes) { return std::string(yes ? "yes" : "no"); };
+    line("title", system.title);
+    line("source", system.source);
+    line("class", kind.name());
+    line("alphabet", fmt::format("{}", fmt::join(all_names(system.alphabet), " ")));
+    line("axiom", print_word(system.alphabet, system.axiom));
+    const char* label = "rules";
+    for (const Production& rule : system.rules) {
+        line(label, print_rule(system.alphabet, rule));
+        label = "";
+    }
+    line("tables", fmt::format("{}", fmt::join(system.tables, " ")));
+    line("terminals", fmt::format("{}", fmt::join(names(system.alphabet, system.terminals), " ")));
+    line("deterministic", answer(kind.deterministic));
+    line("propagating", answer(kind.propagating));
+    line("bracketed", answer(kind.bracketed));
+    if (kind.context != std::pair<std::size_t, std::size_t>{0, 0})
+        line("context", fmt::format("({},{})", kind.context.first, kind.context.second));
+    return out;
+}
+
+int show(const Options& options) {
+    const LSystem system = open_system(options.file, options.bounds.budget());
+    const Class kind = class_of(system);
+    print(options.json ? as_json(system, kind).dump(2) + "\n" : as_text(system, kind));
+    return success;
+}
+
+}  // namespace
+
+void add_show(Verbs& verbs) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb = add_verb(verbs, "show", "Class, alphabet, rules and properties of a system",
+                              "  algae show koch\n  algae show my.lsys --json", options, show);
+    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_flag("--json", options->json, "print one JSON object");
+    options->bounds.add_to(verb);
+}
+
+}  // namespace algae::cli

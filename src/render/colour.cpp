@@ -103,7 +103,7 @@ Colour colour_named(std::string_view text) {
         }
     }
     std::string message = "there is no colour \"" + std::string(text.substr(0, 40)) + "\"";
-    if (least <= 1 + name.size() / 4)
+    if (least <= 1 + name.size() / 3)
         message += "; did you mean \"" + std::string(nearest) + "\"?";
     else
         message += "; expected a name such as \"red\" or \"darkgreen\", or a code such as #008000";

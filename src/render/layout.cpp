@@ -71,20 +71,23 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         cell = {share(*wishes.width, gaps_across, across), share(*wishes.height, gaps_down, down)};
     } else if (wishes.height) {
         const double height = share(*wishes.height, gaps_down, down);
-        const double width = std::min(unbounded, height * steepest);
+        const bool flat = std::all_of(boxes.begin(), boxes.end(),
+                                      [](const Box& box) { return box.height() == 0; });
+        const double width = std::min(
+            height * steepest, flat ? share(wishes.longest, gaps_across, across) : unbounded);
         cell = {tight_cell(boxes, width, height, wishes.common_scale).width, height};
     } else if (wishes.width) {
         const double width = share(*wishes.width, gaps_across, across);
-        const double height = width * steepest;
+        const bool upright = std::all_of(boxes.begin(), boxes.end(),
+                                         [](const Box& box) { return box.breadth() == 0; });
+        const double height =
+            std::min(width * steepest, upright ? share(wishes.longest, gaps_down, down) : unbounded);
         cell = {width, tight_cell(boxes, width, height, wishes.common_scale).height};
     } else {
         const double width = share(wishes.longest, gaps_across, across);
         const double height = columns == 1 ? share(wishes.longest, gaps_down, down) : width * 2;
         cell = tight_cell(boxes, width, height, wishes.common_scale);
     }
-    // A figure without extent in a direction that nothing else decides.
-    if (!std::isfinite(cell.width)) cell.width = wishes.longest;
-    if (!std::isfinite(cell.height)) cell.height = wishes.longest;
 
     Layout result;
     result.width = wishes.width.value_or(across * cell.width + gaps_across);

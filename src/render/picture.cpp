@@ -9,185 +9,19 @@
 
 #include "base/error.hpp"
 #include "render/cells.hpp"
-#include "render/colour.hpp"
 #include "render/document.hpp"
-#include "render/layout.hpp"
 #include "render/output.hpp"
 #include "render/palette.hpp"
+#include "render/plan.hpp"
 #include "render/strokes.hpp"
 
 namespace algae {
 namespace {
 
-constexpr double largest_png = 20'000;     // pixels a side
-constexpr double largest_vector = 14'400;  // points a side: what PDF readers take (ISO 32000)
-constexpr double image_resolution = 4;     // pixels a point of an image in a vector format
-constexpr double chord_pixels = 0.25;      // parts of a figure smaller than this become chords
+constexpr double image_resolution = 4;  // pixels a point of an image in a vector format
+constexpr double chord_pixels = 0.25;   // parts of a figure smaller than this become chords
 constexpr std::uint64_t few_strokes = 20'000, many_strokes = 500'000;
 constexpr std::uint32_t hues = 360, hues_of_cells = 128;
-
-const char* name_of(PictureFormat format) {
-    switch (format) {
-        case PictureFormat::svg: return "svg";
-        case PictureFormat::pdf: return "pdf";
-        case PictureFormat::png: return "png";
-        case PictureFormat::ps: return "ps";
-        case PictureFormat::eps: return "eps";
-    }
-    return "";
-}
-
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.10g", value);
-    return text;
-}
-
-enum class Arrangement { one, pages, panels };
-
-/// Everything that is decided before the first stroke.
-struct Plan {
-    PictureFormat format = PictureFormat::svg;
-    Arrangement arrangement = Arrangement::one;
-    const PictureOptions& options;
-    Layout page;  // of panels: all cells; of pages: one cell each, all of one size
-    std::optional<Colour> background;
-    double font_size = 0;
-};
-
-void check_length(const char* what, std::optional<double> value, double least, double most,
-                  PictureFormat format) {
-    if (!value || (*value >= least && *value <= most)) return;
-    const char* unit = format == PictureFormat::png ? " pixels" : " points";
-    throw Error(std::string("the ") + what + " must be from " + number(least) + " to " +
-                number(most) + unit + " in " + name_of(format) + ", not " + number(*value));
-}
-
-void check_options(const PictureOptions& options, PictureFormat format) {
-    const double most = format == PictureFormat::png ? largest_png : largest_vector;
-    check_length("width", options.width, 1, most, format);
-    check_length("height", options.height, 1, most, format);
-    check_length("margin", options.margin, 0, most / 2, format);
-    check_length("line width", options.line_width, 0.001, most, format);
-    check_length("font size", options.font_size, 1, most, format);
-    if (options.columns && *options.columns == 0)
-        throw Error("a row of panels must have at least 1 column, not 0");
-}
-
-double line_width(const Figure& figure, const PictureOptions& options) {
-    if (options.line_width) return *options.line_width;
-    const std::optional<Quantity>& own = figure.settings().width;
-    if (!own) return 1;
-    if (!(own->value > 0) || own->value > largest_vector)
-        throw Error("the setting width must be above 0 and at most " + number(largest_vector) +
-                    ", not " + number(own->value));
-    return own->value;
-}
-
-/// Finds the widest stroke of a figure whose symbol ! widens.
-class WidestStroke final : public Canvas {
-public:
-    void move_to(Point) override {}
-    void line_to(Point) override { widest = std::max(widest, factor_); }
-    void polygon(std::span<const Point>) override {}
-    void width(double factor) override { factor_ = factor; }
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
-    double widest = 1;
-
-private:
-    double factor_ = 1;
-};
-
-double widest_line(const Figure& figure, const PictureOptions& options, const Budget& budget) {
-    const std::optional<Quantity>& narrow = figure.settings().narrow;
-    const double width = line_width(figure, options);
-    if (!narrow || std::fabs(narrow->value) <= 1) return width;
-    WidestStroke measure;
-    const double extent = std::max(figure.box().breadth(), figure.box().height());
-    figure.draw(measure, extent / 4000, budget);
-    return width * measure.widest;
-}
-
-bool is_blank(const Figure& figure) { return figure.box().empty; }
-
-void check_figures(std::span<const Plate> plates) {
-    if (plates.empty()) throw Error("there is no figure to draw");
-    for (const Plate& plate : plates) {
-        const Box& box = plate.figure->box();
-        if (!std::isfinite(box.low.x + box.low.y + box.high.x + box.high.y) ||
-            !std::isfinite(box.breadth() + box.height()))
-            throw Error(plate.name + " reaches beyond the range of numbers; its step or shrink "
-                                     "makes it too large to draw");
-    }
-    if (std::all_of(plates.begin(), plates.end(),
-                    [](const Plate& plate) { return is_blank(*plate.figure); }))
-        throw Error(plates.front().name + " draws nothing: symbols that draw are F, G, F_x and "
-                                          "polygons in braces");
-}
-
-Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arrangement,
-          const PictureOptions& options, const Budget& budget) {
-    check_options(options, format);
-    if (arrangement == Arrangement::pages && plates.size() > 1 && format != PictureFormat::pdf &&
-        format != PictureFormat::ps)
-        throw Error(std::string("a ") + name_of(format) + " file holds one page; " +
-                    "several generations need pdf or ps, or --panels to stand side by side");
-    check_figures(plates);
-
-    Plan result{format, arrangement, options, {}, {}, 0};
-    if (options.background && *options.background != "transparent")
-        result.background = colour_named(*options.background);
-    else if (!options.background && format == PictureFormat::png)
-        result.background = Colour{1, 1, 1};
-
-    double widest = 0;
-    bool captions = false;
-    std::vector<Box> boxes;
-    for (const Plate& plate : plates) {
-        const Palette names(options.colours.empty() ? plate.figure->settings().colours
-                                                    : options.colours, hues);
-        widest = std::max(widest, widest_line(*plate.figure, options, budget));
-        captions = captions || !plate.caption.empty();
-        boxes.push_back(plate.figure->box());
-    }
-    LayoutWishes wishes;
-    wishes.width = options.width;
-    wishes.height = options.height;
-    wishes.longest = format == PictureFormat::png ? 1000 : 600;
-    wishes.margin = std::max(options.margin, widest / 2);
-    wishes.common_scale = options.common_scale;
-    wishes.columns =
-        arrangement == Arrangement::panels ? options.columns.value_or(panel_columns(plates.size())) : 1;
-    const double longer =
-        std::max(options.width.value_or(0), options.height.value_or(0));
-    result.font_size = options.font_size.value_or((longer > 0 ? longer : wishes.longest) / 50);
-    wishes.caption = captions ? 1.6 * result.font_size : 0;
-
-    if (arrangement == Arrangement::pages) {
-        const std::vector<Layout> pages = page_layouts(boxes, wishes);
-        result.page.width = pages.front().width;
-        result.page.height = pages.front().height;
-        for (const Layout& page : pages) result.page.cells.push_back(page.cells.front());
-    } else {
-        result.page = layout(boxes, wishes);
-    }
-
-    Layout& page = result.page;
-    if (format == PictureFormat::png) {
-        page.width = std::ceil(page.width - 1e-6);
-        page.height = std::ceil(page.height - 1e-6);
-    }
-    const double most = format == PictureFormat::png ? largest_png : largest_vector;
-    check_length("width", page.width, 1, most, format);
-    check_length("height", page.height, 1, most, format);
-    if (format == PictureFormat::png) {
-        const std::string what = "a picture of " + number(page.width) + " x " +
-            number(page.height) + " pixels";
-        budget.check_memory(static_cast<std::uint64_t>(4 * page.width * page.height), what.c_str());
-    }
-    return result;
-}
 
 bool is_fine(const Figure& figure, const Frame& frame) {
     const std::optional<std::uint64_t> strokes = figure.strokes();
@@ -213,20 +47,21 @@ void draw_cells(cairo_t* context, const PixelRectangle& area, const Frame& frame
 }
 
 /// The whole pixels of a cell and its margin, within the picture.
-PixelRectangle pixels_of(const Cell& cell, double margin, double width, double height) {
+PixelRectangle pixels_of(const Cell& cell, const Plan& plan) {
+    const double margin = plan.margin;
     const auto whole = [](double value) { return static_cast<int>(value); };
     PixelRectangle area;
     area.left = whole(std::max(0.0, std::floor(cell.left - margin)));
     area.top = whole(std::max(0.0, std::floor(cell.top - margin)));
-    area.width = whole(std::min(width, std::ceil(cell.left + cell.width + margin))) - area.left;
-    area.height = whole(std::min(height, std::ceil(cell.top + cell.height + margin))) - area.top;
+    area.width = whole(std::min(plan.page.width, std::ceil(cell.left + cell.width + margin))) - area.left;
+    area.height = whole(std::min(plan.page.height, std::ceil(cell.top + cell.height + margin))) - area.top;
     return area;
 }
 
 /// Draws one figure as an image and puts it into a vector format.
-void draw_image(cairo_t* context, const Cell& cell, double margin, const Plan& plan,
-                const Figure& figure, Pen pen, const Budget& budget, const Share& share,
-                Drawn& drawn) {
+void draw_image(cairo_t* context, const Cell& cell, const Plan& plan, const Figure& figure,
+                Pen pen, const Budget& budget, const Share& share, Drawn& drawn) {
+    const double margin = plan.margin;
     const double more = image_resolution;
     const double width = std::ceil((cell.width + 2 * margin) * more);
     const double height = std::ceil((cell.height + 2 * margin) * more);
@@ -260,7 +95,7 @@ void draw_image(cairo_t* context, const Cell& cell, double margin, const Plan& p
 }
 
 void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Figure& figure,
-                 const Budget& budget, const Share& share, Drawn& drawn) {
+                 double width, const Budget& budget, const Share& share, Drawn& drawn) {
     using Route = PictureOptions::Route;
     const PictureOptions& options = plan.options;
     const bool pixels = plan.format == PictureFormat::png;
@@ -268,17 +103,13 @@ void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Fig
     const bool too_many = !strokes || *strokes > options.most_strokes;
     const bool fine = options.route == Route::cells ||
         (options.route == Route::automatic && (pixels ? is_fine(figure, cell.frame) : too_many));
-    const Palette palette(
-        options.colours.empty() ? figure.settings().colours : options.colours,
-        fine ? hues_of_cells : hues);
-    const Pen pen{line_width(figure, options), options.flat_ends, &palette};
-    const double margin = std::max(options.margin, widest_line(figure, options, budget) / 2);
+    const Palette palette(colours_of(figure, options), fine ? hues_of_cells : hues);
+    const Pen pen{width, options.flat_ends, &palette};
     drawn.fine = drawn.fine || fine;
     if (fine && pixels) {
-        draw_cells(context, pixels_of(cell, margin, plan.page.width, plan.page.height), cell.frame,
-                   figure, pen, budget, share, drawn);
+        draw_cells(context, pixels_of(cell, plan), cell.frame, figure, pen, budget, share, drawn);
     } else if (fine) {
-        draw_image(context, cell, margin, plan, figure, pen, budget, share, drawn);
+        draw_image(context, cell, plan, figure, pen, budget, share, drawn);
     } else {
         StrokeCanvas canvas(context, cell.frame, pen, budget, share, strokes);
         figure.draw(canvas, 0, budget);
@@ -313,6 +144,12 @@ void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption
     check_cairo(context);
 }
 
+/// How much of the work one figure is.
+double work(const Figure& figure) {
+    return 1.0 +
+        static_cast<double>(std::min(figure.strokes().value_or(many_strokes), many_strokes));
+}
+
 Drawn draw(std::span<const Plate> plates, Output& output, const Plan& plan, const Budget& budget,
            Progress* progress) {
     Drawn drawn;
@@ -320,25 +157,20 @@ Drawn draw(std::span<const Plate> plates, Output& output, const Plan& plan, cons
     drawn.height = plan.page.height;
     Document document(plan.format, plan.page.width, plan.page.height, plan.background, output,
                       budget);
-    // The shares of the work: what is drawn, then the writing.
     double all = 0, done = 0;
-    const auto work = [](const Figure& figure) {
-        return static_cast<double>(std::min<std::uint64_t>(figure.strokes().value_or(many_strokes), many_strokes)) + 1;
-    };
     for (const Plate& plate : plates) all += work(*plate.figure);
-    all *= 1.1;
+    all *= 1.1;  // the rest is writing
     for (std::size_t i = 0; i < plates.size(); ++i) {
         if (plan.arrangement == Arrangement::pages && i > 0) document.next_page();
-        const Plate& plate = plates[i];
-        const double part = work(*plate.figure);
+        const Figure& figure = *plates[i].figure;
         const Cell& cell = plan.page.cells[i];
-        if (is_blank(*plate.figure))
+        const Share share(progress, done / all, (done + work(figure)) / all);
+        if (figure.box().empty)
             drawn.blank.push_back(i);
         else
-            draw_figure(document.context(), cell, plan, *plate.figure, budget,
-                        Share(progress, done / all, (done + part) / all), drawn);
-        draw_caption(document.context(), cell, plate.caption, plan.font_size, plan.background);
-        done += part;
+            draw_figure(document.context(), cell, plan, figure, plan.widths[i], budget, share, drawn);
+        draw_caption(document.context(), cell, plates[i].caption, plan.font_size, plan.background);
+        done += work(figure);
     }
     document.finish();
     if (progress) progress->report(1);
@@ -365,6 +197,17 @@ Drawn draw_to_stream(std::span<const Plate> plates, std::ostream& stream, Pictur
 
 }  // namespace
 
+const char* format_name(PictureFormat format) {
+    switch (format) {
+        case PictureFormat::svg: return "svg";
+        case PictureFormat::pdf: return "pdf";
+        case PictureFormat::png: return "png";
+        case PictureFormat::ps: return "ps";
+        case PictureFormat::eps: return "eps";
+    }
+    return "";
+}
+
 PictureFormat picture_format(std::string_view path) {
     const std::size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
     std::string ending;
@@ -374,7 +217,7 @@ PictureFormat picture_format(std::string_view path) {
         if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
     for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png,
                                        PictureFormat::ps, PictureFormat::eps})
-        if (ending == name_of(format)) return format;
+        if (ending == format_name(format)) return format;
     throw Error("expected a picture file ending in .svg, .pdf, .png, .ps or .eps, found \"" +
                 std::string(path) + "\"");
 }

@@ -24,6 +24,11 @@ enum class PictureFormat { svg, pdf, png, ps, eps };
 /// Example: picture_format("figures/koch.SVG") == PictureFormat::svg
 PictureFormat picture_format(std::string_view path);
 
+/// The name of the format, as at the end of a file's name.
+///
+/// Example: format_name(PictureFormat::svg) == std::string("svg")
+const char* format_name(PictureFormat format);
+
 /// How a picture is made. Lengths are points (1/72 inch) in svg, pdf, ps and eps, pixels in png.
 struct PictureOptions {
     /// The size of the whole picture. With one of the two, the other follows from the figure; with

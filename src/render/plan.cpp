@@ -1,0 +1,187 @@
+#include "render/plan.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+
+#include "base/error.hpp"
+#include "render/colour.hpp"
+#include "render/palette.hpp"
+
+namespace algae {
+namespace {
+
+constexpr double largest_png = 20'000;     // pixels a side
+constexpr double largest_vector = 14'400;  // points a side: what PDF readers take (ISO 32000)
+
+double largest(PictureFormat format) {
+    return format == PictureFormat::png ? largest_png : largest_vector;
+}
+
+std::string number(double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, "%.10g", value);
+    return text;
+}
+
+std::string with_unit(double value, PictureFormat format) {
+    return number(value) + (format == PictureFormat::png ? " pixels" : " points");
+}
+
+void check_length(const char* what, std::optional<double> value, double least, double most,
+                  PictureFormat format) {
+    if (!value || (*value >= least && *value <= most)) return;
+    throw Error(std::string("the ") + what + " must be from " + number(least) + " to " +
+                with_unit(most, format) + " in " + format_name(format) + ", not " + number(*value));
+}
+
+void check_options(const PictureOptions& options, PictureFormat format) {
+    const double most = largest(format);
+    check_length("width", options.width, 1, most, format);
+    check_length("height", options.height, 1, most, format);
+    check_length("margin", options.margin, 0, most / 2, format);
+    check_length("line width", options.line_width, 0.001, most, format);
+    check_length("font size", options.font_size, 1, most, format);
+    if (options.columns && *options.columns == 0)
+        throw Error("a row of panels must have at least 1 column, not 0");
+}
+
+void check_figures(std::span<const Plate> plates) {
+    if (plates.empty()) throw Error("there is no figure to draw");
+    bool blank = true;
+    for (const Plate& plate : plates) {
+        const Box& box = plate.figure->box();
+        if (!std::isfinite(box.low.x + box.low.y + box.high.x + box.high.y) ||
+            !std::isfinite(box.breadth() + box.height()))
+            throw Error(plate.name + " reaches beyond the range of numbers; its step or shrink "
+                                     "makes it too large to draw");
+        blank = blank && box.empty;
+    }
+    if (blank)
+        throw Error(plates.front().name + " draws nothing: symbols that draw are F, G, F_x and "
+                                          "polygons in braces");
+}
+
+double line_width(const Figure& figure, const PictureOptions& options) {
+    if (options.line_width) return *options.line_width;
+    const std::optional<Quantity>& own = figure.settings().width;
+    if (!own) return 1;
+    if (!(own->value > 0 && own->value <= largest_vector))
+        throw Error("the setting width must be above 0 and at most " + number(largest_vector) +
+                    ", not " + number(own->value));
+    return own->value;
+}
+
+/// Finds the widest stroke of a figure whose symbol ! widens.
+class WidestStroke final : public Canvas {
+public:
+    void move_to(Point) override {}
+    void line_to(Point) override { widest = std::max(widest, factor_); }
+    void polygon(std::span<const Point>) override {}
+    void width(double factor) override { factor_ = factor; }
+    void colour(std::uint32_t) override {}
+    void position(double) override {}
+    double widest = 1;
+
+private:
+    double factor_ = 1;
+};
+
+/// How wide the widest stroke is, as a multiple of the line width. Only where strokes may grow
+/// wider does this take a pass over the figure.
+double widest_stroke(const Figure& figure, const Budget& budget) {
+    const std::optional<Quantity>& narrow = figure.settings().narrow;
+    if (!narrow || std::fabs(narrow->value) <= 1) return 1;
+    WidestStroke measure;
+    const double extent = std::max(figure.box().breadth(), figure.box().height());
+    figure.draw(measure, extent / 4000, budget);
+    return measure.widest;
+}
+
+/// Throws Error if a wished side holds nothing but margins.
+void check_room(const char* what, std::optional<double> side, double taken, PictureFormat format) {
+    if (side && *side - taken < 1)
+        throw Error(std::string("the margins leave no room in a ") + what + " of " +
+                    with_unit(*side, format));
+}
+
+}  // namespace
+
+const std::vector<std::string>& colours_of(const Figure& figure, const PictureOptions& options) {
+    return options.colours.empty() ? figure.settings().colours : options.colours;
+}
+
+Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arrangement,
+          const PictureOptions& options, const Budget& budget) {
+    check_options(options, format);
+    if (arrangement == Arrangement::pages && plates.size() > 1 && format != PictureFormat::pdf &&
+        format != PictureFormat::ps)
+        throw Error(std::string("a ") + format_name(format) +
+                    " file holds one page; several generations need pdf or ps, or --panels to "
+                    "stand side by side");
+    check_figures(plates);
+
+    Plan result;
+    result.format = format;
+    result.arrangement = arrangement;
+    result.options = options;
+    if (options.background && *options.background != "transparent")
+        result.background = colour_named(*options.background);
+    else if (!options.background && format == PictureFormat::png)
+        result.background = Colour{1, 1, 1};
+
+    bool captions = false;
+    std::vector<Box> boxes;
+    result.margin = options.margin;
+    for (const Plate& plate : plates) {
+        const Palette known(colours_of(*plate.figure, options), 1);  // throws if not
+        result.widths.push_back(line_width(*plate.figure, options));
+        result.margin = std::max(
+            result.margin, result.widths.back() * widest_stroke(*plate.figure, budget) / 2);
+        captions = captions || !plate.caption.empty();
+        boxes.push_back(plate.figure->box());
+    }
+
+    LayoutWishes wishes;
+    wishes.width = options.width;
+    wishes.height = options.height;
+    wishes.longest = format == PictureFormat::png ? 1000 : 600;
+    wishes.margin = result.margin;
+    wishes.common_scale = options.common_scale;
+    if (arrangement == Arrangement::panels)
+        wishes.columns = std::min(options.columns.value_or(panel_columns(plates.size())), plates.size());
+    const double longer = std::max(options.width.value_or(0), options.height.value_or(0));
+    result.font_size = options.font_size.value_or((longer > 0 ? longer : wishes.longest) / 50);
+    wishes.caption = captions ? 1.6 * result.font_size : 0;
+    const std::size_t rows = arrangement == Arrangement::panels
+        ? (plates.size() + wishes.columns - 1) / wishes.columns
+        : 1;
+    check_room("width", options.width, static_cast<double>(wishes.columns + 1) * wishes.margin, format);
+    check_room("height", options.height,
+               static_cast<double>(rows + 1) * wishes.margin + static_cast<double>(rows) * wishes.caption,
+               format);
+
+    if (arrangement == Arrangement::pages) {
+        const std::vector<Layout> pages = page_layouts(boxes, wishes);
+        result.page.width = pages.front().width;
+        result.page.height = pages.front().height;
+        for (const Layout& page : pages) result.page.cells.push_back(page.cells.front());
+    } else {
+        result.page = layout(boxes, wishes);
+    }
+    Layout& page = result.page;
+    if (format == PictureFormat::png) {
+        page.width = std::ceil(page.width - 1e-6);
+        page.height = std::ceil(page.height - 1e-6);
+    }
+    check_length("width", page.width, 1, largest(format), format);
+    check_length("height", page.height, 1, largest(format), format);
+    if (format == PictureFormat::png) {
+        const std::string what = "a picture of " + number(page.width) + " x " +
+            with_unit(page.height, format);
+        budget.check_memory(static_cast<std::uint64_t>(4 * page.width * page.height), what.c_str());
+    }
+    return result;
+}
+
+}  // namespace algae

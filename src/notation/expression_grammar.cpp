@@ -74,8 +74,8 @@ Expression parse_expression(const char*& here, const char* end, const Source& so
         (*prefix >> wanted("a number or a name")[operand] >> *close) % separator;
 
     x3::phrase_parse(here, end, expression, grammar::blank);
-    if (builder.is_inside_call()) throw unexpected("an operator, ',' or ')'", here, end);
-    if (builder.is_inside_brackets()) throw unexpected("an operator or ')'", here, end);
+    if (builder.is_inside_call()) throw unexpected("an operator, ',' or ')'", here);
+    if (builder.is_inside_brackets()) throw unexpected("an operator or ')'", here);
     return builder.finish();
 }
 
@@ -83,7 +83,7 @@ Expression parse_expression(std::string_view text, const Source& source) {
     const char* here = text.data();
     const char* const end = here + text.size();
     Expression expression = parse_expression(here, end, source);
-    if (here != end) throw unexpected("an operator", here, end);
+    if (here != end) throw unexpected("an operator", here);
     return expression;
 }
 
@@ -93,7 +93,7 @@ std::vector<Expression> parse_arguments(const char*& here, const char* end, cons
         ++here;  // the bracket or the comma
         arguments.push_back(parse_expression(here, end, source));
     } while (here != end && *here == ',');
-    if (here == end || *here != ')') throw unexpected("an operator, ',' or ')'", here, end);
+    if (here == end || *here != ')') throw unexpected("an operator, ',' or ')'", here);
     ++here;
     return arguments;
 }

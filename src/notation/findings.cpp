@@ -7,9 +7,23 @@
 
 namespace algae {
 
-SyntaxError unexpected(const std::string& expectation, const char* where, const char* end) {
-    return {where, "expected " + expectation + ", found " +
-                       found({where, static_cast<std::size_t>(end - where)})};
+SyntaxError unexpected(const std::string& expectation, const char* where) {
+    return {where, "expected " + expectation + ", found ", false};
+}
+
+void Findings::add(const SyntaxError& error) {
+    if (error.names_found) return add(error.where, error.message);
+    const std::string_view text = source_.text();
+    std::size_t here = source_.offset(error.where);
+    while (here < text.size() && text[here] != '\n') {
+        const Character next = first_character(text.substr(here));
+        if (!is_blank(next.code)) break;
+        here += next.bytes;
+    }
+    const bool is_comment = here > source_.offset(error.where) && text.substr(here).starts_with('#');
+    if (here == text.size() || text[here] == '\n' || is_comment)
+        return add(error.where, error.message + "the end of the line");
+    add(here, error.message + found(text.substr(here, text.find('\n', here) - here)));
 }
 
 void Findings::add(std::size_t offset, std::string message) {

@@ -12,13 +12,14 @@ namespace algae {
 struct SyntaxError {
     const char* where;
     std::string message;
+    bool names_found = true;  // otherwise ", found ..." is still to be added
 };
 
 /// Thrown instead where a statement depends on a faulty one: nothing new is to be said.
 struct DependsOnError {};
 
-/// "expected `expectation`, found ..." at `where`; `end` is the end of what may be read.
-SyntaxError unexpected(const std::string& expectation, const char* where, const char* end);
+/// "expected `expectation`, found ..." with what stands at `where` or behind the blanks there.
+SyntaxError unexpected(const std::string& expectation, const char* where);
 
 /// The findings about one text, gathered while its reader goes on.
 class Findings {
@@ -28,7 +29,7 @@ public:
     void add(std::size_t offset, std::string message);
     void add(const char* where, std::string message) { add(source_.offset(where), std::move(message)); }
     void add(const Place& place, std::string message) { add(source_.offset(place), std::move(message)); }
-    void add(const SyntaxError& error) { add(error.where, error.message); }
+    void add(const SyntaxError& error);
 
     /// Counts findings that nobody will see.
     void add_more(std::size_t count) { count_ += count; }

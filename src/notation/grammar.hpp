@@ -95,7 +95,7 @@ struct Wanted : x3::unary_parser<Subject, Wanted<Subject>> {
         x3::skip_over(first, last, context);
         const char* const where = first;
         if (this->subject.parse(first, last, context, rule_context, attribute)) return true;
-        throw unexpected(expectation, where, last);
+        throw unexpected(expectation, where);
     }
 
     const char* expectation;

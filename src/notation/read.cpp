@@ -50,11 +50,14 @@ bool may_repeat(std::string_view name) {
     return false;
 }
 
-[[noreturn]] void refuse(const Statement& statement) {
+[[noreturn]] void refuse(const Statement& statement, const Reading& reading) {
+    constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
     const std::string_view text = statement.text;
     const std::string_view word = text.substr(0, std::min(text.find_first_of(" \t=:"), text.size()));
     throw SyntaxError{text.data(), "expected a setting or a rule with '->', found " + quoted(word) +
-                                       did_you_mean(statement.keyword, setting_names())};
+                                       (reading.findings.count() < most
+                                            ? did_you_mean(statement.keyword, setting_names())
+                                            : std::string())};
 }
 
 /// Each symbol once, in the order of its first occurrence.
@@ -81,7 +84,7 @@ void read_axiom(const Statement& statement, Reading& reading) {
 
 void read_statement(const Statement& statement, Stage at, Reading& reading) {
     const std::string_view name = statement.keyword, value = statement.value();
-    if (at == Stage::unknown) refuse(statement);
+    if (at == Stage::unknown) refuse(statement, reading);
     if (at == Stage::rule && statement.arrow) return read_rule(statement, reading);
     if (!may_repeat(name)) {
         const auto [first, is_new] = reading.given.emplace(name, statement.text.data());
@@ -95,7 +98,7 @@ void read_statement(const Statement& statement, Stage at, Reading& reading) {
         const bool is_axiom = at == Stage::axiom;
         throw unexpected(is_axiom ? "a word after 'axiom' (the empty word is ε)"
                                   : "a value after '" + std::string(name) + "'",
-                         end, end);
+                         end);
     }
     switch (at) {
         case Stage::alphabet:
@@ -106,11 +109,11 @@ void read_statement(const Statement& statement, Stage at, Reading& reading) {
             return read_axiom(statement, reading);
         case Stage::ignore:
             reading.system.ignored =
-                without_repetitions(parse_symbols(value, reading.lexicon, reading.source));
+                without_repetitions(parse_symbols(value, reading.lexicon));
             return;
         case Stage::terminals:
             reading.system.terminals =
-                without_repetitions(parse_symbols(value, reading.lexicon, reading.source));
+                without_repetitions(parse_symbols(value, reading.lexicon));
             return;
         case Stage::interpretation:
             return read_interpretation(statement, reading);
@@ -144,12 +147,14 @@ void read_statements(const std::vector<Statement>& all, Reading& reading) {
                                       "further down"};
                 read_statement(*statement, at, reading);
             } catch (const SyntaxError& error) {
-                if (statement->arrow && at == Stage::rule && follows_setting(*statement))
+                if (statement->arrow && at == Stage::rule && follows_setting(*statement)) {
                     reading.findings.add(statement->text.data(),
                                          "expected a line break or ';' between the setting " +
                                              quoted(statement->keyword) + " and the rule");
-                else
+                    reading.given.emplace(statement->keyword, statement->text.data());
+                } else {
                     reading.findings.add(error);
+                }
                 if (at == Stage::rule || at == Stage::interpretation) reading.broken_rules = true;
             } catch (const DependsOnError&) {
                 reading.broken_rules = true;

@@ -112,12 +112,12 @@ void parse_left_side(std::string_view text, Lexicon& lexicon, const Source& sour
 
     x3::phrase_parse(here, end, left_side, grammar::blank);
     if (predecessor.pattern.size() > 1)
-        throw unexpected("the arrow or a context after one symbol", predecessor.places[1], end);
+        throw unexpected("'->' or a context after one symbol", predecessor.places[1]);
     if (predecessor.pattern.empty())
         throw SyntaxError{text.data(), "expected a symbol before the arrow, found 'ε'"};
     if (here != end) {
-        if (production.condition) throw unexpected("an operator or the arrow", here, end);
-        throw unexpected("the arrow", here, end);
+        if (production.condition) throw unexpected("an operator or '->'", here);
+        throw unexpected("'->'", here);
     }
     check_parameters_differ(names);
     production.predecessor = std::move(predecessor.pattern.front());

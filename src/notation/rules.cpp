@@ -43,7 +43,7 @@ Production parse_production(std::string_view text, const char* arrow, Reading& r
     Production production;
     production.place = reading.source.place(text.data());
     const Arrow split = split_at_arrow(text, arrow);
-    if (split.left_side.empty()) throw unexpected("a symbol before the arrow", text.data(), arrow + 2);
+    if (split.left_side.empty()) throw unexpected("a symbol before the arrow", text.data());
     parse_left_side(split.left_side, reading.lexicon, reading.source, production);
     if (split.probability.data())
         production.probability = parse_probability(split.probability, reading);
@@ -63,7 +63,7 @@ void read_rule(const Statement& statement, Reading& reading) {
 void read_interpretation(const Statement& statement, Reading& reading) {
     const std::string_view rule = statement.value();
     if (!statement.arrow)
-        throw unexpected("a rule with '->'", rule.data() + rule.size(), rule.data() + rule.size());
+        throw unexpected("a rule with '->'", rule.data() + rule.size());
     reading.system.interpretation.push_back(parse_production(rule, statement.arrow, reading));
 }
 

@@ -43,7 +43,7 @@ void read_generations(std::string_view value, Reading& reading) {
     const auto range = wanted("a generation")[digits[on_first]] >>
                        -(".." >> wanted("a generation")[digits[on_last]]);
     x3::phrase_parse(here, end, range, grammar::blank);
-    if (here != end) throw unexpected("'..' or the end of the line", here, end);
+    if (here != end) throw unexpected("'..' or the end of the line", here);
     const std::pair generations{generation(first), generation(last)};
     if (generations.first > generations.second)
         throw SyntaxError{last.data(), "expected a generation from " + std::string(first) +
@@ -68,7 +68,7 @@ void read_expectation(const Statement& statement, Reading& reading) {
         throw SyntaxError{kind.data(), "expected one of " + all + ", found " + quoted(kind) +
                                            did_you_mean(kind, kinds)};
     }
-    if (here == end) throw unexpected("a value", here, end);
+    if (here == end) throw unexpected("a value", here);
     reading.system.expectations.push_back({std::string(kind), generation(number),
                                            std::string(between(here, end)),
                                            reading.source.place(statement.text.data())});
@@ -99,13 +99,12 @@ void read_start(std::string_view value, Reading& reading) {
     const auto parts = pieces(value);
     const auto part = [&](std::size_t i, const char* what) {
         const char* const end = value.data() + value.size();
-        if (i >= parts.size()) throw unexpected(what, end, end);
+        if (i >= parts.size()) throw unexpected(what, end);
         return reading.quantity(parse_expression(parts[i], reading.source));
     };
     Settings::Start start{part(0, "x, y and heading"), part(1, "y and heading"), part(2, "a heading")};
     if (parts.size() > 3)
-        throw unexpected("the end of the line after x, y and heading", parts[3].data(),
-                         value.data() + value.size());
+        throw unexpected("the end of the line after x, y and heading", parts[3].data());
     reading.system.settings.start = std::move(start);
 }
 
@@ -155,7 +154,7 @@ void read_constant(const Statement& statement, Reading& reading) {
     const auto head = wanted("a constant's name")[x3::raw[grammar::name][on_name]];
     x3::phrase_parse(here, end, head, grammar::blank);
     try {
-        if (here == end || *here != '=') throw unexpected("'='", here, end);
+        if (here == end || *here != '=') throw unexpected("'='", here);
         if (reading.constants.count(name))
             throw SyntaxError{value.data(), "the constant " + quoted(name) + " is given twice"};
         Quantity quantity = reading.quantity(parse_expression(between(here + 1, end), reading.source));
@@ -197,13 +196,13 @@ void read_setting(const Statement& statement, Reading& reading) {
         for (const std::string_view piece : pieces(value)) system.identifiers.emplace_back(piece);
     } else if (name == "table") {
         const auto parts = pieces(value);
-        if (parts.size() > 1) throw unexpected("the end of the line", parts[1].data(), value.data() + value.size());
+        if (parts.size() > 1) throw unexpected("the end of the line", parts[1].data());
         if (!reading.tables.emplace(value).second)
             throw SyntaxError{value.data(), "the table " + quoted(value) + " is opened twice"};
         system.tables.emplace_back(value);
     } else if (name == "turn") {
         if (value != "clockwise" && value != "counter-clockwise")
-            throw unexpected("'clockwise' or 'counter-clockwise'", value.data(), value.data() + value.size());
+            throw unexpected("'clockwise' or 'counter-clockwise'", value.data());
         system.settings.clockwise = value == "clockwise";
     } else if (name == "generation") {
         read_generations(value, reading);

@@ -54,7 +54,7 @@ ShapeSuccessor parse_division(std::string_view text, Reading& reading) {
     const auto parts = wanted("'{' and the parts")[x3::lit('{')] >> wanted("a symbol")[+part] >>
                        wanted("a symbol or '}'")[x3::lit('}')];
     x3::phrase_parse(here, end, operation >> '(' >> axis >> sizes >> parts, grammar::blank);
-    if (here != end) throw unexpected("the end of the rule", here, end);
+    if (here != end) throw unexpected("the end of the rule", here);
     if (shape.operation == "repeat" && shape.sizes.size() != 1)
         throw SyntaxError{text.data(), "expected one size of repeat, found " +
                                            std::to_string(shape.sizes.size())};

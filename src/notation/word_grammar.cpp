@@ -37,9 +37,9 @@ void scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol, OnArgumen
             here = on_arguments(here);
             may_open = false;
         } else {
-            SyntaxError error = unexpected("a symbol", here, end);
-            if (byte == '#') error.message += "; a comment needs a blank before its '#'";
-            throw error;
+            if (byte == '#')
+                throw SyntaxError{here, "expected a symbol, found '#'; a comment needs a blank before"};
+            throw unexpected("a symbol", here);
         }
     }
 }
@@ -62,12 +62,12 @@ ModuleWord parse_word(std::string_view text, Lexicon& lexicon, const Source& sou
     return word;
 }
 
-Word parse_symbols(std::string_view text, Lexicon& lexicon, const Source&) {
+Word parse_symbols(std::string_view text, Lexicon& lexicon) {
     Word word;
     scan(
         text, lexicon, [&](Symbol symbol, const char*) { word.push_back(symbol); },
         [&](const char* where) -> const char* {
-            throw unexpected("symbols without parameters", where, text.data() + text.size());
+            throw unexpected("symbols without parameters", where);
         });
     return word;
 }

@@ -16,7 +16,7 @@ namespace algae {
 ModuleWord parse_word(std::string_view text, Lexicon& lexicon, const Source& source);
 
 /// Symbols without arguments. Throws `SyntaxError`.
-Word parse_symbols(std::string_view text, Lexicon& lexicon, const Source& source);
+Word parse_symbols(std::string_view text, Lexicon& lexicon);
 
 /// Adds a finding for each bracket of the word without its other half; `text` is what the word was
 /// read from.

@@ -44,7 +44,8 @@ public:
     double midpoint() const;
     /// The double that every number in the interval rounds to, if there is one.
     std::optional<double> unique_double() const;
-    /// Exact ends of the interval. Throws `Error` if it is not finite.
+    /// Exact ends of the interval. Throws `Error` if it is not finite, `BoundReached` if its numbers
+    /// are too large or too small to be written out.
     Rational lower() const;
     Rational upper() const;
 
@@ -59,7 +60,7 @@ public:
     friend Ball operator-(Ball value);
 
 private:
-    friend struct FlintHandle;
+    friend struct BallHandle;  // exact/arb.hpp, for the .cpp files of this room
     struct Enclosure;
 
     std::unique_ptr<Enclosure> enclosure_;
@@ -94,8 +95,9 @@ Ball hull(const Ball& left, const Ball& right);
 
 /// The number that `enclose(bits)` encloses ever more tightly as `bits` grows, rounded to so many
 /// digits after the point. `enclose` is called with more and more bits until the answer is certain.
-/// Throws `BoundReached` after `largest_bits`: the number lies on, or extremely close to, the middle
-/// between two decimals, where only an exact form can say more (use the `decimal` of a Rational).
+/// Throws `BoundReached` when `largest_bits` and 4 more for every digit do not suffice: the number
+/// lies on, or extremely close to, the middle between two decimals, where only an exact form can say
+/// more (use the `decimal` of a Rational).
 ///
 /// Example: decimal([](long bits) { return sqrt(Ball(2, bits)); }, 5) == "1.41421"
 std::string decimal(const std::function<Ball(long bits)>& enclose, int digits_after_point,

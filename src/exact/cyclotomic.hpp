@@ -51,7 +51,7 @@ public:
     /// Example: CyclotomicRing(6).zeta(3) == CyclotomicRing(6).integer(-1)
     CyclotomicInteger zeta(long exponent) const;
     /// The coordinates of zeta^exponent as machine numbers. They are small: for m up to 3600 they
-    /// fit in 16 bits. The table behind it is built at the first call (m * phi(m) numbers).
+    /// are at most 18 in size. The table behind it is built at the first call (m * phi(m) numbers).
     std::span<const std::int64_t> power(long exponent) const;
 
     /// left += right and so on, in place.
@@ -73,7 +73,8 @@ public:
     int real_part_sign(const CyclotomicInteger& value) const;
     int imaginary_part_sign(const CyclotomicInteger& value) const;
     /// How the real parts compare, exactly.
-    std::weak_ordering compare_real(const CyclotomicInteger& left, const CyclotomicInteger& right) const;
+    std::weak_ordering compare_real(const CyclotomicInteger& left,
+                                    const CyclotomicInteger& right) const;
     std::weak_ordering compare_imaginary(const CyclotomicInteger& left,
                                          const CyclotomicInteger& right) const;
     /// Which of two points lies farther in the direction of zeta^exponent: compares the real parts
@@ -112,5 +113,7 @@ std::size_t hash_value(const CyclotomicInteger& value);
 
 template <>
 struct std::hash<algae::CyclotomicInteger> {
-    std::size_t operator()(const algae::CyclotomicInteger& value) const { return hash_value(value); }
+    std::size_t operator()(const algae::CyclotomicInteger& value) const {
+        return hash_value(value);
+    }
 };

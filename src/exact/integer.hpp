@@ -25,7 +25,9 @@ public:
     /// Example: Integer(std::numeric_limits<std::uint64_t>::max()) + 1 == power(Integer(2), 64)
     template <std::integral T>
     Integer(T value) {
-        if constexpr (std::signed_integral<T>) {
+        if constexpr (sizeof(T) < sizeof(long)) {
+            word_ = static_cast<long>(value);
+        } else if constexpr (std::signed_integral<T>) {
             if (value >= -small_limit && value <= small_limit)
                 word_ = static_cast<long>(value);
             else
@@ -82,9 +84,15 @@ public:
     Integer& operator++() { return *this += 1; }
     Integer& operator--() { return *this -= 1; }
 
-    friend Integer operator+(Integer left, const Integer& right) { return std::move(left += right); }
-    friend Integer operator-(Integer left, const Integer& right) { return std::move(left -= right); }
-    friend Integer operator*(Integer left, const Integer& right) { return std::move(left *= right); }
+    friend Integer operator+(Integer left, const Integer& right) {
+        return std::move(left += right);
+    }
+    friend Integer operator-(Integer left, const Integer& right) {
+        return std::move(left -= right);
+    }
+    friend Integer operator*(Integer left, const Integer& right) {
+        return std::move(left *= right);
+    }
     friend Integer operator-(Integer value) {
         value.negate();
         return value;
@@ -99,7 +107,7 @@ public:
 
     friend bool operator==(const Integer& left, const Integer& right) {
         return left.word_ == right.word_ ||
-            (!left.is_small() && !right.is_small() && compare_large(left, right) == 0);
+               (!left.is_small() && !right.is_small() && compare_large(left, right) == 0);
     }
     friend std::strong_ordering operator<=>(const Integer& left, const Integer& right) {
         if (left.is_small() && right.is_small()) return left.word_ <=> right.word_;
@@ -115,7 +123,7 @@ public:
     /// Throws `Error` if the number is negative or does not fit.
     std::uint64_t to_uint64() const;
     /// The nearest double, ties to even; infinite beyond the doubles.
-    double to_double() const;
+    double to_double() const { return is_small() ? static_cast<double>(word_) : large_to_double(); }
 
     /// No Integer has more bits than this: it would fill a GiB.
     static constexpr std::uint64_t largest_bit_length = std::uint64_t{1} << 33;
@@ -143,6 +151,7 @@ private:
     void subtract_large(const Integer& right);
     void multiply_large(const Integer& right);
     void negate_large();
+    double large_to_double() const;
     static int compare_large(const Integer& left, const Integer& right);
 
     long word_ = 0;  // FLINT's fmpz

@@ -32,7 +32,9 @@ public:
     bool is_zero() const;
 
     /// The entry in a row and a column, both counted from 0. Not checked.
-    Integer& operator()(std::size_t row, std::size_t column) { return entries_[row * columns_ + column]; }
+    Integer& operator()(std::size_t row, std::size_t column) {
+        return entries_[row * columns_ + column];
+    }
     const Integer& operator()(std::size_t row, std::size_t column) const {
         return entries_[row * columns_ + column];
     }

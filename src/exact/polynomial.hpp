@@ -2,6 +2,7 @@
 
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <initializer_list>
 #include <iosfwd>
 #include <optional>
@@ -48,15 +49,33 @@ public:
     Polynomial& operator+=(const Polynomial& right);
     Polynomial& operator-=(const Polynomial& right);
     Polynomial& operator*=(const Polynomial& right);
-    friend Polynomial operator+(Polynomial left, const Polynomial& right) { return std::move(left += right); }
-    friend Polynomial operator-(Polynomial left, const Polynomial& right) { return std::move(left -= right); }
-    friend Polynomial operator*(Polynomial left, const Polynomial& right) { return std::move(left *= right); }
+    friend Polynomial operator+(Polynomial left, const Polynomial& right) {
+        return std::move(left += right);
+    }
+    friend Polynomial operator-(Polynomial left, const Polynomial& right) {
+        return std::move(left -= right);
+    }
+    friend Polynomial operator*(Polynomial left, const Polynomial& right) {
+        return std::move(left *= right);
+    }
     friend Polynomial operator-(Polynomial value);
     friend bool operator==(const Polynomial&, const Polynomial&) = default;
 
     Integer operator()(const Integer& x) const;
     Rational operator()(const Rational& x) const;
     Ball operator()(const Ball& x) const;
+
+    /// Throws `BoundReached` if the result would be too long.
+    friend Polynomial power(const Polynomial& base, std::uint64_t exponent);
+    /// The greatest common divisor over the integers, leading coefficient not negative.
+    ///
+    /// Example: gcd(Polynomial({-1, 0, 1}), Polynomial({1, 2, 1})) == Polynomial({1, 1})
+    friend Polynomial gcd(const Polynomial& left, const Polynomial& right);
+    /// dividend / divisor if it is a polynomial with integer coefficients. Throws `Error` on 0.
+    friend std::optional<Polynomial> exact_divide(const Polynomial& dividend,
+                                                  const Polynomial& divisor);
+    /// The remainder modulo a polynomial whose leading coefficient is 1 or -1; otherwise throws `Error`.
+    friend Polynomial remainder(const Polynomial& dividend, const Polynomial& divisor);
 
 private:
     friend struct FlintHandle;
@@ -65,8 +84,6 @@ private:
     std::vector<Integer> coefficients_;  // the last one is not 0
 };
 
-/// Throws `BoundReached` if the result would be too long.
-Polynomial power(const Polynomial& base, unsigned exponent);
 Polynomial derivative(const Polynomial& value);
 /// The coefficients in the opposite order: x^degree p(1/x).
 Polynomial reversed(const Polynomial& value);
@@ -74,14 +91,6 @@ Polynomial reversed(const Polynomial& value);
 Integer content(const Polynomial& value);
 /// The polynomial over its content, leading coefficient positive; 0 for 0.
 Polynomial primitive_part(const Polynomial& value);
-/// The greatest common divisor over the integers, leading coefficient not negative.
-///
-/// Example: gcd(Polynomial({-1, 0, 1}), Polynomial({1, 2, 1})) == Polynomial({1, 1})
-Polynomial gcd(const Polynomial& left, const Polynomial& right);
-/// dividend / divisor if it is a polynomial with integer coefficients. Throws `Error` on 0.
-std::optional<Polynomial> exact_divide(const Polynomial& dividend, const Polynomial& divisor);
-/// The remainder modulo a polynomial whose leading coefficient is 1 or -1; otherwise throws `Error`.
-Polynomial remainder(const Polynomial& dividend, const Polynomial& divisor);
 /// Whether no factor of positive degree occurs twice.
 bool is_squarefree(const Polynomial& value);
 

@@ -46,10 +46,18 @@ public:
     /// Throws `Error` on a division by 0.
     Rational& operator/=(const Rational& right);
 
-    friend Rational operator+(Rational left, const Rational& right) { return std::move(left += right); }
-    friend Rational operator-(Rational left, const Rational& right) { return std::move(left -= right); }
-    friend Rational operator*(Rational left, const Rational& right) { return std::move(left *= right); }
-    friend Rational operator/(Rational left, const Rational& right) { return std::move(left /= right); }
+    friend Rational operator+(Rational left, const Rational& right) {
+        return std::move(left += right);
+    }
+    friend Rational operator-(Rational left, const Rational& right) {
+        return std::move(left -= right);
+    }
+    friend Rational operator*(Rational left, const Rational& right) {
+        return std::move(left *= right);
+    }
+    friend Rational operator/(Rational left, const Rational& right) {
+        return std::move(left /= right);
+    }
     friend Rational operator-(Rational value) {
         value.numerator_.negate();
         return value;
@@ -57,6 +65,20 @@ public:
 
     friend bool operator==(const Rational&, const Rational&) = default;
     friend std::strong_ordering operator<=>(const Rational& left, const Rational& right);
+
+    /// Throws `Error` on a negative power of 0, `BoundReached` if the result would be too long.
+    ///
+    /// Example: power(Rational(2, 3), -2) == Rational(9, 4)
+    friend Rational power(const Rational& base, long exponent);
+    /// Example: abs(Rational(-1, 2)) == Rational(1, 2)
+    friend Rational abs(Rational value);
+    /// -1, 0 or 1.
+    friend int sign(const Rational& value);
+    /// "257/10", or "5" for an integer.
+    ///
+    /// Example: to_string(Rational("25.7")) == "257/10"
+    friend std::string to_string(const Rational& value);
+    friend std::size_t hash_value(const Rational& value);
 
 private:
     friend struct FlintHandle;
@@ -80,22 +102,6 @@ Integer ceiling(const Rational& value);
 /// Example: round_half_even(Rational(5, 2)) == 2
 Integer round_half_even(const Rational& value);
 
-/// Throws `Error` on a negative power of 0, `BoundReached` if the result would be too long.
-///
-/// Example: power(Rational(2, 3), -2) == Rational(9, 4)
-Rational power(const Rational& base, long exponent);
-
-/// Example: abs(Rational(-1, 2)) == Rational(1, 2)
-Rational abs(Rational value);
-
-/// -1, 0 or 1.
-int sign(const Rational& value);
-
-/// "257/10", or "5" for an integer.
-///
-/// Example: to_string(Rational("25.7")) == "257/10"
-std::string to_string(const Rational& value);
-
 std::ostream& operator<<(std::ostream& out, const Rational& value);
 
 /// The number rounded to so many digits after the point, a tie going to the even last digit. What
@@ -109,8 +115,6 @@ std::string decimal(const Rational& value, int digits_after_point);
 ///
 /// Example: exact_decimal(Rational(257, 10)) == "25.7"
 std::optional<std::string> exact_decimal(const Rational& value);
-
-std::size_t hash_value(const Rational& value);
 
 }  // namespace algae
 

@@ -90,7 +90,13 @@ Document::Document(PictureFormat format, double width, double height,
 
 Document::~Document() {
     sink_->abandoned = true;
-    if (context_) cairo_destroy(context_);
+    if (context_) {
+        // Cairo would still work out all that was drawn; wiped out, there is nothing to work out.
+        cairo_reset_clip(context_);
+        cairo_set_operator(context_, CAIRO_OPERATOR_CLEAR);
+        cairo_paint(context_);
+        cairo_destroy(context_);
+    }
     if (surface_) cairo_surface_destroy(surface_);
 }
 

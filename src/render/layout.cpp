@@ -31,6 +31,13 @@ Frame centred(const Box& box, const Cell& cell, double scale) {
             cell.top + cell.height / 2 + scale * (box.low.y / 2 + box.high.y / 2)};
 }
 
+/// The figure in the middle of its cell's lower side, where figures of one scale stand in a row.
+Frame standing(const Box& box, const Cell& cell, double scale) {
+    Frame frame = centred(box, cell, scale);
+    frame.y = cell.top + cell.height + scale * box.low.y;
+    return frame;
+}
+
 struct Size {
     double width = 0, height = 0;
 };
@@ -85,8 +92,8 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         cell = {width, tight_cell(boxes, width, height, wishes.common_scale).height};
     } else {
         const double width = share(wishes.longest, gaps_across, across);
-        const double height = columns == 1 ? share(wishes.longest, gaps_down, down) : width * 2;
-        cell = tight_cell(boxes, width, height, wishes.common_scale);
+        const double height = share(wishes.longest, gaps_down, down);
+        cell = tight_cell(boxes, width, std::min(height, width * steepest), wishes.common_scale);
     }
 
     Layout result;
@@ -102,10 +109,9 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         place.top = wishes.margin + row * (cell.height + wishes.margin + wishes.caption);
         place.caption_top = place.top + cell.height;
         const Box& box = boxes[i];
-        place.frame = centred(box, place,
-                              wishes.common_scale && std::isfinite(common)
-                                  ? common
-                                  : fitting_scale(box, cell.width, cell.height));
+        place.frame = wishes.common_scale && std::isfinite(common)
+            ? standing(box, place, common)
+            : centred(box, place, fitting_scale(box, cell.width, cell.height));
         result.cells.push_back(place);
     }
     return result;
@@ -129,7 +135,7 @@ std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes
     const double scale = common_scale(boxes, any.width, any.height);
     for (std::size_t i = 0; i < pages.size() && std::isfinite(scale); ++i) {
         Cell& cell = pages[i].cells.front();
-        cell.frame = centred(boxes[i], cell, scale);
+        cell.frame = standing(boxes[i], cell, scale);
     }
     return pages;
 }

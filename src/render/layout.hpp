@@ -40,8 +40,8 @@ struct Layout {
 };
 
 /// The layout of figures with these boxes in rows of cells of one size, each figure in the middle
-/// of its cell. In a row of several cells none is more than twice as high as wide unless the
-/// wishes say so.
+/// of its cell, or with one scale for all in the middle of its lower side. In a row of several
+/// cells none is more than twice as high as wide unless the wishes say so.
 Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes);
 
 /// One page for each figure, all of the size that holds the largest in each direction.

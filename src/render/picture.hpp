@@ -36,15 +36,17 @@ struct PictureOptions {
     std::optional<double> width, height;
     /// The blank border, at least half a line width so that no stroke is cut off.
     double margin = 10;
-    /// Instead of the figure's own `width`, or 1.
+    /// Instead of the figure's own `width`, or of 1 (0.6 points in a row of panels).
     std::optional<double> line_width;
     /// Instead of the figure's own `colour`: names, #rrggbb or `along`.
     std::vector<std::string> colours;
     /// A colour or `transparent`. Nothing: white in png, no background elsewhere.
     std::optional<std::string> background;
-    /// The height of the letters of captions. Nothing: 1/50 of the picture's longer side.
+    /// The height of the letters of captions. Nothing: 1/50 of the picture's longer side, down to
+    /// 1/80 where panels share a row.
     std::optional<double> font_size;
-    /// Pages and panels: one scale for all, as large as the largest figure allows.
+    /// Pages and panels: one scale for all, as large as the largest figure allows, and all figures
+    /// standing on one line.
     bool common_scale = false;
     /// Panels: how many in a row. Nothing: up to 5 in one row, then rows of equal length.
     std::optional<std::size_t> columns;

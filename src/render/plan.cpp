@@ -13,6 +13,7 @@ namespace {
 
 constexpr double largest_png = 20'000;     // pixels a side
 constexpr double largest_vector = 14'400;  // points a side: what PDF readers take (ISO 32000)
+constexpr double panel_line_width = 0.6;   // points, unless somebody says otherwise
 
 double largest(PictureFormat format) {
     return format == PictureFormat::png ? largest_png : largest_vector;
@@ -62,10 +63,11 @@ void check_figures(std::span<const Plate> plates) {
                                           "polygons in braces");
 }
 
-double line_width(const Figure& figure, const PictureOptions& options) {
+/// `unset`: the width where neither options nor figure say one.
+double line_width(const Figure& figure, const PictureOptions& options, double unset) {
     if (options.line_width) return *options.line_width;
     const std::optional<Quantity>& own = figure.settings().width;
-    if (!own) return 1;
+    if (!own) return unset;
     if (!(own->value > 0 && own->value <= largest_vector))
         throw Error("the setting width must be above 0 and at most " + number(largest_vector) +
                     ", not " + number(own->value));
@@ -96,6 +98,11 @@ double widest_stroke(const Figure& figure, const Budget& budget) {
     const double extent = std::max(figure.box().breadth(), figure.box().height());
     figure.draw(measure, extent / 4000, budget);
     return measure.widest;
+}
+
+/// The height of letters that suits a picture, smaller where several captions share its width.
+double caption_size(double longer, std::size_t columns) {
+    return std::clamp(longer / (15 * static_cast<double>(columns)), longer / 80, longer / 50);
 }
 
 /// Throws Error if a wished side holds nothing but margins.
@@ -130,28 +137,30 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     else if (!options.background && format == PictureFormat::png)
         result.background = Colour{1, 1, 1};
 
+    LayoutWishes wishes;
+    if (arrangement == Arrangement::panels)
+        wishes.columns = std::min(options.columns.value_or(panel_columns(plates.size())), plates.size());
+    const double unset = wishes.columns > 1 && format != PictureFormat::png ? panel_line_width : 1;
     bool captions = false;
     std::vector<Box> boxes;
     result.margin = options.margin;
     for (const Plate& plate : plates) {
         const Palette known(colours_of(*plate.figure, options), 1);  // throws if not
-        result.widths.push_back(line_width(*plate.figure, options));
+        result.widths.push_back(line_width(*plate.figure, options, unset));
         result.margin = std::max(
             result.margin, result.widths.back() * widest_stroke(*plate.figure, budget) / 2);
         captions = captions || !plate.caption.empty();
         boxes.push_back(plate.figure->box());
     }
 
-    LayoutWishes wishes;
     wishes.width = options.width;
     wishes.height = options.height;
     wishes.longest = format == PictureFormat::png ? 1000 : 600;
     wishes.margin = result.margin;
     wishes.common_scale = options.common_scale;
-    if (arrangement == Arrangement::panels)
-        wishes.columns = std::min(options.columns.value_or(panel_columns(plates.size())), plates.size());
     const double longer = std::max(options.width.value_or(0), options.height.value_or(0));
-    result.font_size = options.font_size.value_or((longer > 0 ? longer : wishes.longest) / 50);
+    result.font_size = options.font_size.value_or(
+        caption_size(longer > 0 ? longer : wishes.longest, wishes.columns));
     wishes.caption = captions ? 1.6 * result.font_size : 0;
     const std::size_t rows = arrangement == Arrangement::panels
         ? (plates.size() + wishes.columns - 1) / wishes.columns

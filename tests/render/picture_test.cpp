@@ -306,7 +306,7 @@ TEST_CASE("pages and panels") {
     CHECK(svg.str().empty());
     const Drawn panels = draw_panels(plates, svg, PictureFormat::svg, {}, Budget{});
     CHECK(panels.width == doctest::Approx(600));
-    CHECK(occurrences(svg.str(), "<path style=\"fill:none;stroke-width:1;") == 5 + 2 + 5);
+    CHECK(occurrences(svg.str(), "<path style=\"fill:none;stroke-width:0.6;") == 5 + 2 + 5);
 }
 
 TEST_CASE("options out of range are errors before any work") {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "notation/settings_grammar.hpp"
+#include "notation/canonical.hpp"
 #include "notation/spelling.hpp"
 
 namespace algae {
@@ -37,15 +37,8 @@ std::string print_pattern(const Alphabet& alphabet, const Pattern& pattern, cons
     return out;
 }
 
-/// Symbols with a blank between any two.
-std::string print_list(const Alphabet& alphabet, const Word& symbols) {
-    std::string out;
-    for (const Symbol symbol : symbols) out += (out.empty() ? "" : " ") + alphabet.name(symbol);
-    return out;
-}
-
 std::string print_shape(const Alphabet& alphabet, const ShapeSuccessor& shape) {
-    if (shape.operation == "I") return "I(" + print_list(alphabet, shape.parts) + ')';
+    if (shape.operation == "I") return "I(" + spell_apart(alphabet, shape.parts) + ')';
     std::string out = shape.operation + '(' + shape.axis;
     for (const ShapeSuccessor::Size& size : shape.sizes) {
         std::string text = to_text(size.value);
@@ -54,7 +47,7 @@ std::string print_shape(const Alphabet& alphabet, const ShapeSuccessor& shape) {
             text = '(' + text + ')';
         out += ", " + text + (size.relative ? "r" : "");
     }
-    return out + "){ " + print_list(alphabet, shape.parts) + " }";
+    return out + "){ " + spell_apart(alphabet, shape.parts) + " }";
 }
 
 /// The text of a word that is not taken for something else because of how it begins.
@@ -107,62 +100,7 @@ std::string print_rule(const Alphabet& alphabet, const Production& rule) {
 
 std::string print_lsystem(const LSystem& system) {
     std::string out;
-    const auto line = [&](const char* name, const std::string& value) {
-        out += std::string(name) + ' ' + value + '\n';
-    };
-    const auto number = [&](const char* name, const std::optional<Quantity>& value) {
-        if (value) line(name, to_text(value->expression));
-    };
-    if (!system.title.empty()) line("title", system.title);
-    if (!system.source.empty()) line("source", system.source);
-    std::string identifiers;
-    for (const std::string& name : system.identifiers) identifiers += (identifiers.empty() ? "" : " ") + name;
-    if (!identifiers.empty()) line("id", identifiers);
-    if (!system.declared.empty()) line("alphabet", print_list(system.alphabet, system.declared));
-    for (const auto& [name, value] : system.constants)
-        line("let", name + " = " + to_text(value.expression));
-    line("axiom", print_word(system.alphabet, system.axiom));
-    std::size_t table = 0;
-    const auto open_tables = [&](std::size_t end) {
-        for (; table < end; ++table) line("table", system.tables[table]);
-    };
-    for (const Production& rule : system.rules) {
-        if (!system.tables.empty()) open_tables(rule.table + 1);
-        out += print_rule(system.alphabet, rule) + '\n';
-    }
-    open_tables(system.tables.size());
-    if (!system.ignored.empty()) line("ignore", print_list(system.alphabet, system.ignored));
-    if (!system.terminals.empty()) line("terminals", print_list(system.alphabet, system.terminals));
-    for (const Production& rule : system.interpretation)
-        line("interpret", print_rule(system.alphabet, rule));
-    const Settings& settings = system.settings;
-    number("angle", settings.angle);
-    number("step", settings.step);
-    number("shrink", settings.shrink);
-    if (settings.start) {
-        std::string start;
-        for (const Quantity* part : {&settings.start->x, &settings.start->y, &settings.start->heading}) {
-            std::string text = to_text(part->expression);
-            if (text.find(' ') != std::string::npos) text = '(' + text + ')';
-            start += (start.empty() ? "" : " ") + text;
-        }
-        line("start", start);
-    }
-    number("spin", settings.spin);
-    number("scale", settings.scale);
-    number("narrow", settings.narrow);
-    number("width", settings.width);
-    std::string colours;
-    for (const std::string& colour : settings.colours) colours += (colours.empty() ? "" : " ") + colour;
-    if (!colours.empty()) line("colour", colours);
-    if (settings.clockwise) line("turn", "clockwise");
-    if (settings.generations) {
-        const auto [first, last] = *settings.generations;
-        line("generation", std::to_string(first) + (last == first ? "" : ".." + std::to_string(last)));
-    }
-    for (const Expectation& expectation : system.expectations)
-        line("expect", expectation.kind + ' ' + std::to_string(expectation.generation) + ": " +
-                           expectation.value);
+    for (const CanonicalLine& line : canonical_lines(system)) out += line.text + '\n';
     return out;
 }
 

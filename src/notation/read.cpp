@@ -22,24 +22,16 @@ constexpr Stage all_stages[] = {Stage::alphabet,       Stage::constant, Stage::a
                                 Stage::rule,           Stage::ignore,   Stage::terminals,
                                 Stage::interpretation, Stage::other,    Stage::unknown};
 
-/// Whether the keyword is all up to the first blank.
-bool stands_alone(const Statement& statement) {
-    const std::size_t length = statement.keyword.size();
-    return statement.text.size() == length ||
-           is_blank(static_cast<unsigned char>(statement.text[length]));
-}
-
 Stage stage(const Statement& statement) {
+    if (is_rule(statement)) return Stage::rule;
     const std::string_view name = statement.keyword;
-    if (stands_alone(statement) && (name == "title" || name == "source")) return Stage::other;
-    if (stands_alone(statement) && name == "interpret") return Stage::interpretation;
-    if (statement.arrow) return Stage::rule;
     if (name == "alphabet") return Stage::alphabet;
     if (name == "let") return Stage::constant;
     if (name == "axiom") return Stage::axiom;
     if (name == "table") return Stage::rule;
     if (name == "ignore") return Stage::ignore;
     if (name == "terminals") return Stage::terminals;
+    if (name == "interpret") return Stage::interpretation;
     const auto& names = setting_names();
     return std::find(names.begin(), names.end(), name) != names.end() ? Stage::other : Stage::unknown;
 }
@@ -127,7 +119,7 @@ bool follows_setting(const Statement& statement) {
     const std::string_view name = statement.keyword;
     const auto& names = setting_names();
     return std::find(names.begin(), names.end(), name) != names.end() &&
-           stands_alone(statement);
+           statement.has_word(name);
 }
 
 void read_statements(const std::vector<Statement>& all, Reading& reading) {

@@ -140,8 +140,8 @@ const std::vector<std::string>& setting_names() {
 }
 
 const std::vector<std::string>& expectation_kinds() {
-    static const std::vector<std::string> kinds{"length",   "word", "segments", "distinct",
-                                                "vertices", "end",  "box"};
+    static const std::vector<std::string> kinds{"length",   "lengths",  "word", "segments",
+                                                "distinct", "vertices", "end",  "box"};
     return kinds;
 }
 

@@ -35,4 +35,10 @@ void Spelling::add(Symbol symbol, std::string& out) {
     last_ = &name;
 }
 
+std::string spell_apart(const Alphabet& alphabet, const Word& symbols) {
+    std::string out;
+    for (const Symbol symbol : symbols) out += (out.empty() ? "" : " ") + alphabet.name(symbol);
+    return out;
+}
+
 }  // namespace algae

@@ -27,4 +27,7 @@ private:
     const std::string* last_ = nullptr;
 };
 
+/// Symbols with a blank between any two.
+std::string spell_apart(const Alphabet& alphabet, const Word& symbols);
+
 }  // namespace algae

@@ -37,6 +37,16 @@ const char* first_arrow(std::string_view text) {
 
 }  // namespace
 
+bool Statement::has_word(std::string_view word) const {
+    return keyword == word &&
+           (text.size() == word.size() || is_ascii_blank(text[word.size()]));
+}
+
+bool is_rule(const Statement& statement) {
+    return statement.arrow && !statement.has_word("title") && !statement.has_word("source") &&
+           !statement.has_word("interpret");
+}
+
 std::string_view Statement::value() const {
     return trimmed(text.substr(keyword.size()));
 }

@@ -12,6 +12,8 @@ struct Statement {
     const char* arrow = nullptr;   // its first `->` or `→`; nullptr if it has none
     const char* comments = nullptr;  // where the blank lines and comments before it begin
 
+    /// Whether the keyword is all up to the first blank.
+    bool has_word(std::string_view word) const;
     /// What stands behind the keyword, without blanks.
     std::string_view value() const;
 };
@@ -19,6 +21,10 @@ struct Statement {
 /// The statements of a text: `;` and line breaks separate them, `#` at the start of a line or
 /// behind white space opens a comment (but in `colour #ff8000` it opens a colour). Linear.
 std::vector<Statement> statements(std::string_view text);
+
+/// Whether a statement is a rule: it has an arrow that is not part of a title, a source or an
+/// interpretation.
+bool is_rule(const Statement& statement);
 
 /// The comments in a stretch of text without statements, each with its `#`, without the line break.
 std::vector<std::string_view> comments(std::string_view text);

@@ -1,0 +1,96 @@
+#include "notation/canonical.hpp"
+
+#include <utility>
+
+#include "notation/print.hpp"
+#include "notation/spelling.hpp"
+
+namespace algae {
+
+namespace {
+
+/// Gathers the lines.
+class Lines {
+public:
+    void setting(const char* keyword, const std::string& value) {
+        if (!value.empty()) lines_.push_back({keyword, std::string(keyword) + ' ' + value});
+    }
+    void number(const char* keyword, const std::optional<Quantity>& value) {
+        if (value) setting(keyword, to_text(value->expression));
+    }
+    void rule(std::string text) { lines_.push_back({"->", std::move(text)}); }
+    std::vector<CanonicalLine> take() { return std::move(lines_); }
+
+private:
+    std::vector<CanonicalLine> lines_;
+};
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string out;
+    for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+    return out;
+}
+
+void add_rules(const LSystem& system, Lines& lines) {
+    std::size_t opened = 0;
+    const auto open_tables = [&](std::size_t end) {
+        for (; opened < end; ++opened) lines.setting("table", system.tables[opened]);
+    };
+    for (const Production& rule : system.rules) {
+        if (!system.tables.empty()) open_tables(rule.table + 1);
+        lines.rule(print_rule(system.alphabet, rule));
+    }
+    open_tables(system.tables.size());
+}
+
+std::string print_start(const Settings::Start& start) {
+    std::vector<std::string> parts;
+    for (const Quantity* part : {&start.x, &start.y, &start.heading}) {
+        const std::string text = to_text(part->expression);
+        const bool has_blank = text.find(' ') != std::string::npos;
+        parts.push_back(has_blank ? '(' + text + ')' : text);
+    }
+    return joined(parts);
+}
+
+void add_settings(const Settings& settings, Lines& lines) {
+    lines.number("angle", settings.angle);
+    lines.number("step", settings.step);
+    lines.number("shrink", settings.shrink);
+    if (settings.start) lines.setting("start", print_start(*settings.start));
+    lines.number("spin", settings.spin);
+    lines.number("scale", settings.scale);
+    lines.number("narrow", settings.narrow);
+    lines.number("width", settings.width);
+    lines.setting("colour", joined(settings.colours));
+    if (settings.clockwise) lines.setting("turn", "clockwise");
+    if (!settings.generations) return;
+    const auto [first, last] = *settings.generations;
+    lines.setting("generation",
+                  std::to_string(first) + (last == first ? "" : ".." + std::to_string(last)));
+}
+
+}  // namespace
+
+std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
+    Lines lines;
+    lines.setting("title", system.title);
+    lines.setting("source", system.source);
+    lines.setting("id", joined(system.identifiers));
+    lines.setting("alphabet", spell_apart(system.alphabet, system.declared));
+    for (const auto& [name, value] : system.constants)
+        lines.setting("let", name + " = " + to_text(value.expression));
+    lines.setting("axiom", print_word(system.alphabet, system.axiom));
+    add_rules(system, lines);
+    lines.setting("ignore", spell_apart(system.alphabet, system.ignored));
+    lines.setting("terminals", spell_apart(system.alphabet, system.terminals));
+    for (const Production& rule : system.interpretation)
+        lines.setting("interpret", print_rule(system.alphabet, rule));
+    add_settings(system.settings, lines);
+    for (const Expectation& expectation : system.expectations)
+        lines.setting("expect", expectation.kind + ' ' + std::to_string(expectation.generation) +
+                                    ": " + expectation.value);
+    return lines.take();
+}
+
+}  // namespace algae

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "system/lsystem.hpp"
+
+namespace algae {
+
+/// One line of the canonical text.
+struct CanonicalLine {
+    std::string keyword;  // the setting's; "->" of a rule
+    std::string text;     // the whole line, without its break
+};
+
+/// The canonical text of a system, line by line.
+std::vector<CanonicalLine> canonical_lines(const LSystem& system);
+
+}  // namespace algae

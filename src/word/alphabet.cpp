@@ -4,6 +4,8 @@
 #include <cctype>
 #include <numeric>
 
+#include "word/spelling.hpp"
+
 namespace algae {
 
 Symbol Alphabet::symbol(std::string_view name) {
@@ -11,6 +13,8 @@ Symbol Alphabet::symbol(std::string_view name) {
     const auto fresh = static_cast<Symbol>(names_.size());
     names_.emplace_back(name);
     symbols_.emplace(names_.back(), fresh);
+    if (!is_short_name(name)) long_names_.push_back(fresh);
+    may_need_blanks_ = may_need_blanks_ || name == "_" || name == "?" || needs_blank(name, "0");
     return fresh;
 }
 
@@ -65,13 +69,11 @@ bool needs_blank(std::string_view left, std::string_view right) {
 
 std::string spell(const Alphabet& alphabet, const Word& word) {
     if (word.empty()) return "ε";
+    const Spellings spellings(alphabet);
     std::string out;
-    const std::string* before = nullptr;
-    for (const Symbol symbol : word) {
-        const std::string& name = alphabet.name(symbol);
-        if (before && needs_blank(*before, name)) out += ' ';
-        out += name;
-        before = &name;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        if (i > 0 && spellings.blank_between(word[i - 1], word[i])) out += ' ';
+        out += alphabet.name(word[i]);
     }
     return out;
 }

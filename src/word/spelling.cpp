@@ -1,15 +1,27 @@
 #include "word/spelling.hpp"
 
+#include <algorithm>
+
 namespace algae {
 
-Spellings::Spellings(const Alphabet& alphabet) : alphabet_(&alphabet), blanks_(false) {
-    // A blank is needed only next to a name that is long, ends in digits after a subscript, or is
-    // one of the two marks that could be read as part of a longer name.
-    for (Symbol a = 0; a < alphabet.size(); ++a) {
-        const std::string& name = alphabet.name(a);
-        blanks_ = blanks_ || !is_short_name(name) || name == "?" || name == "_" ||
-                  (name.find('_') != std::string::npos && needs_blank(name, "0"));
+Spellings::Spellings(const Alphabet& alphabet) : alphabet_(&alphabet) {
+    if (alphabet.long_names().empty()) return;
+    auto rests = std::make_shared<Rests>();
+    for (const Symbol symbol : alphabet.long_names()) {
+        const std::string_view name = alphabet.name(symbol);
+        for (std::size_t bytes = 1; bytes < name.size(); ++bytes)
+            if (const auto begun = alphabet.find(name.substr(0, bytes)))
+                (*rests)[*begun].emplace_back(name.substr(bytes));
     }
+    rests_ = std::move(rests);
+}
+
+bool Spellings::begins_long_name(Symbol left, std::string_view right) const {
+    const auto found = rests_->find(left);
+    return found != rests_->end() &&
+        std::any_of(found->second.begin(), found->second.end(), [&](const std::string& rest) {
+               return rest.starts_with(right) || right.starts_with(rest);
+           });
 }
 
 }  // namespace algae

@@ -1,13 +1,18 @@
 #pragma once
 
+#include <memory>
 #include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
 
 #include "word/alphabet.hpp"
 
 namespace algae {
 
 /// Words as text, under concatenation with a blank wherever two names written together would be
-/// read otherwise. The empty word is the empty text here; printing makes it `ε`.
+/// read otherwise. The empty word is the empty text here; printing makes it `ε`. The alphabet must
+/// outlive the monoid and must not grow.
 class Spellings {
 public:
     struct value_type {
@@ -31,14 +36,21 @@ public:
         left.last = right.last;
     }
 
-    /// Whether a blank stands between these two letters.
+    /// Whether a blank stands between these two letters. Constant time where no name is long.
     bool blank_between(Symbol left, Symbol right) const {
-        return blanks_ && needs_blank(alphabet_->name(left), alphabet_->name(right));
+        if (!alphabet_->may_need_blanks()) return false;
+        const std::string& name = alphabet_->name(right);
+        return needs_blank(alphabet_->name(left), name) || (rests_ && begins_long_name(left, name));
     }
 
 private:
+    /// By symbol: what is missing to every long name that its name begins.
+    using Rests = std::unordered_map<Symbol, std::vector<std::string>>;
+
+    bool begins_long_name(Symbol left, std::string_view right) const;
+
     const Alphabet* alphabet_;
-    bool blanks_;  // whether any pair of letters may need a blank
+    std::shared_ptr<const Rests> rests_;  // absent where no name is long
 };
 
 }  // namespace algae

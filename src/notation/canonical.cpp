@@ -3,7 +3,6 @@
 #include <utility>
 
 #include "notation/print.hpp"
-#include "notation/spelling.hpp"
 
 namespace algae {
 
@@ -31,14 +30,14 @@ std::string joined(const std::vector<std::string>& words) {
     return out;
 }
 
-void add_rules(const LSystem& system, Lines& lines) {
+void add_rules(const LSystem& system, const Printer& printer, Lines& lines) {
     std::size_t opened = 0;
     const auto open_tables = [&](std::size_t end) {
         for (; opened < end; ++opened) lines.setting("table", system.tables[opened]);
     };
     for (const Production& rule : system.rules) {
         if (!system.tables.empty()) open_tables(rule.table + 1);
-        lines.rule(print_rule(system.alphabet, rule));
+        lines.rule(printer.rule(rule));
     }
     open_tables(system.tables.size());
 }
@@ -73,19 +72,20 @@ void add_settings(const Settings& settings, Lines& lines) {
 }  // namespace
 
 std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
+    const Printer printer(system.alphabet);
     Lines lines;
     lines.setting("title", system.title);
     lines.setting("source", system.source);
     lines.setting("id", joined(system.identifiers));
-    lines.setting("alphabet", spell_apart(system.alphabet, system.declared));
+    lines.setting("alphabet", printer.apart(system.declared));
     for (const auto& [name, value] : system.constants)
         lines.setting("let", name + " = " + to_text(value.expression));
-    lines.setting("axiom", print_word(system.alphabet, system.axiom));
-    add_rules(system, lines);
-    lines.setting("ignore", spell_apart(system.alphabet, system.ignored));
-    lines.setting("terminals", spell_apart(system.alphabet, system.terminals));
+    lines.setting("axiom", printer.word(system.axiom));
+    add_rules(system, printer, lines);
+    lines.setting("ignore", printer.apart(system.ignored));
+    lines.setting("terminals", printer.apart(system.terminals));
     for (const Production& rule : system.interpretation)
-        lines.setting("interpret", print_rule(system.alphabet, rule));
+        lines.setting("interpret", printer.rule(rule));
     add_settings(system.settings, lines);
     for (const Expectation& expectation : system.expectations)
         lines.setting("expect", expectation.kind + ' ' + std::to_string(expectation.generation) +

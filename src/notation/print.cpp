@@ -3,51 +3,29 @@
 #include <utility>
 
 #include "notation/canonical.hpp"
-#include "notation/spelling.hpp"
 
 namespace algae {
 
 namespace {
 
-void add_arguments(const std::vector<Expression>& arguments, std::string& out) {
-    out += '(';
-    for (std::size_t i = 0; i < arguments.size(); ++i) {
-        if (i > 0) out += ',';
-        out += to_text(arguments[i]);
-    }
-    out += ')';
-}
-
-std::string print_pattern(const Alphabet& alphabet, const Pattern& pattern, const char* separator) {
+std::string print_arguments(const std::vector<Expression>& arguments) {
     std::string out;
-    Spelling spelling(alphabet);
-    for (const ModulePattern& module : pattern) {
-        if (!out.empty() && *separator) {
-            out += separator;
-            spelling.forget();
-        }
-        spelling.add(module.symbol, out);
-        if (module.parameters.empty()) continue;
-        out += '(';
-        for (std::size_t i = 0; i < module.parameters.size(); ++i)
-            out += (i > 0 ? "," : "") + module.parameters[i];
-        out += ')';
-        spelling.forget();
-    }
-    return out;
+    for (const Expression& argument : arguments) out += (out.empty() ? "(" : ",") + to_text(argument);
+    return out + ')';
 }
 
-std::string print_shape(const Alphabet& alphabet, const ShapeSuccessor& shape) {
-    if (shape.operation == "I") return "I(" + spell_apart(alphabet, shape.parts) + ')';
-    std::string out = shape.operation + '(' + shape.axis;
-    for (const ShapeSuccessor::Size& size : shape.sizes) {
-        std::string text = to_text(size.value);
-        const bool ends_plainly = text.back() == ')' || (text.back() >= '0' && text.back() <= '9');
-        if (size.relative && (size.value.kind != Expression::Kind::number || !ends_plainly))
-            text = '(' + text + ')';
-        out += ", " + text + (size.relative ? "r" : "");
-    }
-    return out + "){ " + spell_apart(alphabet, shape.parts) + " }";
+std::string print_parameters(const std::vector<std::string>& names) {
+    std::string out;
+    for (const std::string& name : names) out += (out.empty() ? "(" : ",") + name;
+    return out.empty() ? out : out + ')';
+}
+
+std::string print_size(const ShapeSuccessor::Size& size) {
+    const std::string text = to_text(size.value);
+    if (!size.relative) return text;
+    // An r behind a name or an exponent would be read as part of it.
+    const bool is_plain = text.find_first_not_of("0123456789.") == std::string::npos;
+    return is_plain ? text + 'r' : '(' + text + ")r";
 }
 
 /// The text of a word that is not taken for something else because of how it begins.
@@ -59,43 +37,69 @@ std::string guarded(std::string text, std::initializer_list<const char*> beginni
 
 }  // namespace
 
-std::string print_word(const Alphabet& alphabet, const ModuleWord& word) {
+std::string Printer::word(const ModuleWord& word) const {
     if (word.letters.empty()) return "ε";
     std::string out;
-    Spelling spelling(alphabet);
     auto arguments = word.arguments.begin();
+    bool is_bare = false;  // a name, not a closing bracket, stands before
     for (std::size_t i = 0; i < word.letters.size(); ++i) {
-        spelling.add(word.letters[i], out);
-        if (arguments == word.arguments.end() || arguments->first != i) continue;
-        add_arguments(arguments->second, out);
-        spelling.forget();
-        ++arguments;
+        if (is_bare && spellings_.blank_between(word.letters[i - 1], word.letters[i])) out += ' ';
+        out += alphabet_.name(word.letters[i]);
+        is_bare = arguments == word.arguments.end() || arguments->first != i;
+        if (!is_bare) out += print_arguments((arguments++)->second);
     }
     return out;
 }
 
-std::string print_word(const Alphabet& alphabet, const Word& word) {
-    if (word.empty()) return "ε";
+std::string Printer::apart(const Word& symbols) const {
     std::string out;
-    Spelling spelling(alphabet);
-    for (const Symbol symbol : word) spelling.add(symbol, out);
+    for (const Symbol symbol : symbols) out += (out.empty() ? "" : " ") + alphabet_.name(symbol);
     return out;
 }
 
-std::string print_rule(const Alphabet& alphabet, const Production& rule) {
+std::string Printer::pattern(const Pattern& pattern, const char* separator) const {
     std::string out;
-    if (!rule.left.empty()) out += print_pattern(alphabet, rule.left, "") + " < ";
-    out += print_pattern(alphabet, {rule.predecessor}, "");
-    if (!rule.right.empty()) out += " > " + print_pattern(alphabet, rule.right, "");
-    if (!rule.elsewhere.empty()) out += " ? " + print_pattern(alphabet, rule.elsewhere, ", ");
+    const ModulePattern* before = nullptr;
+    for (const ModulePattern& module : pattern) {
+        if (before) out += separator;
+        if (before && !*separator && before->parameters.empty() &&
+            spellings_.blank_between(before->symbol, module.symbol))
+            out += ' ';
+        out += alphabet_.name(module.symbol) + print_parameters(module.parameters);
+        before = &module;
+    }
+    return out;
+}
+
+std::string Printer::shape(const ShapeSuccessor& shape) const {
+    if (shape.operation == "I") return "I(" + apart(shape.parts) + ')';
+    std::string out = shape.operation + '(' + shape.axis;
+    for (const ShapeSuccessor::Size& size : shape.sizes) out += ", " + print_size(size);
+    return out + "){ " + apart(shape.parts) + " }";
+}
+
+std::string Printer::rule(const Production& rule) const {
+    std::string out;
+    if (!rule.left.empty()) out += pattern(rule.left, "") + " < ";
+    out += pattern({rule.predecessor}, "");
+    if (!rule.right.empty()) out += " > " + pattern(rule.right, "");
+    if (!rule.elsewhere.empty()) out += " ? " + pattern(rule.elsewhere, ", ");
     if (rule.condition) out += " : " + to_text(*rule.condition);
-    out += rule.probability ? " -(" + to_text(quantity(*rule.probability).expression) + ")-> " : " -> ";
-    if (rule.shape)
-        out += print_shape(alphabet, *rule.shape);
+    if (rule.probability)
+        out += " -(" + to_text(quantity(*rule.probability).expression) + ")-> ";
     else
-        out += guarded(print_word(alphabet, rule.successor), {"div(", "repeat("});
+        out += " -> ";
+    out += rule.shape ? shape(*rule.shape) : guarded(word(rule.successor), {"div(", "repeat("});
     // A left context may spell a setting whose value may contain arrows.
     return guarded(std::move(out), {"title ", "source ", "interpret "});
+}
+
+std::string print_word(const Alphabet& alphabet, const ModuleWord& word) {
+    return Printer(alphabet).word(word);
+}
+
+std::string print_rule(const Alphabet& alphabet, const Production& rule) {
+    return Printer(alphabet).rule(rule);
 }
 
 std::string print_lsystem(const LSystem& system) {

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "system/lsystem.hpp"
+#include "word/spelling.hpp"
 
 namespace algae {
 
@@ -21,7 +22,22 @@ std::string print_rule(const Alphabet& alphabet, const Production& rule);
 /// Example: print_word(Alphabet(), ModuleWord()) == "ε"
 std::string print_word(const Alphabet& alphabet, const ModuleWord& word);
 
-/// The same for a word whose letters have no arguments.
-std::string print_word(const Alphabet& alphabet, const Word& word);
+/// Prints many words and rules over one alphabet, which must outlive it and must not grow.
+class Printer {
+public:
+    explicit Printer(const Alphabet& alphabet) : alphabet_(alphabet), spellings_(alphabet) {}
+
+    std::string word(const ModuleWord& word) const;
+    std::string rule(const Production& rule) const;
+    /// Symbols with a blank between any two.
+    std::string apart(const Word& symbols) const;
+
+private:
+    std::string pattern(const Pattern& pattern, const char* separator) const;
+    std::string shape(const ShapeSuccessor& shape) const;
+
+    const Alphabet& alphabet_;
+    Spellings spellings_;
+};
 
 }  // namespace algae

@@ -87,11 +87,11 @@ Expression operation(Expression::Kind kind, std::string name, std::vector<Expres
 
 /// The expression that is read from the shortest text of a number.
 Expression written(const Rational& value) {
-    if (sign(value) < 0)
-        return operation(Expression::Kind::unary, "-", {written(-value)});
-    if (exact_decimal(value)) return number(value);
-    return operation(Expression::Kind::binary, "/",
-                     {number(value.numerator()), number(value.denominator())});
+    if (!exact_decimal(value))
+        return operation(Expression::Kind::binary, "/",
+                         {written(value.numerator()), number(value.denominator())});
+    if (sign(value) < 0) return operation(Expression::Kind::unary, "-", {number(-value)});
+    return number(value);
 }
 
 }  // namespace

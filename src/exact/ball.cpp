@@ -276,36 +276,31 @@ std::string significant_decimal(const std::function<Ball(long bits)>& enclose, i
             !is_below(arb(value), bits * 4) ||
             arf_cmpabs_2exp_si(arb_midref(arb(value)), -bits * 4) < 0)
             continue;
-        // Where the first digit stands: 10^(place-1) <= |value| < 10^place, or one off.
+        // The place of the first digit: 10^(place-1) < |value|, at first because it is certainly too
+        // low (the midpoint is at least 2^(two-1)), then because it was compared.
         fmpz_t exponent;
         fmpz_init(exponent);
         arf_abs_bound_lt_2exp_fmpz(exponent, arb_midref(arb(value)));
-        const long two = fmpz_get_si(exponent);
+        const auto two = static_cast<double>(fmpz_get_si(exponent));
         fmpz_clear(exponent);
-        long place =
-            static_cast<long>(std::floor(static_cast<double>(two) * 0.30102999566398119521)) + 1;
-        // Round at the guess; the number of digits that come out corrects it.
-        for (int attempt = 0; attempt < 4; ++attempt) {
-            const long after_point = digits - place;
-            if (after_point > 10'000'000 || after_point < -10'000'000)
-                refuse_decimal(digits, largest_bits);
-            const auto scaled = rounded(value, static_cast<int>(after_point));
-            if (!scaled) break;
-            const Integer size = abs(*scaled);
-            const Integer limit = power(Integer(10), static_cast<std::uint64_t>(digits));
-            if (size > limit) {
-                ++place;
-            } else if (size < power(Integer(10), static_cast<std::uint64_t>(digits - 1))) {
-                --place;
-            } else {
-                const Integer tens =
-                    power(Integer(10), static_cast<std::uint64_t>(std::abs(after_point)));
-                if (after_point <= 0) return to_string(*scaled * tens);
-                // 9.996 to three digits is 10.0: one digit less after the point.
-                const int shown = static_cast<int>(after_point) - (size == limit ? 1 : 0);
-                return decimal(Rational(*scaled, tens), shown);
-            }
-        }
+        long place = static_cast<long>(std::floor((two - 1) * 0.30102 - 1e-4 * std::abs(two)));
+        const auto is_above = [&](long tens) {
+            const Ball limit(power(Rational(10), tens), bits);
+            return compare(abs(value), limit) == Order::greater;
+        };
+        while (is_above(place)) ++place;
+        const long after_point = digits - place;
+        if (after_point > 10'000'000 || after_point < -10'000'000)
+            refuse_decimal(digits, largest_bits);
+        const auto scaled = rounded(value, static_cast<int>(after_point));
+        if (!scaled) continue;
+        // 9.996 to three digits is 10.0: one digit less after the point.
+        const auto order = abs(*scaled) <=> power(Integer(10), static_cast<std::uint64_t>(digits));
+        if (order > 0) continue;
+        const Integer tens = power(Integer(10), static_cast<std::uint64_t>(std::abs(after_point)));
+        if (after_point <= 0) return to_string(*scaled * tens);
+        const int shown = static_cast<int>(after_point) - (order == 0 ? 1 : 0);
+        return decimal(Rational(*scaled, tens), shown);
     }
     refuse_decimal(digits, largest_bits);
 }

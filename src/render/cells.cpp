@@ -18,7 +18,7 @@ CellCanvas::CellCanvas(cairo_t* context, const PixelRectangle& area, int cells, 
 void CellCanvas::polygon(std::span<const Point> corners) {
     choose_shade();
     corners_.clear();
-    for (const Point& corner : corners) corners_.push_back(place(corner));
+    for (const Point& corner : corners) corners_.push_back(frame_(corner));
     mask_.polygon(corners_);
     if ((++polygons_ & 0xfff) == 0) pause();
 }

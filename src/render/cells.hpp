@@ -26,12 +26,10 @@ public:
     CellCanvas(cairo_t* context, const PixelRectangle& area, int cells, const Frame& frame,
                const Pen& pen, const Budget& budget, const Share& share);
 
-    void move_to(Point point) override { here_ = place(point); }
+    void move_to(Point point) override { mask_.start(frame_(point)); }
     void line_to(Point point) override {
         if (along_) choose_shade();
-        const Point to = place(point);
-        mask_.line(here_, to);
-        here_ = to;
+        mask_.line_to(frame_(point));
         if ((++lines_ & 0xffff) == 0) pause();
     }
     void polygon(std::span<const Point> corners) override;
@@ -46,7 +44,6 @@ public:
     std::uint64_t polygons() const { return polygons_; }
 
 private:
-    Point place(Point point) const { return frame_(point); }
     void choose_shade();
     void paint();
     void pause() const;
@@ -62,7 +59,6 @@ private:
     Mask mask_;
     double position_ = 0, factor_ = 1;
     std::uint32_t colour_ = 0, shade_ = 0;
-    Point here_{};
     std::uint64_t lines_ = 0, polygons_ = 0, paintings_ = 0;
     std::vector<Point> corners_;
 };

@@ -42,7 +42,7 @@ Mask::Mask(int width, int height, int cells, double diameter)
     : width_(width), height_(height), cells_(cells),
       columns_(static_cast<std::uint32_t>(width * cells)),
       rows_(static_cast<std::uint32_t>(height * cells)), words_((columns_ + 63) / 64),
-      bits_(words_ * rows_), left_(none), right_(0), top_(none), bottom_(0), filled_left_(none),
+      right_edge_(columns_), bottom_edge_(rows_), bits_(words_ * rows_), left_(none), right_(0), top_(none), bottom_(0), filled_left_(none),
       filled_right_(0), filled_top_(none), filled_bottom_(0) {
     set_diameter(diameter);
 }
@@ -54,6 +54,7 @@ void Mask::set_diameter(double diameter) {
     const int rows = static_cast<int>(std::lround(diameter));
     const bool even = rows % 2 == 0;
     offset_ = even ? 0.5 : 0;
+    marked_ = false;
     disc_.clear();
     const int first = -(rows / 2);
     for (int row = first; row < first + rows; ++row) {
@@ -68,21 +69,26 @@ void Mask::set_diameter(double diameter) {
                      [](const Run& a, const Run& b) { return a.first > b.first; });
 }
 
-void Mask::long_line(Point from, Point to) {
-    if (!std::isfinite(from.x + from.y + to.x + to.y))
+void Mask::long_line(Point to) {
+    if (!std::isfinite(here_.x + here_.y + to.x + to.y))
         throw Error("the figure has a point whose coordinates are beyond the range of numbers");
-    const auto part = clipped(from, to, std::nextafter(columns_, 0.0), std::nextafter(rows_, 0.0));
+    const Point from{here_.x + offset_, here_.y + offset_};
+    const Point target{to.x + offset_, to.y + offset_};
+    here_ = to;
+    marked_ = false;
+    const auto part = clipped(from, target, std::nextafter(right_edge_, 0.0),
+                              std::nextafter(bottom_edge_, 0.0));
     if (!part) return;
     const auto [start, end] = *part;
     const double dx = end.x - start.x, dy = end.y - start.y;
     const int steps = static_cast<int>(std::ceil(std::max(std::fabs(dx), std::fabs(dy))));
-    mark(static_cast<std::uint32_t>(start.x), static_cast<std::uint32_t>(start.y));
-    for (int step = 1; step <= steps; ++step) {
-        const double t = static_cast<double>(step) / steps;
-        const double x = std::clamp(start.x + t * dx, 0.0, columns_ - 1.0);
-        const double y = std::clamp(start.y + t * dy, 0.0, rows_ - 1.0);
-        mark(static_cast<std::uint32_t>(x), static_cast<std::uint32_t>(y));
+    for (int step = 0; step <= steps; ++step) {
+        const double t = steps == 0 ? 0 : static_cast<double>(step) / steps;
+        column_ = static_cast<std::uint32_t>(std::clamp(start.x + t * dx, 0.0, right_edge_ - 1));
+        row_ = static_cast<std::uint32_t>(std::clamp(start.y + t * dy, 0.0, bottom_edge_ - 1));
+        mark(column_, row_);
     }
+    marked_ = end == target;
 }
 
 void Mask::polygon(std::span<const Point> corners) {
@@ -243,6 +249,7 @@ Mask::Coverage Mask::take() {
     };
     clear(bits_, left_, right_, top_, bottom_);
     if (!filled_.empty()) clear(filled_, filled_left_, filled_right_, filled_top_, filled_bottom_);
+    marked_ = false;
     left_ = top_ = filled_left_ = filled_top_ = none;
     right_ = bottom_ = filled_right_ = filled_bottom_ = 0;
     return result;

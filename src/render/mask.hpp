@@ -20,22 +20,28 @@ public:
     /// Strokes will be `diameter` cells thick, at least 1. Memory: width * height * cells^2 bits.
     Mask(int width, int height, int cells, double diameter);
 
-    /// Marks the cells of a line. Coordinates are in cells, y downward. Throws Error if one is not
+    /// Sets the point where the next line starts. Coordinates are in cells, y downward.
+    void start(Point point) {
+        here_ = point;
+        marked_ = false;
+    }
+    /// Marks the cells of a line from where the last one ended. Throws Error if a coordinate is not
     /// a number; parts outside the bitmap are not drawn.
-    void line(Point from, Point to) {
+    void line_to(Point to) {
         const double x = to.x + offset_, y = to.y + offset_;
-        const double u = from.x + offset_, v = from.y + offset_;
-        if (inside(x, y) && inside(u, v)) [[likely]] {
+        if (marked_ && x >= 0 && x < right_edge_ && y >= 0 && y < bottom_edge_) [[likely]] {
             const auto column = static_cast<std::uint32_t>(x), row = static_cast<std::uint32_t>(y);
-            const auto column0 = static_cast<std::uint32_t>(u), row0 = static_cast<std::uint32_t>(v);
             // Differences of -1, 0 and 1 become 0, 1 and 2.
-            if (column - column0 + 1 <= 2 && row - row0 + 1 <= 2) {
-                mark(column0, row0);
+            if (column - column_ + 1 <= 2 && row - row_ + 1 <= 2) {
+                here_ = to;
+                if (column == column_ && row == row_) return;
+                column_ = column;
+                row_ = row;
                 mark(column, row);
                 return;
             }
         }
-        long_line({u, v}, {x, y});
+        long_line(to);
     }
 
     /// Marks the cells whose middles lie inside (nonzero winding). Not thickened.
@@ -61,9 +67,6 @@ private:
         int row, first, last;
     };
 
-    bool inside(double x, double y) const {
-        return x >= 0 && x < columns_ && y >= 0 && y < rows_;
-    }
     void mark(std::uint32_t column, std::uint32_t row) {
         bits_[row * words_ + (column >> 6)] |= std::uint64_t{1} << (column & 63);
         if (column < left_) left_ = column;
@@ -71,14 +74,18 @@ private:
         if (row < top_) top_ = row;
         if (row > bottom_) bottom_ = row;
     }
-    void long_line(Point from, Point to);
+    void long_line(Point to);
     void dilate(std::vector<std::uint64_t>& rows, std::size_t row, std::size_t first,
                 std::size_t last);
 
     int width_, height_, cells_;
     std::uint32_t columns_, rows_;
     std::size_t words_;  // in a row
-    double offset_ = 0;
+    double offset_ = 0;  // of marks against middles of cells
+    double right_edge_, bottom_edge_;
+    Point here_{};
+    std::uint32_t column_ = 0, row_ = 0;  // of the cell that holds `here_`
+    bool marked_ = false;                 // whether that is so, and it is marked
     std::vector<Run> disc_;
     std::vector<std::uint64_t> bits_, filled_;
     std::uint32_t left_, right_, top_, bottom_;  // of the marked cells; left > right when none

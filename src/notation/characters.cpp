@@ -44,8 +44,9 @@ bool is_letter(char32_t code) {
 }
 
 bool is_reserved(char32_t code) {
-    if (code < 0x80) return std::string_view("()<>:,;?#=").find(static_cast<char>(code)) !=
-                            std::string_view::npos;
+    if (code < 0x80)
+        return std::string_view("()<>:,;?#=").find(static_cast<char>(code)) !=
+               std::string_view::npos;
     return code == 0x3B5 || code == 0x2192;  // the empty word, the arrow
 }
 
@@ -59,8 +60,10 @@ std::string_view trimmed(std::string_view text) {
     const char* begin = nullptr;
     if (!text.empty() && static_cast<unsigned char>(text.front()) < 0x80 &&
         static_cast<unsigned char>(text.back()) < 0x80) {
-        while (!text.empty() && is_blank(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
-        while (!text.empty() && is_blank(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
+        while (!text.empty() && is_blank(static_cast<unsigned char>(text.front())))
+            text.remove_prefix(1);
+        while (!text.empty() && is_blank(static_cast<unsigned char>(text.back())))
+            text.remove_suffix(1);
         if (text.empty() || (static_cast<unsigned char>(text.front()) < 0x80 &&
                              static_cast<unsigned char>(text.back()) < 0x80))
             return text;
@@ -101,8 +104,8 @@ std::string found(std::string_view rest) {
     if (is_blank(first.code)) return "a blank";
     if (first.code == ';') return "';'";
     if (is_false_minus(first.code))
-        return "'" + std::string(rest.substr(0, first.bytes)) + "' (" + code_point_name(first.code) +
-               "); did you mean '-'?";
+        return "'" + std::string(rest.substr(0, first.bytes)) + "' (" +
+               code_point_name(first.code) + "); did you mean '-'?";
     if (rest.starts_with("->")) return "'->'";
     // A whole name or number, unless it is very long.
     constexpr std::size_t longest = 60;

@@ -34,7 +34,8 @@ Expression ExpressionBuilder::pop() {
 void ExpressionBuilder::number(std::string_view text) {
     constexpr std::size_t longest = 1000;
     if (text.size() > longest)
-        throw SyntaxError{text.data(), "a number of more than " + std::to_string(longest) + " characters"};
+        throw SyntaxError{text.data(),
+                          "a number of more than " + std::to_string(longest) + " characters"};
     Expression out;
     try {
         out.value = Rational(text);
@@ -76,13 +77,15 @@ void ExpressionBuilder::open_call(std::string_view function) {
     if (!function_arity(function))
         throw SyntaxError{function.data(), "expected a function, found " + quoted(function) +
                                                did_you_mean(function, function_names())};
-    open({Kind::call, std::string(function), Binding::disjunction, function.data(), operands_.size()});
+    open({Kind::call, std::string(function), Binding::disjunction, function.data(),
+          operands_.size()});
 }
 
 bool ExpressionBuilder::is_inside_call() const {
-    const auto innermost = std::find_if(pending_.rbegin(), pending_.rend(), [](const Pending& pending) {
-        return pending.kind == Kind::bracket || pending.kind == Kind::call;
-    });
+    const auto innermost =
+        std::find_if(pending_.rbegin(), pending_.rend(), [](const Pending& pending) {
+            return pending.kind == Kind::bracket || pending.kind == Kind::call;
+        });
     return innermost != pending_.rend() && innermost->kind == Kind::call;
 }
 
@@ -135,8 +138,8 @@ void ExpressionBuilder::close(const char* where) {
     if (given < arity.least || (given > arity.least && !arity.or_more))
         throw SyntaxError{where, "expected " + std::to_string(arity.least) +
                                      (arity.or_more ? " or more" : "") + " argument" +
-                                     (arity.least == 1 ? "" : "s") + " of " + top.name + ", found " +
-                                     std::to_string(given)};
+                                     (arity.least == 1 ? "" : "s") + " of " + top.name +
+                                     ", found " + std::to_string(given)};
     Expression out;
     out.kind = Expression::Kind::call;
     out.name = std::move(top.name);

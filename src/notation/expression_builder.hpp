@@ -26,7 +26,9 @@ public:
     void name(std::string_view text);
     void prefix(std::string_view text);
     void infix(std::string_view name, Binding binding, const char* where);
-    void open_bracket(const char* where) { open({Kind::bracket, {}, Binding::disjunction, where, 0}); }
+    void open_bracket(const char* where) {
+        open({Kind::bracket, {}, Binding::disjunction, where, 0});
+    }
     void open_call(std::string_view function);
     void comma();
     void close(const char* where);

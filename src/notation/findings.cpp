@@ -20,7 +20,8 @@ void Findings::add(const SyntaxError& error) {
         if (!is_blank(next.code)) break;
         here += next.bytes;
     }
-    const bool is_comment = here > source_.offset(error.where) && text.substr(here).starts_with('#');
+    const bool is_comment =
+        here > source_.offset(error.where) && text.substr(here).starts_with('#');
     if (here == text.size() || text[here] == '\n' || is_comment)
         return add(error.where, error.message + "the end of the line");
     add(here, error.message + found(text.substr(here, text.find('\n', here) - here)));
@@ -29,6 +30,12 @@ void Findings::add(const SyntaxError& error) {
 void Findings::add(std::size_t offset, std::string message) {
     ++count_;
     if (findings_.size() < most_kept) findings_.push_back({offset, std::move(message)});
+}
+
+void Findings::throw_if_no_text() {
+    for (const Source::BadByte& bad : source_.bad_bytes()) add(bad.offset, bad.message);
+    count_ += source_.bad_lines() - source_.bad_bytes().size();
+    throw_if_any();
 }
 
 void Findings::throw_if_any() const {

@@ -27,15 +27,20 @@ public:
     explicit Findings(const Source& source) : source_(source) {}
 
     void add(std::size_t offset, std::string message);
-    void add(const char* where, std::string message) { add(source_.offset(where), std::move(message)); }
-    void add(const Place& place, std::string message) { add(source_.offset(place), std::move(message)); }
+    void add(const char* where, std::string message) {
+        add(source_.offset(where), std::move(message));
+    }
+    void add(const Place& place, std::string message) {
+        add(source_.offset(place), std::move(message));
+    }
     void add(const SyntaxError& error);
-
-    /// Counts findings that nobody will see.
-    void add_more(std::size_t count) { count_ += count; }
 
     bool empty() const { return count_ == 0; }
     std::size_t count() const { return count_; }
+
+    /// Throws `Diagnostics` if the source has bytes that are no text: the grammars rely on whole
+    /// characters.
+    void throw_if_no_text();
 
     /// Throws `Diagnostics` if there are any: the first twenty in order of place, then one that says
     /// how many more there are.

@@ -45,8 +45,10 @@ std::string format_lsystem(std::string_view text, const std::string& file_name) 
     std::map<Key, Comments> kept;
     Keys keys;
     Comments* before = nullptr;  // of the statement before the gap
-    const auto take_gap = [&](const char* first, const char* last, std::vector<std::string_view>& below) {
-        for (const std::string_view comment : comments({first, static_cast<std::size_t>(last - first)})) {
+    const auto take_gap = [&](const char* first, const char* last,
+                              std::vector<std::string_view>& below) {
+        for (const std::string_view comment :
+             comments({first, static_cast<std::size_t>(last - first)})) {
             const std::string_view gap{first, static_cast<std::size_t>(comment.data() - first)};
             const bool same_line = before && gap.find('\n') == std::string_view::npos;
             (same_line ? before->behind : below).push_back(comment);

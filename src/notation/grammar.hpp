@@ -46,8 +46,8 @@ struct Name : x3::parser<Name> {
         const char* here = first;
         while (here != last) {
             const Character next = first_character(between(here, last));
-            const bool fits = is_letter(next.code) || next.code == '_' ||
-                              (here != first && is_digit(next.code));
+            const bool fits =
+                is_letter(next.code) || next.code == '_' || (here != first && is_digit(next.code));
             if (!fits) break;
             here += next.bytes;
         }

@@ -43,8 +43,8 @@ private:
 
     Alphabet& alphabet_;
     std::vector<Node> trie_{1};
-    std::array<bool, 256> plain_{};        // ASCII characters that are symbols by themselves
-    std::array<Symbol, 256> symbols_;      // of those, once they have occurred
+    std::array<bool, 256> plain_{};    // ASCII characters that are symbols by themselves
+    std::array<Symbol, 256> symbols_;  // of those, once they have occurred
 };
 
 /// The bytes of the symbol that `text` begins with where nothing is declared; 0 if it begins with

@@ -10,7 +10,8 @@ namespace {
 
 std::string print_arguments(const std::vector<Expression>& arguments) {
     std::string out;
-    for (const Expression& argument : arguments) out += (out.empty() ? "(" : ",") + to_text(argument);
+    for (const Expression& argument : arguments)
+        out += (out.empty() ? "(" : ",") + to_text(argument);
     return out + ')';
 }
 

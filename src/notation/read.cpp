@@ -17,7 +17,17 @@ namespace {
 
 /// The statements are read in this order, that of the canonical text: names before the words they
 /// occur in, constants before the expressions.
-enum class Stage { alphabet, constant, axiom, rule, ignore, terminals, interpretation, other, unknown };
+enum class Stage {
+    alphabet,
+    constant,
+    axiom,
+    rule,
+    ignore,
+    terminals,
+    interpretation,
+    other,
+    unknown
+};
 constexpr Stage all_stages[] = {Stage::alphabet,       Stage::constant, Stage::axiom,
                                 Stage::rule,           Stage::ignore,   Stage::terminals,
                                 Stage::interpretation, Stage::other,    Stage::unknown};
@@ -33,7 +43,8 @@ Stage stage(const Statement& statement) {
     if (name == "terminals") return Stage::terminals;
     if (name == "interpret") return Stage::interpretation;
     const auto& names = setting_names();
-    return std::find(names.begin(), names.end(), name) != names.end() ? Stage::other : Stage::unknown;
+    return std::find(names.begin(), names.end(), name) != names.end() ? Stage::other
+                                                                      : Stage::unknown;
 }
 
 bool may_repeat(std::string_view name) {
@@ -45,7 +56,8 @@ bool may_repeat(std::string_view name) {
 [[noreturn]] void refuse(const Statement& statement, const Reading& reading) {
     constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
     const std::string_view text = statement.text;
-    const std::string_view word = text.substr(0, std::min(text.find_first_of(" \t=:"), text.size()));
+    const std::string_view word =
+        text.substr(0, std::min(text.find_first_of(" \t=:"), text.size()));
     throw SyntaxError{text.data(), "expected a setting or a rule with '->', found " + quoted(word) +
                                        (reading.findings.count() < most
                                             ? did_you_mean(statement.keyword, setting_names())
@@ -100,12 +112,10 @@ void read_statement(const Statement& statement, Stage at, Reading& reading) {
         case Stage::axiom:
             return read_axiom(statement, reading);
         case Stage::ignore:
-            reading.system.ignored =
-                without_repetitions(parse_symbols(value, reading.lexicon));
+            reading.system.ignored = without_repetitions(parse_symbols(value, reading.lexicon));
             return;
         case Stage::terminals:
-            reading.system.terminals =
-                without_repetitions(parse_symbols(value, reading.lexicon));
+            reading.system.terminals = without_repetitions(parse_symbols(value, reading.lexicon));
             return;
         case Stage::interpretation:
             return read_interpretation(statement, reading);
@@ -118,8 +128,7 @@ void read_statement(const Statement& statement, Stage at, Reading& reading) {
 bool follows_setting(const Statement& statement) {
     const std::string_view name = statement.keyword;
     const auto& names = setting_names();
-    return std::find(names.begin(), names.end(), name) != names.end() &&
-           statement.has_word(name);
+    return std::find(names.begin(), names.end(), name) != names.end() && statement.has_word(name);
 }
 
 void read_statements(const std::vector<Statement>& all, Reading& reading) {
@@ -155,34 +164,12 @@ void read_statements(const std::vector<Statement>& all, Reading& reading) {
     }
 }
 
-/// Stops at bytes that are no text: the grammars rely on whole characters.
-void check_bytes(const Source& source, Findings& findings) {
-    for (const Source::BadByte& bad : source.bad_bytes()) findings.add(bad.offset, bad.message);
-    findings.add_more(source.bad_lines() - source.bad_bytes().size());
-    findings.throw_if_any();
-}
-
-/// What `read` makes of a text that is not a whole file.
-template <class Read>
-auto read_part(std::string_view text, const char* name, Read read) {
-    const Source source(text, name);
-    Findings findings(source);
-    check_bytes(source, findings);
-    try {
-        return read(source);
-    } catch (const SyntaxError& error) {
-        findings.add(error);
-        findings.throw_if_any();
-        throw;
-    }
-}
-
 }  // namespace
 
 LSystem read_lsystem(std::string_view text, const std::string& file_name) {
     const Source source(text, file_name);
     Findings findings(source);
-    check_bytes(source, findings);
+    findings.throw_if_no_text();
     LSystem system;
     system.name = file_name;
     Lexicon lexicon(system.alphabet);
@@ -194,18 +181,6 @@ LSystem read_lsystem(std::string_view text, const std::string& file_name) {
     check_probabilities(system.interpretation, reading);
     findings.throw_if_any();
     return system;
-}
-
-ModuleWord read_word(std::string_view text, Alphabet& alphabet) {
-    return read_part(text, "word", [&](const Source& source) {
-        Lexicon lexicon(alphabet);
-        return parse_word(text, lexicon, source);
-    });
-}
-
-Expression read_expression(std::string_view text) {
-    return read_part(text, "expression",
-                     [&](const Source& source) { return parse_expression(trimmed(text), source); });
 }
 
 }  // namespace algae

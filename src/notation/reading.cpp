@@ -24,7 +24,8 @@ Quantity Reading::quantity(const Expression& expression) const {
     }
 }
 
-void Reading::check_names(const Expression& expression, const std::vector<std::string>& parameters) {
+void Reading::check_names(const Expression& expression,
+                          const std::vector<std::string>& parameters) {
     for (const Expression& operand : expression.operands) check_names(operand, parameters);
     if (expression.kind != Expression::Kind::name) return;
     const std::string& name = expression.name;

@@ -25,8 +25,8 @@ struct Reading {
     std::unordered_map<std::string, std::size_t> constants;  // to their index in the system
     std::unordered_set<std::string> broken;  // names whose statement was wrong: no further findings
     std::map<std::string, const char*, std::less<>> given;  // settings so far
-    std::unordered_set<std::string> tables;                         // opened so far
-    bool broken_rules = false;                                      // some rule could not be read
+    std::unordered_set<std::string> tables;                 // opened so far
+    bool broken_rules = false;                              // some rule could not be read
 
     const Quantity* constant(const std::string& name) const;
 

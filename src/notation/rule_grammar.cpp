@@ -93,18 +93,18 @@ void parse_left_side(std::string_view text, Lexicon& lexicon, const Source& sour
     const auto on_left = [&](auto&) { production.left = std::exchange(modules, {}).pattern; };
     const auto on_predecessor = [&](auto&) { predecessor = std::exchange(modules, {}); };
     const auto on_right = [&](auto&) { production.right = std::exchange(modules, {}).pattern; };
-    const auto on_elsewhere = [&](auto&) { production.elsewhere = std::exchange(modules, {}).pattern; };
+    const auto on_elsewhere = [&](auto&) {
+        production.elsewhere = std::exchange(modules, {}).pattern;
+    };
 
     const auto formal = wanted("a parameter's name")[x3::raw[grammar::name][on_name]];
     const auto formals = '(' >> formal % ',' >> wanted("',' or ')'")[x3::lit(')')];
-    const auto module =
-        x3::raw[x3::lexeme[grammar::SymbolParser(lexicon)]][on_symbol] >> -formals;
+    const auto module = x3::raw[x3::lexeme[grammar::SymbolParser(lexicon)]][on_symbol] >> -formals;
     const auto word = +(module | "ε");
     const auto predecessor_word = wanted("a symbol before the arrow")[word];
     const auto left_context = x3::lit('<')[on_left] >> predecessor_word;
     const auto right_context = '>' >> wanted("a right context")[word] >> x3::eps[on_right];
-    const auto elsewhere =
-        '?' >> wanted("a module")[module] % ',' >> x3::eps[on_elsewhere];
+    const auto elsewhere = '?' >> wanted("a module")[module] % ',' >> x3::eps[on_elsewhere];
     const auto condition =
         ':' >> ((x3::lit('*') >> x3::eoi) | Condition{{}, &production.condition, &source});
     const auto left_side = predecessor_word >> -left_context >> x3::eps[on_predecessor] >>

@@ -62,8 +62,7 @@ void read_rule(const Statement& statement, Reading& reading) {
 
 void read_interpretation(const Statement& statement, Reading& reading) {
     const std::string_view rule = statement.value();
-    if (!statement.arrow)
-        throw unexpected("a rule with '->'", rule.data() + rule.size());
+    if (!statement.arrow) throw unexpected("a rule with '->'", rule.data() + rule.size());
     reading.system.interpretation.push_back(parse_production(rule, statement.arrow, reading));
 }
 

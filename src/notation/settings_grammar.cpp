@@ -58,8 +58,9 @@ void read_expectation(const Statement& statement, Reading& reading) {
     std::string_view kind, number;
     const auto on_kind = [&](auto& c) { kind = text_of(x3::_attr(c)); };
     const auto on_number = [&](auto& c) { number = text_of(x3::_attr(c)); };
-    const auto head = wanted("what is expected, such as 'length'")[x3::raw[grammar::name][on_kind]] >>
-                      wanted("a generation")[digits[on_number]] >> wanted("':'")[x3::lit(':')];
+    const auto head =
+        wanted("what is expected, such as 'length'")[x3::raw[grammar::name][on_kind]] >>
+        wanted("a generation")[digits[on_number]] >> wanted("':'")[x3::lit(':')];
     x3::phrase_parse(here, end, head, grammar::blank);
     const auto& kinds = expectation_kinds();
     if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
@@ -74,27 +75,6 @@ void read_expectation(const Statement& statement, Reading& reading) {
                                            reading.source.place(statement.text.data())});
 }
 
-/// The pieces of a text between blanks outside brackets.
-std::vector<std::string_view> pieces(std::string_view text) {
-    std::vector<std::string_view> found;
-    const char* begin = nullptr;
-    std::size_t depth = 0;
-    for (const char* here = text.data(); here != text.data() + text.size();) {
-        const Character next = first_character(between(here, text.data() + text.size()));
-        if (next.code == '(') ++depth;
-        if (next.code == ')' && depth > 0) --depth;
-        if (!is_blank(next.code)) {
-            if (!begin) begin = here;
-        } else if (begin && depth == 0) {
-            found.push_back(between(begin, here));
-            begin = nullptr;
-        }
-        here += next.bytes;
-    }
-    if (begin) found.push_back(between(begin, text.data() + text.size()));
-    return found;
-}
-
 void read_start(std::string_view value, Reading& reading) {
     const auto parts = pieces(value);
     const auto part = [&](std::size_t i, const char* what) {
@@ -102,7 +82,8 @@ void read_start(std::string_view value, Reading& reading) {
         if (i >= parts.size()) throw unexpected(what, end);
         return reading.quantity(parse_expression(parts[i], reading.source));
     };
-    Settings::Start start{part(0, "x, y and heading"), part(1, "y and heading"), part(2, "a heading")};
+    Settings::Start start{part(0, "x, y and heading"), part(1, "y and heading"),
+                          part(2, "a heading")};
     if (parts.size() > 3)
         throw unexpected("the end of the line after x, y and heading", parts[3].data());
     reading.system.settings.start = std::move(start);
@@ -111,10 +92,12 @@ void read_start(std::string_view value, Reading& reading) {
 void read_colours(std::string_view value, Reading& reading) {
     for (const std::string_view colour : pieces(value)) {
         const bool is_name = std::all_of(colour.begin(), colour.end(), [](char byte) {
-            return is_letter(static_cast<unsigned char>(byte)) && static_cast<unsigned char>(byte) < 0x80;
+            return is_letter(static_cast<unsigned char>(byte)) &&
+                   static_cast<unsigned char>(byte) < 0x80;
         });
         if (!is_name && colour.front() != '#')
-            throw SyntaxError{colour.data(), "expected a colour's name or #rrggbb, found " + quoted(colour)};
+            throw SyntaxError{colour.data(),
+                              "expected a colour's name or #rrggbb, found " + quoted(colour)};
         reading.system.settings.colours.emplace_back(colour);
     }
 }
@@ -133,9 +116,9 @@ std::optional<Quantity>* number_of(std::string_view name, Settings& settings) {
 
 const std::vector<std::string>& setting_names() {
     static const std::vector<std::string> names{
-        "title", "source", "id",    "alphabet", "let",    "axiom", "table",  "ignore",     "terminals", "interpret",
-        "angle", "step",   "shrink", "start",   "spin",   "scale", "narrow", "width",      "colour",
-        "turn",  "generation", "expect"};
+        "title",     "source",    "id",     "alphabet", "let",        "axiom", "table", "ignore",
+        "terminals", "interpret", "angle",  "step",     "shrink",     "start", "spin",  "scale",
+        "narrow",    "width",     "colour", "turn",     "generation", "expect"};
     return names;
 }
 
@@ -143,46 +126,6 @@ const std::vector<std::string>& expectation_kinds() {
     static const std::vector<std::string> kinds{"length",   "lengths",  "word", "segments",
                                                 "distinct", "vertices", "end",  "box"};
     return kinds;
-}
-
-void read_constant(const Statement& statement, Reading& reading) {
-    const std::string_view value = statement.value();
-    const char* here = value.data();
-    const char* const end = here + value.size();
-    std::string name;
-    const auto on_name = [&](auto& c) { name = text_of(x3::_attr(c)); };
-    const auto head = wanted("a constant's name")[x3::raw[grammar::name][on_name]];
-    x3::phrase_parse(here, end, head, grammar::blank);
-    try {
-        if (here == end || *here != '=') throw unexpected("'='", here);
-        if (reading.constants.count(name))
-            throw SyntaxError{value.data(), "the constant " + quoted(name) + " is given twice"};
-        Quantity quantity = reading.quantity(parse_expression(between(here + 1, end), reading.source));
-        reading.constants.emplace(name, reading.system.constants.size());
-        reading.system.constants.emplace_back(name, std::move(quantity));
-    } catch (...) {
-        reading.broken.insert(name);
-        throw;
-    }
-}
-
-void read_alphabet(const Statement& statement, Reading& reading) {
-    for (const std::string_view name : pieces(statement.value())) {
-        // These open statements that contain arrows, or shape successors: a rule could not be told.
-        for (const char* keyword : {"title", "source", "interpret", "div", "repeat"})
-            if (name == keyword)
-                throw SyntaxError{name.data(), "expected another name, " + quoted(name) + " has a meaning in the notation"};
-        const std::size_t first = name.front() == '?' && name.size() > 1 ? 1 : 0;
-        for (std::size_t i = first; i < name.size();) {
-            const Character next = first_character(name.substr(i));
-            if (is_reserved(next.code))
-                throw SyntaxError{name.data() + i, "expected names without " + quoted(name.substr(i, next.bytes))};
-            i += next.bytes;
-        }
-        const Symbol symbol = reading.lexicon.declare(name);
-        auto& declared = reading.system.declared;
-        if (symbol == declared.size()) declared.push_back(symbol);  // else it is there already
-    }
 }
 
 void read_setting(const Statement& statement, Reading& reading) {

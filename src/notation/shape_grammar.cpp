@@ -65,11 +65,13 @@ ShapeSuccessor parse_division(std::string_view text, Reading& reading) {
 
 std::optional<ShapeSuccessor> parse_shape(std::string_view text, const Production& production,
                                           Reading& reading) {
-    if (text.starts_with("div(") || text.starts_with("repeat(")) return parse_division(text, reading);
+    if (text.starts_with("div(") || text.starts_with("repeat("))
+        return parse_division(text, reading);
     if (!text.starts_with("I(") || text.back() != ')' || !parameters(production).empty()) return {};
     const std::string_view inner = trimmed(text.substr(2, text.size() - 3));
     if (inner.empty() || !is_letter(first_character(inner).code) ||
-        reading.lexicon.length(inner) != inner.size() || reading.constants.count(std::string(inner)))
+        reading.lexicon.length(inner) != inner.size() ||
+        reading.constants.count(std::string(inner)))
         return {};
     std::string_view rest = inner;
     return ShapeSuccessor{"I", {}, {}, {*reading.lexicon.next(rest)}};

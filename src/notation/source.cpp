@@ -74,11 +74,13 @@ Place Source::place(std::size_t offset) const {
 }
 
 std::size_t Source::offset(const Place& place) const {
-    auto mark = std::upper_bound(marks_.begin(), marks_.end(), place, [](const Place& p, const Mark& m) {
-        return std::pair(p.line, p.column) < std::pair(m.line, m.column);
-    });
+    auto mark =
+        std::upper_bound(marks_.begin(), marks_.end(), place, [](const Place& p, const Mark& m) {
+            return std::pair(p.line, p.column) < std::pair(m.line, m.column);
+        });
     Mark now = *std::prev(mark);
-    while (now.offset < text_.size() && std::pair(now.line, now.column) != std::pair(place.line, place.column)) {
+    while (now.offset < text_.size() &&
+           std::pair(now.line, now.column) != std::pair(place.line, place.column)) {
         if (text_[now.offset] == '\n') {
             ++now.line;
             now.column = 1;

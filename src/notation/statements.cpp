@@ -38,8 +38,7 @@ const char* first_arrow(std::string_view text) {
 }  // namespace
 
 bool Statement::has_word(std::string_view word) const {
-    return keyword == word &&
-           (text.size() == word.size() || is_ascii_blank(text[word.size()]));
+    return keyword == word && (text.size() == word.size() || is_ascii_blank(text[word.size()]));
 }
 
 bool is_rule(const Statement& statement) {
@@ -47,9 +46,7 @@ bool is_rule(const Statement& statement) {
            !statement.has_word("interpret");
 }
 
-std::string_view Statement::value() const {
-    return trimmed(text.substr(keyword.size()));
-}
+std::string_view Statement::value() const { return trimmed(text.substr(keyword.size())); }
 
 std::vector<Statement> statements(std::string_view text) {
     std::vector<Statement> found;
@@ -88,9 +85,31 @@ std::vector<Statement> statements(std::string_view text) {
     return found;
 }
 
+std::vector<std::string_view> pieces(std::string_view text) {
+    std::vector<std::string_view> found;
+    const char* begin = nullptr;
+    std::size_t depth = 0;
+    const char* const end = text.data() + text.size();
+    for (const char* here = text.data(); here != end;) {
+        const Character next = first_character({here, static_cast<std::size_t>(end - here)});
+        if (next.code == '(') ++depth;
+        if (next.code == ')' && depth > 0) --depth;
+        if (!is_blank(next.code)) {
+            if (!begin) begin = here;
+        } else if (begin && depth == 0) {
+            found.emplace_back(begin, static_cast<std::size_t>(here - begin));
+            begin = nullptr;
+        }
+        here += next.bytes;
+    }
+    if (begin) found.emplace_back(begin, static_cast<std::size_t>(end - begin));
+    return found;
+}
+
 std::vector<std::string_view> comments(std::string_view text) {
     std::vector<std::string_view> found;
-    for (std::size_t here = text.find('#'); here != std::string_view::npos; here = text.find('#', here)) {
+    for (std::size_t here = text.find('#'); here != std::string_view::npos;
+         here = text.find('#', here)) {
         const std::size_t end = std::min(text.find('\n', here), text.size());
         found.push_back(trimmed(text.substr(here, end - here)));
         here = end;

@@ -8,8 +8,8 @@ namespace algae {
 /// One setting or rule, cut out of its line: without comment, without blanks at its ends.
 struct Statement {
     std::string_view text;
-    std::string_view keyword;      // the letters it begins with
-    const char* arrow = nullptr;   // its first `->` or `→`; nullptr if it has none
+    std::string_view keyword;        // the letters it begins with
+    const char* arrow = nullptr;     // its first `->` or `→`; nullptr if it has none
     const char* comments = nullptr;  // where the blank lines and comments before it begin
 
     /// Whether the keyword is all up to the first blank.
@@ -25,6 +25,9 @@ std::vector<Statement> statements(std::string_view text);
 /// Whether a statement is a rule: it has an arrow that is not part of a title, a source or an
 /// interpretation.
 bool is_rule(const Statement& statement);
+
+/// The pieces of a text between blanks outside brackets.
+std::vector<std::string_view> pieces(std::string_view text);
 
 /// The comments in a stretch of text without statements, each with its `#`, without the line break.
 std::vector<std::string_view> comments(std::string_view text);

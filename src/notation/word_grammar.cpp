@@ -38,7 +38,8 @@ void scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol, OnArgumen
             may_open = false;
         } else {
             if (byte == '#')
-                throw SyntaxError{here, "expected a symbol, found '#'; a comment needs a blank before"};
+                throw SyntaxError{here,
+                                  "expected a symbol, found '#'; a comment needs a blank before"};
             throw unexpected("a symbol", here);
         }
     }

@@ -111,13 +111,12 @@ std::string shortest_text(const Rational& value) {
     const auto first = digits.find_first_not_of('0');
     const auto last = digits.find_last_not_of('0');
     exponent += static_cast<long>(digits.size() - last - 1);
-    std::string scientific = minus + digits.substr(first, last - first + 1) + 'e' + std::to_string(exponent);
+    std::string scientific =
+        minus + digits.substr(first, last - first + 1) + 'e' + std::to_string(exponent);
     return scientific.size() < decimal->size() ? scientific : *decimal;
 }
 
-Quantity quantity(const Rational& value) {
-    return {written(value), value, value.to_double()};
-}
+Quantity quantity(const Rational& value) { return {written(value), value, value.to_double()}; }
 
 std::string to_text(const Expression& expression) {
     std::string out;

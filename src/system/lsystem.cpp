@@ -4,9 +4,9 @@ namespace algae {
 
 bool LSystem::operator==(const LSystem& other) const {
     return title == other.title && source == other.source && identifiers == other.identifiers &&
-           alphabet == other.alphabet && declared == other.declared && constants == other.constants &&
-           axiom == other.axiom && rules == other.rules && tables == other.tables &&
-           ignored == other.ignored && terminals == other.terminals &&
+           alphabet == other.alphabet && declared == other.declared &&
+           constants == other.constants && axiom == other.axiom && rules == other.rules &&
+           tables == other.tables && ignored == other.ignored && terminals == other.terminals &&
            interpretation == other.interpretation && settings == other.settings &&
            expectations == other.expectations;
 }

@@ -95,7 +95,8 @@ TEST_CASE("what has no value is refused at its place") {
     CHECK(failure("1+2/(1-1)") == "6 division by 0 in '2/(1-1)'");
     CHECK(failure("x+1") == "1 expected a number or a constant, found 'x'");
     CHECK(failure("0^-1") == "1 a negative power of 0 in '0^-1'");
-    CHECK(failure("(-8)^(1/3)") == "2 a power of a negative number that is not whole in '(-8)^(1/3)'");
+    CHECK(failure("(-8)^(1/3)") ==
+          "2 a power of a negative number that is not whole in '(-8)^(1/3)'");
     CHECK(failure("1+sqrt(-1)") == "3 the square root of a negative number in 'sqrt(-1)'");
     CHECK(failure("asin(2)") == "1 'asin(2)' needs a number from -1 to 1");
     CHECK(failure("tan(90)") == "1 'tan(90)' has no value");
@@ -117,7 +118,8 @@ TEST_CASE("quantities are written as a person would") {
 
 TEST_CASE("an expression printed is read back as the same expression") {
     rc::check([] {
-        const Expression expression = read_expression(random_text::expression({"x", "y_2", "ä"}, 5));
+        const Expression expression =
+            read_expression(random_text::expression({"x", "y_2", "ä"}, 5));
         const std::string printed = to_text(expression);
         RC_ASSERT(read_expression(printed) == expression);
         RC_ASSERT(to_text(read_expression(printed)) == printed);

@@ -51,7 +51,8 @@ TEST_CASE("formatting loses no comment, changes no system, and twice is once") {
             RC_ASSERT(read_lsystem(formatted, "x.lsys") == read_lsystem(text, "x.lsys"));
             RC_ASSERT(format_lsystem(formatted, "x.lsys") == formatted);
             for (int i = 0; i < comments; ++i)
-                RC_ASSERT(formatted.find("# comment " + std::to_string(i) + "\n") != std::string::npos);
+                RC_ASSERT(formatted.find("# comment " + std::to_string(i) + "\n") !=
+                          std::string::npos);
         } catch (const Diagnostics&) {
             // probabilities that do not add up, by chance
         }

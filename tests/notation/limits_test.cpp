@@ -52,7 +52,8 @@ void survive(const std::string& text) {
 TEST_CASE("nesting as deep as anybody wants ends in an error, not in the stack") {
     constexpr int many = 200000;
     CHECK(message("axiom a(" + repeated("(", many)) == "more than 200 brackets inside each other");
-    CHECK(message("axiom a(" + repeated("sin(", many)) == "more than 200 brackets inside each other");
+    CHECK(message("axiom a(" + repeated("sin(", many)) ==
+          "more than 200 brackets inside each other");
     const std::string deep = "an expression with more than 500 operators inside each other";
     CHECK(message("axiom a(" + repeated("-", many) + "1)") == deep);
     CHECK(message("axiom a(" + repeated("1+", many) + "1)") == deep);
@@ -67,9 +68,11 @@ TEST_CASE("nesting as deep as anybody wants ends in an error, not in the stack")
 
 TEST_CASE("numbers of any length and size") {
     CHECK(message("axiom a(" + repeated("9", 1000) + ")") == "");
-    CHECK(message("axiom a(" + repeated("9", 1001) + ")") == "a number of more than 1000 characters");
+    CHECK(message("axiom a(" + repeated("9", 1001) + ")") ==
+          "a number of more than 1000 characters");
     CHECK(message("axiom a(1e99999)") == "the number '1e99999' is out of range");
-    CHECK(message("axiom a\nangle 1e999") == "the value of '" + ("1e999" + std::string()) + "' is too large");
+    CHECK(message("axiom a\nangle 1e999") ==
+          "the value of '" + ("1e999" + std::string()) + "' is too large");
     // Squaring again and again would fill the memory if it stayed exact.
     std::string text = "axiom a\nlet x0 = 1+1e-15\n";
     for (int i = 1; i < 40; ++i) {
@@ -98,7 +101,8 @@ TEST_CASE("long texts") {
 TEST_CASE("random bytes") {
     rc::check([](const std::string& text) { survive(text); });
     rc::check([] {
-        static const std::string alphabet = "axiomFlet->()<>:,;?#=[]{}|&^*/.'\"0123 \n\t_\xCE\xB5\xE2\x86\x92\xFF";
+        static const std::string alphabet =
+            "axiomFlet->()<>:,;?#=[]{}|&^*/.'\"0123 \n\t_\xCE\xB5\xE2\x86\x92\xFF";
         const auto text = *rc::gen::container<std::string>(rc::gen::elementOf(alphabet));
         survive(text);
     });
@@ -110,7 +114,8 @@ TEST_CASE("valid texts with something changed") {
         static const std::string alphabet = "aF->()<>:,;?#=[]{}|&^*/.0 \n_\xCE\xB5\xFF";
         const int changes = 1 + random_text::below(4);
         for (int i = 0; i < changes && !text.empty(); ++i) {
-            const auto at = static_cast<std::size_t>(random_text::below(static_cast<int>(text.size())));
+            const auto at =
+                static_cast<std::size_t>(random_text::below(static_cast<int>(text.size())));
             const char byte = *rc::gen::elementOf(alphabet);
             const int kind = random_text::below(3);
             if (kind == 0) text.erase(at, 1);

@@ -15,7 +15,9 @@ using namespace algae;
 
 namespace {
 
-std::string canonical(const std::string& text) { return print_lsystem(read_lsystem(text, "x.lsys")); }
+std::string canonical(const std::string& text) {
+    return print_lsystem(read_lsystem(text, "x.lsys"));
+}
 
 void check_round_trip(const LSystem& system) {
     const std::string printed = print_lsystem(system);
@@ -27,22 +29,23 @@ void check_round_trip(const LSystem& system) {
 }  // namespace
 
 TEST_CASE("the canonical text of one of everything") {
-    CHECK(canonical("expect length 3:148\ngeneration 2 .. 4; g -> a\nturn clockwise\n"
-                    "colour  red   #ff8000\nwidth .50\nnarrow 1/2; scale 2e0; spin 45\n"
-                    "start 0 1+1 (1 < 2)\nshrink (1/sqrt((2)));step 1;angle 25.70\n"
-                    "interpret L->F\nterminals ab\nignore +-\n"
-                    "axiom F wallF F_lF_ 2X_1 2(1e0)[ A( x1 ) ]\nlet x1=0.30\nalphabet wall; id b\n"
-                    "a<b>c? d,e(x):x>1->f\nid c\nF -(0.5)-> ; F-(1/2)->div( Y,3 ,1r ){ B C}\n"
-                    "source s; title  t\n") ==
-          "title t\nsource s\nid b c\nalphabet wall\nlet x1 = 0.3\n"
-          "axiom F wall FF_lF _2X_1 2(1)[A(x1)]\n"
-          "g -> a\n"
-          "a < b > c ? d, e(x) : x > 1 -> f\n"
-          "F -(0.5)-> ε\n"
-          "F -(0.5)-> div(Y, 3, 1r){ B C }\n"
-          "ignore + -\nterminals a b\ninterpret L -> F\n"
-          "angle 25.7\nstep 1\nshrink 1/sqrt(2)\nstart 0 1+1 (1 < 2)\nspin 45\nscale 2\nnarrow 1/2\n"
-          "width 0.5\ncolour red #ff8000\nturn clockwise\ngeneration 2..4\nexpect length 3: 148\n");
+    CHECK(
+        canonical("expect length 3:148\ngeneration 2 .. 4; g -> a\nturn clockwise\n"
+                  "colour  red   #ff8000\nwidth .50\nnarrow 1/2; scale 2e0; spin 45\n"
+                  "start 0 1+1 (1 < 2)\nshrink (1/sqrt((2)));step 1;angle 25.70\n"
+                  "interpret L->F\nterminals ab\nignore +-\n"
+                  "axiom F wallF F_lF_ 2X_1 2(1e0)[ A( x1 ) ]\nlet x1=0.30\nalphabet wall; id b\n"
+                  "a<b>c? d,e(x):x>1->f\nid c\nF -(0.5)-> ; F-(1/2)->div( Y,3 ,1r ){ B C}\n"
+                  "source s; title  t\n") ==
+        "title t\nsource s\nid b c\nalphabet wall\nlet x1 = 0.3\n"
+        "axiom F wall FF_lF _2X_1 2(1)[A(x1)]\n"
+        "g -> a\n"
+        "a < b > c ? d, e(x) : x > 1 -> f\n"
+        "F -(0.5)-> ε\n"
+        "F -(0.5)-> div(Y, 3, 1r){ B C }\n"
+        "ignore + -\nterminals a b\ninterpret L -> F\n"
+        "angle 25.7\nstep 1\nshrink 1/sqrt(2)\nstart 0 1+1 (1 < 2)\nspin 45\nscale 2\nnarrow 1/2\n"
+        "width 0.5\ncolour red #ff8000\nturn clockwise\ngeneration 2..4\nexpect length 3: 148\n");
 }
 
 TEST_CASE("words take blanks only where names would run together") {
@@ -87,7 +90,8 @@ TEST_CASE("every system that comes with algae is read, and survives printing") {
             std::stringstream text;
             text << in.rdbuf();
             CAPTURE(entry.path().string());
-            CHECK_NOTHROW(check_round_trip(read_lsystem(text.str(), entry.path().filename().string())));
+            CHECK_NOTHROW(
+                check_round_trip(read_lsystem(text.str(), entry.path().filename().string())));
             ++files;
         }
     }

@@ -31,25 +31,29 @@ inline std::string expression(const Strings& names, int depth = 3) {
     if (kind == 2) return one_of({"-", "!"}) + part();
     if (kind == 3) return '(' + part() + ')';
     if (kind == 4)
-        return one_of({"sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs", "floor",
-                       "ceil"}) +
+        return one_of({"sin", "cos", "tan", "asin", "acos", "atan", "sqrt", "exp", "log", "abs",
+                       "floor", "ceil"}) +
                '(' + part() + ')';
     if (kind == 5) return one_of({"min", "max "}) + '(' + part() + ", " + part() + ')';
     if (kind == 6)
-        return '(' + part() + ") " + one_of({"<", "<=", ">", ">=", "=", "==", "!=", "≤", "≥", "≠"}) + " (" +
-               part() + ')';
+        return '(' + part() + ") " +
+               one_of({"<", "<=", ">", ">=", "=", "==", "!=", "≤", "≥", "≠"}) + " (" + part() + ')';
     // Operands in brackets half the time; a relation among them needs them always.
-    const auto operand = [&] { return chance(50) ? '(' + part() + ')' : names.empty() ? number() : one_of(names); };
+    const auto operand = [&] {
+        return chance(50) ? '(' + part() + ')' : names.empty() ? number() : one_of(names);
+    };
     return operand() + one_of({"+", "-", "*", "/", "^", " + ", " & ", "|", " ^ -"}) + operand();
 }
 
 /// A symbol that needs no declaration, or a declared one if `longer`.
 inline std::string symbol(bool longer) {
-    static const Strings plain{"F", "f", "G", "+", "-", "&", "^", "\\", "/", "|", "{", "}", ".",
-                               "!", "'", "$", "%", "~", "@", "*", "\"", "_", "0", "1", "2", "F_l",
-                               "F_r", "X_12", "X_1", "d", "i", "v", "I", "r", "e", "α", "β_1", "∧", "ü",
-                               "?E", "?X_2", "t", "l", "s", "u", "c", "a", "b", "A", "B"};
-    static const Strings declared{"wall", "wallwindow", "F+", "+F", "ab", "div_", "?wall", "_", "F_lG", "ti"};
+    static const Strings plain{"F",    "f", "G", "+", "-", "&",   "^",   "\\",   "/",   "|",
+                               "{",    "}", ".", "!", "'", "$",   "%",   "~",    "@",   "*",
+                               "\"",   "_", "0", "1", "2", "F_l", "F_r", "X_12", "X_1", "d",
+                               "i",    "v", "I", "r", "e", "α",   "β_1", "∧",    "ü",   "?E",
+                               "?X_2", "t", "l", "s", "u", "c",   "a",   "b",    "A",   "B"};
+    static const Strings declared{"wall", "wallwindow", "F+", "+F",   "ab",
+                                  "div_", "?wall",      "_",  "F_lG", "ti"};
     return one_of(longer && chance(30) ? declared : plain);
 }
 
@@ -85,7 +89,8 @@ inline std::string word(const Options& options, const Strings& names, bool param
 }
 
 /// A word of modules with formal parameters, which are added to `names`.
-inline std::string pattern(const Options& options, int most, Strings& names, const char* separator) {
+inline std::string pattern(const Options& options, int most, Strings& names,
+                           const char* separator) {
     std::string out;
     const int modules = 1 + below(most);
     for (int i = 0; i < modules; ++i) {
@@ -115,7 +120,8 @@ inline std::string left_side(const Options& options, Strings& names) {
 inline std::string successor(const Options& options, const Strings& names) {
     const int kind = below(12);
     const std::string parts = "{ F wall+ X_1 G }";
-    if (kind == 0) return "div(Y, " + expression(names) + ", (" + expression(names) + ") r, 2r)" + parts;
+    if (kind == 0)
+        return "div(Y, " + expression(names) + ", (" + expression(names) + ") r, 2r)" + parts;
     if (kind == 1) return "repeat(X, " + expression(names) + ")" + parts;
     if (kind == 2 && names.empty()) return "I( B )";
     return word(options, names, true);

@@ -47,7 +47,8 @@ std::string laid_open(const std::string& rule) {
     out += "is ";
     for (std::size_t i = 0; i < first.successor.letters.size(); ++i) {
         std::vector<std::string> arguments;
-        if (const auto at = first.successor.arguments.find(i); at != first.successor.arguments.end())
+        if (const auto at = first.successor.arguments.find(i);
+            at != first.successor.arguments.end())
             for (const Expression& argument : at->second) arguments.push_back(to_text(argument));
         module(first.successor.letters[i], arguments);
     }
@@ -118,8 +119,7 @@ TEST_CASE("contexts") {
     CHECK(laid_open("b < a > c -> x") == "left <b>; of <a>; right <c>; is <x>");
     CHECK(laid_open("b < - > c -> x") == "left <b>; of <->; right <c>; is <x>");
     CHECK(laid_open("0 < 1 > 0 -> 1") == "left <0>; of <1>; right <0>; is <1>");
-    CHECK(laid_open("BC < S > G[H]M -> X") ==
-          "left <B><C>; of <S>; right <G><[><H><]><M>; is <X>");
+    CHECK(laid_open("BC < S > G[H]M -> X") == "left <B><C>; of <S>; right <G><[><H><]><M>; is <X>");
     CHECK(laid_open("+ - < + > - - -> +") == "left <+><->; of <+>; right <-><->; is <+>");
     CHECK(laid_open("ε < a > ε -> b") == "of <a>; is <b>");
     CHECK(laid_open("a(x)b < c(y) > d(z) : x+y > z -> e(x)") ==
@@ -127,8 +127,7 @@ TEST_CASE("contexts") {
 }
 
 TEST_CASE("parameters and conditions") {
-    CHECK(laid_open("A(x,y) : y <= 3 -> A(x*2, x+y)") ==
-          "of <A(x,y)>; if y <= 3; is <A(x*2,x+y)>");
+    CHECK(laid_open("A(x,y) : y <= 3 -> A(x*2, x+y)") == "of <A(x,y)>; if y <= 3; is <A(x*2,x+y)>");
     CHECK(laid_open("A ( x , y ) : * -> A ( x )") == "of <A(x,y)>; is <A(x)>");
     CHECK(laid_open("A(x) : x ≤ 3 & x ≥ 1 | x ≠ 2 && x == 2 -> F(2^0.5*x)") ==
           "of <A(x)>; if x <= 3 & x >= 1 | x != 2 & x = 2; is <F(2^0.5*x)>");
@@ -136,8 +135,7 @@ TEST_CASE("parameters and conditions") {
           "of <A(x)>; is </(137.5)><^(90)><A(x,0.04)>");
     CHECK(laid_open("A(x) ? B(y), C(r,z) : x < y + r -> D(x)E(y+r)") ==
           "of <A(x)>; elsewhere <B(y)><C(r,z)>; if x < y+r; is <D(x)><E(y+r)>");
-    CHECK(laid_open("A > ?E(x) : x > 1 -> ?E(2)") ==
-          "of <A>; right <?E(x)>; if x > 1; is <?E(2)>");
+    CHECK(laid_open("A > ?E(x) : x > 1 -> ?E(2)") == "of <A>; right <?E(x)>; if x > 1; is <?E(2)>");
     CHECK(laid_open("?E(x) -> ?E(x)") == "of <?E(x)>; is <?E(x)>");
 }
 

@@ -1,0 +1,165 @@
+#include <doctest/doctest.h>
+
+#include <string>
+
+#include "notation/said.hpp"
+
+using namespace algae;
+
+TEST_CASE("statements that are none") {
+    CHECK(findings("angel 60\naxiom F") ==
+          "x.lsys:1:1: error: expected a setting or a rule with '->', found 'angel'; did you mean "
+          "'angle'?\n"
+          "  angel 60\n"
+          "  ^");
+    CHECK(findings("axiom F\nF = FF") ==
+          "x.lsys:2:1: error: expected a setting or a rule with '->', found 'F'\n"
+          "  F = FF\n"
+          "  ^");
+    CHECK(
+        findings("axiom F F -> F") ==
+        "x.lsys:1:1: error: expected a line break or ';' between the setting 'axiom' and the rule\n"
+        "  axiom F F -> F\n"
+        "  ^");
+}
+
+TEST_CASE("settings given twice, not at all or without a value") {
+    CHECK(findings("axiom F\naxiom G\nangle 3\nangle 4") ==
+          "x.lsys:2:1: error: 'axiom' is given twice, first in line 1\n"
+          "  axiom G\n"
+          "  ^\n"
+          "x.lsys:4:1: error: 'angle' is given twice, first in line 3\n"
+          "  angle 4\n"
+          "  ^");
+    CHECK(findings("F -> F\n") ==
+          "x.lsys:2:1: error: expected an axiom before the end of the file, found none");
+    CHECK(
+        findings("axiom") ==
+        "x.lsys:1:6: error: expected a word after 'axiom' (the empty word is ε), found the end of "
+        "the line\n"
+        "  axiom\n"
+        "       ^");
+    CHECK(findings("axiom F;angle ; step") ==
+          "x.lsys:1:15: error: expected a value after 'angle', found ';'\n"
+          "  axiom F;angle ; step\n"
+          "                ^\n"
+          "x.lsys:1:21: error: expected a value after 'step', found the end of the line\n"
+          "  axiom F;angle ; step\n"
+          "                      ^");
+    CHECK(findings("").starts_with("x.lsys:1:1: error: expected an axiom before the end"));
+}
+
+TEST_CASE("names that stand for nothing, with a suggestion") {
+    CHECK(findings("axiom F(y)\nlet radius = 2\nA(x) : z > 3 -> B(radios, x)") ==
+          "x.lsys:1:9: error: expected a number or a constant, found 'y'\n"
+          "  axiom F(y)\n"
+          "          ^\n"
+          "x.lsys:3:8: error: expected a parameter or a constant, found 'z'\n"
+          "  A(x) : z > 3 -> B(radios, x)\n"
+          "         ^\n"
+          "x.lsys:3:19: error: expected a parameter or a constant, found 'radios'; did you mean "
+          "'radius'?\n"
+          "  A(x) : z > 3 -> B(radios, x)\n"
+          "                    ^");
+    // A faulty constant is reported once, not at each of its uses.
+    CHECK(findings("axiom F(r)\nlet r = \nangle 2*r\nF -(r)-> F") ==
+          "x.lsys:2:8: error: expected a number or a name, found the end of the line\n"
+          "  let r =\n"
+          "         ^");
+}
+
+TEST_CASE("numbers out of range and expressions without a value") {
+    CHECK(
+        findings("axiom a\nangle 1/0\nwidth -1\nstep 10^400\nshrink sqrt(-1)\nspin 2*\nscale 1 2\n"
+                 "narrow log(0)") ==
+        "x.lsys:2:9: error: division by 0 in '1/0'\n"
+        "  angle 1/0\n"
+        "          ^\n"
+        "x.lsys:3:7: error: expected a width above 0, found '-1'\n"
+        "  width -1\n"
+        "        ^\n"
+        "x.lsys:4:6: error: the value of '10^400' is too large\n"
+        "  step 10^400\n"
+        "       ^\n"
+        "x.lsys:5:8: error: the square root of a negative number in 'sqrt(-1)'\n"
+        "  shrink sqrt(-1)\n"
+        "         ^\n"
+        "x.lsys:6:8: error: expected a number or a name, found the end of the line\n"
+        "  spin 2*\n"
+        "         ^\n"
+        "x.lsys:7:9: error: expected an operator, found '2'\n"
+        "  scale 1 2\n"
+        "          ^\n"
+        "x.lsys:8:8: error: the logarithm of a number that is not positive in 'log(0)'\n"
+        "  narrow log(0)\n"
+        "         ^");
+    CHECK(findings("axiom a\ngeneration 3..2") ==
+          "x.lsys:2:15: error: expected a generation from 3 on, found 2\n"
+          "  generation 3..2\n"
+          "                ^");
+    CHECK(findings("axiom a\ngeneration 9223372036854775808") ==
+          "x.lsys:2:12: error: expected a generation below 2^63, found '9223372036854775808'\n"
+          "  generation 9223372036854775808\n"
+          "             ^");
+    CHECK(findings("axiom a\ngeneration 9223372036854775807") == "");
+    CHECK(findings("axiom a\ngeneration -1")
+              .starts_with("x.lsys:2:12: error: expected a generation, found '-'"));
+    CHECK(findings("axiom a\nlet x = 2^2^2^2^2^2\n")
+              .starts_with("x.lsys:2:11: error: the value of '2^2^2^2^2' is too large"));
+}
+
+TEST_CASE("other settings") {
+    CHECK(findings("axiom a\nstart 1 2\nturn left\ncolour red? blue\n"
+                   "expect size 3: 4\nexpect lenght 3: 4\nexpect length: 4\nexpect length 3 4\n"
+                   "expect length 3:") ==
+          "x.lsys:2:10: error: expected a heading, found the end of the line\n"
+          "  start 1 2\n"
+          "           ^\n"
+          "x.lsys:3:6: error: expected 'clockwise' or 'counter-clockwise', found 'left'\n"
+          "  turn left\n"
+          "       ^\n"
+          "x.lsys:4:8: error: expected a colour's name or #rrggbb, found 'red?'\n"
+          "  colour red? blue\n"
+          "         ^\n"
+          "x.lsys:5:8: error: expected one of length, lengths, word, segments, distinct, vertices, "
+          "end, box, found 'size'\n"
+          "  expect size 3: 4\n"
+          "         ^\n"
+          "x.lsys:6:8: error: expected one of length, lengths, word, segments, distinct, vertices, "
+          "end, box, found 'lenght'; did you mean 'length'?\n"
+          "  expect lenght 3: 4\n"
+          "         ^\n"
+          "x.lsys:7:14: error: expected a generation, found ':'\n"
+          "  expect length: 4\n"
+          "               ^\n"
+          "x.lsys:8:17: error: expected ':', found '4'\n"
+          "  expect length 3 4\n"
+          "                  ^\n"
+          "x.lsys:9:17: error: expected a value, found the end of the line\n"
+          "  expect length 3:\n"
+          "                  ^");
+    CHECK(findings("axiom a\nstart 1 2 3 4") ==
+          "x.lsys:2:13: error: expected the end of the line after x, y and heading, found '4'\n"
+          "  start 1 2 3 4\n"
+          "              ^");
+    CHECK(findings("axiom a\nalphabet title a=b\nlet = 3\nlet x 3\nlet y = 2\nlet y = 3\n"
+                   "interpret F\nignore F(2)") ==
+          "x.lsys:2:10: error: expected another name, 'title' has a meaning in the notation\n"
+          "  alphabet title a=b\n"
+          "           ^\n"
+          "x.lsys:3:5: error: expected a constant's name, found '='\n"
+          "  let = 3\n"
+          "      ^\n"
+          "x.lsys:4:7: error: expected '=', found '3'\n"
+          "  let x 3\n"
+          "        ^\n"
+          "x.lsys:6:5: error: the constant 'y' is given twice\n"
+          "  let y = 3\n"
+          "      ^\n"
+          "x.lsys:7:12: error: expected a rule with '->', found the end of the line\n"
+          "  interpret F\n"
+          "             ^\n"
+          "x.lsys:8:9: error: expected symbols without parameters, found '('\n"
+          "  ignore F(2)\n"
+          "          ^");
+}

@@ -22,13 +22,20 @@ struct Options {
 
 /// Throws BoundReached, with the exact length and other ways to an answer, if a word is too long.
 void check_length(const D0L& system, std::uint64_t n, const Budget& budget) {
-    const Integer letters = length(system, n, budget);
-    if (letters > Integer(budget.letters))
-        throw BoundReached("generation " + std::to_string(n) + " has " + readable(letters) +
-                           " letters, more than the " + std::to_string(budget.letters) +
-                           " that --max-letters allows. `algae letter -n " + std::to_string(n) +
-                           " --at P` gives any part of it, `algae growth -n " + std::to_string(n) +
-                           "` its length, `algae draw -n " + std::to_string(n) + "` its picture");
+    constexpr double worked_out = 4096;  // binary digits of a length that are said in full
+    const double estimate = estimated_log2_length(system, n);
+    std::string count;
+    if (estimate <= worked_out) {
+        const Integer letters = length(system, n, budget);
+        if (letters <= Integer(budget.letters)) return;
+        count = readable(letters);
+    } else {
+        count = "about 10^" + std::to_string(static_cast<std::uint64_t>(estimate * 0.30102999566398120));
+    }
+    throw BoundReached("generation " + std::to_string(n) + " has " + count + " letters, more than the " +
+                       std::to_string(budget.letters) + " that --max-letters allows. `algae letter -n " +
+                       std::to_string(n) + " --at P` gives any part of it, `algae growth -n " +
+                       std::to_string(n) + "` its length, `algae draw -n " + std::to_string(n) + "` its picture");
 }
 
 std::string spelled(const Alphabet& alphabet, const Word& word) { return spell(alphabet, word); }

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <exception>
@@ -5,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "notation/suggestion.hpp"
 
 namespace {
 
@@ -56,6 +58,16 @@ int main(int argc, char** argv) {
     add_draw(verbs);
     add_figures(verbs);
     add_gallery(verbs);
+    if (argc < 2) {
+        std::fputs(app.help().c_str(), stderr);
+        return bad_input;
+    }
+    std::vector<std::string> names;
+    for (const CLI::App* known : app.get_subcommands({})) names.push_back(known->get_name());
+    const std::string verb = argv[1];
+    if (!verb.starts_with('-') && std::find(names.begin(), names.end(), verb) == names.end())
+        return report(("no verb " + verb + algae::did_you_mean(verb, names) + "; `algae --help` lists them").c_str(),
+                      bad_input);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

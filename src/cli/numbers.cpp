@@ -74,7 +74,7 @@ nlohmann::json json_number(const Integer& value) {
 std::string readable(const Integer& value) {
     const std::string digits = to_string(value);
     if (digits.size() <= 60) return digits;
-    return "a number of " + std::to_string(digits.size()) + " digits of";
+    return digits.substr(0, 20) + "... (" + std::to_string(digits.size()) + " digits)";
 }
 
 }  // namespace algae::cli

@@ -27,7 +27,7 @@ double positive(const std::string& option, const std::string& text);
 /// as a string.
 nlohmann::json json_number(const Integer& value);
 
-/// The digits, or how many there are if they are too many to read.
+/// The digits; of more than 60 the first ones and how many there are.
 std::string readable(const Integer& value);
 
 }  // namespace algae::cli

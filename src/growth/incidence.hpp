@@ -21,13 +21,19 @@ IntegerMatrix incidence_matrix(const D0L& system);
 /// `system.letters`; brackets are letters.
 ///
 /// For few generations by iterating, otherwise by repeated squaring of the growth matrix,
-/// O(letters^3 log n) products of exact integers. Throws BoundReached when the numbers would take
-/// more than budget.memory.
+/// O(letters^3 log n) products of exact integers. Throws BoundReached when the numbers would have
+/// more digits than budget.letters, or take more than budget.memory.
 ///
 /// Example: parikh_vector(d0l("b", {{'a', "ab"}, {'b', "a"}}), 5) == std::vector<Integer>{3, 5}
 std::vector<Integer> parikh_vector(const D0L& system, std::uint64_t n, const Budget& budget = {});
 
-/// The length of the word of generation n.
+/// About the binary logarithm of the length of the word of generation n, at once for any n: by
+/// repeated squaring in floating point. Good to a few parts in 10^9; minus infinity for the empty
+/// word. For deciding what to try, never for an answer.
+double estimated_log2_length(const D0L& system, std::uint64_t n);
+
+/// The length of the word of generation n. Throws BoundReached, at once, if it has more digits than
+/// budget.letters.
 ///
 /// Example: length(d0l("F", {{'F', "F+F--F+F"}}), 6) == 9556
 Integer length(const D0L& system, std::uint64_t n, const Budget& budget = {});

@@ -1,0 +1,103 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/run.hpp"
+
+TEST_CASE("derive prints the word of a generation, or all of them") {
+    CHECK(run("derive koch -n 1").out == "F+F--F+F\n");
+    CHECK(run("derive koch -n 1 --all").out == "F\nF+F--F+F\n");
+    CHECK(run("derive koch -n 0..1").out == "F\nF+F--F+F\n");
+    CHECK(nlohmann::json::parse(run("derive koch -n 1 --all --json").out)["words"] ==
+          nlohmann::json({"F", "F+F--F+F"}));
+}
+
+TEST_CASE("derive reads a system from standard input") {
+    CHECK(run("derive - -n 5", "printf 'axiom b; a -> ab; b -> a' |").out == "abaababa\n");
+}
+
+TEST_CASE("the empty word is printed as epsilon") {
+    const Scratch scratch;
+    const std::string file = scratch.file("dies.lsys", "axiom a\na ->\n");
+    CHECK(run("derive " + file + " -n 1").out == "ε\n");
+    CHECK(nlohmann::json::parse(run("derive " + file + " -n 1 --json").out)["words"][0] == "ε");
+}
+
+TEST_CASE("subscripts print without blanks, and with one where digits would run together") {
+    CHECK(run("derive - -n 1", "printf 'axiom F_r; F_r -> F_l F_r F_l' |").out == "F_lF_rF_l\n");
+    CHECK(run("derive - -n 1", "printf 'axiom a; a -> X_1 2 X_1' |").out == "X_1 2X_1\n");
+}
+
+TEST_CASE("all words of a nondeterministic system, each once, in shortlex order") {
+    const std::string system = "printf 'axiom aa; a -> ; a -> a; a -> b' |";
+    CHECK(run("derive - -n 1 --all-words", system).out == "ε\na\nb\naa\nab\nba\nbb\n");
+    CHECK(run("derive - -n 1 --all-words --longest 1", system).out == "ε\na\nb\n");
+    CHECK(run("derive - --all-words --longest 3", "printf 'axiom a; a -> aa; a -> aaa' |").out == "a\naa\naaa\n");
+}
+
+TEST_CASE("a seed picks the same word every time") {
+    const std::string system = "printf 'axiom F; F -> F[+F]F; F -> F[-F]F' |";
+    const Run first = run("derive - -n 5 --seed 7", system);
+    CHECK(first.status == 0);
+    CHECK(first.out == run("derive - -n 5 --seed 7", system).out);
+    CHECK(first.out != run("derive - -n 5 --seed 8", system).out);
+    CHECK(run("derive - -n 2 --seed 7", system).out == "F[+F]F[-F[+F]F]F[+F]F\n");
+}
+
+TEST_CASE("a system with choices says what to do instead") {
+    const Run refused = run("derive - -n 3", "printf 'axiom a; a -> a; a -> aa' |");
+    CHECK(refused.status == 2);
+    CHECK(refused.err ==
+          "algae: not a D0L system: a has 2 rules; say --all-words for all words, or --seed S for one picked at random\n");
+}
+
+TEST_CASE("a generation that is too long is answered at once with its length") {
+    const Run long_word = run("derive dragon -n 60");
+    CHECK(long_word.status == 3);
+    CHECK(long_word.err ==
+          "algae: generation 60 has 4611686018427387902 letters, more than the 1000000000 that --max-letters allows. "
+          "`algae letter -n 60 --at P` gives any part of it, `algae growth -n 60` its length, `algae draw -n 60` its "
+          "picture\n");
+    CHECK(run("derive koch -n 1000000000000").status == 3);
+}
+
+TEST_CASE("what the engine cannot run yet is refused by name") {
+    const auto refused = [](const std::string& system) {
+        const Run run_of = run("derive - -n 1", "printf '" + system + "' |");
+        CHECK(run_of.status == 2);
+        return run_of.err;
+    };
+    CHECK(refused("axiom ba; b < a -> b; b -> a").find("has a context") != std::string::npos);
+    CHECK(refused("axiom A(1); A(x) -> A(x+1)").find("the axiom has parameters") != std::string::npos);
+    CHECK(refused("axiom F; F -(0.5)-> F; F -(0.5)-> FF").find("has a probability") != std::string::npos);
+    CHECK(refused("table one; axiom a; a -> b; table two; a -> c").find("it has tables") != std::string::npos);
+    CHECK(refused("axiom S; S -> a; terminals a").find("it has terminals") != std::string::npos);
+}
+
+TEST_CASE("numbers out of range are refused with what was expected") {
+    CHECK(run("derive koch -n -1").err == "algae: -n: expected a whole number from 0 on, found \"-1\"\n");
+    CHECK(run("derive koch -n -1").status == 2);
+    CHECK(run("derive koch -n 99999999999999999999").err ==
+          "algae: -n: expected a number below 2^63, found \"99999999999999999999\"\n");
+    CHECK(run("derive koch -n 99999999999999999999").status == 2);
+    CHECK(run("derive koch -n 6..0").status == 2);
+    CHECK(run("derive koch").err == "algae: -n is missing: which generation?\n");
+    CHECK(run("derive koch -n 3 --max-letters many").status == 2);
+    CHECK(run("derive koch -n 3 --max-letters 5").status == 3);
+}
+
+TEST_CASE("a full output is an error, a closed pipe ends the command") {
+    const Scratch scratch;
+    if (std::filesystem::exists("/dev/full")) {
+        const int ended = std::system("'" ALGAE_COMMAND "' derive koch -n 10 >/dev/full 2>/dev/null");
+        CHECK(WEXITSTATUS(ended) == 2);
+    }
+    const int ended = std::system("'" ALGAE_COMMAND "' derive koch -n 13 | head -c 10 >/dev/null");
+    CHECK(WEXITSTATUS(ended) == 0);
+}
+
+TEST_CASE("a word written in pieces is the word written at once") {
+    const Run big = run("derive koch -n 9");
+    CHECK(big.out.size() == 611669);
+    CHECK(run("derive koch -n 9 --json").out.find(big.out.substr(0, big.out.size() - 1)) != std::string::npos);
+}

@@ -40,19 +40,27 @@ std::vector<Word> words_up_to(const OL& system, std::size_t longest, const Budge
     Family family(system.alphabet->size());
     for (const Symbol a : system.letters) family[a] = lift.letter(a);
     std::vector<Word> found;
-    std::vector<Family> seen;
-    while (std::find(seen.begin(), seen.end(), family) == seen.end()) {
+    // The families repeat from some generation on (Brent 1980): one of them is remembered, and a
+    // later one each time twice as many generations have passed.
+    Family remembered = family;
+    for (std::uint64_t steps = 0, until = 1;;) {
         budget.check();
         const Hom<WordSets> phi{sets, family};
         sets.add(found, phi(system.axiom));
-        seen.push_back(family);
         std::uint64_t bytes = 0;
         for (const Symbol a : system.letters) {
             family[a].clear();
             for (const Word& successor : system.successors[a]) sets.add(family[a], phi(successor));
+            bytes += sizeof(family[a]);
             for (const Word& word : family[a]) bytes += sizeof(Word) + word.size() * sizeof(Symbol);
         }
-        budget.check_memory(bytes * seen.size(), "the sets of words up to that length");
+        budget.check_memory(bytes, "the sets of words up to that length");
+        if (family == remembered) break;
+        if (++steps == until) {
+            remembered = family;
+            until *= 2;
+            steps = 0;
+        }
     }
     return by_name(std::move(found), *system.alphabet);
 }
@@ -70,7 +78,9 @@ Word random_word(const OL& system, std::uint64_t n, std::mt19937_64& generator, 
     for (std::uint64_t step = 1; step <= n; ++step) {
         budget.check();
         Word next;
+        std::uint64_t visits = 0;
         for (const Symbol a : word) {
+            if (++visits % 65536 == 0) budget.check();
             const auto& choices = system.successors[a];
             const Word& successor = choices.size() == 1 ? choices.front() : choices[below(generator, choices.size())];
             if (next.size() + successor.size() > budget.letters)

@@ -62,8 +62,12 @@ void derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budge
     const Spellings& spellings = ready.text.monoid;
     bool begun = false;
     Symbol last = 0;
-    std::uint64_t pieces = 0;
+    std::uint64_t visits = 0;
     walk(system, fates, n, [&](Symbol a, std::uint64_t steps) {
+        if (++visits % 1024 == 0) {
+            budget.check();
+            if (progress) progress->report(0);
+        }
         if (steps > ready.steps) return true;
         // Below the blocks' level (constants, and axioms of young generations) nothing is tabulated
         // but the letter itself and the blocks; a constant is its own block.
@@ -73,10 +77,6 @@ void derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budge
         sink.write(block.text);
         begun = true;
         last = block.last;
-        if (++pieces % 1024 == 0) {
-            budget.check();
-            if (progress) progress->report(0);
-        }
         return false;
     });
     sink.flush();
@@ -91,13 +91,14 @@ std::string derived_text(const D0L& system, std::uint64_t n, const Budget& budge
 Word derive(const D0L& system, std::uint64_t n, const Budget& budget) {
     const Fates fates(system);
     Word word;
+    std::uint64_t visits = 0;
     walk(system, fates, n, [&](Symbol a, std::uint64_t steps) {
+        if (++visits % 65536 == 0) budget.check();
         if (steps > 0) return true;
         if (word.size() == budget.letters)
             throw BoundReached("generation " + std::to_string(n) + " has more than " +
                                std::to_string(budget.letters) + " letters, the bound set by --max-letters");
         word.push_back(a);
-        if (word.size() % 65536 == 0) budget.check();
         return true;
     });
     return word;

@@ -48,7 +48,9 @@ typename M::value_type fold(const D0L& system, std::uint64_t n, const Lift<M, Le
     Hom<M> phi = homomorphism(system, lift);
     while (n-- > 0) {
         budget.check();
-        phi = phi.after(system.rules, system.letters);
+        auto next = phi.after(system.rules, system.letters);
+        if (next.images == phi.images) break;  // and so for ever
+        phi = std::move(next);
     }
     return phi(system.axiom);
 }

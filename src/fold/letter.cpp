@@ -15,13 +15,14 @@ class CappedLengths {
 public:
     CappedLengths(const D0L& system, std::uint64_t n, const Integer& cap, const Budget& budget)
         : system_(system), cap_(cap), budget_(budget) {
-        while (stride_ * stride_ < n) stride_ *= 2;
+        while (stride_ < std::uint64_t{1} << 32 && stride_ * stride_ < n) stride_ *= 2;
         Row row(system.alphabet->size(), Integer(0));
         for (const Symbol a : system.letters) row[a] = 1;
         for (std::uint64_t k = 0;; ++k) {
+            if (k % 1024 == 0) budget.check();
             if (k % stride_ == 0) {
-                budget.check();
                 kept_.push_back(row);
+                check_memory();
             }
             if (k == n) break;
             Row next = after(row);
@@ -40,7 +41,13 @@ public:
             segment_ = segment;
             rows_.assign(1, kept_.at(segment));
         }
-        while (rows_.size() <= k % stride_) rows_.push_back(after(rows_.back()));
+        while (rows_.size() <= k % stride_) {
+            if (rows_.size() % 1024 == 0) {
+                budget_.check();
+                check_memory();
+            }
+            rows_.push_back(after(rows_.back()));
+        }
         return rows_[k % stride_][a];
     }
 
@@ -59,6 +66,12 @@ private:
             }
         }
         return next;
+    }
+
+    void check_memory() const {
+        const std::uint64_t number = sizeof(Integer) + (bit_length(cap_) > 62 ? 16 + bit_length(cap_) / 8 : 0);
+        budget_.check_memory((kept_.size() + rows_.size()) * system_.alphabet->size() * number,
+                             "the table of lengths");
     }
 
     const D0L& system_;
@@ -81,12 +94,14 @@ struct Step {
 
 Word letters_at(const D0L& system, std::uint64_t n, const Integer& at, std::uint64_t count,
                 const Budget& budget) {
+    if (at < 0)
+        throw Error("position " + to_string(at) + " is before the beginning: positions count from 0");
     const Fates fates(system);
     CappedLengths lengths(system, n, at + 1, budget);
     // The way down to the letter: at every generation the rest of a successor still to be read.
     std::vector<Step> path{{system.axiom.data(), system.axiom.data() + system.axiom.size(), n}};
     Integer left = at;
-    Integer before = 0;
+    std::uint64_t visits = 0;
     for (;;) {
         Step& here = path.back();
         while (here.next != here.end && lengths.of(*here.next, here.steps) <= left) {
@@ -95,20 +110,24 @@ Word letters_at(const D0L& system, std::uint64_t n, const Integer& at, std::uint
         }
         if (here.next == here.end) {
             // Only the axiom's row can end here: below, the letter is known to reach far enough.
-            before = at - left;
             throw Error("position " + to_string(at) + " is past the end: generation " + std::to_string(n) +
-                        " has " + to_string(before) + " letters");
+                        " has " + to_string(at - left) + " letters");
         }
         if (here.steps == 0 || fates.is_constant(*here.next)) break;
-        if (path.size() % 4096 == 0) budget.check();
+        if (++visits % 4096 == 0) {
+            budget.check();
+            budget.check_memory(path.capacity() * sizeof(Step), "the way down to the letter");
+        }
         const std::uint64_t steps = here.steps - 1;
         const Word& successor = system.successor(*here.next++);
+        while (here.next != here.end && fates.is_gone(*here.next, here.steps)) ++here.next;
         if (here.next == here.end) path.pop_back();
         path.push_back({successor.data(), successor.data() + successor.size(), steps});
     }
     // From here on letters follow each other without counting.
     Word found;
     while (found.size() < count && !path.empty()) {
+        if (++visits % 65536 == 0) budget.check();
         Step& here = path.back();
         if (here.next == here.end) {
             path.pop_back();
@@ -121,9 +140,9 @@ Word letters_at(const D0L& system, std::uint64_t n, const Integer& at, std::uint
                 throw BoundReached("more than " + std::to_string(budget.letters) +
                                    " letters asked for, the bound set by --max-letters");
             found.push_back(a);
-            if (found.size() % 65536 == 0) budget.check();
         } else if (!fates.is_gone(a, steps)) {
             const Word& successor = system.successor(a);
+            while (here.next != here.end && fates.is_gone(*here.next, steps)) ++here.next;
             if (here.next == here.end) path.pop_back();
             path.push_back({successor.data(), successor.data() + successor.size(), steps - 1});
         }

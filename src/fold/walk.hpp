@@ -15,7 +15,9 @@ public:
     /// Whether the letter is its own successor.
     bool is_constant(Symbol a) const { return constant_[a] != 0; }
     /// Whether nothing is left of the letter after `steps` steps.
-    bool is_gone(Symbol a, std::uint64_t steps) const { return steps >= gone_[a]; }
+    bool is_gone(Symbol a, std::uint64_t steps) const {
+        return steps >= gone_[a] && gone_[a] != never;
+    }
     /// The least number of steps after which nothing is left of the letter: it is mortal
     /// (Rozenberg and Salomaa 1980, I.3); `never` if something always is.
     std::uint64_t lifetime(Symbol a) const { return gone_[a]; }
@@ -55,6 +57,7 @@ void walk(const D0L& system, const Fates& fates, std::uint64_t n, Visit&& visit)
         }
         if (fates.is_gone(a, steps) || !visit(a, steps)) continue;
         const Word& successor = system.successor(a);
+        while (here.next != here.end && fates.is_gone(*here.next, steps)) ++here.next;
         if (here.next == here.end) path.pop_back();  // a last letter leaves nothing to come back to
         path.push_back({successor.data(), successor.data() + successor.size(), steps - 1});
     }

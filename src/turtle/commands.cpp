@@ -53,33 +53,71 @@ std::map<Symbol, const Production*> interpretation(const LSystem& system) {
     return rules;
 }
 
+/// Works out the commands of symbols, each once. Interpretations may be long chains, so those begun
+/// stand on a path of their own and not on the machine's stack.
 class Reader {
 public:
-    Reader(const LSystem& system) : system_(system), rules_(interpretation(system)) {}
+    explicit Reader(const LSystem& system)
+        : system_(system), rules_(interpretation(system)), known_(system.alphabet.size(), State::unread),
+          commands_(system.alphabet.size()) {}
 
-    void read(Symbol a, std::vector<Command>& into, std::size_t depth) {
-        if (const auto rule = rules_.find(a); rule != rules_.end()) {
-            if (depth > rules_.size())
-                throw Error(to_string(rule->second->place) + ": the interpretation of " +
-                            system_.alphabet.name(a) + " goes round in circles");
-            for (const Symbol b : rule->second->successor.letters) read(b, into, depth + 1);
-            if (into.size() > largest)
-                throw Error(to_string(rule->second->place) + ": the interpretation of " +
-                            system_.alphabet.name(a) + " has more than " + std::to_string(largest) +
-                            " commands");
+    const std::vector<Command>& of(Symbol wanted) {
+        std::vector<Begun> path;
+        visit(wanted, path);
+        while (!path.empty()) {
+            const Symbol a = path.back().symbol;
+            const Word& successor = rules_.at(a)->successor.letters;
+            if (path.back().next == successor.size()) {
+                known_[a] = State::read;
+                path.pop_back();
+                if (!path.empty()) take(path.back().symbol, a);
+                continue;
+            }
+            const Symbol b = successor[path.back().next++];
+            if (known_[b] == State::begun) fail(a, " goes round in circles");
+            if (known_[b] == State::unread) visit(b, path);
+            if (known_[b] == State::read) take(a, b);
+        }
+        return commands_[wanted];
+    }
+
+private:
+    enum class State : unsigned char { unread, begun, read };
+    static constexpr std::size_t largest = 100'000;
+    struct Begun {
+        Symbol symbol;
+        std::size_t next = 0;  // place in its interpretation
+    };
+
+    void take(Symbol a, Symbol part) {
+        commands_[a].insert(commands_[a].end(), commands_[part].begin(), commands_[part].end());
+        if (commands_[a].size() > largest) fail(a, " has more than " + std::to_string(largest) + " commands");
+    }
+
+    /// Reads a symbol without interpretation; puts one with an interpretation on the path.
+    void visit(Symbol a, std::vector<Begun>& path) {
+        if (known_[a] == State::read) return;
+        if (rules_.contains(a)) {
+            known_[a] = State::begun;
+            path.push_back({a});
             return;
         }
+        known_[a] = State::read;
         const std::string& name = system_.alphabet.name(a);
         if (needs_space(name))
             throw Error("the symbol " + name + " turns the turtle out of the plane: " + system_.name +
                         " is a figure in space, and only plane figures can be drawn");
-        if (const auto command = own_command(name, system_.settings)) into.push_back(*command);
+        if (const auto command = own_command(name, system_.settings)) commands_[a].push_back(*command);
     }
 
-private:
-    static constexpr std::size_t largest = 100'000;
+    [[noreturn]] void fail(Symbol a, const std::string& why) const {
+        throw Error(to_string(rules_.at(a)->place) + ": the interpretation of " + system_.alphabet.name(a) + why);
+    }
+
     const LSystem& system_;
     std::map<Symbol, const Production*> rules_;
+    std::vector<State> known_;
+    std::vector<std::vector<Command>> commands_;
 };
 
 }  // namespace
@@ -88,7 +126,7 @@ Commands::Commands(const LSystem& system, const std::vector<Symbol>& letters)
     : commands_(system.alphabet.size()) {
     Reader reader(system);
     for (const Symbol a : letters) {
-        reader.read(a, commands_[a], 0);
+        commands_[a] = reader.of(a);
         for (const Command command : commands_[a]) used_[static_cast<std::size_t>(command)] = true;
     }
 }

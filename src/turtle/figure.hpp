@@ -45,8 +45,8 @@ public:
     virtual const Settings& settings() const = 0;
 
     /// Draws everything. A part of the derivation whose drawing lies within `resolution` (in the
-    /// figure's own units, 0 for none) of where it starts may be replaced by the straight stroke
-    /// from its start to its end, or left out where the same part was drawn at the same place
+    /// figure's own units, 0 for none) of the straight way from its start to its end may be replaced
+    /// by that stroke, or left out where the same part was drawn at the same place
     /// before: then the work depends on box and resolution, not on the length of the word.
     /// Throws Error if brackets or braces do not match, with the generation and the position.
     virtual void draw(Canvas& canvas, double resolution, const Budget& budget) const = 0;

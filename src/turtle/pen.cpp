@@ -1,5 +1,8 @@
 #include "turtle/pen.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "base/error.hpp"
 
 namespace algae {
@@ -79,6 +82,7 @@ void Pen<Position>::run(Command command) {
                 break;
             }
             saved_.push_back(state_);
+            saved_.back().polygons = polygons_.size();
             position_.push();
             break;
         case Command::pop:
@@ -87,6 +91,7 @@ void Pen<Position>::run(Command command) {
                 break;
             }
             if (saved_.empty()) unmatched("unmatched ']'");
+            if (cut_) polygons_.resize(std::min(polygons_.size(), saved_.back().polygons));
             cut_ = false;
             restore(saved_.back());
             saved_.pop_back();
@@ -133,14 +138,14 @@ void Pen<Position>::jump(const Pieces::value_type& part, bool stroke) {
         state.heading = compass_.sum(state.heading, part.turn);
         state.size *= part.size;
         state.width *= part.width;
-        state.colour += static_cast<std::uint32_t>(part.colours);
+        state.colour += static_cast<std::uint32_t>(std::fmod(part.colours, 4294967296.0));
         restore(state);
     }
 }
 
 template <class Position>
 void Pen<Position>::finish() const {
-    if (!polygons_.empty()) unmatched("'{' is never closed");
+    if (!polygons_.empty() && !cut_) unmatched("'{' is never closed");
     if (!saved_.empty()) unmatched("'[' is never closed");
 }
 

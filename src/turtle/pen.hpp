@@ -101,6 +101,7 @@ private:
         double size = 1;
         double width = 1;
         std::uint32_t colour = 0;
+        std::size_t polygons = 0;  // open when a branch began
     };
 
     void run(Command command);

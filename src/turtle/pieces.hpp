@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <complex>
 #include <cstdint>
 
@@ -26,6 +27,10 @@ public:
         bool draws() const { return radius >= 0; }
         /// How far from the start the drawing reaches at most.
         double reach() const { return draws() ? std::abs(centre) + radius : 0; }
+        /// How far any point of the straight way from start to end is from any point drawn, at most.
+        double extent() const {
+            return draws() ? std::max(std::abs(centre), std::abs(move - centre)) + radius : 0;
+        }
     };
 
     explicit Pieces(const Compass& compass) : compass_(&compass) {}

@@ -34,11 +34,22 @@ PenSettings pen_settings(const Settings& settings, std::uint64_t generation, con
     return pen;
 }
 
+/// What a row of parts for each of so many steps takes, or the largest number.
+std::uint64_t table_bytes(std::uint64_t steps, std::size_t letters) {
+    const std::uint64_t row = letters * sizeof(Pieces::value_type) + sizeof(Hom<Pieces>);
+    return steps >= UINT64_MAX / row - 1 ? UINT64_MAX : (steps + 1) * row;
+}
+
+constexpr double walked_letters = 3e7;  // words up to this long are measured letter by letter
+
+}  // namespace
+
 /// Takes every point that is drawn.
-class Surveyor : public Canvas {
+class PlaneFigure::Surveyor : public Canvas {
 public:
     void move_to(Point point) override { from_ = point; }
     void line_to(Point point) override {
+        ++lines;
         box.add(from_);
         box.add(point);
         from_ = point;
@@ -50,20 +61,11 @@ public:
     void colour(std::uint32_t) override {}
     void position(double) override {}
     Box box;
+    std::uint64_t lines = 0;
 
 private:
     Point from_;
 };
-
-/// What a row of parts for each of so many steps takes, or the largest number.
-std::uint64_t table_bytes(std::uint64_t steps, std::size_t letters) {
-    const std::uint64_t row = letters * sizeof(Pieces::value_type) + sizeof(Hom<Pieces>);
-    return steps >= UINT64_MAX / row - 1 ? UINT64_MAX : (steps + 1) * row;
-}
-
-constexpr double walked_letters = 3e7;  // words up to this long are measured letter by letter
-
-}  // namespace
 
 PlaneFigure::PlaneFigure(const LSystem& system, D0L rules, std::uint64_t steps,
                          std::uint64_t generation, const Budget& budget)
@@ -76,7 +78,7 @@ PlaneFigure::PlaneFigure(const LSystem& system, D0L rules, std::uint64_t steps,
     facts_.step = std::abs(pen_.unit);
     count_segments(budget);
     if (is_lattice()) {
-        measure_exactly(budget);
+        measure_by_folding(budget);
     } else {
         measure_by_walking(budget);
     }
@@ -84,12 +86,15 @@ PlaneFigure::PlaneFigure(const LSystem& system, D0L rules, std::uint64_t steps,
 
 bool PlaneFigure::is_foldable() const {
     if (commands_.uses(Command::cut)) return false;
+    const auto& brackets = rules_.rules.brackets;
     bool pushes = false;
     for (const Symbol a : rules_.letters) {
         const auto& commands = commands_.of(a);
-        if (rules_.rules.brackets && (a == rules_.rules.brackets->open || a == rules_.rules.brackets->close) &&
-            commands.size() == 1)
+        if (brackets && (a == brackets->open || a == brackets->close)) {
+            // An interpretation may make something else of them.
+            if (commands != std::vector{a == brackets->open ? Command::push : Command::pop}) return false;
             continue;
+        }
         std::size_t depth = 0;
         for (const Command command : commands) {
             if (command == Command::push) ++depth;
@@ -98,17 +103,20 @@ bool PlaneFigure::is_foldable() const {
         }
         if (depth != 0) return false;
     }
-    return rules_.rules.brackets || !pushes || !brackets_of(*rules_.alphabet);
+    return brackets || !pushes || !brackets_of(*rules_.alphabet);
 }
 
 bool PlaneFigure::is_lattice() const {
-    return is_foldable() && compass_.is_exact() && exact_unit_ && !commands_.uses(Command::scale) &&
-           !commands_.uses(Command::open_polygon) &&
-           (!settings_.start || (settings_.start->x.exact && settings_.start->y.exact));
+    return is_foldable() && compass_.is_exact() && !commands_.uses(Command::scale) &&
+           !has_polygons();
+}
+
+bool PlaneFigure::has_polygons() const {
+    return commands_.uses(Command::open_polygon) || commands_.uses(Command::close_polygon);
 }
 
 std::optional<std::uint64_t> PlaneFigure::strokes() const {
-    if (commands_.uses(Command::open_polygon) || !facts_.segments.fits_uint64()) return std::nullopt;
+    if (has_polygons() || !facts_.segments.fits_uint64()) return std::nullopt;
     return facts_.segments.to_uint64();
 }
 
@@ -139,7 +147,7 @@ bool draws(Command command) { return command == Command::draw || command == Comm
 
 void PlaneFigure::count_segments(const Budget& budget) {
     // Even where brackets cannot be folded, segments can: they do not care where they are drawn.
-    // Only a cut branch needs the walk, which counts what it draws.
+    // Only where branches are cut this counts too much; then the walk counts what it draws.
     const auto count = [&](Symbol a) {
         long drawn = 0;
         for (const Command command : commands_.of(a)) drawn += draws(command) ? 1 : 0;
@@ -148,7 +156,7 @@ void PlaneFigure::count_segments(const Budget& budget) {
     facts_.segments = fold(rules_, steps_, Lift{Vectors{1}, count}, budget).front();
 }
 
-void PlaneFigure::measure_exactly(const Budget& budget) {
+void PlaneFigure::measure_by_folding(const Budget& budget) {
     const LatticeMotions motions(compass_.order());
     const auto value_of = [&](Command command) {
         switch (command) {
@@ -165,46 +173,53 @@ void PlaneFigure::measure_exactly(const Budget& budget) {
     auto motion = motions.turned(compass_.start());
     motions.append(motion, fold(rules_, steps_, Lift{motions, letter}, budget));
 
-    facts_.exact = true;
-    const Rational x = settings_.start ? *settings_.start->x.exact : Rational(0);
-    const Rational y = settings_.start ? *settings_.start->y.exact : Rational(0);
+    // Directions are exact; the unit and the start may be doubles all the same.
+    facts_.exact = exact_unit_ && (!settings_.start || (settings_.start->x.exact && settings_.start->y.exact));
     const CyclotomicRing& ring = motions.ring();
-    facts_.end = {Coordinate(ring, motion.move, Coordinate::Part::real, *exact_unit_, x),
-                  Coordinate(ring, motion.move, Coordinate::Part::imaginary, *exact_unit_, y)};
+    const auto coordinate = [&](const CyclotomicInteger& number, Coordinate::Part part, const Rational& factor,
+                                bool vertical) {
+        if (facts_.exact) {
+            const Rational offset =
+                !settings_.start ? Rational(0) : vertical ? *settings_.start->y.exact : *settings_.start->x.exact;
+            return Coordinate(ring, number, part, *exact_unit_ * factor, offset);
+        }
+        const auto point = ring.to_complex(number);
+        return Coordinate((vertical ? pen_.start.y : pen_.start.x) +
+                          pen_.unit * factor.to_double() * (part == Coordinate::Part::real ? point.real() : point.imag()));
+    };
+    facts_.end = {coordinate(motion.move, Coordinate::Part::real, 1, false),
+                  coordinate(motion.move, Coordinate::Part::imaginary, 1, true)};
     if (motion.reach.empty()) return;
     // Reach is twice the real part towards a direction: +x, +y, -x, -y are quarters of the order.
-    const auto side = [&](int quarter, long sign, const Rational& offset) {
-        const auto direction = static_cast<std::size_t>(compass_.order() / 4 * quarter);
-        return Coordinate(ring, motion.reach[direction], Coordinate::Part::real,
-                          *exact_unit_ * Rational(sign, 2), offset);
+    // A negative unit turns the drawing round.
+    const int around = pen_.unit < 0 ? 2 : 0;
+    const auto side = [&](int quarter, long sign) {
+        const auto direction = static_cast<std::size_t>(compass_.order() / 4 * ((quarter + around) % 4));
+        return coordinate(motion.reach[direction], Coordinate::Part::real, Rational(around ? -sign : sign, 2),
+                          quarter % 2 == 1);
     };
-    facts_.high = {side(0, 1, x), side(1, 1, y)};
-    facts_.low = {side(2, -1, x), side(3, -1, y)};
+    facts_.high = {side(0, 1), side(1, 1)};
+    facts_.low = {side(2, -1), side(3, -1)};
     box_.add(Point{facts_.low[0].value(), facts_.low[1].value()});
     box_.add(Point{facts_.high[0].value(), facts_.high[1].value()});
 }
 
 void PlaneFigure::measure_by_walking(const Budget& budget) {
     Surveyor surveyor;
-    double resolution = 0;
-    if (is_foldable() && !commands_.uses(Command::open_polygon)) {
+    if (is_foldable() && !has_polygons() && pen_.letters > walked_letters) {
         const auto rows = pieces(budget);
         const Pieces::value_type whole = rows.back()(rules_.axiom);
-        // A box that is wrong by less than a thousandth of the line width cannot be told from the
-        // right one.
-        if (pen_.letters > walked_letters) resolution = pen_.unit * whole.reach() * 1e-5;
         const auto end = compass_.direction(compass_.start()) * whole.move;
         facts_.end = {Coordinate(pen_.start.x + pen_.unit * end.real()),
                       Coordinate(pen_.start.y + pen_.unit * end.imag())};
+        survey_pieces(surveyor, rows, budget);
     } else if (pen_.letters > static_cast<double>(budget.letters)) {
         throw BoundReached(pen_.figure + " must be walked letter by letter and has more than " +
                            std::to_string(budget.letters) + " letters, the bound set by --max-letters");
-    }
-    if (resolution > 0) {
-        draw_pieces(surveyor, resolution, budget);
     } else {
         const Point end = draw_letters(surveyor, budget);
         facts_.end = {Coordinate(end.x), Coordinate(end.y)};
+        if (commands_.uses(Command::cut)) facts_.segments = surveyor.lines;
     }
     box_ = surveyor.box;
     if (box_.empty) return;
@@ -245,7 +260,7 @@ std::vector<Hom<Pieces>> PlaneFigure::pieces(const Budget& budget) const {
 }
 
 void PlaneFigure::draw(Canvas& canvas, double resolution, const Budget& budget) const {
-    if (resolution > 0 && is_foldable() && !commands_.uses(Command::open_polygon))
+    if (resolution > 0 && is_foldable() && !has_polygons())
         draw_pieces(canvas, resolution, budget);
     else
         draw_letters(canvas, budget);
@@ -268,6 +283,36 @@ Point walk_letters(const D0L& rules, const Fates& fates, std::uint64_t steps, co
 }
 
 }  // namespace
+
+void PlaneFigure::survey_pieces(Surveyor& surveyor, const std::vector<Hom<Pieces>>& rows,
+                                const Budget& budget) const {
+    // A part that cannot stick out of the box known so far is not looked into, and neither is one
+    // that sticks out so little that it cannot be told from the right one: a box that is wrong by
+    // less than a thousandth of the line width.
+    Pen<FloatingPosition> pen(surveyor, compass_, pen_);
+    const double tolerance = std::abs(pen_.unit) * rows.back()(rules_.axiom).reach() * 1e-5;
+    std::uint64_t visits = 0;
+    walk(rules_, fates_, steps_, [&](Symbol a, std::uint64_t left) {
+        if (++visits % 65536 == 0) budget.check();
+        if (left == 0) {
+            pen.letter(commands_.of(a));
+            return true;
+        }
+        const auto& part = rows[left].images[a];
+        const double size = pen_.unit * pen.size();
+        const auto centre = size * compass_.direction(pen.heading()) * part.centre;
+        const double radius = std::abs(size) * part.radius - tolerance;
+        const Point at = pen.point();
+        const Box& box = surveyor.box;
+        const bool inside = !box.empty && at.x + centre.real() - radius >= box.low.x &&
+            at.x + centre.real() + radius <= box.high.x && at.y + centre.imag() - radius >= box.low.y &&
+            at.y + centre.imag() + radius <= box.high.y;
+        if (part.draws() && !inside) return true;
+        pen.jump(part, false);
+        return false;
+    });
+    pen.finish();
+}
 
 Point PlaneFigure::draw_letters(Canvas& canvas, const Budget& budget) const {
     if (compass_.is_exact() && !commands_.uses(Command::scale))
@@ -292,12 +337,12 @@ void PlaneFigure::draw_pieces(Canvas& canvas, double resolution, const Budget& b
             return true;
         }
         const auto& part = rows[left].images[a];
-        const double reach = part.reach() * pen.size();
-        if (reach <= limit) {
+        const double extent = part.extent() * std::abs(pen.size());
+        if (extent <= limit) {
             pen.jump(part, true);
             return false;
         }
-        if (plain && reach > 4 * limit && reach <= 16 * limit &&
+        if (plain && extent > 4 * limit && extent <= 16 * limit &&
             !visited.insert(a, left, pen.heading(), pen.point())) {
             pen.jump(part, false);
             return false;

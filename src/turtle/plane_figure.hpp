@@ -27,13 +27,17 @@ public:
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
 private:
+    class Surveyor;
+
     /// Whether every letter leaves the stack as it found it, brackets apart: then folds apply.
     bool is_foldable() const;
     bool is_lattice() const;
+    bool has_polygons() const;
     void count_segments(const Budget& budget);
-    void measure_exactly(const Budget& budget);
+    void measure_by_folding(const Budget& budget);
     void measure_by_walking(const Budget& budget);
     std::vector<Hom<Pieces>> pieces(const Budget& budget) const;
+    void survey_pieces(Surveyor& surveyor, const std::vector<Hom<Pieces>>& rows, const Budget& budget) const;
     Point draw_letters(Canvas& canvas, const Budget& budget) const;
     void draw_pieces(Canvas& canvas, double resolution, const Budget& budget) const;
 

@@ -16,7 +16,7 @@ struct State {
     long heading = 0;  // in units of a full turn divided by the order
     Real size = 1, width = 1;
     unsigned colour = 0;
-    Place at;
+    Spot at;
     Polynomial exact;
 };
 
@@ -104,13 +104,13 @@ Drawing drawing_of(const std::string& word, const TurtleSettings& settings, unsi
     drawing.order = full;
     State turtle;
     turtle.heading = ((start % full) + full) % full;
-    turtle.at = Place(settings.x.value(), settings.y.value());
+    turtle.at = Spot(settings.x.value(), settings.y.value());
     turtle.exact.assign(static_cast<std::size_t>(full), 0);
     std::vector<State> saved;
-    std::vector<std::vector<Place>> open;
+    std::vector<std::vector<Spot>> open;
     const auto go = [&] {
         const Real radians = 2 * std::numbers::pi_v<Real> * static_cast<Real>(turtle.heading) / static_cast<Real>(full);
-        turtle.at += unit * turtle.size * Place(std::cos(radians), std::sin(radians));
+        turtle.at += unit * turtle.size * Spot(std::cos(radians), std::sin(radians));
         ++turtle.exact[static_cast<std::size_t>(turtle.heading)];
     };
     const auto turn_by = [&](long by) { turtle.heading = (((turtle.heading + by) % full) + full) % full; };
@@ -196,8 +196,8 @@ std::optional<long> twice_imaginary_part(const Polynomial& p, long m) {
     return twice_real_part(turned, m);
 }
 
-Real distance(Place point, Place from, Place to) {
-    const Place way = to - from;
+Real distance(Spot point, Spot from, Spot to) {
+    const Spot way = to - from;
     const Real length = std::norm(way);
     if (length == 0) return std::abs(point - from);
     Real along = ((point - from) * std::conj(way)).real() / length;

@@ -14,7 +14,7 @@
 namespace algae::oracle {
 
 using Real = long double;
-using Place = std::complex<Real>;
+using Spot = std::complex<Real>;
 /// The coefficients of 1, x, x^2, ...
 using Polynomial = std::vector<long>;
 
@@ -38,7 +38,7 @@ std::ostream& operator<<(std::ostream& out, const TurtleSettings& settings);
 Settings settings_of(const TurtleSettings& settings);
 
 struct Stroke {
-    Place from, to;
+    Spot from, to;
     Real width = 1;
     unsigned colour = 0;
 };
@@ -46,10 +46,10 @@ struct Stroke {
 /// Everything a word draws.
 struct Drawing {
     std::vector<Stroke> strokes;
-    std::vector<std::vector<Place>> polygons;
+    std::vector<std::vector<Spot>> polygons;
     std::vector<Polynomial> touched;  // both ends of every stroke, in steps over a root of unity
-    std::vector<Place> points;        // the same places and the corners of polygons
-    Place end;
+    std::vector<Spot> points;        // the same places and the corners of polygons
+    Spot end;
     Polynomial exact_end;  // without start, step and shrink; of the order below
     long order = 1;
 };
@@ -67,6 +67,6 @@ std::optional<long> twice_real_part(const Polynomial& p, long m);
 std::optional<long> twice_imaginary_part(const Polynomial& p, long m);
 
 /// The distance of a point from a stroke.
-Real distance(Place point, Place from, Place to);
+Real distance(Spot point, Spot from, Spot to);
 
 }  // namespace algae::oracle

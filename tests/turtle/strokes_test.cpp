@@ -1,0 +1,175 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "turtle/any_turtle.hpp"
+#include "turtle/recording.hpp"
+
+using namespace algae;
+using oracle::Spot;
+using oracle::Real;
+
+namespace {
+
+Recording drawn(const LSystem& system, std::uint64_t n, double resolution) {
+    Recording canvas;
+    figure(system, n, Budget())->draw(canvas, resolution, Budget());
+    return canvas;
+}
+
+/// The distance of a point from the nearest stroke.
+Real distance(Spot point, const std::vector<oracle::Stroke>& strokes) {
+    Real least = std::numeric_limits<Real>::infinity();
+    for (const auto& stroke : strokes) least = std::min(least, oracle::distance(point, stroke.from, stroke.to));
+    return least;
+}
+
+/// How far points of `some` lie from `others` at most, looking at the ends and the middle of strokes.
+Real farthest(const std::vector<oracle::Stroke>& some, const std::vector<oracle::Stroke>& others) {
+    Real most = 0;
+    for (const auto& stroke : some)
+        for (const Spot point : {stroke.from, stroke.to, (stroke.from + stroke.to) / Real(2)})
+            most = std::max(most, distance(point, others));
+    return most;
+}
+
+/// Checks that the drawing with a resolution lies within it of the true one, and the other way.
+void check_resolution(const oracle::WrittenSystem& written, const oracle::TurtleSettings& settings, unsigned n,
+                      double resolution) {
+    const auto truth = oracle::drawing_of(oracle::rewritten(written, n), settings, n).strokes;
+    const Recording canvas = drawn(drawn_system(written, settings), n, resolution);
+    RC_ASSERT(!canvas.lost);
+    RC_ASSERT(canvas.strokes.size() <= truth.size());
+    RC_ASSERT(canvas.strokes.empty() == truth.empty());
+    // Parts are remembered on a grid of a thousandth of the resolution.
+    const Real bound = resolution * 1.002L + 1e-9L;
+    RC_ASSERT(farthest(truth, canvas.strokes) <= bound);
+    RC_ASSERT(farthest(canvas.strokes, truth) <= bound);
+}
+
+}  // namespace
+
+TEST_CASE("strokes are those of walking letter by letter, one by one, with width and colour") {
+    const bool holds = rc::check("strokes", [] {
+        const auto written = *oracle::any_bracketed("*!'.");
+        auto settings = *any_turtle();
+        if (*rc::gen::arbitrary<bool>()) settings.scale = oracle::Fraction{3, 4};
+        if (*rc::gen::arbitrary<bool>()) settings.narrow = oracle::Fraction{1, 2};
+        const unsigned n = oracle::last_generation_within(written, 300, 4);
+        const auto truth = oracle::drawing_of(oracle::rewritten(written, n), settings, n);
+        const Recording canvas = drawn(drawn_system(written, settings), n, 0);
+        RC_ASSERT(!canvas.lost);
+        RC_ASSERT(canvas.strokes.size() == truth.strokes.size());
+        for (std::size_t i = 0; i < truth.strokes.size(); ++i) {
+            RC_ASSERT(near(truth.strokes[i].from, canvas.strokes[i].from));
+            RC_ASSERT(near(truth.strokes[i].to, canvas.strokes[i].to));
+            RC_ASSERT(near(truth.strokes[i].width, canvas.strokes[i].width));
+            RC_ASSERT(truth.strokes[i].colour == canvas.strokes[i].colour);
+        }
+    });
+    CHECK(holds);
+}
+
+TEST_CASE("polygons have the corners that the turtle visits, branches included") {
+    const bool holds = rc::check("polygons", [] {
+        const auto inside = oracle::balanced(*oracle::any_word("FfG.+-[]FX", 8));
+        const oracle::WrittenSystem written{"F{" + inside + "}F", {{'F', {*oracle::any_word("F+f", 2)}}, {'X', {"X{F+F+FX}"}}}};
+        const auto settings = *any_turtle();
+        const unsigned n = oracle::last_generation_within(written, 300, 3);
+        const auto truth = oracle::drawing_of(oracle::rewritten(written, n), settings, n);
+        const Recording canvas = drawn(drawn_system(written, settings), n, *rc::gen::element(0.0, 0.5));
+        RC_ASSERT(canvas.polygons.size() == truth.polygons.size());
+        for (std::size_t i = 0; i < truth.polygons.size(); ++i) {
+            RC_ASSERT(canvas.polygons[i].size() == truth.polygons[i].size());
+            for (std::size_t k = 0; k < truth.polygons[i].size(); ++k)
+                RC_ASSERT(near(truth.polygons[i][k], canvas.polygons[i][k]));
+        }
+    });
+    CHECK(holds);
+}
+
+TEST_CASE("a stroke that goes on where the last one ended does not lift the pen") {
+    CHECK(drawn(drawn_system({"FFF+F-F", {}}, {}), 0, 0).moves == 1);
+    CHECK(drawn(drawn_system({"F[+F]F", {}}, {}), 0, 0).moves == 2);
+    CHECK(drawn(drawn_system({"FfF", {}}, {}), 0, 0).moves == 2);
+    CHECK(drawn(drawn_system({"fff", {}}, {}), 0, 0).moves == 0);
+}
+
+TEST_CASE("positions run from above 0 to 1 along the word") {
+    Recording canvas;
+    canvas.wanting = true;
+    figure(drawn_system({"F", {{'F', {"FF"}}}}, {}), 3, Budget())->draw(canvas, 0, Budget());
+    REQUIRE(canvas.positions.size() == 8);
+    CHECK(std::is_sorted(canvas.positions.begin(), canvas.positions.end()));
+    CHECK(canvas.positions.front() >= 0);
+    CHECK(canvas.positions.back() <= 1);
+}
+
+TEST_CASE("with a resolution nothing is drawn, and nothing left out, farther off than that") {
+    const bool holds = rc::check("any bracketed system", [] {
+        const auto written = *oracle::any_bracketed();
+        const auto settings = *any_turtle();
+        const unsigned n = oracle::last_generation_within(written, 250, 5);
+        Real unit = settings.step.value();
+        for (unsigned k = 0; k < n; ++k) unit *= settings.shrink.value();
+        check_resolution(written, settings, n, static_cast<double>(unit) * *rc::gen::element(0.3, 1.0, 2.5, 7.0, 20.0));
+    });
+    CHECK(holds);
+}
+
+TEST_CASE("the same for curves that run over themselves, plants, and steps without a line") {
+    const oracle::WrittenSystem overlapping{"F", {{'F', {"FF-F-F-F-F-F+F"}}}};
+    const oracle::WrittenSystem plant{"X", {{'X', {"F-[[X]+X]+F[+FX]-X"}}, {'F', {"FF"}}}};
+    const oracle::WrittenSystem islands{"F+F+F+F", {{'F', {"F+f-FF+F+FF+Ff+FF-f+FF-F-FF-Ff-FFF"}}, {'f', {"ffffff"}}}};
+    oracle::TurtleSettings plain, leaning;
+    leaning.angle = {45, 2};
+    leaning.heading = {90, 1};
+    const bool holds = rc::check("known figures", [&] {
+        const double resolution = *rc::gen::element(0.5, 1.5, 4.0, 9.0);
+        check_resolution(overlapping, plain, 3, resolution);
+        check_resolution(plant, leaning, 4, resolution);
+        check_resolution(islands, plain, 2, resolution);
+        check_resolution({"X", {{'X', {"Ffffffff"}}}}, plain, 1, resolution);
+        check_resolution({"X", {{'X', {"fffffffF"}}}}, plain, 1, resolution);
+    });
+    CHECK(holds);
+}
+
+TEST_CASE("the work for a resolution is bounded by the figure, not by the word") {
+    // Generation 30 of the dragon: a box of some 50000 units, seen at 100 and 50 dots across.
+    class Counter : public Recording {
+        void line_to(Point) override { ++lines; }
+
+    public:
+        std::uint64_t lines = 0;
+    };
+    const auto dragon = figure(drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {}), 30, Budget());
+    const double size = std::max(dragon->box().breadth(), dragon->box().height());
+    Counter fine, coarse;
+    dragon->draw(fine, size / 100, Budget());
+    dragon->draw(coarse, size / 50, Budget());
+    CHECK(fine.lines < 300'000);
+    CHECK(coarse.lines * 2 < fine.lines);
+    CHECK(coarse.lines > 1000);
+}
+
+TEST_CASE("drawing stops when it is told to") {
+    std::atomic<bool> stop = false;
+    Budget budget;
+    budget.stop = &stop;
+    const auto dragon = figure(drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {}), 40, budget);
+    stop = true;
+    Recording canvas;
+    CHECK_THROWS_AS(dragon->draw(canvas, 0, budget), Interrupted);
+}
+
+TEST_CASE("a figure draws the same as often as one likes") {
+    const auto plant = figure(drawn_system({"X", {{'X', {"F[+X]F[-X]+X"}}, {'F', {"FF"}}}}, {}), 4, Budget());
+    Recording first, second;
+    plant->draw(first, 1, Budget());
+    plant->draw(second, 1, Budget());
+    REQUIRE(first.strokes.size() == second.strokes.size());
+    for (std::size_t i = 0; i < first.strokes.size(); ++i) CHECK(first.strokes[i].to == second.strokes[i].to);
+}

@@ -8,9 +8,14 @@ namespace algae {
 
 CellCanvas::CellCanvas(cairo_t* context, const PixelRectangle& area, int cells, const Frame& frame,
                        const Pen& pen, const Budget& budget, const Share& share)
-    : context_(context), area_(area), cells_(cells),
+    : context_(context),
+      area_(area),
+      cells_(cells),
       frame_{frame.scale * cells, (frame.x - area.left) * cells, (frame.y - area.top) * cells},
-      pen_(pen), budget_(budget), share_(share), along_(pen.palette->runs_along()),
+      pen_(pen),
+      budget_(budget),
+      share_(share),
+      along_(pen.palette->runs_along()),
       mask_(area.width, area.height, cells, pen.width * cells) {
     shade_ = pen_.palette->shade(0, 0);
 }
@@ -52,9 +57,9 @@ void CellCanvas::paint() {
     Mask::Coverage covered = mask_.take();
     const Colour colour = pen_.palette->colour(shade_);
     cairo_set_source_rgb(context_, colour.red, colour.green, colour.blue);
-    cairo_surface_t* surface = cairo_image_surface_create_for_data(
-        covered.values.data(), CAIRO_FORMAT_A8, covered.width, covered.height,
-        static_cast<int>(covered.stride));
+    cairo_surface_t* surface =
+        cairo_image_surface_create_for_data(covered.values.data(), CAIRO_FORMAT_A8, covered.width,
+                                            covered.height, static_cast<int>(covered.stride));
     cairo_mask_surface(context_, surface, area_.left + covered.left, area_.top + covered.top);
     cairo_surface_destroy(surface);
     if ((++paintings_ & 0xff) == 0) pause();

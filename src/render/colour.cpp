@@ -75,8 +75,8 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
 Colour from_hexadecimal(std::string_view text) {
     const std::string_view digits = text.substr(1);
     const bool valid = (digits.size() == 3 || digits.size() == 6) &&
-        std::all_of(digits.begin(), digits.end(),
-                    [](unsigned char digit) { return std::isxdigit(digit) != 0; });
+                       std::all_of(digits.begin(), digits.end(),
+                                   [](unsigned char digit) { return std::isxdigit(digit) != 0; });
     if (!valid)
         throw Error("expected a colour like #080 or #008000, found \"" +
                     std::string(text.substr(0, 40)) + "\"");

@@ -55,13 +55,14 @@ struct Document::Sink {
 
 Document::Document(PictureFormat format, double width, double height,
                    std::optional<Colour> background, Output& output, const Budget& budget)
-    : format_(format), background_(background),
+    : format_(format),
+      background_(background),
       sink_(std::make_unique<Sink>(format, output, budget)) {
     switch (format) {
         case PictureFormat::png:
-            surface_ = cairo_image_surface_create(
-                background ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32, static_cast<int>(width),
-                static_cast<int>(height));
+            surface_ =
+                cairo_image_surface_create(background ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
+                                           static_cast<int>(width), static_cast<int>(height));
             break;
         case PictureFormat::svg:
             surface_ = cairo_svg_surface_create_for_stream(Sink::write, sink_.get(), width, height);

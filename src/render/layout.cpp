@@ -47,7 +47,8 @@ Size tight_cell(std::span<const Box> boxes, double width, double height, bool on
     const double common = common_scale(boxes, width, height);
     Size size;
     for (const Box& box : boxes) {
-        const double scale = one_scale && std::isfinite(common) ? common : fitting_scale(box, width, height);
+        const double scale =
+            one_scale && std::isfinite(common) ? common : fitting_scale(box, width, height);
         size.width = std::max(size.width, std::min(width, scale * box.breadth()));
         size.height = std::max(size.height, std::min(height, scale * box.height()));
     }
@@ -87,8 +88,8 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         const double width = share(*wishes.width, gaps_across, across);
         const bool upright = std::all_of(boxes.begin(), boxes.end(),
                                          [](const Box& box) { return box.breadth() == 0; });
-        const double height =
-            std::min(width * steepest, upright ? share(wishes.longest, gaps_down, down) : unbounded);
+        const double height = std::min(
+            width * steepest, upright ? share(wishes.longest, gaps_down, down) : unbounded);
         cell = {width, tight_cell(boxes, width, height, wishes.common_scale).height};
     } else {
         const double width = share(wishes.longest, gaps_across, across);
@@ -101,7 +102,8 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
     result.height = wishes.height.value_or(down * cell.height + gaps_down);
     const double common = common_scale(boxes, cell.width, cell.height);
     for (std::size_t i = 0; i < boxes.size(); ++i) {
-        const double column = static_cast<double>(i % columns), row = static_cast<double>(i / columns);
+        const double column = static_cast<double>(i % columns),
+                     row = static_cast<double>(i / columns);
         Cell place;
         place.width = cell.width;
         place.height = cell.height;
@@ -110,8 +112,8 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         place.caption_top = place.top + cell.height;
         const Box& box = boxes[i];
         place.frame = wishes.common_scale && std::isfinite(common)
-            ? standing(box, place, common)
-            : centred(box, place, fitting_scale(box, cell.width, cell.height));
+                          ? standing(box, place, common)
+                          : centred(box, place, fitting_scale(box, cell.width, cell.height));
         result.cells.push_back(place);
     }
     return result;

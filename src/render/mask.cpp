@@ -39,11 +39,23 @@ std::optional<std::pair<Point, Point>> clipped(Point from, Point to, double righ
 }  // namespace
 
 Mask::Mask(int width, int height, int cells, double diameter)
-    : width_(width), height_(height), cells_(cells),
+    : width_(width),
+      height_(height),
+      cells_(cells),
       columns_(static_cast<std::uint32_t>(width * cells)),
-      rows_(static_cast<std::uint32_t>(height * cells)), words_((columns_ + 63) / 64),
-      right_edge_(columns_), bottom_edge_(rows_), bits_(words_ * rows_), left_(none), right_(0), top_(none), bottom_(0), filled_left_(none),
-      filled_right_(0), filled_top_(none), filled_bottom_(0) {
+      rows_(static_cast<std::uint32_t>(height * cells)),
+      words_((columns_ + 63) / 64),
+      right_edge_(columns_),
+      bottom_edge_(rows_),
+      bits_(words_ * rows_),
+      left_(none),
+      right_(0),
+      top_(none),
+      bottom_(0),
+      filled_left_(none),
+      filled_right_(0),
+      filled_top_(none),
+      filled_bottom_(0) {
     set_diameter(diameter);
 }
 
@@ -76,8 +88,8 @@ void Mask::long_line(Point to) {
     const Point target{to.x + offset_, to.y + offset_};
     here_ = to;
     marked_ = false;
-    const auto part = clipped(from, target, std::nextafter(right_edge_, 0.0),
-                              std::nextafter(bottom_edge_, 0.0));
+    const auto part =
+        clipped(from, target, std::nextafter(right_edge_, 0.0), std::nextafter(bottom_edge_, 0.0));
     if (!part) return;
     const auto [start, end] = *part;
     const double dx = end.x - start.x, dy = end.y - start.y;
@@ -185,7 +197,7 @@ Mask::Coverage Mask::take() {
     }
     const auto pixel = [this](long cell, int size) {
         return static_cast<int>(std::clamp<long>(cell, 0, static_cast<long>(size) * cells_ - 1)) /
-            cells_;
+               cells_;
     };
     result.left = pixel(left, width_);
     result.top = pixel(top, height_);
@@ -240,8 +252,8 @@ Mask::Coverage Mask::take() {
             values[x] = static_cast<unsigned char>((sums[x] * 255u + all / 2) / all);
     }
 
-    const auto clear = [this](std::vector<std::uint64_t>& bits, std::uint32_t from, std::uint32_t to,
-                              std::uint32_t upper, std::uint32_t lower) {
+    const auto clear = [this](std::vector<std::uint64_t>& bits, std::uint32_t from,
+                              std::uint32_t to, std::uint32_t upper, std::uint32_t lower) {
         if (from > to) return;
         for (std::size_t row = upper; row <= lower; ++row)
             std::fill(bits.begin() + static_cast<std::ptrdiff_t>(row * words_ + from / 64),

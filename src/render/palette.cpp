@@ -20,7 +20,7 @@ std::uint32_t Palette::shade(std::uint32_t index, double position) const {
     if (!entries_[entry].along) return entry;
     const double step = std::clamp(position, 0.0, 1.0) * hues_;
     return static_cast<std::uint32_t>(entries_.size()) +
-        std::min(static_cast<std::uint32_t>(step), hues_ - 1);
+           std::min(static_cast<std::uint32_t>(step), hues_ - 1);
 }
 
 Colour Palette::colour(std::uint32_t shade) const {

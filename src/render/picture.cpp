@@ -19,15 +19,15 @@ namespace algae {
 namespace {
 
 constexpr double image_resolution = 4;  // pixels a point of an image in a vector format
-constexpr double chord_pixels = 0.25;   // parts of a figure smaller than this become chords
+constexpr double chord_pixels = 0.35;   // parts of a figure smaller than this become chords
 constexpr std::uint64_t few_strokes = 20'000, many_strokes = 500'000;
 constexpr std::uint32_t hues = 360, hues_of_cells = 128;
 
 bool is_fine(const Figure& figure, const Frame& frame) {
     const std::optional<std::uint64_t> strokes = figure.strokes();
     if (!strokes || *strokes > many_strokes) return true;
-    const double pixels = (figure.box().breadth() * frame.scale + 1) *
-        (figure.box().height() * frame.scale + 1);
+    const double pixels =
+        (figure.box().breadth() * frame.scale + 1) * (figure.box().height() * frame.scale + 1);
     return *strokes > few_strokes && static_cast<double>(*strokes) > pixels;
 }
 
@@ -53,14 +53,16 @@ PixelRectangle pixels_of(const Cell& cell, const Plan& plan) {
     PixelRectangle area;
     area.left = whole(std::max(0.0, std::floor(cell.left - margin)));
     area.top = whole(std::max(0.0, std::floor(cell.top - margin)));
-    area.width = whole(std::min(plan.page.width, std::ceil(cell.left + cell.width + margin))) - area.left;
-    area.height = whole(std::min(plan.page.height, std::ceil(cell.top + cell.height + margin))) - area.top;
+    area.width =
+        whole(std::min(plan.page.width, std::ceil(cell.left + cell.width + margin))) - area.left;
+    area.height =
+        whole(std::min(plan.page.height, std::ceil(cell.top + cell.height + margin))) - area.top;
     return area;
 }
 
 /// Draws one figure as an image and puts it into a vector format.
-void draw_image(cairo_t* context, const Cell& cell, const Plan& plan, const Figure& figure,
-                Pen pen, const Budget& budget, const Share& share, Drawn& drawn) {
+void draw_image(cairo_t* context, const Cell& cell, const Plan& plan, const Figure& figure, Pen pen,
+                const Budget& budget, const Share& share, Drawn& drawn) {
     const double margin = plan.margin;
     const double more = image_resolution;
     const double width = std::ceil((cell.width + 2 * margin) * more);
@@ -101,7 +103,8 @@ void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Fig
     const bool pixels = plan.format == PictureFormat::png;
     const std::optional<std::uint64_t> strokes = figure.strokes();
     const bool too_many = !strokes || *strokes > options.most_strokes;
-    const bool fine = options.route == Route::cells ||
+    const bool fine =
+        options.route == Route::cells ||
         (options.route == Route::automatic && (pixels ? is_fine(figure, cell.frame) : too_many));
     const Palette palette(colours_of(figure, options), fine ? hues_of_cells : hues);
     const Pen pen{width, options.flat_ends, &palette};
@@ -121,8 +124,8 @@ void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Fig
 
 /// Writes a caption in the middle under a cell, in smaller letters if it is too long. Where a
 /// machine has no fonts, Cairo draws its own.
-void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption,
-                  double font_size, const std::optional<Colour>& background) {
+void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption, double font_size,
+                  const std::optional<Colour>& background) {
     if (caption.empty()) return;
     cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
@@ -133,7 +136,8 @@ void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption
         cairo_set_font_size(context, std::max(font_size * cell.width / extents.x_advance, 0.5));
         cairo_text_extents(context, caption.c_str(), &extents);
     }
-    const bool dark = background &&
+    const bool dark =
+        background &&
         0.299 * background->red + 0.587 * background->green + 0.114 * background->blue < 0.5;
     const double grey = dark ? 1 : 0;
     cairo_set_source_rgb(context, grey, grey, grey);
@@ -147,7 +151,7 @@ void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption
 /// How much of the work one figure is.
 double work(const Figure& figure) {
     return 1.0 +
-        static_cast<double>(std::min(figure.strokes().value_or(many_strokes), many_strokes));
+           static_cast<double>(std::min(figure.strokes().value_or(many_strokes), many_strokes));
 }
 
 Drawn draw(std::span<const Plate> plates, Output& output, const Plan& plan, const Budget& budget,
@@ -168,7 +172,8 @@ Drawn draw(std::span<const Plate> plates, Output& output, const Plan& plan, cons
         if (figure.box().empty)
             drawn.blank.push_back(i);
         else
-            draw_figure(document.context(), cell, plan, figure, plan.widths[i], budget, share, drawn);
+            draw_figure(document.context(), cell, plan, figure, plan.widths[i], budget, share,
+                        drawn);
         draw_caption(document.context(), cell, plates[i].caption, plan.font_size, plan.background);
         done += work(figure);
     }
@@ -199,11 +204,16 @@ Drawn draw_to_stream(std::span<const Plate> plates, std::ostream& stream, Pictur
 
 const char* format_name(PictureFormat format) {
     switch (format) {
-        case PictureFormat::svg: return "svg";
-        case PictureFormat::pdf: return "pdf";
-        case PictureFormat::png: return "png";
-        case PictureFormat::ps: return "ps";
-        case PictureFormat::eps: return "eps";
+        case PictureFormat::svg:
+            return "svg";
+        case PictureFormat::pdf:
+            return "pdf";
+        case PictureFormat::png:
+            return "png";
+        case PictureFormat::ps:
+            return "ps";
+        case PictureFormat::eps:
+            return "eps";
     }
     return "";
 }

@@ -74,8 +74,8 @@ struct Plate {
 
 /// What was drawn.
 struct Drawn {
-    double width = 0, height = 0;    // of the picture or of each page
-    std::uint64_t lines = 0;         // lines and polygons drawn, after parts were joined
+    double width = 0, height = 0;  // of the picture or of each page
+    std::uint64_t lines = 0;       // lines and polygons drawn, after parts were joined
     std::uint64_t polygons = 0;
     bool as_image = false;           // a vector format that holds an image
     bool fine = false;               // some segments were finer than the picture can show
@@ -100,11 +100,9 @@ Drawn draw_picture(const Plate& plate, std::ostream& stream, PictureFormat forma
 /// One page a figure, all pages of one size. Only pdf and ps have pages: Error otherwise. Figures
 /// without strokes leave their page blank unless all are without.
 Drawn draw_pages(std::span<const Plate> plates, const std::string& path, PictureFormat format,
-                 const PictureOptions& options, const Budget& budget,
-                 Progress* progress = nullptr);
+                 const PictureOptions& options, const Budget& budget, Progress* progress = nullptr);
 Drawn draw_pages(std::span<const Plate> plates, std::ostream& stream, PictureFormat format,
-                 const PictureOptions& options, const Budget& budget,
-                 Progress* progress = nullptr);
+                 const PictureOptions& options, const Budget& budget, Progress* progress = nullptr);
 
 /// All figures side by side, in one row or several, each scaled to fill its cell.
 Drawn draw_panels(std::span<const Plate> plates, const std::string& path, PictureFormat format,

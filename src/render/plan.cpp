@@ -54,13 +54,15 @@ void check_figures(std::span<const Plate> plates) {
         const Box& box = plate.figure->box();
         if (!std::isfinite(box.low.x + box.low.y + box.high.x + box.high.y) ||
             !std::isfinite(box.breadth() + box.height()))
-            throw Error(plate.name + " reaches beyond the range of numbers; its step or shrink "
-                                     "makes it too large to draw");
+            throw Error(plate.name +
+                        " reaches beyond the range of numbers; its step or shrink "
+                        "makes it too large to draw");
         blank = blank && box.empty;
     }
     if (blank)
-        throw Error(plates.front().name + " draws nothing: symbols that draw are F, G, F_x and "
-                                          "polygons in braces");
+        throw Error(plates.front().name +
+                    " draws nothing: symbols that draw are F, G, F_x and "
+                    "polygons in braces");
 }
 
 /// `unset`: the width where neither options nor figure say one.
@@ -139,7 +141,8 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
 
     LayoutWishes wishes;
     if (arrangement == Arrangement::panels)
-        wishes.columns = std::min(options.columns.value_or(panel_columns(plates.size())), plates.size());
+        wishes.columns =
+            std::min(options.columns.value_or(panel_columns(plates.size())), plates.size());
     const double unset = wishes.columns > 1 && format != PictureFormat::png ? panel_line_width : 1;
     bool captions = false;
     std::vector<Box> boxes;
@@ -147,8 +150,8 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     for (const Plate& plate : plates) {
         const Palette known(colours_of(*plate.figure, options), 1);  // throws if not
         result.widths.push_back(line_width(*plate.figure, options, unset));
-        result.margin = std::max(
-            result.margin, result.widths.back() * widest_stroke(*plate.figure, budget) / 2);
+        result.margin = std::max(result.margin,
+                                 result.widths.back() * widest_stroke(*plate.figure, budget) / 2);
         captions = captions || !plate.caption.empty();
         boxes.push_back(plate.figure->box());
     }
@@ -163,12 +166,14 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
         caption_size(longer > 0 ? longer : wishes.longest, wishes.columns));
     wishes.caption = captions ? 1.6 * result.font_size : 0;
     const std::size_t rows = arrangement == Arrangement::panels
-        ? (plates.size() + wishes.columns - 1) / wishes.columns
-        : 1;
-    check_room("width", options.width, static_cast<double>(wishes.columns + 1) * wishes.margin, format);
-    check_room("height", options.height,
-               static_cast<double>(rows + 1) * wishes.margin + static_cast<double>(rows) * wishes.caption,
+                                 ? (plates.size() + wishes.columns - 1) / wishes.columns
+                                 : 1;
+    check_room("width", options.width, static_cast<double>(wishes.columns + 1) * wishes.margin,
                format);
+    check_room(
+        "height", options.height,
+        static_cast<double>(rows + 1) * wishes.margin + static_cast<double>(rows) * wishes.caption,
+        format);
 
     if (arrangement == Arrangement::pages) {
         const std::vector<Layout> pages = page_layouts(boxes, wishes);
@@ -186,8 +191,8 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     check_length("width", page.width, 1, largest(format), format);
     check_length("height", page.height, 1, largest(format), format);
     if (format == PictureFormat::png) {
-        const std::string what = "a picture of " + number(page.width) + " x " +
-            with_unit(page.height, format);
+        const std::string what =
+            "a picture of " + number(page.width) + " x " + with_unit(page.height, format);
         budget.check_memory(static_cast<std::uint64_t>(4 * page.width * page.height), what.c_str());
     }
     return result;

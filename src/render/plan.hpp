@@ -18,9 +18,9 @@ struct Plan {
     PictureFormat format = PictureFormat::svg;
     Arrangement arrangement = Arrangement::one;
     PictureOptions options;
-    Layout page;                  // panels: all cells; pages: a cell for each, on pages of one size
-    double margin = 0;            // around each cell, wide enough for the widest stroke
-    std::vector<double> widths;   // of each figure's strokes
+    Layout page;                 // panels: all cells; pages: a cell for each, on pages of one size
+    double margin = 0;           // around each cell, wide enough for the widest stroke
+    std::vector<double> widths;  // of each figure's strokes
     std::optional<Colour> background;
     double font_size = 0;
 };

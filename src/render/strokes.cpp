@@ -14,8 +14,13 @@ constexpr std::uint32_t lines_per_path = 1000;
 StrokeCanvas::StrokeCanvas(cairo_t* context, const Frame& frame, const Pen& pen,
                            const Budget& budget, const Share& share,
                            std::optional<std::uint64_t> strokes)
-    : context_(context), frame_(frame), pen_(pen), budget_(budget), share_(share),
-      strokes_(strokes), along_(pen.palette->runs_along()) {
+    : context_(context),
+      frame_(frame),
+      pen_(pen),
+      budget_(budget),
+      share_(share),
+      strokes_(strokes),
+      along_(pen.palette->runs_along()) {
     cairo_new_path(context_);
     cairo_set_line_width(context_, pen_.width);
     cairo_set_line_cap(context_, pen_.flat_ends ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);

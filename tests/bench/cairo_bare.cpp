@@ -63,9 +63,9 @@ int main(int count, char** arguments) {
     const double longest = pixels ? 1000 : 600, margin = 10;
     const double height = longest, side = (longest - 2 * margin) * std::sqrt(3.0) / 2;
     const double width = pixels ? std::ceil(side + 2 * margin) : side + 2 * margin;
-    cairo_surface_t* surface = pixels ? cairo_image_surface_create(
-                                            CAIRO_FORMAT_RGB24, static_cast<int>(width),
-                                            static_cast<int>(height))
+    cairo_surface_t* surface =
+        pixels            ? cairo_image_surface_create(CAIRO_FORMAT_RGB24, static_cast<int>(width),
+                                                       static_cast<int>(height))
         : format == "svg" ? cairo_svg_surface_create(path, width, height)
         : format == "pdf" ? cairo_pdf_surface_create(path, width, height)
                           : cairo_ps_surface_create(path, width, height);

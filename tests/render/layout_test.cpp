@@ -18,7 +18,7 @@ bool holds(const Cell& cell, const Box& figure) {
     const Point low = cell.frame(figure.low), high = cell.frame(figure.high);
     const double slack = 1e-9 * (1 + cell.width + cell.height);
     return low.x >= cell.left - slack && high.x <= cell.left + cell.width + slack &&
-        high.y >= cell.top - slack && low.y <= cell.top + cell.height + slack;
+           high.y >= cell.top - slack && low.y <= cell.top + cell.height + slack;
 }
 
 }  // namespace
@@ -116,8 +116,7 @@ TEST_CASE("every figure lies in its cell and every cell in the picture") {
             RC_ASSERT(holds(cell, boxes[i]));
             RC_ASSERT(cell.left + cell.width + wishes.margin <= result.width + 1e-6);
             RC_ASSERT(cell.caption_top + wishes.caption + wishes.margin <= result.height + 1e-6);
-            if (wishes.common_scale)
-                RC_ASSERT(cell.frame.scale == result.cells[0].frame.scale);
+            if (wishes.common_scale) RC_ASSERT(cell.frame.scale == result.cells[0].frame.scale);
         }
     });
 }

@@ -114,14 +114,16 @@ TEST_CASE("a polygon covers its area, wherever it is cut off") {
     for (const int cells : {2, 4, 8}) {
         Mask mask(40, 40, cells, 1);
         const double c = cells;
-        mask.polygon(std::vector<Point>{{5 * c, 5 * c}, {25 * c, 5 * c}, {25 * c, 15 * c}, {5 * c, 15 * c}});
+        mask.polygon(
+            std::vector<Point>{{5 * c, 5 * c}, {25 * c, 5 * c}, {25 * c, 15 * c}, {5 * c, 15 * c}});
         const Mask::Coverage covered = mask.take();
         CHECK(covered.left == 5);
         CHECK(covered.top == 5);
         CHECK(covered.width == 20);
         CHECK(covered.height == 10);
         CHECK(area(covered) == doctest::Approx(200));
-        mask.polygon(std::vector<Point>{{-10 * c, -10 * c}, {10 * c, -10 * c}, {10 * c, 50 * c}, {-10 * c, 50 * c}});
+        mask.polygon(std::vector<Point>{
+            {-10 * c, -10 * c}, {10 * c, -10 * c}, {10 * c, 50 * c}, {-10 * c, 50 * c}});
         CHECK(area(mask.take()) == doctest::Approx(400));
     }
 }
@@ -138,9 +140,9 @@ TEST_CASE("lines that leave the bitmap are cut off, and points that are no numbe
     Mask mask(20, 15, 4, 3);
     line(mask, {-100, 30}, {200, 30});
     CHECK(area(mask.take()) == doctest::Approx(20 * 0.75).epsilon(0.01));
-    CHECK_THROWS_WITH_AS(
-        line(mask, {0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}),
-        "the figure has a point whose coordinates are beyond the range of numbers", Error);
+    CHECK_THROWS_WITH_AS(line(mask, {0, 0}, {std::numeric_limits<double>::quiet_NaN(), 0}),
+                         "the figure has a point whose coordinates are beyond the range of numbers",
+                         Error);
 }
 
 TEST_CASE("taken in rectangles or as a whole, the coverage is that of cell after cell") {
@@ -177,8 +179,9 @@ TEST_CASE("taken in rectangles or as a whole, the coverage is that of cell after
                 int value = 0;
                 if (x >= covered.left && x < covered.left + covered.width && y >= covered.top &&
                     y < covered.top + covered.height)
-                    value = covered.values[static_cast<std::size_t>(y - covered.top) * covered.stride +
-                                           static_cast<std::size_t>(x - covered.left)];
+                    value =
+                        covered.values[static_cast<std::size_t>(y - covered.top) * covered.stride +
+                                       static_cast<std::size_t>(x - covered.left)];
                 const double count = value * cells * cells / 255.0;
                 RC_ASSERT(count > least - 0.6);
                 RC_ASSERT(count < most + 0.6);
@@ -205,7 +208,7 @@ TEST_CASE("drawn in cells, the dragon looks as Cairo draws it") {
         }
 }
 
-TEST_CASE("chords instead of parts below a quarter of a pixel do not show") {
+TEST_CASE("chords instead of parts below a third of a pixel do not show") {
     const Endless figure(dragon(19));
     using Route = PictureOptions::Route;
     const Pixels chords = drawn(figure, 100, 1, Route::cells);

@@ -19,7 +19,8 @@ namespace {
 
 /// A folder of its own, gone at the end of the test.
 struct Folder {
-    files::path path = files::temp_directory_path() / ("algae-render-" + std::to_string(::getpid()));
+    files::path path =
+        files::temp_directory_path() / ("algae-render-" + std::to_string(::getpid()));
     Folder() { files::create_directories(path); }
     ~Folder() { files::remove_all(path); }
     std::string operator/(const std::string& name) const { return (path / name).string(); }
@@ -66,17 +67,19 @@ TEST_CASE("a file appears whole or not at all") {
 TEST_CASE("what cannot be written is refused with the reason") {
     const Folder folder;
     CHECK_THROWS_WITH_AS(FileOutput(folder.path.string()),
-                         ("cannot write " + folder.path.string() + ": Is a directory").c_str(), Error);
+                         ("cannot write " + folder.path.string() + ": Is a directory").c_str(),
+                         Error);
     CHECK_THROWS_WITH_AS(
         FileOutput(folder / "no/koch.svg"),
-        ("cannot write " + (folder / "no/koch.svg") + ": No such file or directory").c_str(), Error);
+        ("cannot write " + (folder / "no/koch.svg") + ": No such file or directory").c_str(),
+        Error);
     CHECK_THROWS_WITH_AS(FileOutput(""), "cannot write a file without a name", Error);
     CHECK_THROWS_AS(FileOutput("/proc/koch.svg"), Error);  // a folder nobody may write to
     if (::geteuid() != 0) {
         files::permissions(folder.path, files::perms::owner_read | files::perms::owner_exec);
-        CHECK_THROWS_WITH_AS(FileOutput(folder / "koch.svg"),
-                             ("cannot write " + (folder / "koch.svg") + ": Permission denied").c_str(),
-                             Error);
+        CHECK_THROWS_WITH_AS(
+            FileOutput(folder / "koch.svg"),
+            ("cannot write " + (folder / "koch.svg") + ": Permission denied").c_str(), Error);
         files::permissions(folder.path, files::perms::owner_all);
     }
     CHECK(folder.count() == 0);
@@ -118,8 +121,9 @@ TEST_CASE("a stream that fails is an error") {
 }
 
 TEST_CASE("the date of a PostScript document is left out, wherever the pieces are cut") {
-    const std::string document = "%!PS\n%%CreationDate: Sat Nov 21 11:13:55 2026\n%%Pages: 1\n"
-                                 "%%EndComments\n(%%CreationDate: stays)\n";
+    const std::string document =
+        "%!PS\n%%CreationDate: Sat Nov 21 11:13:55 2026\n%%Pages: 1\n"
+        "%%EndComments\n(%%CreationDate: stays)\n";
     for (std::size_t cut = 0; cut <= document.size(); ++cut) {
         Kept kept;
         UndatedOutput undated(kept);
@@ -131,8 +135,9 @@ TEST_CASE("the date of a PostScript document is left out, wherever the pieces ar
 }
 
 TEST_CASE("surfaces and images of an SVG document are numbered from 1") {
-    const std::string document = "<g id=\"surface17\"><image id=\"image23\" xlink:href=\"data:image/png\"/>"
-                                 "<use xlink:href=\"#image23\"/> surface99 \"imagery\" \"surface\"</g>";
+    const std::string document =
+        "<g id=\"surface17\"><image id=\"image23\" xlink:href=\"data:image/png\"/>"
+        "<use xlink:href=\"#image23\"/> surface99 \"imagery\" \"surface\"</g>";
     for (std::size_t cut = 0; cut <= document.size(); ++cut) {
         Kept kept;
         RenumberedOutput renumbered(kept);

@@ -19,6 +19,11 @@
 #include "render/figures.hpp"
 #include "render/pixels.hpp"
 
+#ifdef __SANITIZE_ADDRESS__
+/// Fontconfig keeps what it has read about fonts.
+extern "C" const char* __lsan_default_suppressions() { return "leak:libfontconfig"; }
+#endif
+
 using namespace algae;
 using namespace algae::test;
 namespace files = std::filesystem;
@@ -58,7 +63,8 @@ std::size_t occurrences(const std::string& text, const std::string& part) {
 /// The numbers of the paths of an SVG document.
 std::vector<double> path_numbers(const std::string& svg) {
     std::vector<double> numbers;
-    for (std::size_t at = svg.find(" d=\"M"); at != std::string::npos; at = svg.find(" d=\"M", at + 1)) {
+    for (std::size_t at = svg.find(" d=\"M"); at != std::string::npos;
+         at = svg.find(" d=\"M", at + 1)) {
         std::istringstream path(svg.substr(at + 4, svg.find('"', at + 5) - at - 4));
         for (std::string word; path >> word;)
             if (word != "M" && word != "L") numbers.push_back(std::stod(word));
@@ -78,7 +84,9 @@ TEST_CASE("the format is the end of the name") {
     for (const char* path : {"koch", "koch.gif", "a.svg/koch", "", ".", "koch.svg "})
         CHECK_THROWS_WITH_AS(picture_format(path),
                              ("expected a picture file ending in .svg, .pdf, .png, .ps or .eps, "
-                              "found \"" + std::string(path) + "\"").c_str(),
+                              "found \"" +
+                              std::string(path) + "\"")
+                                 .c_str(),
                              Error);
 }
 
@@ -126,8 +134,7 @@ TEST_CASE("equal figures are equal files") {
         CHECK(first[i++] == picture(figure, format, {}, caption));
         CHECK(first[i++] == picture(fine, format, image, caption));
     }
-    for (const std::string& document : first)
-        CHECK(document.find("Date") == std::string::npos);
+    for (const std::string& document : first) CHECK(document.find("Date") == std::string::npos);
 }
 
 TEST_CASE("pictures drawn at once by several threads are the same too") {
@@ -154,7 +161,8 @@ TEST_CASE("Koch's curve lies where a hand puts it") {
     const std::vector<double> found = path_numbers(svg);
     REQUIRE(found.size() == expected.size());
     for (std::size_t i = 0; i < found.size(); ++i)
-        CHECK(std::fabs(found[i] - expected[i]) <= 1 / 512.0 + 1e-6);  // Cairo counts in 1/256 point
+        CHECK(std::fabs(found[i] - expected[i]) <=
+              1 / 512.0 + 1e-6);  // Cairo counts in 1/256 point
 }
 
 TEST_CASE("the pixels of a square") {
@@ -227,8 +235,10 @@ TEST_CASE("hues run along the curve") {
     bool red = false, cyan = false;
     for (int y = 0; y < pixels.height; ++y)
         for (int x = 0; x < pixels.width; ++x) {
-            red = red || (pixels.red(x, y) > 200 && pixels.green(x, y) < 80 && pixels.blue(x, y) < 80);
-            cyan = cyan || (pixels.red(x, y) < 80 && pixels.green(x, y) > 200 && pixels.blue(x, y) > 200);
+            red = red ||
+                  (pixels.red(x, y) > 200 && pixels.green(x, y) < 80 && pixels.blue(x, y) < 80);
+            cyan = cyan ||
+                   (pixels.red(x, y) < 80 && pixels.green(x, y) > 200 && pixels.blue(x, y) > 200);
         }
     CHECK(red);
     CHECK(cyan);
@@ -271,15 +281,17 @@ TEST_CASE("a stroke is never cut off by the margin") {
 
 TEST_CASE("a figure without strokes is an error, in a row it is a blank") {
     const DrawnFigure nothing([](Canvas&, double) {}), figure = koch(1);
-    CHECK(message(nothing, PictureFormat::svg, {}) ==
-          "generation 3 of koch.lsys draws nothing: symbols that draw are F, G, F_x and polygons in "
-          "braces");
+    CHECK(
+        message(nothing, PictureFormat::svg, {}) ==
+        "generation 3 of koch.lsys draws nothing: symbols that draw are F, G, F_x and polygons in "
+        "braces");
     const Plate plates[] = {plate(nothing, "n = 0"), plate(figure, "n = 1")};
     std::ostringstream out;
     const Drawn drawn = draw_panels(plates, out, PictureFormat::svg, {}, Budget{});
     CHECK(drawn.blank == std::vector<std::size_t>{0});
     CHECK(drawn.lines == 4);
-    CHECK_THROWS_AS(draw_panels(std::span(plates, 1), out, PictureFormat::svg, {}, Budget{}), Error);
+    CHECK_THROWS_AS(draw_panels(std::span(plates, 1), out, PictureFormat::svg, {}, Budget{}),
+                    Error);
     CHECK_THROWS_WITH_AS(draw_pages({}, out, PictureFormat::pdf, {}, Budget{}),
                          "there is no figure to draw", Error);
 }
@@ -299,10 +311,11 @@ TEST_CASE("pages and panels") {
     CHECK(ps.str().find("%%Pages: 7") != std::string::npos);
     for (const PictureFormat format : {PictureFormat::svg, PictureFormat::png, PictureFormat::eps})
         CHECK_THROWS_AS(draw_pages(plates, svg, format, {}, Budget{}), Error);
-    CHECK_THROWS_WITH_AS(draw_pages(plates, svg, PictureFormat::svg, {}, Budget{}),
-                         "a svg file holds one page; several generations need pdf or ps, or --panels "
-                         "to stand side by side",
-                         Error);
+    CHECK_THROWS_WITH_AS(
+        draw_pages(plates, svg, PictureFormat::svg, {}, Budget{}),
+        "a svg file holds one page; several generations need pdf or ps, or --panels "
+        "to stand side by side",
+        Error);
     CHECK(svg.str().empty());
     const Drawn panels = draw_panels(plates, svg, PictureFormat::svg, {}, Budget{});
     CHECK(panels.width == doctest::Approx(600));
@@ -349,7 +362,8 @@ TEST_CASE("options out of range are errors before any work") {
 
     const DrawnFigure endless = polyline({{0, 0}, {std::numeric_limits<double>::infinity(), 0}});
     CHECK(message(endless, PictureFormat::svg, {}) ==
-          "generation 3 of koch.lsys reaches beyond the range of numbers; its step or shrink makes it "
+          "generation 3 of koch.lsys reaches beyond the range of numbers; its step or shrink makes "
+          "it "
           "too large to draw");
     const DrawnFigure needle = polyline({{0, 0}, {1, 1000}});
     options = {};
@@ -397,7 +411,8 @@ TEST_CASE("a vector format takes an image where strokes are too many") {
 }
 
 TEST_CASE("files: whole or not at all") {
-    const files::path folder = files::temp_directory_path() / ("algae-picture-" + std::to_string(::getpid()));
+    const files::path folder =
+        files::temp_directory_path() / ("algae-picture-" + std::to_string(::getpid()));
     files::create_directories(folder);
     const std::string path = (folder / "koch.svg").string();
     const DrawnFigure figure = koch(6);
@@ -417,8 +432,9 @@ TEST_CASE("files: whole or not at all") {
     for (const PictureFormat format : all_formats)
         CHECK_THROWS_WITH_AS(draw_picture(plate(figure), "/dev/full", format, {}, Budget{}),
                              "cannot write /dev/full: No space left on device", Error);
-    CHECK_THROWS_WITH_AS(draw_picture(plate(figure), folder.string(), PictureFormat::svg, {}, Budget{}),
-                         ("cannot write " + folder.string() + ": Is a directory").c_str(), Error);
+    CHECK_THROWS_WITH_AS(
+        draw_picture(plate(figure), folder.string(), PictureFormat::svg, {}, Budget{}),
+        ("cannot write " + folder.string() + ": Is a directory").c_str(), Error);
     CHECK(std::distance(files::directory_iterator(folder), files::directory_iterator()) == 1);
     files::remove_all(folder);
 }

@@ -1,7 +1,10 @@
+#include <filesystem>
+
+#include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/output.hpp"
-#include "notation/print.hpp"
+#include "notation/format.hpp"
 #include "render/output.hpp"
 
 namespace algae::cli {
@@ -16,14 +19,16 @@ struct Options {
 };
 
 int format(const Options& options) {
-    const Budget budget = options.bounds.budget();
-    const LSystem system = open_system(options.file, budget);
-    const std::string text = print_lsystem(system);
-    if (options.check) return file_text(options.file, budget) == text ? success : refuted;
+    const SourceText source = open_text(options.file, options.bounds.budget());
+    const std::string text = format_lsystem(source.text, source.name);
+    if (options.check) return source.text == text ? success : refuted;
     if (!options.in_place) {
         print(text);
         return success;
     }
+    if (options.file == "-" || !std::filesystem::exists(options.file))
+        throw Error("--in-place: expected a file, found " +
+                    std::string(options.file == "-" ? "standard input" : "the figure " + options.file + " of the gallery"));
     FileOutput file(options.file);
     file.write(text.data(), text.size());
     file.commit();
@@ -34,7 +39,7 @@ int format(const Options& options) {
 
 void add_fmt(Verbs& verbs) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb = add_verb(verbs, "fmt", "The canonical text of a system",
+    CLI::App& verb = add_verb(verbs, "fmt", "The canonical text of a system, comments kept",
                               "  algae fmt koch\n  algae fmt --in-place my.lsys", options, format);
     verb.add_option("FILE", options->file, file_help)->required();
     verb.add_flag("--in-place", options->in_place, "write the file instead of standard output");

@@ -51,19 +51,23 @@ std::string file_text(const std::string& path, const Budget& budget) {
     return read_all(file.get(), path, budget);
 }
 
-LSystem open_system(const std::string& file, const Budget& budget) {
+SourceText open_text(const std::string& file, const Budget& budget) {
     std::error_code ignored;
-    if (file != "-" && !std::filesystem::exists(file, ignored)) {
-        const auto figures = gallery();
-        const auto found = std::find_if(figures.begin(), figures.end(),
-                                        [&](const GalleryEntry& entry) { return entry.name == file; });
-        if (found != figures.end()) return read_lsystem(found->text, std::string(found->name));
-        std::vector<std::string> names;
-        for (const GalleryEntry& entry : figures) names.emplace_back(entry.name);
-        throw Error("no file " + file + ", and no figure of that name in the gallery" + did_you_mean(file, names) +
-                    "; `algae gallery` lists them");
-    }
-    return read_lsystem(file_text(file, budget), file == "-" ? "standard input" : file);
+    if (file == "-") return {"standard input", file_text(file, budget)};
+    if (std::filesystem::exists(file, ignored)) return {file, file_text(file, budget)};
+    const auto figures = gallery();
+    const auto found = std::find_if(figures.begin(), figures.end(),
+                                    [&](const GalleryEntry& entry) { return entry.name == file; });
+    if (found != figures.end()) return {std::string(found->name), std::string(found->text)};
+    std::vector<std::string> names;
+    for (const GalleryEntry& entry : figures) names.emplace_back(entry.name);
+    throw Error("no file " + file + ", and no figure of that name in the gallery" + did_you_mean(file, names) +
+                "; `algae gallery` lists them");
+}
+
+LSystem open_system(const std::string& file, const Budget& budget) {
+    const SourceText source = open_text(file, budget);
+    return read_lsystem(source.text, source.name);
 }
 
 }  // namespace algae::cli

@@ -14,6 +14,14 @@ inline constexpr const char* file_help = "a file, - for standard input, or a nam
 /// it as a system would take more than the budget's memory.
 std::string file_text(const std::string& path, const Budget& budget);
 
+/// A text and what messages call it.
+struct SourceText {
+    std::string name, text;
+};
+
+/// The text of FILE: of a path, "-" for standard input, or a name from the gallery.
+SourceText open_text(const std::string& file, const Budget& budget);
+
 /// The system in FILE: a path, "-" for standard input, or a name from the gallery. Throws Error,
 /// Diagnostics or BoundReached.
 LSystem open_system(const std::string& file, const Budget& budget);

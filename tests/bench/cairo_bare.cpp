@@ -2,8 +2,9 @@
 //
 //     cairo_bare FORMAT GENERATION FILE [LINES_PER_PATH]
 //
-// draws what `algae draw koch -n GENERATION -o FILE` draws, with the corners computed by recursion
-// and the file written by Cairo itself. One path for all lines unless LINES_PER_PATH says otherwise.
+// draws what `algae draw FILE -n GENERATION -o FILE` draws of the snowflake, with the corners computed
+// by recursion and the file written by Cairo itself. One path for all lines unless LINES_PER_PATH
+// says otherwise.
 #include <cairo-pdf.h>
 #include <cairo-ps.h>
 #include <cairo-svg.h>

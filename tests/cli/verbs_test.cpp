@@ -38,9 +38,11 @@ TEST_CASE("show names the class of every kind of system") {
 
 TEST_CASE("fmt prints the canonical form and can check it") {
     const Scratch scratch;
-    const std::string file = scratch.file("loose.lsys", "axiom   F ;F->F F\nangle 60.0\n");
+    const std::string file = scratch.file("loose.lsys", "# a remark\naxiom   F ;F->F F\nangle 60.0\n");
     const Run formatted = run("fmt " + file);
     CHECK(formatted.status == 0);
+    CHECK(formatted.out.starts_with("# a remark\n"));
+    CHECK(run("fmt --in-place koch").status == 2);
     CHECK(run("fmt --check " + file).status == 1);
     CHECK(run("fmt --in-place " + file).status == 0);
     CHECK(text_of(file) == formatted.out);

@@ -38,6 +38,10 @@ Frame standing(const Box& box, const Cell& cell, double scale) {
     return frame;
 }
 
+/// Straight lines would have the highest or widest cells, but fit into any: they decide the size of
+/// cells only where there is nothing else.
+bool is_straight(const Box& box) { return box.breadth() == 0 || box.height() == 0; }
+
 struct Size {
     double width = 0, height = 0;
 };
@@ -45,8 +49,10 @@ struct Size {
 /// The least cell that holds every figure when none may be larger than width times height.
 Size tight_cell(std::span<const Box> boxes, double width, double height, bool one_scale) {
     const double common = common_scale(boxes, width, height);
+    const bool all_straight = std::all_of(boxes.begin(), boxes.end(), is_straight);
     Size size;
     for (const Box& box : boxes) {
+        if (is_straight(box) && !all_straight) continue;
         const double scale =
             one_scale && std::isfinite(common) ? common : fitting_scale(box, width, height);
         size.width = std::max(size.width, std::min(width, scale * box.breadth()));
@@ -66,7 +72,7 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
     const std::size_t columns = std::max<std::size_t>(1, std::min(wishes.columns, boxes.size()));
     const std::size_t rows = std::max<std::size_t>(1, (boxes.size() + columns - 1) / columns);
     const double across = static_cast<double>(columns), down = static_cast<double>(rows);
-    const double gaps_across = (across + 1) * wishes.margin;
+    const double gaps_across = 2 * across * wishes.margin;
     const double gaps_down = (down + 1) * wishes.margin + down * wishes.caption;
     const auto share = [](double whole, double gaps, double parts) {
         return std::max((whole - gaps) / parts, 1.0);
@@ -107,7 +113,7 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         Cell place;
         place.width = cell.width;
         place.height = cell.height;
-        place.left = wishes.margin + column * (cell.width + wishes.margin);
+        place.left = wishes.margin + column * (cell.width + 2 * wishes.margin);
         place.top = wishes.margin + row * (cell.height + wishes.margin + wishes.caption);
         place.caption_top = place.top + cell.height;
         const Box& box = boxes[i];
@@ -121,9 +127,10 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
 
 std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes) {
     wishes.columns = 1;
+    const bool all_straight = std::all_of(boxes.begin(), boxes.end(), is_straight);
     double width = 0, height = 0;
     for (const Box& box : boxes) {
-        if (box.empty) continue;
+        if (is_straight(box) && (box.empty || !all_straight)) continue;
         const Layout alone = layout(std::span(&box, 1), wishes);
         width = std::max(width, alone.width);
         height = std::max(height, alone.height);

@@ -27,7 +27,7 @@ struct Cell {
 struct LayoutWishes {
     std::optional<double> width, height;
     double longest = 600;  // of the two sides if neither is given
-    double margin = 10;    // around each cell
+    double margin = 10;    // around the picture; between cells, twice that across
     double caption = 0;    // height of the strip under each cell
     std::size_t columns = 1;
     bool common_scale = false;

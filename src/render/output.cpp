@@ -91,9 +91,19 @@ void FileOutput::commit() {
 void StreamOutput::write(const char* bytes, std::size_t count) {
     errno = 0;
     stream_.write(bytes, static_cast<std::streamsize>(count));
-    if (stream_.good()) return;
+    check();
+}
+
+void StreamOutput::finish() {
+    errno = 0;
+    stream_.flush();
+    check();
+}
+
+void StreamOutput::check() const {
     const int reason = errno;
-    throw Error("cannot write to standard output" +
+    if (stream_.good()) return;
+    throw Error("cannot write the picture" +
                 (reason ? ": " + std::generic_category().message(reason) : std::string()));
 }
 

@@ -46,8 +46,12 @@ class StreamOutput final : public Output {
 public:
     explicit StreamOutput(std::ostream& stream) : stream_(stream) {}
     void write(const char* bytes, std::size_t count) override;
+    /// Throws Error if the stream cannot pass on what it holds.
+    void finish();
 
 private:
+    void check() const;
+
     std::ostream& stream_;
 };
 

@@ -195,9 +195,11 @@ Drawn draw_to_file(std::span<const Plate> plates, const std::string& path, Pictu
 Drawn draw_to_stream(std::span<const Plate> plates, std::ostream& stream, PictureFormat format,
                      Arrangement arrangement, const PictureOptions& options, const Budget& budget,
                      Progress* progress) {
+    const Plan decided = plan(plates, format, arrangement, options, budget);
     StreamOutput output(stream);
-    return draw(plates, output, plan(plates, format, arrangement, options, budget), budget,
-                progress);
+    const Drawn drawn = draw(plates, output, decided, budget, progress);
+    output.finish();
+    return drawn;
 }
 
 }  // namespace

@@ -168,7 +168,7 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     const std::size_t rows = arrangement == Arrangement::panels
                                  ? (plates.size() + wishes.columns - 1) / wishes.columns
                                  : 1;
-    check_room("width", options.width, static_cast<double>(wishes.columns + 1) * wishes.margin,
+    check_room("width", options.width, 2 * static_cast<double>(wishes.columns) * wishes.margin,
                format);
     check_room(
         "height", options.height,

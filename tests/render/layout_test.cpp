@@ -73,10 +73,20 @@ TEST_CASE("panels fill rows") {
     wishes.caption = 20;
     const Layout rows = layout(boxes, wishes);
     CHECK(rows.width == doctest::Approx(600));
-    CHECK(rows.cells[0].width == doctest::Approx((600 - 50) / 4.0));
+    CHECK(rows.cells[0].width == doctest::Approx((600 - 80) / 4.0));
     CHECK(rows.cells[4].left == doctest::Approx(10));
     CHECK(rows.cells[4].top > rows.cells[0].caption_top + 20);
-    CHECK(rows.height == doctest::Approx(3 * 10 + 2 * (20 + 137.5)));
+    CHECK(rows.height == doctest::Approx(3 * 10 + 2 * (20 + 130)));
+}
+
+TEST_CASE("a straight line does not decide how high the panels are") {
+    const std::vector<Box> boxes = {box(0, 0, 0, 1), box(0, 0, 2, 1)};
+    LayoutWishes wishes;
+    wishes.columns = 2;
+    const Layout row = layout(boxes, wishes);
+    CHECK(row.cells[0].width == doctest::Approx(280));
+    CHECK(row.cells[0].height == doctest::Approx(140));
+    CHECK(holds(row.cells[0], boxes[0]));
 }
 
 TEST_CASE("pages have one size, and one scale if it is wished") {

@@ -120,6 +120,14 @@ TEST_CASE("a stream that fails is an error") {
         Error);
 }
 
+TEST_CASE("a stream that holds back its bytes is an error at the end") {
+    std::ofstream full("/dev/full");
+    StreamOutput output(full);
+    write(output, "text");
+    CHECK_THROWS_WITH_AS(output.finish(), "cannot write the picture: No space left on device",
+                         Error);
+}
+
 TEST_CASE("the date of a PostScript document is left out, wherever the pieces are cut") {
     const std::string document =
         "%!PS\n%%CreationDate: Sat Nov 21 11:13:55 2026\n%%Pages: 1\n"

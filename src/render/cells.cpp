@@ -2,6 +2,8 @@
 
 #include <cairo.h>
 
+#include <cmath>
+
 #include "render/document.hpp"
 
 namespace algae {
@@ -32,7 +34,7 @@ void CellCanvas::width(double factor) {
     if (factor == factor_) return;
     paint();
     factor_ = factor;
-    mask_.set_diameter(pen_.width * factor * cells_);
+    mask_.set_diameter(pen_.width * std::fabs(factor) * cells_);
 }
 
 void CellCanvas::colour(std::uint32_t index) {

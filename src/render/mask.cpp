@@ -62,7 +62,7 @@ Mask::Mask(int width, int height, int cells, double diameter)
 void Mask::set_diameter(double diameter) {
     // A disc of an even number of rows stands around a corner of cells, one of an odd number
     // around the middle of a cell: rounding the diameter alone keeps thin lines true on average.
-    diameter = std::max(diameter, 1.0);
+    diameter = diameter >= 1 ? std::min(diameter, 2.0 * (columns_ + rows_)) : 1;
     const int rows = static_cast<int>(std::lround(diameter));
     const bool even = rows % 2 == 0;
     offset_ = even ? 0.5 : 0;

@@ -80,7 +80,7 @@ double line_width(const Figure& figure, const PictureOptions& options, double un
 class WidestStroke final : public Canvas {
 public:
     void move_to(Point) override {}
-    void line_to(Point) override { widest = std::max(widest, factor_); }
+    void line_to(Point) override { widest = std::max(widest, std::fabs(factor_)); }
     void polygon(std::span<const Point>) override {}
     void width(double factor) override { factor_ = factor; }
     void colour(std::uint32_t) override {}
@@ -156,6 +156,9 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
         boxes.push_back(plate.figure->box());
     }
 
+    if (!(result.margin <= largest(format) / 2))
+        throw Error("the widest stroke is " + with_unit(2 * result.margin, format) +
+                    " wide: the setting narrow lets the symbol ! widen strokes too much");
     wishes.width = options.width;
     wishes.height = options.height;
     wishes.longest = format == PictureFormat::png ? 1000 : 600;

@@ -2,6 +2,8 @@
 
 #include <cairo.h>
 
+#include <cmath>
+
 #include "render/document.hpp"
 
 namespace algae {
@@ -83,7 +85,7 @@ void StrokeCanvas::polygon(std::span<const Point> corners) {
 void StrokeCanvas::width(double factor) {
     flush();
     goes_on_ = false;
-    cairo_set_line_width(context_, pen_.width * factor);
+    cairo_set_line_width(context_, pen_.width * std::fabs(factor));
 }
 
 void StrokeCanvas::colour(std::uint32_t index) {

@@ -266,6 +266,34 @@ TEST_CASE("widths and flat ends") {
     CHECK(path_numbers(curve).size() == 2 * (4096 + 1 + 4 * 2));
 }
 
+TEST_CASE("strokes that grow wider make room for themselves, up to a limit") {
+    DrawnFigure figure([](Canvas& canvas, double) {
+        canvas.move_to({0, 0});
+        canvas.line_to({10, 0});
+        canvas.width(-50);
+        canvas.move_to({0, 0});
+        canvas.line_to({10, 0});
+    });
+    figure.own.narrow = Quantity{};
+    figure.own.narrow->value = -50;
+    std::ostringstream out;
+    CHECK(draw_picture(plate(figure), out, PictureFormat::png, {}, Budget{}).height == 50);
+    PictureOptions options;
+    options.line_width = 1000;
+    CHECK(message(figure, PictureFormat::pdf, options) ==
+          "the widest stroke is 50000 points wide: the setting narrow lets the symbol ! widen "
+          "strokes too much");
+    options.line_width.reset();
+    options.width = 100;
+    for (const auto route : {PictureOptions::Route::strokes, PictureOptions::Route::cells}) {
+        options.route = route;
+        const Pixels pixels(picture(figure, PictureFormat::png, options));
+        CHECK(pixels.height == 50);
+        CHECK(pixels.red(50, 0) == 0);
+        CHECK(pixels.red(50, 49) == 0);
+    }
+}
+
 TEST_CASE("a stroke is never cut off by the margin") {
     const DrawnFigure line = polyline({{0, 0}, {1, 0}});
     PictureOptions options;

@@ -105,7 +105,7 @@ private:
         known_[a] = State::read;
         const std::string& name = system_.alphabet.name(a);
         if (needs_space(name))
-            throw Error("the symbol " + name + " turns the turtle out of the plane: " + system_.name +
+            throw Error("the symbol " + name + " turns the turtle out of the plane: " + (system_.name.empty() ? "this" : system_.name) +
                         " is a figure in space, and only plane figures can be drawn");
         if (const auto command = own_command(name, system_.settings)) commands_[a].push_back(*command);
     }

@@ -42,7 +42,8 @@ void RenumberedOutput::write(const char* bytes, std::size_t count) {
 void RenumberedOutput::finish() { pass_on(true); }
 
 void RenumberedOutput::pass_on(bool at_end) {
-    // A reference opens with a quotation mark or #, then comes "surface" or "image" and its number.
+    // A name opens with a quotation mark, a reference with that and #; then comes "surface" or
+    // "image" and its number. All else, which is nearly everything, is passed over quickly.
     const std::size_t end = held_.size();
     std::size_t done = 0, from = 0;
     const auto hold_back = [&](std::size_t place) {
@@ -50,10 +51,11 @@ void RenumberedOutput::pass_on(bool at_end) {
         held_.erase(0, place);
     };
     for (;;) {
-        const std::size_t mark = held_.find_first_of("\"#", from);
+        const std::size_t mark = held_.find('"', from);
         if (mark == std::string::npos) break;
         if (!at_end && mark + longest_reference > end) return hold_back(mark);
         from = mark + 1;
+        if (from < end && held_[from] == '#') ++from;
         std::size_t digits = from;
         for (const std::string_view kind : {"surface", "image"})
             if (std::string_view(held_).substr(from).starts_with(kind)) digits = from + kind.size();

@@ -63,17 +63,33 @@ Size tight_cell(std::span<const Box> boxes, double width, double height, bool on
 
 }  // namespace
 
-std::size_t panel_columns(std::size_t count) {
-    const std::size_t rows = (count + 4) / 5;
-    return rows == 0 ? 1 : (count + rows - 1) / rows;
+std::size_t panel_columns(std::span<const Box> boxes) {
+    constexpr double wide = 2.5;  // times as wide as high
+    double breadth = 0, height = 0;
+    for (const Box& box : boxes) {
+        const double longer = std::max(box.breadth(), box.height());
+        if (longer == 0) continue;
+        breadth = std::max(breadth, box.breadth() / longer);
+        height = std::max(height, box.height() / longer);
+    }
+    if (breadth > wide * height) {
+        constexpr double steep = 1.3;  // the picture is not much higher than wide
+        std::size_t columns = 1;
+        const auto rows_high = [&] { return static_cast<double>((boxes.size() + columns - 1) / columns) * height; };
+        while (rows_high() > steep * static_cast<double>(columns) * breadth) ++columns;
+        return columns;
+    }
+    const std::size_t rows = (boxes.size() + 4) / 5;
+    return rows == 0 ? 1 : (boxes.size() + rows - 1) / rows;
 }
 
 Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
     const std::size_t columns = std::max<std::size_t>(1, std::min(wishes.columns, boxes.size()));
     const std::size_t rows = std::max<std::size_t>(1, (boxes.size() + columns - 1) / columns);
     const double across = static_cast<double>(columns), down = static_cast<double>(rows);
-    const double gaps_across = 2 * across * wishes.margin;
-    const double gaps_down = (down + 1) * wishes.margin + down * wishes.caption;
+    const double gaps_across = 2 * across * wishes.margin + (across - 1) * wishes.gap;
+    const double gaps_down =
+        (down + 1) * wishes.margin + (down - 1) * wishes.gap + down * wishes.caption;
     const auto share = [](double whole, double gaps, double parts) {
         return std::max((whole - gaps) / parts, 1.0);
     };
@@ -113,8 +129,8 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         Cell place;
         place.width = cell.width;
         place.height = cell.height;
-        place.left = wishes.margin + column * (cell.width + 2 * wishes.margin);
-        place.top = wishes.margin + row * (cell.height + wishes.margin + wishes.caption);
+        place.left = wishes.margin + column * (cell.width + 2 * wishes.margin + wishes.gap);
+        place.top = wishes.margin + row * (cell.height + wishes.margin + wishes.gap + wishes.caption);
         place.caption_top = place.top + cell.height;
         const Box& box = boxes[i];
         place.frame = wishes.common_scale && std::isfinite(common)

@@ -28,6 +28,7 @@ struct LayoutWishes {
     std::optional<double> width, height;
     double longest = 600;  // of the two sides if neither is given
     double margin = 10;    // around the picture; between cells, twice that across
+    double gap = 0;        // more of it between cells
     double caption = 0;    // height of the strip under each cell
     std::size_t columns = 1;
     bool common_scale = false;
@@ -47,9 +48,8 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes);
 /// One page for each figure, all of the size that holds the largest in each direction.
 std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes);
 
-/// How many of `count` panels stand in a row: all up to 5, then rows as equal as can be.
-///
-/// Example: panel_columns(7) == 4
-std::size_t panel_columns(std::size_t count);
+/// How many of these panels stand in a row: all up to 5, then rows as equal as can be; figures much
+/// wider than high stand under each other in as few columns as keep the picture from being steep.
+std::size_t panel_columns(std::span<const Box> boxes);
 
 }  // namespace algae

@@ -140,12 +140,12 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
         result.background = Colour{1, 1, 1};
 
     LayoutWishes wishes;
+    std::vector<Box> boxes;
+    for (const Plate& plate : plates) boxes.push_back(plate.figure->box());
     if (arrangement == Arrangement::panels)
-        wishes.columns =
-            std::min(options.columns.value_or(panel_columns(plates.size())), plates.size());
+        wishes.columns = std::min(options.columns.value_or(panel_columns(boxes)), plates.size());
     const double unset = wishes.columns > 1 && format != PictureFormat::png ? panel_line_width : 1;
     bool captions = false;
-    std::vector<Box> boxes;
     result.margin = options.margin;
     for (const Plate& plate : plates) {
         const Palette known(colours_of(*plate.figure, options), 1);  // throws if not
@@ -153,7 +153,6 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
         result.margin = std::max(result.margin,
                                  result.widths.back() * widest_stroke(*plate.figure, budget) / 2);
         captions = captions || !plate.caption.empty();
-        boxes.push_back(plate.figure->box());
     }
 
     if (!(result.margin <= largest(format) / 2))
@@ -164,6 +163,7 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     wishes.longest = format == PictureFormat::png ? 1000 : 600;
     wishes.margin = result.margin;
     wishes.common_scale = options.common_scale;
+    if (arrangement == Arrangement::panels && plates.size() > 1) wishes.gap = wishes.longest / 40;
     const double longer = std::max(options.width.value_or(0), options.height.value_or(0));
     result.font_size = options.font_size.value_or(
         caption_size(longer > 0 ? longer : wishes.longest, wishes.columns));
@@ -171,11 +171,13 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     const std::size_t rows = arrangement == Arrangement::panels
                                  ? (plates.size() + wishes.columns - 1) / wishes.columns
                                  : 1;
-    check_room("width", options.width, 2 * static_cast<double>(wishes.columns) * wishes.margin,
+    check_room("width", options.width, 2 * static_cast<double>(wishes.columns) * wishes.margin +
+                   static_cast<double>(wishes.columns - 1) * wishes.gap,
                format);
     check_room(
         "height", options.height,
-        static_cast<double>(rows + 1) * wishes.margin + static_cast<double>(rows) * wishes.caption,
+        static_cast<double>(rows + 1) * wishes.margin +
+            static_cast<double>(rows - 1) * wishes.gap + static_cast<double>(rows) * wishes.caption,
         format);
 
     if (arrangement == Arrangement::pages) {

@@ -62,11 +62,19 @@ TEST_CASE("a straight line and a single point have a place") {
 }
 
 TEST_CASE("panels fill rows") {
-    CHECK(panel_columns(1) == 1);
-    CHECK(panel_columns(5) == 5);
-    CHECK(panel_columns(6) == 3);
-    CHECK(panel_columns(7) == 4);
-    CHECK(panel_columns(11) == 4);
+    const auto columns = [](std::size_t count, double breadth, double height) {
+        return panel_columns(std::vector<Box>(count, box(0, 0, breadth, height)));
+    };
+    CHECK(columns(1, 1, 1) == 1);
+    CHECK(columns(5, 1, 1) == 5);
+    CHECK(columns(6, 1, 1) == 3);
+    CHECK(columns(7, 1, 1) == 4);
+    CHECK(columns(11, 1, 1) == 4);
+    CHECK(columns(5, 2, 1) == 5);
+    CHECK(columns(3, 3, 1) == 1);
+    CHECK(columns(5, 3, 1) == 2);
+    CHECK(columns(5, 3, 0) == 1);
+    CHECK(columns(9, 3, 1) == 2);
     const std::vector<Box> boxes(7, box(0, 0, 1, 1));
     LayoutWishes wishes;
     wishes.columns = 4;

@@ -3,6 +3,7 @@
 // the middles.
 //
 //     pairs ROUNDS LABEL COMMAND LABEL COMMAND [UNITS UNIT]
+//     pairs ROUNDS LABEL COMMAND
 //
 // Commands run in sh; UNITS is how much the first one makes, for a rate.
 #include <sys/resource.h>
@@ -50,26 +51,27 @@ struct Contender {
 }  // namespace
 
 int main(int argc, char** argv) {
-    if (argc < 6) {
-        std::fprintf(stderr, "usage: pairs ROUNDS LABEL COMMAND LABEL COMMAND [UNITS UNIT]\n");
+    if (argc != 4 && argc != 6 && argc != 8) {
+        std::fprintf(stderr, "usage: pairs ROUNDS LABEL COMMAND [LABEL COMMAND [UNITS UNIT]]\n");
         return 2;
     }
     const int rounds = std::max(1, std::atoi(argv[1]));
-    Contender first{argv[2], argv[3], {}}, second{argv[4], argv[5], {}};
-    first.run();  // a round to warm up
-    second.run();
-    first.seconds.clear();
-    second.seconds.clear();
-    for (int i = 0; i < rounds; ++i) {
-        first.run();
-        second.run();
+    std::vector<Contender> contenders;
+    for (int i = 2; i + 1 < std::min(argc, 6); i += 2) contenders.push_back({argv[i], argv[i + 1], {}});
+    for (Contender& one : contenders) {  // to warm up
+        one.run();
+        one.seconds.clear();
     }
-    for (Contender* one : {&first, &second}) {
-        const double middle = one->middle();
-        std::printf("  %-34s min %.3f s  median %.3f s  peak %6.1f MiB", one->label.c_str(), one->seconds.front(),
-                    middle, static_cast<double>(one->kibibytes) / 1024);
-        if (argc >= 8) std::printf("  %.3g %s/s", std::atof(argv[6]) / middle, argv[7]);
+    for (int i = 0; i < rounds; ++i)
+        for (Contender& one : contenders) one.run();
+    for (Contender& one : contenders) {
+        const double middle = one.middle();
+        std::printf("  %-34s min %.3f s  median %.3f s  peak %6.1f MiB", one.label.c_str(), one.seconds.front(),
+                    middle, static_cast<double>(one.kibibytes) / 1024);
+        if (argc == 8) std::printf("  %.3g %s/s", std::atof(argv[6]) / middle, argv[7]);
         std::printf("\n");
     }
-    std::printf("  speed of the first relative to the second: %.2f\n", second.middle() / first.middle());
+    if (contenders.size() == 2)
+        std::printf("  speed of the first relative to the second: %.2f\n",
+                    contenders[1].middle() / contenders[0].middle());
 }

@@ -68,9 +68,9 @@ Iterated skeleton(const D0L& system) {
     return rest;
 }
 
-Components components_of(const std::vector<Word>& images) {
+LetterComponents components_of(const std::vector<Word>& images) {
     const std::size_t count = images.size(), none = count;
-    Components found{std::vector<std::size_t>(count, none), {}, {}};
+    LetterComponents found{std::vector<std::size_t>(count, none), {}, {}};
     std::vector<std::size_t> number(count, 0), low(count, 0);
     std::vector<Symbol> open;
     struct Frame {
@@ -119,7 +119,7 @@ std::vector<char> growing_letters(const std::vector<Word>& images) {
     std::vector<Word> lasting(images.size());
     for (Symbol a = 0; a < images.size(); ++a)
         if (lifetime[a] == lasts) lasting[a] = lasting_part(images[a], lifetime);
-    const Components components = components_of(lasting);
+    const LetterComponents components = components_of(lasting);
     std::vector<char> grows(components.members.size(), 0);
     for (std::size_t c = 0; c < grows.size(); ++c)  // those it leads to come first
         for (const Symbol a : components.members[c]) {

@@ -37,12 +37,12 @@ std::vector<char> growing_letters(const std::vector<Word>& images);
 
 /// The strongly connected components of "b occurs in h(a)", those reached first; a letter alone
 /// that does not reach itself is a component too. Linear time (Tarjan 1972).
-struct Components {
+struct LetterComponents {
     std::vector<std::size_t> of;             // by letter
     std::vector<std::vector<Symbol>> members;  // a component stands before those that lead to it
     std::vector<char> cyclic;                // whether its letters reach themselves
 };
-Components components_of(const std::vector<Word>& images);
+LetterComponents components_of(const std::vector<Word>& images);
 
 /// The reversed axiom and the reversed images.
 Iterated mirrored(const Iterated& system);

@@ -57,7 +57,7 @@ Polynomial perron_factor(const std::vector<Word>& images, const std::vector<Symb
 }  // namespace
 
 std::vector<std::optional<MorphicGrowth>> morphic_growth(const std::vector<Word>& images, const Budget& budget) {
-    const Components components = components_of(images);
+    const LetterComponents components = components_of(images);
     std::vector<std::optional<MorphicGrowth>> of_component(components.members.size());
     for (std::size_t c = 0; c < of_component.size(); ++c) {
         budget.check();

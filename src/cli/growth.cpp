@@ -1,38 +1,69 @@
-#include "growth/incidence.hpp"
-
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/growth_report.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "growth/incidence.hpp"
+#include "render/plot.hpp"
 
 namespace algae::cli {
 
 namespace {
 
 struct Options {
-    std::string file, generation;
-    bool json = false;
+    std::string file, generation, plot;
+    bool bounds_wanted = false, json = false;
     Bounds bounds;
 };
+
+/// The exact lengths only.
+int print_lengths(const D0L& system, const Options& options, const Budget& budget) {
+    const auto [first, last] = range("-n", options.generation);
+    std::string text;
+    nlohmann::json found = nlohmann::json::array();
+    for (std::uint64_t n = first; n <= last; ++n) {
+        const Integer letters = length(system, n, budget);
+        if (options.json)
+            found.push_back(json_number(letters));
+        else
+            text += to_string(letters) + '\n';
+    }
+    print(options.json ? nlohmann::json{{"lengths", found}}.dump(2) + "\n" : text);
+    return success;
+}
+
+int print_bounds(const LSystem& system, const Options& options, const Budget& budget) {
+    const View<OL> rules = as_ol(system);
+    const auto [first, last] = range("-n", options.generation.empty() ? "0..10" : options.generation);
+    const LengthBounds bounds = length_bounds(*rules, last, budget);
+    print(options.json ? bounds_json(*rules, bounds, first).dump(2) + "\n" : bounds_page(*rules, bounds, first));
+    return success;
+}
+
+/// A system without a growth function says why, and what to ask instead.
+D0L with_growth_function(const LSystem& system) {
+    View<D0L> rules = as_d0l(system);
+    if (rules) return *rules;
+    throw Error("no growth function: " + rules.reason() +
+                (as_ol(system) ? "; --bounds gives the least and the greatest length of each generation" : ""));
+}
 
 int growth(const Options& options) {
     const Budget budget = options.bounds.budget();
     const LSystem system = open_system(options.file, budget);
-    const View<D0L> rules = as_d0l(system);
-    const auto [first, last] = range("-n", options.generation);
-    std::string text;
-    nlohmann::json lengths = nlohmann::json::array();
-    for (std::uint64_t n = first; n <= last; ++n) {
-        const Integer letters = length(*rules, n, budget);
-        if (options.json)
-            lengths.push_back(json_number(letters));
-        else
-            text += to_string(letters) + '\n';
+    if (options.bounds_wanted) return print_bounds(system, options, budget);
+    const D0L rules = with_growth_function(system);
+    if (!options.plot.empty()) {
+        const auto [first, last] = range("-n", options.generation.empty() ? "0..20" : options.generation);
+        draw_plot(growth_plot(rules, first, last, budget), options.plot, budget);
+        return success;
     }
-    print(options.json ? nlohmann::json{{"lengths", lengths}}.dump(2) + "\n" : text);
+    if (!options.generation.empty()) return print_lengths(rules, options, budget);
+    const GrowthAnalysis analysis = growth_analysis(rules, budget);
+    print(options.json ? growth_json(rules, analysis).dump(2) + "\n" : growth_page(rules, analysis));
     return success;
 }
 
@@ -40,10 +71,15 @@ int growth(const Options& options) {
 
 void add_growth(Verbs& verbs) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb = add_verb(verbs, "growth", "The exact length of the words of a D0L system",
-                              "  algae growth koch -n 100\n  algae growth my.lsys -n 0..6 --json", options, growth);
+    CLI::App& verb = add_verb(verbs, "growth", "How the words of a D0L system grow: recurrence, closed form, class",
+                              "  algae growth koch\n"
+                              "  algae growth my.lsys -n 0..6 --json\n"
+                              "  algae growth dragon --plot growth.pdf",
+                              options, growth);
     verb.add_option("FILE", options->file, file_help)->required();
-    verb.add_option("-n", options->generation, "the generation, or a range such as 0..6")->type_name("N")->required();
+    verb.add_option("-n", options->generation, "only the exact length of a generation, or of a range such as 0..6")->type_name("N[..M]");
+    verb.add_flag("--bounds", options->bounds_wanted, "the least and greatest lengths of an 0L system, for -n (default 0..10)");
+    verb.add_option("--plot", options->plot, "draw length against n, for -n (default 0..20): .svg, .pdf, .png, .ps or .eps")->type_name("FILE");
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

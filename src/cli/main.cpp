@@ -55,6 +55,7 @@ int main(int argc, char** argv) {
     add_derive(verbs);
     add_letter(verbs);
     add_growth(verbs);
+    add_equal(verbs);
     add_draw(verbs);
     add_figures(verbs);
     add_gallery(verbs);

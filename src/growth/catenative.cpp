@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "growth/growth_class.hpp"
 #include "growth/morphic.hpp"
-#include "growth/morphic_growth.hpp"
 
 namespace algae {
 
@@ -35,16 +35,11 @@ std::optional<std::vector<std::size_t>> tiling(const Word& whole, const std::vec
 
 /// Why no formula can hold, if the lengths tell.
 std::optional<std::string> why_none(const D0L& system, const Budget& budget) {
-    const Iterated rest = skeleton(system);
-    const auto accessible = accessible_letters(rest.images, rest.axiom);
-    if (rest.axiom.empty()) return "the words are empty from some n on";
-    const auto growing = growing_letters(rest.images);
-    bool grows = false;
-    for (Symbol a = 0; a < accessible.size(); ++a) grows = grows || (accessible[a] && growing[a]);
-    if (!grows) return "the lengths are bounded, and two words or more would make them double without end";
-    const auto growth = morphic_growth(rest.images, budget);
-    for (const Symbol a : rest.axiom)
-        if (growth[a] && growth[a]->rate != Polynomial({-1, 1})) return std::nullopt;
+    const GrowthOrder order = growth_order(system, letter_orders(components(growth_matrix(system), budget)));
+    if (order.kind == GrowthKind::zero) return "the words are empty from some n on";
+    if (order.kind == GrowthKind::bounded)
+        return "the lengths are bounded, and two words or more would make them double without end";
+    if (order.kind == GrowthKind::exponential) return std::nullopt;
     return "the lengths grow like a polynomial, and two words or more would make them grow exponentially";
 }
 

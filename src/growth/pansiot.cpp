@@ -6,7 +6,7 @@
 #include <set>
 
 #include "growth/factors.hpp"
-#include "growth/morphic_growth.hpp"
+#include "growth/growth_class.hpp"
 #include "growth/pushy.hpp"
 #include "growth/repetitions.hpp"
 #include "word/alphabet.hpp"
@@ -42,11 +42,23 @@ struct Place {
     auto operator<=>(const Place&) const = default;
 };
 
+/// How often each letter occurs in each image.
+GrowthMatrix occurrences(const std::vector<Word>& images) {
+    GrowthMatrix matrix;
+    for (const Word& word : images) {
+        std::map<std::size_t, Integer> counts;
+        for (const Symbol b : word) counts[b] += 1;
+        auto& row = matrix.rows.emplace_back();
+        for (const auto& [b, times] : counts) row.push_back({b, times});
+    }
+    return matrix;
+}
+
 class Decision {
 public:
     Decision(const D0L& system, const Budget& budget)
         : named_(system), budget_(budget), system_(skeleton(system)), growing_(growing_letters(system_.images)),
-          growth_(morphic_growth(system_.images, budget)) {
+          orders_(letter_orders(components(occurrences(system_.images), budget))) {
         const auto lifetime = lifetimes(system.rules.images);
         vanishing_ = std::any_of(system.letters.begin(), system.letters.end(), [&](Symbol a) { return lifetime[a] != lasts; });
     }
@@ -93,8 +105,8 @@ private:
         for (Symbol a = 0; a < letters.size(); ++a) {
             if (!letters[a] || !growing_[a]) continue;
             if (!first) first = a;
-            if (growth_[a]->rate != growth_[*first]->rate) rates = {*first, a};
-            if (growth_[a]->exponent != growth_[*first]->exponent) exponents = {*first, a};
+            if (orders_[a].rate != orders_[*first].rate) rates = {*first, a};
+            if (orders_[a].degree != orders_[*first].degree) exponents = {*first, a};
         }
         if (rates)
             return {n_log_n, "not pushy, and the letters " + name(rates->first) + " and " + name(rates->second) +
@@ -258,7 +270,7 @@ private:
     const Budget& budget_;
     Iterated system_;
     std::vector<char> growing_;
-    std::vector<std::optional<MorphicGrowth>> growth_;
+    std::vector<GrowthOrder> orders_;
     bool vanishing_ = false;
 };
 

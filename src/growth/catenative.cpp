@@ -53,7 +53,7 @@ std::string CatenativeFormula::text() const {
 
 CatenativeAnswer locally_catenative(const D0L& system, std::size_t depth, std::size_t further, const Budget& budget) {
     if (const auto reason = why_none(system, budget)) return {CatenativeAnswer::Kind::none, std::nullopt, *reason};
-    const std::uint64_t most = std::min<std::uint64_t>(budget.letters, 4'000'000);
+    const std::uint64_t most = std::min<std::uint64_t>(budget.letters, 1'000'000);
     std::vector<Word> words{system.axiom};
     std::uint64_t letters = system.axiom.size();
     while (words.size() <= depth + further) {

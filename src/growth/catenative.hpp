@@ -36,7 +36,7 @@ struct CatenativeAnswer {
 /// decides, and `from` is where it was made. None is proved where the lengths are bounded or grow
 /// like a polynomial: |w_n| >= 2 |w_(n-depth)| from some n on would make them grow exponentially, or
 /// bounded ones that are not 0 double. Otherwise the search ends at generation depth + `further`, or
-/// when the words together have more than budget.letters letters, and says so.
+/// when the words together have more than a million letters (or budget.letters), and says so.
 ///
 /// Example: locally_catenative(d0l("a", {{'a', "ab"}, {'b', "a"}}), 4).formula->text() ==
 ///     "w(n) = w(n-1) w(n-2) for n >= 2"

@@ -2,7 +2,9 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/growth_realise.hpp"
 #include "cli/growth_report.hpp"
+#include "cli/growth_words.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
@@ -14,8 +16,8 @@ namespace algae::cli {
 namespace {
 
 struct Options {
-    std::string file, generation, plot;
-    bool bounds_wanted = false, json = false;
+    std::string file, generation, plot, sequence;
+    bool bounds_wanted = false, words = false, json = false;
     Bounds bounds;
 };
 
@@ -53,7 +55,10 @@ D0L with_growth_function(const LSystem& system) {
 
 int growth(const Options& options) {
     const Budget budget = options.bounds.budget();
+    if (!options.sequence.empty()) return growth_realise(options.sequence, options.json, budget);
+    if (options.file.empty()) throw Error("expected FILE, or --realise with a sequence; `algae growth --help` shows examples");
     const LSystem system = open_system(options.file, budget);
+    if (options.words) return growth_words(system, options.json, budget);
     if (options.bounds_wanted) return print_bounds(system, options, budget);
     const D0L rules = with_growth_function(system);
     if (!options.plot.empty()) {
@@ -74,12 +79,18 @@ void add_growth(Verbs& verbs) {
     CLI::App& verb = add_verb(verbs, "growth", "How the words of a D0L system grow: recurrence, closed form, class",
                               "  algae growth koch\n"
                               "  algae growth my.lsys -n 0..6 --json\n"
-                              "  algae growth dragon --plot growth.pdf",
+                              "  algae growth dragon --plot growth.pdf\n"
+                              "  algae growth plant-f --words\n"
+                              "  algae growth --realise \"n^2+1\"",
                               options, growth);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help);
     verb.add_option("-n", options->generation, "only the exact length of a generation, or of a range such as 0..6")->type_name("N[..M]");
     verb.add_flag("--bounds", options->bounds_wanted, "the least and greatest lengths of an 0L system, for -n (default 0..10)");
     verb.add_option("--plot", options->plot, "draw length against n, for -n (default 0..20): .svg, .pdf, .png, .ps or .eps")->type_name("FILE");
+    verb.add_flag("--words", options->words, "factors and their complexity class, pushiness, repetitions, locally catenative formulas");
+    verb.add_option("--realise", options->sequence,
+                    "instead of FILE: a D0L system with these lengths, as terms \"1,1,2,3,5,8\", a recurrence "
+                    "\"a(n) = a(n-1) + a(n-2); 1, 1\" or a polynomial \"n^2+1\"")->type_name("SEQUENCE");
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

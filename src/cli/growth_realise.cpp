@@ -28,6 +28,13 @@ std::string text_of(const D0L& rules, const std::string& title) {
     return print_lsystem(system);
 }
 
+/// "lengths 1, 1, 2, 3, 5, 8, ..."
+std::string title_of(const SequenceSpecification& sequence) {
+    std::string title = "lengths ";
+    for (const Rational& value : sequence.values(6)) title += to_string(value) + ", ";
+    return title + "...";
+}
+
 /// Where the sequence was given by terms: on what the recurrence rests.
 std::string rests_on(const SequenceSpecification& sequence) {
     const std::size_t needed = 2 * sequence.initial.size();
@@ -47,8 +54,7 @@ int growth_realise(const std::string& specification, bool json, const Budget& bu
     const std::string shift = result.shift == 0 ? "" : "+" + std::to_string(result.shift);
     std::string system;
     if (result.system)
-        system = text_of(*result.system, result.shift == 0 ? "growth " + specification
-                                                           : "growth of a(n" + shift + "), a = " + specification);
+        system = text_of(*result.system, title_of(shifted(sequence, result.shift)));
     if (json) {
         static const char* const verdicts[] = {"found", "impossible", "unknown"};
         nlohmann::json all = {{"sequence", sequence.text()},

@@ -23,7 +23,7 @@ struct Options {
 /// Throws BoundReached, with the exact length and other ways to an answer, if a word is too long.
 void check_length(const D0L& system, std::uint64_t n, const Budget& budget) {
     constexpr double worked_out = 4096;  // binary digits of a length that are said in full
-    const double estimate = estimated_log2_length(system, n);
+    const double estimate = estimated_log2_length(system, n, budget);
     std::string count;
     if (estimate <= worked_out) {
         const Integer letters = length(system, n, budget);
@@ -64,20 +64,18 @@ void print_generations(const Options& options, const D0L& system, std::uint64_t 
     check_length(system, last, budget);
     if (first != last)
         for (std::uint64_t n = first; n < last; ++n) check_length(system, n, budget);
-    if (options.json) {
-        nlohmann::json out;
-        for (std::uint64_t n = first; n <= last; ++n) {
-            const std::string text = derived_text(system, n, budget);
-            out["words"].push_back(text.empty() ? "ε" : text);
-        }
-        print(out.dump(2) + "\n");
-        return;
-    }
+    // Words may be larger than memory: the JSON around them is written by hand.
+    StandardOutput output;
+    JsonString json(output);
+    TextSink& sink = options.json ? static_cast<TextSink&>(json) : output;
+    if (options.json) print("{\n  \"words\": [\n");
     for (std::uint64_t n = first; n <= last; ++n) {
-        StandardOutput output;
-        derive_text(system, n, output, budget);
-        print(length(system, n, budget).is_zero() ? "ε\n" : "\n");
+        if (options.json) print("    \"");
+        derive_text(system, n, sink, budget);
+        if (length(system, n, budget).is_zero()) print("ε");
+        print(options.json ? (n < last ? "\",\n" : "\"\n") : "\n");
     }
+    if (options.json) print("  ]\n}\n");
 }
 
 int derive_verb(const Options& options) {
@@ -112,7 +110,8 @@ int derive_verb(const Options& options) {
         return success;
     }
     const View<D0L> rules = as_d0l(system);
-    if (!rules && as_ol(system))
+    if (!as_ol(system)) throw Error("algae cannot derive this yet, only 0L systems: " + as_ol(system).reason());
+    if (!rules)
         throw Error(rules.reason() + "; say --all-words for all words, or --seed S for one picked at random");
     print_generations(options, *rules, first, last, budget);
     return success;

@@ -20,7 +20,7 @@ namespace {
 struct Options {
     std::string file, generation, output, format, seed;
     std::string width, height, margin, line_width, background, font_size, columns, caption;
-    std::vector<std::string> colours;
+    std::string colours;
     bool panels = false, common_scale = false, captions = false, json = false;
     Bounds bounds;
 };
@@ -39,7 +39,7 @@ PictureOptions picture_options(const Options& options) {
     picture.font_size = optional_number("--font-size", options.font_size);
     if (!options.columns.empty()) picture.columns = natural("--columns", options.columns);
     if (!options.background.empty()) picture.background = options.background;
-    picture.colours = options.colours;
+    if (!options.colours.empty()) picture.colours = list("--colour", options.colours);
     picture.common_scale = options.common_scale;
     return picture;
 }
@@ -92,13 +92,15 @@ int draw(const Options& options) {
     ProgressBar bar("Drawing");
     const bool single = plates.figures.size() == 1;
     const bool pages = !single && !options.panels && (format == PictureFormat::pdf || format == PictureFormat::ps);
+    // What a file says of its own figure is drawn as well as the format can.
+    const bool panels = options.panels || (options.generation.empty() && !single && !pages);
     const auto draw_to = [&](auto& target) {
-        if (single && !options.panels)
+        if (single && !panels)
             return draw_picture(plates.plates().front(), target, format, picture, budget, &bar);
         if (pages) return draw_pages(plates.plates(), target, format, picture, budget, &bar);
         return draw_panels(plates.plates(), target, format, picture, budget, &bar);
     };
-    if (!single && !pages && !options.panels)
+    if (!single && !pages && !panels)
         throw Error("-n " + options.generation + ": several generations need --panels, or pdf or ps for pages");
     const Drawn drawn = options.output == "-" ? draw_to(std::cout) : draw_to(options.output);
     if (drawn.as_image)
@@ -128,13 +130,13 @@ void add_draw(Verbs& verbs) {
     verb.add_option("--height", options->height, "of the picture, in points (png: pixels)")->type_name("H");
     verb.add_option("--margin", options->margin, "blank border (default 10)")->type_name("M");
     verb.add_option("--line-width", options->line_width, "of strokes, in points or pixels (default 1)")->type_name("W");
-    verb.add_option("--colour", options->colours, "names or #rrggbb, the next for each '; or: along, a hue that runs with the word")->delimiter(',')->expected(1)->type_name("COLOUR,...");
-    verb.add_option("--background", options->background, "a colour, or transparent")->type_name("COLOUR");
+    verb.add_option("--colour", options->colours, "names or #rrggbb, the next for each '; or: along, a hue that runs with the word")->type_name("COLOUR,...");
+    verb.add_option("--background", options->background, "a colour, or transparent (default: white in png, none elsewhere)")->type_name("COLOUR");
     verb.add_flag("--captions", options->captions, "system, generation and angle underneath");
     verb.add_option("--caption", options->caption, "a text underneath")->type_name("TEXT");
     verb.add_option("--font-size", options->font_size, "of captions")->type_name("S");
     verb.add_option("--seed", options->seed, "draw one word of a nondeterministic system, picked at random")->type_name("S");
-    verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object");
+    verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object; integers from 2^53 on are strings");
     options->bounds.add_to(verb);
 }
 

@@ -22,7 +22,7 @@ namespace fs = std::filesystem;
 
 struct Options {
     std::string folder = "figures", out = "out/figures", jobs;
-    std::vector<std::string> formats = {"svg", "pdf"};
+    std::string formats = "svg,pdf";
     bool captions = false, check = false, json = false;
     Bounds bounds;
 };
@@ -47,15 +47,16 @@ std::vector<fs::path> system_files(const fs::path& folder) {
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     const LSystem system = open_system(outcome.file.string(), budget);
     for (const Disappointment& unmet : unmet_expectations(system, budget)) {
-        outcome.problems.push_back(to_string(unmet.place) + ": " + unmet.message);
+        outcome.problems.push_back(to_string(unmet.place) + ": error: " + unmet.message);
         outcome.status = refuted;
     }
     if (options.check) return;
     FigurePlates plates(system, shown_generations(system), std::nullopt, budget);
     if (options.captions) plates.caption_with_facts();
-    const fs::path folder = fs::path(options.out) / fs::relative(outcome.file.parent_path(), options.folder);
+    const fs::path folder =
+        (fs::path(options.out) / fs::relative(outcome.file.parent_path(), options.folder)).lexically_normal();
     fs::create_directories(folder);
-    for (const std::string& format : options.formats) {
+    for (const std::string& format : list("--formats", options.formats)) {
         const std::string path = (folder / outcome.file.stem()).string() + '.' + format;
         const PictureFormat kind = picture_format(path);
         if (plates.figures.size() == 1)
@@ -66,11 +67,15 @@ void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     }
 }
 
+std::string counted(std::size_t count, const std::string& what) {
+    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
+}
+
 int worst(int left, int right) { return std::max(left, right); }
 
 int draw_all(const Options& options) {
     const Budget budget = options.bounds.budget();
-    for (const std::string& format : options.formats) picture_format("figure." + format);
+    for (const std::string& format : list("--formats", options.formats)) picture_format("figure." + format);
     std::vector<Outcome> outcomes;
     for (const fs::path& file : system_files(options.folder)) outcomes.push_back({file, {}, {}, success});
 
@@ -105,7 +110,8 @@ int draw_all(const Options& options) {
     std::size_t pictures = 0, wrong = 0;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Outcome& outcome : outcomes) {
-        for (const std::string& problem : outcome.problems) std::cerr << outcome.file.string() << ": " << problem << '\n';
+        for (const std::string& problem : outcome.problems)
+            std::cerr << (problem.starts_with(outcome.file.string()) ? "" : outcome.file.string() + ": ") << problem << '\n';
         wrong += outcome.problems.empty() ? 0 : 1;
         pictures += outcome.pictures.size();
         status = worst(status, outcome.status);
@@ -114,7 +120,7 @@ int draw_all(const Options& options) {
     if (options.json)
         print(nlohmann::ordered_json{{"figures", all}}.dump(2) + "\n");
     else
-        print(std::to_string(outcomes.size()) + " systems, " + std::to_string(pictures) + " pictures" +
+        print(counted(outcomes.size(), "system") + ", " + counted(pictures, "picture") +
               (options.check ? "" : " in " + options.out) + (wrong ? ", " + std::to_string(wrong) + " with problems" : "") + "\n");
     return status;
 }
@@ -128,7 +134,7 @@ void add_figures(Verbs& verbs) {
                               options, draw_all);
     verb.add_option("DIR", options->folder, "a folder of .lsys files (default figures)");
     verb.add_option("--out", options->out, "where the pictures go (default out/figures)")->type_name("DIR");
-    verb.add_option("--formats", options->formats, "svg, pdf, png, ps, eps (default svg,pdf)")->delimiter(',')->expected(1)->type_name("LIST");
+    verb.add_option("--formats", options->formats, "svg, pdf, png, ps, eps (default svg,pdf)")->type_name("LIST");
     verb.add_option("--jobs", options->jobs, "how many to draw at a time (default: one a core)")->type_name("N");
     verb.add_flag("--captions", options->captions, "system, generation and angle underneath");
     verb.add_flag("--check", options->check, "only check what the files expect");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/command.hpp"
@@ -19,9 +20,12 @@ struct Options {
 int list(const Options& options) {
     nlohmann::ordered_json entries = nlohmann::ordered_json::array();
     std::string text;
+    std::size_t widest = 0;
+    for (const GalleryEntry& entry : gallery()) widest = std::max(widest, entry.name.size());
     for (const GalleryEntry& entry : gallery()) {
         const LSystem system = read_lsystem(entry.text, std::string(entry.name));
-        text += fmt::format("{:<26}{:<44}{}\n", entry.name, system.title, system.source);
+        text += fmt::format("{:<{}}  {}{}\n", entry.name, widest, system.title,
+                            system.source.empty() ? "" : " (" + system.source + ")");
         entries.push_back({{"name", entry.name}, {"title", system.title}, {"source", system.source}, {"path", entry.path}});
     }
     print(options.json ? nlohmann::ordered_json{{"figures", entries}}.dump(2) + "\n" : text);

@@ -28,10 +28,11 @@ std::string read_all(std::FILE* file, const std::string& name, const Budget& bud
         text.append(buffer, 0, count);
         if (text.size() > largest)
             throw BoundReached(name + ": has more than " + std::to_string(largest >> 20) +
-                               " MiB, and reading takes " + std::to_string(memory_of_a_byte) +
-                               " times the size of a file; allow more with --max-memory");
+                               " MiB, as much as can be read within the " + std::to_string(budget.memory >> 20) +
+                               " MiB allowed by --max-memory");
         budget.check();
     }
+    budget.check();  // reading that waited was interrupted
     if (std::ferror(file)) throw Error("cannot read " + name + ": " + std::strerror(errno));
     return text;
 }
@@ -47,6 +48,7 @@ std::string file_text(const std::string& path, const Budget& budget) {
     std::error_code ignored;
     if (std::filesystem::is_directory(path, ignored)) throw Error(path + ": is a folder, expected a file");
     const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+    budget.check();
     if (!file) throw Error("cannot read " + path + ": " + std::strerror(errno));
     return read_all(file.get(), path, budget);
 }
@@ -61,7 +63,7 @@ SourceText open_text(const std::string& file, const Budget& budget) {
     if (found != figures.end()) return {std::string(found->name), std::string(found->text)};
     std::vector<std::string> names;
     for (const GalleryEntry& entry : figures) names.emplace_back(entry.name);
-    throw Error("no file " + file + ", and no figure of that name in the gallery" + did_you_mean(file, names) +
+    throw Error("no file \"" + file + "\", and no figure of that name in the gallery" + did_you_mean(file, names) +
                 "; `algae gallery` lists them");
 }
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 
@@ -10,7 +11,16 @@
 
 namespace {
 
-void on_interrupt(int) { algae::cli::stop.store(true); }
+void on_interrupt(int) {
+    if (algae::cli::stop.exchange(true)) std::_Exit(algae::cli::interrupted);  // asked twice
+}
+
+/// Ctrl-C asks the work to stop, and interrupts reading that waits.
+void handle_interrupt() {
+    struct sigaction action = {};
+    action.sa_handler = on_interrupt;
+    sigaction(SIGINT, &action, nullptr);
+}
 
 int report(const char* message, int status) {
     std::fprintf(stderr, "algae: %s\n", message);
@@ -42,7 +52,7 @@ int run(const std::function<int()>& verb) {
 
 int main(int argc, char** argv) {
     using namespace algae::cli;
-    std::signal(SIGINT, on_interrupt);
+    handle_interrupt();
     CLI::App app("algae derives L-systems exactly, analyses and draws them.", "algae");
     app.set_version_flag("--version", "algae " ALGAE_VERSION);
     app.require_subcommand(1);
@@ -69,12 +79,15 @@ int main(int argc, char** argv) {
     if (!verb.starts_with('-') && std::find(names.begin(), names.end(), verb) == names.end())
         return report(("no verb " + verb + algae::did_you_mean(verb, names) + "; `algae --help` lists them").c_str(),
                       bad_input);
+    if (verb.starts_with('-') && verb != "-h" && verb != "--help" && verb != "--version")
+        return report(("no option " + verb + "; `algae --help` lists the verbs").c_str(), bad_input);
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return app.exit(error);  // help and version
-        app.exit(error);
-        return bad_input;
+        return report((std::string(error.what()) + "; `algae " + (verb.starts_with('-') ? "" : verb + " ") +
+                       "--help` shows how").c_str(),
+                      bad_input);
     }
     return run(verbs.chosen);
 }

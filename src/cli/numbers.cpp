@@ -35,6 +35,7 @@ std::pair<std::uint64_t, std::uint64_t> range(const std::string& option, const s
         const std::uint64_t n = natural(option, text);
         return {n, n};
     }
+    if (dots == 0 || dots + 2 == text.size()) refuse(option, "a range such as 0..6", text);
     const std::uint64_t first = natural(option, text.substr(0, dots));
     const std::uint64_t last = natural(option, text.substr(dots + 2));
     if (first > last) refuse(option, "a range that goes up, such as 0..6", text);
@@ -64,6 +65,17 @@ double positive(const std::string& option, const std::string& text) {
     if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) || value <= 0)
         refuse(option, "a positive number", text);
     return value;
+}
+
+std::vector<std::string> list(const std::string& option, const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ',') parts.emplace_back();
+        else parts.back() += c;
+    }
+    for (const std::string& part : parts)
+        if (part.empty()) refuse(option, "a list with commas between, such as a,b", text);
+    return parts;
 }
 
 nlohmann::json json_number(const Integer& value) {

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "exact/integer.hpp"
 
@@ -22,6 +23,9 @@ std::uint64_t bytes(const std::string& option, const std::string& text);
 
 /// A positive number of any kind ("600", "12.5"). Throws Error.
 double positive(const std::string& option, const std::string& text);
+
+/// The parts of a list with commas between. Throws Error if one is empty.
+std::vector<std::string> list(const std::string& option, const std::string& text);
 
 /// An integer in JSON: a number while every reader can hold it (below 2^53), otherwise its digits
 /// as a string.

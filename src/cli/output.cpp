@@ -71,6 +71,17 @@ void StandardOutput::flush() {
     begun_ = 0;
 }
 
+void JsonString::write(std::string_view piece) {
+    if (piece.find_first_of("\"\\") == std::string_view::npos) return output_.write(piece);
+    escaped_.clear();
+    for (const char c : piece) {
+        if (c == '"' || c == '\\') escaped_ += '\\';
+        escaped_ += c;
+    }
+    output_.write(escaped_);
+    output_.flush();  // before the bytes are used again
+}
+
 void print(std::string_view text) {
     iovec piece{const_cast<char*>(text.data()), text.size()};
     if (!text.empty()) write_all(&piece, 1);

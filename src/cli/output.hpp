@@ -27,6 +27,18 @@ private:
     std::size_t begun_ = 0;  // where in gathered_ the piece that still grows begins
 };
 
+/// The inside of a JSON string on its way to standard output: what needs escaping is escaped.
+class JsonString : public TextSink {
+public:
+    explicit JsonString(StandardOutput& output) : output_(output) {}
+    void write(std::string_view piece) override;
+    void flush() override { output_.flush(); }
+
+private:
+    StandardOutput& output_;
+    std::string escaped_;
+};
+
 /// Prints text to standard output. Throws Error if it cannot be written.
 void print(std::string_view text);
 

@@ -48,7 +48,8 @@ std::vector<Plate> FigurePlates::plates() const {
 
 std::pair<std::uint64_t, std::uint64_t> shown_generations(const LSystem& system) {
     if (!system.settings.generations)
-        throw Error(system.name + " does not say which generation its figure shows; give one with -n");
+        throw Error(system.name + " does not say which generation its figure shows; expected a line such as `generation 4` in it, or "
+                    "-n of `algae draw`");
     return *system.settings.generations;
 }
 

@@ -38,7 +38,8 @@ nlohmann::ordered_json as_json(const LSystem& system, const Class& kind) {
     out["alphabet"] = all_names(system.alphabet);
     out["axiom"] = print_word(system.alphabet, system.axiom);
     out["rules"] = nlohmann::json::array();
-    for (const Production& rule : system.rules) out["rules"].push_back(print_rule(system.alphabet, rule));
+    const Printer printer(system.alphabet);
+    for (const Production& rule : system.rules) out["rules"].push_back(printer.rule(rule));
     out["deterministic"] = kind.deterministic;
     out["propagating"] = kind.propagating;
     out["stochastic"] = kind.stochastic;
@@ -48,6 +49,17 @@ nlohmann::ordered_json as_json(const LSystem& system, const Class& kind) {
     out["tables"] = system.tables;
     out["terminals"] = names(system.alphabet, system.terminals);
     return out;
+}
+
+/// The word, or its beginning and its length if it would fill the screen.
+std::string axiom_text(const LSystem& system) {
+    constexpr std::size_t shown = 400, whole = 2000;  // letters
+    if (system.axiom.letters.size() <= whole) return print_word(system.alphabet, system.axiom);
+    ModuleWord beginning;
+    beginning.letters.assign(system.axiom.letters.begin(), system.axiom.letters.begin() + shown);
+    for (const auto& [position, arguments] : system.axiom.arguments)
+        if (position < shown) beginning.arguments.emplace(position, arguments);
+    return fmt::format("{} ... ({} letters)", print_word(system.alphabet, beginning), system.axiom.letters.size());
 }
 
 std::string as_text(const LSystem& system, const Class& kind) {
@@ -60,10 +72,11 @@ std::string as_text(const LSystem& system, const Class& kind) {
     line("source", system.source);
     line("class", kind.name());
     line("alphabet", fmt::format("{}", fmt::join(all_names(system.alphabet), " ")));
-    line("axiom", print_word(system.alphabet, system.axiom));
+    line("axiom", axiom_text(system));
     const char* label = "rules";
+    const Printer printer(system.alphabet);
     for (const Production& rule : system.rules) {
-        line(label, print_rule(system.alphabet, rule));
+        line(label, printer.rule(rule));
         label = "";
     }
     line("tables", fmt::format("{}", fmt::join(system.tables, " ")));
@@ -71,6 +84,14 @@ std::string as_text(const LSystem& system, const Class& kind) {
     line("deterministic", answer(kind.deterministic));
     line("propagating", answer(kind.propagating));
     line("bracketed", answer(kind.bracketed));
+    const auto& settings = system.settings;
+    line("angle", settings.angle ? to_text(settings.angle->expression) : "90 (the file does not say)");
+    if (const auto& start = settings.start)
+        line("start", fmt::format("{} {} {}", to_text(start->x.expression), to_text(start->y.expression),
+                                  to_text(start->heading.expression)));
+    if (const auto& shown = settings.generations)
+        line("generation", shown->first == shown->second ? std::to_string(shown->first)
+                                                         : fmt::format("{}..{}", shown->first, shown->second));
     if (kind.context != std::pair<std::size_t, std::size_t>{0, 0})
         line("context", fmt::format("({},{})", kind.context.first, kind.context.second));
     return out;

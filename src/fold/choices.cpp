@@ -80,7 +80,10 @@ Word random_word(const OL& system, std::uint64_t n, std::mt19937_64& generator, 
         Word next;
         std::uint64_t visits = 0;
         for (const Symbol a : word) {
-            if (++visits % 65536 == 0) budget.check();
+            if (++visits % 65536 == 0) {
+                budget.check();
+                budget.check_memory((word.capacity() + next.capacity()) * sizeof(Symbol), "the word");
+            }
             const auto& choices = system.successors[a];
             const Word& successor = choices.size() == 1 ? choices.front() : choices[below(generator, choices.size())];
             if (next.size() + successor.size() > budget.letters)

@@ -94,6 +94,7 @@ struct Step {
 
 Word letters_at(const D0L& system, std::uint64_t n, const Integer& at, std::uint64_t count,
                 const Budget& budget) {
+    count = std::min(count, budget.letters == UINT64_MAX ? UINT64_MAX - 1 : budget.letters + 1);
     if (at < 0)
         throw Error("position " + to_string(at) + " is before the beginning: positions count from 0");
     const Fates fates(system);
@@ -123,6 +124,9 @@ Word letters_at(const D0L& system, std::uint64_t n, const Integer& at, std::uint
         while (here.next != here.end && fates.is_gone(*here.next, here.steps)) ++here.next;
         if (here.next == here.end) path.pop_back();
         path.push_back({successor.data(), successor.data() + successor.size(), steps});
+        // Every row above still gives a letter, so of more rows than letters asked for the uppermost
+        // are never read.
+        if (path.size() / 2 > count + 512) path.erase(path.begin(), path.end() - static_cast<std::ptrdiff_t>(count + 1));
     }
     // From here on letters follow each other without counting.
     Word found;

@@ -37,7 +37,7 @@ void check_size(const std::vector<Integer>& numbers, const Budget& budget) {
 
 /// Throws BoundReached if so many numbers of the size of the length would be too much.
 void check_estimate(const D0L& system, std::uint64_t n, std::size_t numbers, const Budget& budget) {
-    const double bits = estimated_log2_length(system, n);
+    const double bits = estimated_log2_length(system, n, budget);
     const double digits = bits * std::log10(2.0);
     if (digits > static_cast<double>(budget.letters))
         throw BoundReached("the length of generation " + std::to_string(n) + " alone has about " +
@@ -137,7 +137,7 @@ std::vector<Integer> parikh_vector(const D0L& system, std::uint64_t n, const Bud
     }
 }
 
-double estimated_log2_length(const D0L& system, std::uint64_t n) {
+double estimated_log2_length(const D0L& system, std::uint64_t n, const Budget& budget) {
     const auto position = positions(system);
     const std::size_t size = system.letters.size();
     std::vector<double> counts(size, 0);
@@ -145,6 +145,7 @@ double estimated_log2_length(const D0L& system, std::uint64_t n) {
     double exponent = 0;
     if (size > squared_letters) {
         for (std::uint64_t k = 0; k < std::min(n, iterated_estimate); ++k) {
+            budget.check();
             std::vector<double> next(size, 0);
             for (std::size_t i = 0; i < size; ++i)
                 if (counts[i] != 0)
@@ -157,6 +158,7 @@ double estimated_log2_length(const D0L& system, std::uint64_t n) {
         for (std::size_t i = 0; i < size; ++i)
             for (const Symbol a : system.successor(system.letters[i])) power.entries[i * size + position[a]] += 1;
         for (;; power.square()) {
+            budget.check();
             if (n & 1) {
                 std::vector<double> next(size, 0);
                 for (std::size_t i = 0; i < size; ++i)

@@ -30,7 +30,7 @@ std::vector<Integer> parikh_vector(const D0L& system, std::uint64_t n, const Bud
 /// About the binary logarithm of the length of the word of generation n, at once for any n: by
 /// repeated squaring in floating point. Good to a few parts in 10^9; minus infinity for the empty
 /// word. For deciding what to try, never for an answer.
-double estimated_log2_length(const D0L& system, std::uint64_t n);
+double estimated_log2_length(const D0L& system, std::uint64_t n, const Budget& budget = {});
 
 /// The length of the word of generation n. Throws BoundReached, at once, if it has more digits than
 /// budget.letters.

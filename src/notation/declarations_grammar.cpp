@@ -12,6 +12,8 @@ namespace x3 = grammar::x3;
 using grammar::between;
 using grammar::wanted;
 
+constexpr std::size_t longest_name = 200;  // reading looks so far ahead for a declared name
+
 }  // namespace
 
 void read_constant(const Statement& statement, Reading& reading) {
@@ -43,6 +45,9 @@ void read_alphabet(const Statement& statement, Reading& reading) {
             if (name == keyword)
                 throw SyntaxError{name.data(), "expected another name, " + quoted(name) +
                                                    " has a meaning in the notation"};
+        if (name.size() > longest_name)
+            throw SyntaxError{name.data(), "expected names of at most " + std::to_string(longest_name) +
+                                               " bytes, found one of " + std::to_string(name.size())};
         const std::size_t first = name.front() == '?' && name.size() > 1 ? 1 : 0;
         for (std::size_t i = first; i < name.size();) {
             const Character next = first_character(name.substr(i));

@@ -7,6 +7,7 @@
 #include "notation/expression_grammar.hpp"
 #include "notation/grammar.hpp"
 #include "notation/suggestion.hpp"
+#include "system/colour.hpp"
 
 namespace algae {
 
@@ -98,6 +99,13 @@ void read_colours(std::string_view value, Reading& reading) {
         if (!is_name && colour.front() != '#')
             throw SyntaxError{colour.data(),
                               "expected a colour's name or #rrggbb, found " + quoted(colour)};
+        if (colour != "along") {
+            try {
+                colour_named(colour);
+            } catch (const Error& error) {
+                throw SyntaxError{colour.data(), error.what()};
+            }
+        }
         reading.system.settings.colours.emplace_back(colour);
     }
 }
@@ -159,6 +167,8 @@ void read_setting(const Statement& statement, Reading& reading) {
         Quantity quantity = reading.quantity(parse_expression(value, reading.source));
         if (name == "width" && quantity.value <= 0)
             throw SyntaxError{value.data(), "expected a width above 0, found " + quoted(value)};
+        if ((name == "step" || name == "shrink" || name == "scale") && quantity.value == 0)
+            throw SyntaxError{value.data(), "expected a " + std::string(name) + " other than 0"};
         *number = std::move(quantity);
     }
 }

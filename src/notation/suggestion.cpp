@@ -27,7 +27,7 @@ std::string did_you_mean(std::string_view written, const std::vector<std::string
     constexpr std::size_t shortest = 3, longest = 40;
     if (written.size() < shortest || written.size() > longest) return {};
     const std::string* best = nullptr;
-    std::size_t least = written.size() / 3 + 1;  // further than this is another word
+    std::size_t least = (written.size() + 1) / 4;  // further than this is another word
     for (const std::string& candidate : candidates) {
         if (candidate.size() < shortest || candidate.size() > longest) continue;
         const std::size_t distance = edit_distance(written, candidate);

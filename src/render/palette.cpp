@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "render/colour.hpp"
+#include "system/colour.hpp"
 
 namespace algae {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 
 #include "base/error.hpp"
-#include "render/colour.hpp"
+#include "system/colour.hpp"
 #include "render/palette.hpp"
 
 namespace algae {

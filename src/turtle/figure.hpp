@@ -48,7 +48,7 @@ public:
     /// figure's own units, 0 for none) of the straight way from its start to its end may be replaced
     /// by that stroke, or left out where the same part was drawn at the same place
     /// before: then the work depends on box and resolution, not on the length of the word.
-    /// Throws Error if brackets or braces do not match, with the generation and the position.
+    /// Throws Error if brackets or braces do not match, with the generation and the position, counted from 0.
     virtual void draw(Canvas& canvas, double resolution, const Budget& budget) const = 0;
 };
 

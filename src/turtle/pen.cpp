@@ -152,7 +152,7 @@ void Pen<Position>::finish() const {
 template <class Position>
 void Pen<Position>::unmatched(const char* what) const {
     std::string place = settings_.figure;
-    if (what[0] == 'u') place += ", letter " + std::to_string(static_cast<std::uint64_t>(letters_) + 1);
+    if (what[0] == 'u') place += ", position " + std::to_string(static_cast<std::uint64_t>(letters_));
     throw Error(place + ": " + what);
 }
 

@@ -1,6 +1,7 @@
 #include "turtle/plane_figure.hpp"
 
 #include <cmath>
+#include <numeric>
 
 #include "base/error.hpp"
 #include "fold/lifts.hpp"
@@ -31,6 +32,26 @@ PenSettings pen_settings(const Settings& settings, std::uint64_t generation, con
     return pen;
 }
 
+/// How many letters the word has; throws BoundReached, soon, if no drawing could hold them.
+double letters_for_drawing(const D0L& rules, std::uint64_t steps, const std::string& figure, const Budget& budget) {
+    std::vector<double> counts(rules.alphabet->size(), 0);
+    for (const Symbol a : rules.axiom) counts[a] += 1;
+    double sum = static_cast<double>(rules.axiom.size());
+    for (; steps > 0; --steps) {
+        budget.check();
+        std::vector<double> next(counts.size(), 0);
+        for (const Symbol a : rules.letters)
+            if (counts[a] > 0)
+                for (const Symbol b : rules.successor(a)) next[b] += counts[a];
+        if (next == counts) break;  // and so for ever
+        counts = std::move(next);
+        sum = std::accumulate(counts.begin(), counts.end(), 0.0);
+        if (!std::isfinite(sum))
+            throw BoundReached(figure + " has more than 10^308 letters: no drawing can hold them");
+    }
+    return sum;
+}
+
 }  // namespace
 
 PlaneFigure::PlaneFigure(const LSystem& system, D0L rules, std::uint64_t steps,
@@ -40,7 +61,7 @@ PlaneFigure::PlaneFigure(const LSystem& system, D0L rules, std::uint64_t steps,
       pen_(pen_settings(system.settings, generation, system.name)) {
     const auto step = exact_or(settings_.step, 1), shrink = exact_or(settings_.shrink, 1);
     if (step && shrink && generation < 100'000) exact_unit_ = *step * power(*shrink, static_cast<long>(generation));
-    pen_.letters = fold(rules_, steps_, length_lift(), budget).to_double();
+    pen_.letters = letters_for_drawing(rules_, steps_, pen_.figure, budget);
     facts_.step = std::abs(pen_.unit);
     count_segments(budget);
     if (is_lattice()) {

@@ -54,9 +54,10 @@ void PlaneFigure::draw_pieces(Canvas& canvas, double resolution, const Budget& b
     Pen<FloatingPosition> pen(canvas, compass_, pen_);
     const double limit = resolution / std::abs(pen_.unit);
     // The same part at the same place in the same direction draws the same, if nothing else about
-    // the pen can differ. Parts of some size are remembered; smaller ones cost less than looking.
-    const bool plain = !canvas.wants_position() && !commands_.uses(Command::next_colour) &&
-                       !commands_.uses(Command::narrow) && !commands_.uses(Command::scale);
+    // the pen can differ; of a hue that runs with the word, the first one stays. The smallest parts
+    // cost less to draw than to look up.
+    const bool plain = !commands_.uses(Command::next_colour) && !commands_.uses(Command::narrow) &&
+                       !commands_.uses(Command::scale);
     VisitedParts visited(resolution * 1e-3, budget);
     std::uint64_t visits = 0;
     walk(rules_, fates_, steps_, [&](Symbol a, std::uint64_t left) {
@@ -71,8 +72,7 @@ void PlaneFigure::draw_pieces(Canvas& canvas, double resolution, const Budget& b
             pen.jump(part, true);
             return false;
         }
-        if (plain && extent > 4 * limit && extent <= 16 * limit &&
-            !visited.insert(a, left, pen.heading(), pen.point())) {
+        if (plain && extent > 4 * limit && !visited.insert(a, left, pen.heading(), pen.point())) {
             pen.jump(part, false);
             return false;
         }

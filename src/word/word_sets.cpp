@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <string>
+
+#include "base/error.hpp"
 
 namespace algae {
 
@@ -21,14 +24,26 @@ void WordSets::add(value_type& left, const value_type& right) const {
 void WordSets::append(value_type& left, const value_type& right) const {
     if (right.size() == 1 && right.front().empty()) return;
     value_type product;
+    // There is one such set for each letter, and one on the way; none may take more than a share.
+    const std::uint64_t share = budget_->memory / 8;
     std::uint64_t bytes = 0;
     const auto settle = [&] {
         std::sort(product.begin(), product.end(), shortlex_less);
         product.erase(std::unique(product.begin(), product.end()), product.end());
         bytes = 0;
-        for (const Word& word : product) bytes += sizeof(Word) + 16 + word.capacity() * sizeof(Symbol);
+        std::uint64_t letters = 0;
+        for (const Word& word : product) {
+            bytes += sizeof(Word) + 16 + word.capacity() * sizeof(Symbol);
+            letters += word.size();
+        }
+        if (letters > budget_->letters)
+            throw BoundReached("the set of words has more than " + std::to_string(budget_->letters) +
+                               " letters, the bound set by --max-letters");
+        if (bytes > share)
+            throw BoundReached("the set of words, one of those for each letter, would take more than an eighth of the " +
+                               std::to_string(budget_->memory >> 20) + " MiB allowed by --max-memory");
     };
-    std::uint64_t next_settling = std::uint64_t{1} << 20;
+    std::uint64_t next_settling = std::min(std::uint64_t{1} << 20, share);
     for (const Word& u : left)
         for (const Word& v : right) {
             if (v.size() > longest_ || u.size() > longest_ - v.size()) continue;
@@ -40,12 +55,10 @@ void WordSets::append(value_type& left, const value_type& right) const {
             if (bytes > next_settling) {  // many products are the same word: count them once
                 budget_->check();
                 settle();
-                budget_->check_memory(bytes, "the set of words");
-                next_settling = std::max(next_settling, 2 * bytes);
+                next_settling = std::min(std::max(next_settling, 2 * bytes), share + bytes / 2);
             }
         }
     settle();
-    budget_->check_memory(bytes, "the set of words");
     left = std::move(product);
 }
 

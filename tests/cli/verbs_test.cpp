@@ -114,7 +114,7 @@ TEST_CASE("figures draws a folder, tells what does not come out as expected, and
     scratch.file("in/wrong.lsys", "axiom F\nF -> FF\ngeneration 2\nexpect length 2: 5\n");
     const Run drawn = run("figures " + scratch.file("in") + " --out " + scratch.file("out"));
     CHECK(drawn.status == 1);
-    CHECK(drawn.err.find("wrong.lsys:4:1: expected length 2: 5, found 4") != std::string::npos);
+    CHECK(drawn.err.find("wrong.lsys:4:1: error: expected length 2: 5, found 4") != std::string::npos);
     CHECK(drawn.out.find("2 systems, 4 pictures") != std::string::npos);
     const std::string before = text_of(scratch.file("out/good.pdf"));
     CHECK(run("figures " + scratch.file("in") + " --out " + scratch.file("out")).status == 1);
@@ -156,4 +156,5 @@ TEST_CASE("a file larger than its memory allows is refused, not read") {
     const std::string file = scratch.file("large.lsys", "axiom " + std::string(200'000, 'F') + "\n");
     CHECK(run("show " + file + " --max-memory 1M").status == 3);
     CHECK(run("derive " + file + " -n 0").out.size() == 200'001);
+    CHECK(run("show " + file).out.find("F ... (200000 letters)\n") != std::string::npos);
 }

@@ -174,9 +174,9 @@ TEST_CASE("brackets that fall apart while deriving are an error with generation 
         return "";
     };
     CHECK(complaint({"F[F]F", {{'[', {""}}}}, 0) == "");
-    CHECK(complaint({"F[F]F", {{'[', {""}}}}, 1) == "generation 1 of written, letter 3: unmatched ']'");
+    CHECK(complaint({"F[F]F", {{'[', {""}}}}, 1) == "generation 1 of written, position 2: unmatched ']'");
     CHECK(complaint({"F[F]F", {{']', {""}}}}, 2) == "generation 2 of written: '[' is never closed");
-    CHECK(complaint({"F}", {}}, 0) == "generation 0 of written, letter 2: unmatched '}'");
+    CHECK(complaint({"F}", {}}, 0) == "generation 0 of written, position 1: unmatched '}'");
     CHECK(complaint({"{F", {}}, 0) == "generation 0 of written: '{' is never closed");
 }
 

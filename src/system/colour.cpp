@@ -1,4 +1,4 @@
-#include "render/colour.hpp"
+#include "system/colour.hpp"
 
 #include <algorithm>
 #include <array>

@@ -50,6 +50,8 @@ void add_fmt(Verbs& verbs);
 void add_derive(Verbs& verbs);
 void add_letter(Verbs& verbs);
 void add_growth(Verbs& verbs);
+void add_member(Verbs& verbs);
+void add_finite(Verbs& verbs);
 void add_equal(Verbs& verbs);
 void add_draw(Verbs& verbs);
 void add_figures(Verbs& verbs);

@@ -65,6 +65,8 @@ int main(int argc, char** argv) {
     add_derive(verbs);
     add_letter(verbs);
     add_growth(verbs);
+    add_member(verbs);
+    add_finite(verbs);
     add_equal(verbs);
     add_draw(verbs);
     add_figures(verbs);

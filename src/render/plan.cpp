@@ -107,10 +107,10 @@ double caption_size(double longer, std::size_t columns) {
     return std::clamp(longer / (15 * static_cast<double>(columns)), longer / 80, longer / 50);
 }
 
-/// Throws Error if a wished side holds nothing but margins.
+/// Throws Error if a side holds nothing but margins and captions.
 void check_room(const char* what, std::optional<double> side, double taken, PictureFormat format) {
     if (side && *side - taken < 1)
-        throw Error(std::string("the margins leave no room in a ") + what + " of " +
+        throw Error(std::string("margins and captions leave no room in a ") + what + " of " +
                     with_unit(*side, format));
 }
 
@@ -171,11 +171,14 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     const std::size_t rows = arrangement == Arrangement::panels
                                  ? (plates.size() + wishes.columns - 1) / wishes.columns
                                  : 1;
-    check_room("width", options.width, 2 * static_cast<double>(wishes.columns) * wishes.margin +
+    // With neither side given, both are at most the longest.
+    const std::optional<double> longest =
+        options.width || options.height ? std::nullopt : std::optional(wishes.longest);
+    check_room("width", options.width ? options.width : longest, 2 * static_cast<double>(wishes.columns) * wishes.margin +
                    static_cast<double>(wishes.columns - 1) * wishes.gap,
                format);
     check_room(
-        "height", options.height,
+        "height", options.height ? options.height : longest,
         static_cast<double>(rows + 1) * wishes.margin +
             static_cast<double>(rows - 1) * wishes.gap + static_cast<double>(rows) * wishes.caption,
         format);

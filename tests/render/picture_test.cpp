@@ -386,7 +386,7 @@ TEST_CASE("options out of range are errors before any work") {
     options = {};
     options.width = 20;
     CHECK(message(figure, PictureFormat::svg, options) ==
-          "the margins leave no room in a width of 20 points");
+          "margins and captions leave no room in a width of 20 points");
 
     const DrawnFigure endless = polyline({{0, 0}, {std::numeric_limits<double>::infinity(), 0}});
     CHECK(message(endless, PictureFormat::svg, {}) ==

@@ -1,12 +1,12 @@
-# Embeds the figures' files, so that `algae show koch` works wherever the command runs.
+# Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs.
 # Sets algae_gallery_source; the file is written at build time, again whenever a figure changes.
-file(GLOB_RECURSE algae_gallery_files CONFIGURE_DEPENDS figures/*.lsys)
+file(GLOB_RECURSE algae_gallery_files CONFIGURE_DEPENDS figures/*.lsys systems/*.lsys)
 
 set(seen)
 foreach(figure IN LISTS algae_gallery_files)
   cmake_path(GET figure STEM LAST_ONLY stem)
   if(stem IN_LIST seen)
-    message(FATAL_ERROR "figures: two files are named '${stem}.lsys'; names in the gallery are file names, so one must change")
+    message(FATAL_ERROR "figures, systems: two files are named '${stem}.lsys'; names in the gallery are file names, so one must change")
   endif()
   list(APPEND seen ${stem})
 endforeach()

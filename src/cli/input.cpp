@@ -63,7 +63,7 @@ SourceText open_text(const std::string& file, const Budget& budget) {
     if (found != figures.end()) return {std::string(found->name), std::string(found->text)};
     std::vector<std::string> names;
     for (const GalleryEntry& entry : figures) names.emplace_back(entry.name);
-    throw Error("no file \"" + file + "\", and no figure of that name in the gallery" + did_you_mean(file, names) +
+    throw Error("no file \"" + file + "\", and nothing of that name in the gallery" + did_you_mean(file, names) +
                 "; `algae gallery` lists them");
 }
 

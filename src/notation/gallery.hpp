@@ -5,14 +5,14 @@
 
 namespace algae {
 
-/// One of the figures that come with algae, as its file stands.
+/// One of the figures and systems that come with algae, as its file stands.
 struct GalleryEntry {
     std::string_view name;  ///< the file's name without `.lsys`, by which the command line knows it
     std::string_view path;  ///< from the root of the repository, as `figures/002/koch.lsys`
     std::string_view text;  ///< the file, to be read by the notation
 };
 
-/// All figures that come with algae, in order of their names; no two names are equal.
+/// All figures and systems that come with algae, in order of their names; no two names are equal.
 /// Built into the library, so nothing is read from disk.
 std::span<const GalleryEntry> gallery();
 

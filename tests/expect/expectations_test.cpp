@@ -44,7 +44,7 @@ TEST_CASE("every figure comes out as its file expects") {
 }
 
 TEST_CASE("every system that is no figure comes out as its file expects") {
-    CHECK(check_folder(ALGAE_SOURCE_DIR "/tests/systems") >= 20);
+    CHECK(check_folder(ALGAE_SOURCE_DIR "/systems") >= 20);
 }
 
 TEST_CASE("an expectation that does not hold says what was found") {

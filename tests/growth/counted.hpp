@@ -73,7 +73,7 @@ inline D0L any_wide_system(std::size_t letters) {
 /// Every D0L system among the files of the repository.
 inline std::vector<D0L> systems_in_files() {
     std::vector<D0L> found;
-    for (const char* folder : {"/figures", "/tests/systems"})
+    for (const char* folder : {"/figures", "/systems"})
         for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(ALGAE_SOURCE_DIR) + folder)) {
             if (entry.path().extension() != ".lsys") continue;
             std::ifstream in(entry.path(), std::ios::binary);

@@ -81,7 +81,7 @@ TEST_CASE("reading what was printed gives the same system, and printing it the s
 
 TEST_CASE("every system that comes with algae is read, and survives printing") {
     std::size_t files = 0;
-    for (const char* folder : {"/figures", "/tests/systems"}) {
+    for (const char* folder : {"/figures", "/systems"}) {
         const std::filesystem::path root = std::string(ALGAE_SOURCE_DIR) + folder;
         if (!std::filesystem::exists(root)) continue;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/growth_interaction.hpp"
 #include "cli/growth_realise.hpp"
 #include "cli/growth_report.hpp"
 #include "cli/growth_words.hpp"
@@ -60,6 +61,9 @@ int growth(const Options& options) {
     const LSystem system = open_system(options.file, budget);
     if (options.words) return growth_words(system, options.json, budget);
     if (options.bounds_wanted) return print_bounds(system, options, budget);
+    if (const View<IL> context = as_il(system); context && !as_ol(system) && options.plot.empty())
+        return growth_interaction(*context, range("-n", options.generation.empty() ? "0..100" : options.generation),
+                                  options.json, budget);
     const D0L rules = with_growth_function(system);
     if (!options.plot.empty()) {
         const auto [first, last] = range("-n", options.generation.empty() ? "0..20" : options.generation);

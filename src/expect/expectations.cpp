@@ -8,6 +8,7 @@
 
 #include "fold/choices.hpp"
 #include "fold/derive.hpp"
+#include "fold/interaction.hpp"
 #include "growth/incidence.hpp"
 #include "turtle/figure.hpp"
 #include "turtle/trace.hpp"
@@ -52,7 +53,7 @@ public:
     std::string found(const Expectation& expected) {
         const std::uint64_t n = expected.generation;
         const std::string& kind = expected.kind;
-        if (kind == "length") return to_string(length(*as_d0l(system_), n, budget_));
+        if (kind == "length") return length_of(n);
         if (kind == "lengths") return lengths(n);
         if (kind == "word") return word(n);
         if (kind == "segments") return to_string(figure_of(n).segments());
@@ -80,7 +81,14 @@ private:
         return known != traces_.end() ? known->second
                                       : traces_.emplace(n, trace(figure_of(n), budget_)).first->second;
     }
+    /// Lengths and words of systems with interactions are derived.
+    bool interacts() const { return !as_ol(system_) && as_il(system_); }
+    std::string length_of(std::uint64_t n) {
+        if (interacts()) return std::to_string(derived_lengths(*as_il(system_), n, budget_).back());
+        return to_string(length(*as_d0l(system_), n, budget_));
+    }
     std::string word(std::uint64_t n) {
+        if (interacts()) return spell(system_.alphabet, derive(*as_il(system_), n, budget_));
         const std::string text = derived_text(*as_d0l(system_), n, budget_);
         return text.empty() ? "ε" : text;
     }

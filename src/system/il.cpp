@@ -1,0 +1,68 @@
+#include "system/il.hpp"
+
+#include <algorithm>
+
+namespace algae {
+
+namespace {
+
+std::string at(const Place& place) { return "the rule at " + to_string(place); }
+
+std::string beyond_il(const Production& rule) {
+    const auto plain = [](const Pattern& pattern) {
+        return std::all_of(pattern.begin(), pattern.end(), [](const ModulePattern& m) { return m.parameters.empty(); });
+    };
+    if (!rule.elsewhere.empty()) return at(rule.place) + " has a context condition";
+    if (rule.condition) return at(rule.place) + " has a condition";
+    if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty() || !plain(rule.left) || !plain(rule.right))
+        return at(rule.place) + " has parameters";
+    if (rule.shape) return at(rule.place) + " is a shape rule";
+    if (rule.probability && *rule.probability != Rational(1)) return at(rule.place) + " has a probability";
+    return {};
+}
+
+Word letters(const Pattern& pattern) {
+    Word word;
+    for (const ModulePattern& module : pattern) word.push_back(module.symbol);
+    return word;
+}
+
+std::string beyond_il(const LSystem& system) {
+    if (!system.axiom.arguments.empty()) return "the axiom has parameters";
+    if (!system.tables.empty()) return "it has tables";
+    if (!system.terminals.empty()) return "it has terminals";
+    if (system.alphabet.find("[")) return "its words have brackets";
+    for (const Production& rule : system.rules)
+        if (std::string reason = beyond_il(rule); !reason.empty()) return reason;
+    return {};
+}
+
+}  // namespace
+
+View<IL> as_il(const LSystem& system) {
+    if (std::string reason = beyond_il(system); !reason.empty())
+        return View<IL>::refused("not a deterministic IL system: " + reason);
+    IL il;
+    il.alphabet = std::make_shared<const Alphabet>(system.alphabet);
+    il.axiom = system.axiom.letters;
+    il.name = system.name;
+    il.rules.resize(il.alphabet->size());
+    il.ignored.assign(il.alphabet->size(), 0);
+    for (const Symbol a : system.ignored) il.ignored[a] = 1;
+    for (const Production& rule : system.rules) {
+        auto& known = il.rules[rule.predecessor.symbol];
+        IL::Rule fresh{letters(rule.left), letters(rule.right), rule.successor.letters};
+        for (const IL::Rule& other : known)
+            if (other.left == fresh.left && other.right == fresh.right && other.successor != fresh.successor)
+                return View<IL>::refused("not a deterministic IL system: " + system.alphabet.name(rule.predecessor.symbol) +
+                                         " has two rules with the same contexts");
+        known.push_back(std::move(fresh));
+    }
+    for (auto& known : il.rules)
+        std::stable_sort(known.begin(), known.end(), [](const IL::Rule& left, const IL::Rule& right) {
+            return left.left.size() + left.right.size() > right.left.size() + right.right.size();
+        });
+    return il;
+}
+
+}  // namespace algae

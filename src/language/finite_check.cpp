@@ -49,7 +49,11 @@ public:
     }
 
 private:
-    std::string spelled(const Word& word) const { return spell(*proof_.language.alphabet, word); }
+    std::string spelled(const Word& word) const {
+        for (const Symbol a : word)
+            if (a >= proof_.language.alphabet->size()) return "a word with an unknown symbol";
+        return spell(*proof_.language.alphabet, word);
+    }
     std::string spelled(const LetterRule& rule) const {
         return spelled(Word{rule.letter}) + " -> " + spelled(rule.image);
     }
@@ -68,7 +72,7 @@ private:
                 }
         Possible possible;
         for (const Word& word : words_)
-            for (const Symbol a : word) possible.try_emplace(a, all);
+            for (const Symbol a : word) possible.emplace(a, all);
         return possible;
     }
 

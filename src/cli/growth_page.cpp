@@ -142,7 +142,7 @@ private:
                                                       algae::to_string(frequencies.period)));
         if (needs_rate()) line("where", "r is the rate" + std::string(frequencies.limits.size() > 1 ? ", to the power of the period" : ""));
         for (std::size_t i = 0; i < system_.letters.size(); ++i)
-            line(i == 0 ? "letters" : "", fmt::format("{:<4}{}{}", name(i), fate(i), share(i)));
+            line(i == 0 ? "fate of the letters" : "", fmt::format("{:<4}{}{}", name(i), fate(i), share(i)));
     }
 
     bool needs_rate() const {

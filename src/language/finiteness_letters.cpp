@@ -4,6 +4,8 @@
 #include <boost/graph/adjacency_list.hpp>
 #include <boost/graph/strong_components.hpp>
 
+#include "base/error.hpp"
+
 namespace algae {
 
 namespace {
@@ -102,6 +104,17 @@ std::optional<Pump> first_pump(const OL& system, const LetterFutures& futures) {
         for (std::size_t choice = 0; choice < system.successors[a].size(); ++choice)
             if (const auto found = pump(system, futures, a, choice)) return found;
     return std::nullopt;
+}
+
+std::uint32_t erasing_choice(const OL& system, const LetterFutures& futures, Symbol letter) {
+    const auto& choices = system.successors[letter];
+    if (!futures.shortest_life[letter]) throw Error("no rule erases " + system.alphabet->name(letter));
+    for (std::uint32_t choice = 0; choice < choices.size(); ++choice)
+        if (std::all_of(choices[choice].begin(), choices[choice].end(), [&](Symbol b) {
+                return futures.shortest_life[b] && *futures.shortest_life[b] < *futures.shortest_life[letter];
+            }))
+            return choice;
+    throw Error("the letters of another system");
 }
 
 }  // namespace algae

@@ -44,4 +44,7 @@ struct Pump {
 /// is no such rule.
 std::optional<Pump> first_pump(const OL& system, const LetterFutures& futures);
 
+/// The rule by which a letter that can become the empty word does so soonest. Throws Error if it cannot.
+std::uint32_t erasing_choice(const OL& system, const LetterFutures& futures, Symbol letter);
+
 }  // namespace algae

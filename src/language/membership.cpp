@@ -85,17 +85,6 @@ struct Share {
     std::size_t from, to;
 };
 
-/// The rule by which a letter is gone as soon as it can be.
-std::uint32_t erasing_choice(const OL& system, const LetterFutures& futures, Symbol a) {
-    const auto& choices = system.successors[a];
-    for (std::uint32_t choice = 0; choice < choices.size(); ++choice)
-        if (std::all_of(choices[choice].begin(), choices[choice].end(), [&](Symbol b) {
-                return futures.shortest_life[b] && *futures.shortest_life[b] < *futures.shortest_life[a];
-            }))
-            return choice;
-    throw Error("no rule erases " + system.alphabet->name(a));
-}
-
 /// Appends what the letter becomes to `next`; returns the number of the rule.
 std::uint32_t take_step(const OL& system, const LetterFutures& futures, const FactorTables& tables,
                         const FactorTables::Table& table, const Share& share, std::vector<Share>& next) {

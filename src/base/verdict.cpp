@@ -4,9 +4,12 @@ namespace algae {
 
 std::string_view to_string(Truth truth) {
     switch (truth) {
-        case Truth::proved: return "proved";
-        case Truth::refuted: return "refuted";
-        case Truth::undecided: break;
+        case Truth::proved:
+            return "proved";
+        case Truth::refuted:
+            return "refuted";
+        case Truth::undecided:
+            break;
     }
     return "undecided";
 }

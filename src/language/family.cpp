@@ -12,8 +12,9 @@ std::string to_string(Family family) {
 Family family_named(std::string_view name) {
     for (const Family family : all_families())
         if (to_string(family) == name) return family;
-    throw Error("expected one of the families 0L, P0L, D0L, PD0L, T0L, PT0L, DT0L and PDT0L, found '" +
-                std::string(name) + "'");
+    throw Error(
+        "expected one of the families 0L, P0L, D0L, PD0L, T0L, PT0L, DT0L and PDT0L, found '" +
+        std::string(name) + "'");
 }
 
 const std::array<Family, 8>& all_families() {

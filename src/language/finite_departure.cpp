@@ -22,7 +22,8 @@ std::optional<RuleSearch::Departure> RuleSearch::departure(const PossibleRules& 
 /// with few rules that are not known to be there. Complete: if some derivation leaves the language,
 /// one of these paths does.
 void RuleSearch::depart(std::uint32_t word, const PossibleRules& rules,
-                        const std::vector<std::vector<Image>>& images, std::optional<Departure>& best) {
+                        const std::vector<std::vector<Image>>& images,
+                        std::optional<Departure>& best) {
     const auto& letters = words_.words[word];
     const auto with = [&](Departure path, std::uint32_t letter, Image image) {
         path.images.push_back(image);

@@ -81,8 +81,8 @@ private:
 
 }  // namespace
 
-FamilyAnswer decide_family(const FiniteLanguage& language, Family family, const FamilyOptions& options,
-                           const Budget& budget) {
+FamilyAnswer decide_family(const FiniteLanguage& language, Family family,
+                           const FamilyOptions& options, const Budget& budget) {
     FamilyAnswer answer;
     FamilyObstruction obstruction{family, options.empty_axiom, language, {}, {}};
     try {
@@ -93,14 +93,15 @@ FamilyAnswer decide_family(const FiniteLanguage& language, Family family, const 
             tables = TableSearch(search).tables(obstruction);
         } else {
             PossibleRules rules = search.all_rules();
-            if (search.narrow_to_solution(rules, true, obstruction.root)) tables.push_back(std::move(rules));
+            if (search.narrow_to_solution(rules, true, obstruction.root))
+                tables.push_back(std::move(rules));
         }
         if (tables.empty()) {
             answer.obstruction = std::move(obstruction);
             answer.truth = Truth::refuted;
         } else {
-            answer.witness =
-                WitnessBuilder(search, std::move(tables)).witness(language, family, options.empty_axiom);
+            answer.witness = WitnessBuilder(search, std::move(tables))
+                                 .witness(language, family, options.empty_axiom);
             answer.truth = Truth::proved;
         }
     } catch (const BoundReached& bound) {

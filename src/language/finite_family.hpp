@@ -14,7 +14,7 @@
 namespace algae {
 
 struct FamilyOptions {
-    bool empty_axiom = false;           // whether the empty word may be the axiom
+    bool empty_axiom = false;         // whether the empty word may be the axiom
     std::uint64_t cases = 1'000'000;  // how many cases may be looked at
 };
 
@@ -22,7 +22,7 @@ struct FamilyOptions {
 /// none does. Both can be checked again: `generates`, `flaw_in`.
 struct FamilyAnswer {
     Truth truth = Truth::undecided;
-    std::optional<FiniteWitness> witness;         // proved
+    std::optional<FiniteWitness> witness;          // proved
     std::optional<FamilyObstruction> obstruction;  // refuted
     std::string tried;                             // undecided
 };
@@ -37,7 +37,7 @@ struct FamilyAnswer {
 ///
 /// Example: decide_family(finite_language({"a", "aa"}), Family{}).truth == Truth::refuted
 /// Example: decide_family(finite_language({"", "a", "aa"}), Family{}).truth == Truth::proved
-FamilyAnswer decide_family(const FiniteLanguage& language, Family family, const FamilyOptions& options = {},
-                           const Budget& budget = {});
+FamilyAnswer decide_family(const FiniteLanguage& language, Family family,
+                           const FamilyOptions& options = {}, const Budget& budget = {});
 
 }  // namespace algae

@@ -11,7 +11,8 @@ bool FiniteLanguage::contains(const Word& word) const {
     return std::binary_search(words.begin(), words.end(), word, shortlex_less);
 }
 
-FiniteLanguage make_finite_language(std::shared_ptr<const Alphabet> alphabet, std::vector<Word> words) {
+FiniteLanguage make_finite_language(std::shared_ptr<const Alphabet> alphabet,
+                                    std::vector<Word> words) {
     std::sort(words.begin(), words.end(), shortlex_less);
     words.erase(std::unique(words.begin(), words.end()), words.end());
     return {std::move(alphabet), std::move(words)};
@@ -25,7 +26,8 @@ FiniteLanguage finite_language(const std::vector<std::string>& words) {
     std::vector<Word> all;
     for (const std::string& word : words) {
         Word& symbols = all.emplace_back();
-        for (const char character : word) symbols.push_back(alphabet->symbol(std::string(1, character)));
+        for (const char character : word)
+            symbols.push_back(alphabet->symbol(std::string(1, character)));
     }
     return make_finite_language(std::move(alphabet), std::move(all));
 }

@@ -20,7 +20,8 @@ struct FiniteLanguage {
 };
 
 /// The language of these words, in any order and with any repetitions.
-FiniteLanguage make_finite_language(std::shared_ptr<const Alphabet> alphabet, std::vector<Word> words);
+FiniteLanguage make_finite_language(std::shared_ptr<const Alphabet> alphabet,
+                                    std::vector<Word> words);
 
 /// The same with one character a letter, for tests and examples; letters are numbered in code order.
 ///

@@ -24,12 +24,14 @@ bool RuleSearch::narrow(PossibleRules& rules, ObstructionCase& why) {
         }
         const Pair pair = step.open.front();
         if (!exclude(rules, why, pair,
-                     {rule(pair.letter, pair.image), language_.words[step.word], spelled_images(step.images)}))
+                     {rule(pair.letter, pair.image), language_.words[step.word],
+                      spelled_images(step.images)}))
             return false;
     }
 }
 
-bool RuleSearch::exclude(PossibleRules& rules, ObstructionCase& why, Pair pair, ExcludedRule reason) {
+bool RuleSearch::exclude(PossibleRules& rules, ObstructionCase& why, Pair pair,
+                         ExcludedRule reason) {
     why.excluded.push_back(std::move(reason));
     rules.possible[pair.letter][pair.image] = 0;
     if (rules.there[pair.letter][pair.image]) {
@@ -64,14 +66,16 @@ bool RuleSearch::narrow_by_words(PossibleRules& rules, ObstructionCase& why) {
                     for (const std::uint32_t y : occurring) chosen_[y] = FiniteWords::none;
                     if (found) continue;
                     changed = true;
-                    if (!exclude(rules, why, {x, u}, {rule(x, u), language_.words[w], {}})) return false;
+                    if (!exclude(rules, why, {x, u}, {rule(x, u), language_.words[w], {}}))
+                        return false;
                 }
         }
     }
     return true;
 }
 
-bool RuleSearch::lands(std::uint32_t word, std::size_t position, Node node, const PossibleRules& rules) {
+bool RuleSearch::lands(std::uint32_t word, std::size_t position, Node node,
+                       const PossibleRules& rules) {
     tick();
     const auto& letters = words_.words[word];
     while (position < letters.size() && chosen_[letters[position]] != FiniteWords::none) {

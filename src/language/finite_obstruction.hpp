@@ -29,18 +29,18 @@ struct ExcludedRule {
 /// A proof by cases that no rules left over can generate the language (or, for a table, keep it closed).
 struct ObstructionCase {
     enum class End {
-        no_image,    // `letter` has no possible rule left
-        needed,      // the rule excluded last is known to be there
-        sources,     // two disjoint sets of words, neither reached from outside it, or {ε} alone
-        conflict,    // `step` leaves the language: one of `rules`, those it uses that are not known to be
-                     // there, is missing. In case i it is rules[i], and those before it are there
-        choice       // one of `rules`, the possible rules of `letter`, is its only one
+        no_image,  // `letter` has no possible rule left
+        needed,    // the rule excluded last is known to be there
+        sources,   // two disjoint sets of words, neither reached from outside it, or {ε} alone
+        conflict,  // a step from `word` leaves the language: one of `rules`, the rules it uses that
+                   // are not known to be there, is missing. In case i it is rules[i], and the rules before it are there
+        choice  // one of `rules`, the possible rules of `letter`, is its only one
     };
     std::vector<ExcludedRule> excluded;  // one after the other
     End end = End::no_image;
     Symbol letter = 0;
     std::vector<std::vector<Word>> sources;
-    Word word;                 // of a conflict: `word` and what each of its letters becomes
+    Word word;  // of a conflict: `word` and what each of its letters becomes
     std::vector<Word> images;
     std::vector<LetterRule> rules;
     std::vector<ObstructionCase> cases;  // one for each of `rules`

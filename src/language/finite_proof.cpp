@@ -20,9 +20,12 @@ public:
         line(name + " is not " + family + ".");
         RulesLeft left = factors();
         if (!left.empty()) {
-            line("Suppose that a system generates it. Each letter occurs in a word of the language, and what that word "
-                 "gives is in the language again. So an image of a letter" +
-                 std::string(proof_.family.tables ? ", in any table," : "") + " is " + images(left.begin()->second) + ".");
+            line(
+                "Suppose that a system generates it. Each letter occurs in a word of the language, "
+                "and what that word "
+                "gives is in the language again. So an image of a letter" +
+                std::string(proof_.family.tables ? ", in any table," : "") + " is " +
+                images(left.begin()->second) + ".");
         }
         exclusions(proof_.root, left);
         if (proof_.family.tables) {
@@ -36,7 +39,9 @@ public:
     }
 
 private:
-    void line(const std::string& sentence) { text_ += std::string(2 * depth_, ' ') + sentence + "\n"; }
+    void line(const std::string& sentence) {
+        text_ += std::string(2 * depth_, ' ') + sentence + "\n";
+    }
 
     RulesLeft factors() const {
         std::set<Word> all;
@@ -50,10 +55,12 @@ private:
     }
 
     std::string images(const std::set<Word>& factors) const {
-        const std::string what = proof_.family.propagating ? "factors of its words other than ε" : "factors of its words";
+        const std::string what = proof_.family.propagating ? "factors of its words other than ε"
+                                                           : "factors of its words";
         if (factors.size() > 12) return "one of the " + std::to_string(factors.size()) + " " + what;
         std::vector<std::string> names;
-        for (const Word& image : make_finite_language(proof_.language.alphabet, {factors.begin(), factors.end()}).words)
+        for (const Word& image :
+             make_finite_language(proof_.language.alphabet, {factors.begin(), factors.end()}).words)
             names.push_back(say_.word(image));
         return (names.size() == 1 ? "the only one of the " : "one of the ") + what + ": " +
                FiniteSentences::listed(names, " or ");
@@ -62,7 +69,8 @@ private:
     void exclusions(const ObstructionCase& part, RulesLeft& left) {
         const auto& all = part.excluded;
         for (std::size_t i = 0; i < all.size();) {
-            std::size_t next = i + 1;  // one sentence for rules of one letter that go by the same word
+            std::size_t next =
+                i + 1;  // one sentence for rules of one letter that go by the same word
             while (next < all.size() && all[i].images.empty() && all[next].images.empty() &&
                    all[next].rule.letter == all[i].rule.letter && all[next].word == all[i].word)
                 ++next;
@@ -70,11 +78,13 @@ private:
             for (; i < next; ++i) left[all[i].rule.letter].erase(all[i].rule.image);
         }
         if (!all.empty() && part.end != End::no_image && part.end != End::needed)
-            line(say_.left(left) + (left.size() > 1 || left.begin()->second.size() > 1 ? " are" : " is") + " left.");
+            line(say_.left(left) +
+                 (left.size() > 1 || left.begin()->second.size() > 1 ? " are" : " is") + " left.");
     }
 
     void impossible(const ImpossibleTable& table, RulesLeft left) {
-        const std::string claim = "No table has " + say_.rules(table.rules) + (table.rules.size() > 1 ? " together" : "");
+        const std::string claim =
+            "No table has " + say_.rules(table.rules) + (table.rules.size() > 1 ? " together" : "");
         const ObstructionCase& why = table.why;
         if (why.excluded.empty() && why.end == End::conflict && why.rules.empty()) {
             line(claim + ": " + say_.departure(why.word, why.images) + ".");
@@ -91,11 +101,21 @@ private:
 
     void end(const ObstructionCase& part, const RulesLeft& left, const std::string& number) {
         switch (part.end) {
-            case End::no_image: line("No rule is left for " + say_.word({part.letter}) + ": a contradiction."); return;
-            case End::needed: line("But " + say_.rule(part.excluded.back().rule) + " is there: a contradiction."); return;
-            case End::sources: line(say_.never_reached(part.sources)); return;
-            case End::conflict: conflict(part, left, number); return;
-            case End::choice: choice(part, left, number); return;
+            case End::no_image:
+                line("No rule is left for " + say_.word({part.letter}) + ": a contradiction.");
+                return;
+            case End::needed:
+                line("But " + say_.rule(part.excluded.back().rule) + " is there: a contradiction.");
+                return;
+            case End::sources:
+                line(say_.never_reached(part.sources));
+                return;
+            case End::conflict:
+                conflict(part, left, number);
+                return;
+            case End::choice:
+                choice(part, left, number);
+                return;
         }
     }
 
@@ -110,9 +130,11 @@ private:
         for (std::size_t i = 0; i < part.rules.size(); ++i) {
             RulesLeft rest = left;
             rest[part.rules[i].letter].erase(part.rules[i].image);
-            const std::vector<LetterRule> before(part.rules.begin(), part.rules.begin() + static_cast<std::ptrdiff_t>(i));
-            const std::string there =
-                i == 0 ? "" : FiniteSentences::listed(texts(before)) + (i > 1 ? " are" : " is") + " there, ";
+            const std::vector<LetterRule> before(
+                part.rules.begin(), part.rules.begin() + static_cast<std::ptrdiff_t>(i));
+            const std::string there = i == 0 ? ""
+                                             : FiniteSentences::listed(texts(before)) +
+                                                   (i > 1 ? " are" : " is") + " there, ";
             one_case(part.cases[i], rest, number + std::to_string(i + 1),
                      there + say_.rule(part.rules[i]) + " is missing");
         }
@@ -126,7 +148,8 @@ private:
         }
     }
 
-    void one_case(const ObstructionCase& part, RulesLeft left, const std::string& number, const std::string& what) {
+    void one_case(const ObstructionCase& part, RulesLeft left, const std::string& number,
+                  const std::string& what) {
         line("Case " + number + ": " + what + ".");
         ++depth_;
         exclusions(part, left);
@@ -148,11 +171,14 @@ private:
 
 }  // namespace
 
-std::string proof_text(const FamilyObstruction& obstruction) { return ProofText(obstruction).text(); }
+std::string proof_text(const FamilyObstruction& obstruction) {
+    return ProofText(obstruction).text();
+}
 
 Verdict verdict_on(const FiniteLanguage& language, Family family, const FamilyAnswer& answer) {
     if (answer.witness)
-        return Verdict::proved(to_string(language) + " is " + to_string(family) + ": " + to_string(*answer.witness) + ".");
+        return Verdict::proved(to_string(language) + " is " + to_string(family) + ": " +
+                               to_string(*answer.witness) + ".");
     if (answer.obstruction) return Verdict::refuted(proof_text(*answer.obstruction));
     return Verdict::undecided(answer.tried);
 }

@@ -13,7 +13,7 @@ std::string proof_text(const FamilyObstruction& obstruction);
 
 /// The answer as a verdict: the system, the proof, or what was tried.
 ///
-/// Example: verdict_on(finite_language({"a"}), Family{}, decide_family(finite_language({"a"}), Family{})).explanation == "{a} is 0L: axiom a; a -> a."
+/// Example: verdict_on(finite_language({"a"}), Family{}, FamilyAnswer{}).truth == Truth::undecided
 Verdict verdict_on(const FiniteLanguage& language, Family family, const FamilyAnswer& answer);
 
 }  // namespace algae

@@ -22,7 +22,8 @@ RuleSearch::RuleSearch(const FiniteLanguage& language, const FiniteWords& words,
       chosen_(words.letters.size(), FiniteWords::none) {}
 
 PossibleRules RuleSearch::all_rules() const {
-    const std::vector<std::vector<char>> all(words_.letters.size(), std::vector<char>(words_.images.size(), 1));
+    const std::vector<std::vector<char>> all(words_.letters.size(),
+                                             std::vector<char>(words_.images.size(), 1));
     PossibleRules rules{all, {}};
     rules.there.assign(all.size(), std::vector<char>(words_.images.size(), 0));
     if (family_.propagating)
@@ -40,7 +41,8 @@ std::vector<Word> RuleSearch::spelled_images(const std::vector<Image>& images) c
     return all;
 }
 
-std::vector<std::vector<Word>> RuleSearch::spelled(const std::vector<std::vector<std::uint32_t>>& sets) const {
+std::vector<std::vector<Word>> RuleSearch::spelled(
+    const std::vector<std::vector<std::uint32_t>>& sets) const {
     std::vector<std::vector<Word>> all;
     for (const auto& set : sets) {
         auto& spelled_set = all.emplace_back();
@@ -59,8 +61,9 @@ std::vector<std::vector<Image>> RuleSearch::listed(const PossibleRules& rules) c
 
 Node RuleSearch::after(Node node, Image image) const {
     const auto& below = words_.below[node];
-    const auto place = std::lower_bound(below.begin(), below.end(), image,
-                                        [](const FiniteWords::Step& step, Image u) { return step.image < u; });
+    const auto place =
+        std::lower_bound(below.begin(), below.end(), image,
+                         [](const FiniteWords::Step& step, Image u) { return step.image < u; });
     return place != below.end() && place->image == image ? place->end : FiniteWords::none;
 }
 
@@ -70,7 +73,8 @@ void RuleSearch::tick() {
 
 bool RuleSearch::narrow_to_solution(PossibleRules& rules, bool generating, ObstructionCase& why) {
     if (cases_ == 0)
-        throw BoundReached("the bound on the number of cases was reached before the answer was known");
+        throw BoundReached(
+            "the bound on the number of cases was reached before the answer was known");
     --cases_;
     budget_.check();
     if (!narrow(rules, why)) return false;
@@ -111,7 +115,8 @@ bool RuleSearch::split_by_choice(PossibleRules& rules, bool generating, Obstruct
     const auto images = listed(rules);
     std::optional<std::uint32_t> letter;
     for (std::uint32_t x = 0; x < images.size(); ++x)
-        if (images[x].size() > 1 && (!letter || images[x].size() < images[*letter].size())) letter = x;
+        if (images[x].size() > 1 && (!letter || images[x].size() < images[*letter].size()))
+            letter = x;
     if (!letter) return true;
     why.end = ObstructionCase::End::choice;
     why.letter = words_.letters[*letter];

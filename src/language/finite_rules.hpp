@@ -44,7 +44,8 @@ public:
 
     /// The disjoint sets of words, none reached from outside it, that show that no axiom gives all
     /// words; nothing if some axiom does. Smaller sets first.
-    std::optional<std::vector<std::vector<std::uint32_t>>> unreached(const StepRelation& steps) const;
+    std::optional<std::vector<std::vector<std::uint32_t>>> unreached(
+        const StepRelation& steps) const;
     /// The smallest sets of words that give each other and that nothing else gives.
     static std::vector<std::vector<std::uint32_t>> sources(const StepRelation& steps);
     /// Those of these sets, none reached from outside it, that rule every axiom out; or nothing.
@@ -56,7 +57,8 @@ public:
     bool narrow(PossibleRules& rules, ObstructionCase& why);
 
     LetterRule rule(std::uint32_t letter, FiniteWords::Image image) const;
-    std::vector<std::vector<Word>> spelled(const std::vector<std::vector<std::uint32_t>>& sets) const;
+    std::vector<std::vector<Word>> spelled(
+        const std::vector<std::vector<std::uint32_t>>& sets) const;
     const FiniteWords& words() const { return words_; }
     bool is_deterministic() const { return family_.deterministic; }
 
@@ -74,11 +76,13 @@ private:
     };
 
     bool narrow_by_words(PossibleRules& rules, ObstructionCase& why);
-    bool lands(std::uint32_t word, std::size_t position, FiniteWords::Node node, const PossibleRules& rules);
+    bool lands(std::uint32_t word, std::size_t position, FiniteWords::Node node,
+               const PossibleRules& rules);
     bool exclude(PossibleRules& rules, ObstructionCase& why, Pair pair, ExcludedRule reason);
     std::optional<Departure> departure(const PossibleRules& rules);
     void depart(std::uint32_t word, const PossibleRules& rules,
-                const std::vector<std::vector<FiniteWords::Image>>& images, std::optional<Departure>& best);
+                const std::vector<std::vector<FiniteWords::Image>>& images,
+                std::optional<Departure>& best);
     bool split_by_departure(PossibleRules& rules, bool generating, ObstructionCase& why);
     bool split_by_choice(PossibleRules& rules, bool generating, ObstructionCase& why);
     void land_everywhere(std::uint32_t word, std::size_t position, FiniteWords::Node node,
@@ -95,7 +99,7 @@ private:
     std::uint64_t cases_;
     const Budget& budget_;
     std::uint64_t ticks_ = 0;
-    std::vector<FiniteWords::Image> chosen_;  // by letter, while a word is followed
+    std::vector<FiniteWords::Image> chosen_;   // by letter, while a word is followed
     std::optional<Departure> open_departure_;  // found by narrow, left for the split
 };
 

@@ -37,7 +37,8 @@ bool matches(const ExcludedRule& excluded, const Word& word) {
             if (a != excluded.rule.letter) {
                 next[i] = before;
             } else if (reached[i] && i + image.size() <= word.size() &&
-                       std::equal(image.begin(), image.end(), word.begin() + static_cast<std::ptrdiff_t>(i))) {
+                       std::equal(image.begin(), image.end(),
+                                  word.begin() + static_cast<std::ptrdiff_t>(i))) {
                 next[i + image.size()] = 1;
             }
         }
@@ -48,7 +49,8 @@ bool matches(const ExcludedRule& excluded, const Word& word) {
 
 }  // namespace
 
-std::string FiniteSentences::listed(const std::vector<std::string>& items, const std::string& last) {
+std::string FiniteSentences::listed(const std::vector<std::string>& items,
+                                    const std::string& last) {
     std::string text;
     for (std::size_t i = 0; i < items.size(); ++i)
         text += (i == 0 ? "" : i + 1 == items.size() ? last : ", ") + items[i];
@@ -75,7 +77,8 @@ std::string FiniteSentences::rules(const std::vector<LetterRule>& rules) const {
 std::string FiniteSentences::left(const RulesLeft& rules_left) const {
     std::vector<LetterRule> all;
     for (const auto& [letter, images] : rules_left)
-        for (const Word& image : make_finite_language(language_.alphabet, {images.begin(), images.end()}).words)
+        for (const Word& image :
+             make_finite_language(language_.alphabet, {images.begin(), images.end()}).words)
             all.push_back({letter, image});
     return rules(all);
 }
@@ -104,11 +107,12 @@ std::string FiniteSentences::departure(const Word& from, const std::vector<Word>
         used.insert({from[i], images[i]});
         result.insert(result.end(), images[i].begin(), images[i].end());
     }
-    return "by " + rules({used.begin(), used.end()}) + ", " + word(from) + " gives " + word(result) +
-           ", which is not in the language";
+    return "by " + rules({used.begin(), used.end()}) + ", " + word(from) + " gives " +
+           word(result) + ", which is not in the language";
 }
 
-std::string FiniteSentences::impossible(std::span<const ExcludedRule> same, const RulesLeft& rules_left) const {
+std::string FiniteSentences::impossible(std::span<const ExcludedRule> same,
+                                        const RulesLeft& rules_left) const {
     const ExcludedRule& first = same.front();
     std::vector<LetterRule> all;
     for (const ExcludedRule& each : same) all.push_back(each.rule);
@@ -131,18 +135,21 @@ std::string FiniteSentences::impossible(std::span<const ExcludedRule> same, cons
     if (results.size() == same.size()) {
         RulesLeft only;
         for (const Symbol a : others) only[a] = rules_left.at(a);
-        const std::string start = text + (only.empty() ? "" : "with " + left(only) + ", all that is left for " + listed(names) + ", ") + from;
+        std::string start = text;
+        if (!only.empty()) start += "with " + left(only) + ", all that is left for " + listed(names) + ", ";
+        start += from;
         if (same.size() > shown) return start + " would give no word of the language.";
-        return start + " would give " + listed(results, " or ") + ", which " + (one ? "is" : "are") +
-               " not in the language.";
+        return start + " would give " + listed(results, " or ") + ", which " +
+               (one ? "is" : "are") + " not in the language.";
     }
     if (fits)
-        return text + "whichever of the rules left for " + listed(names) + " goes with " + (one ? "it" : "them") +
-               ", " + from + " would give no word of the language.";
+        return text + "whichever of the rules left for " + listed(names) + " goes with " +
+               (one ? "it" : "them") + ", " + from + " would give no word of the language.";
     if (same.size() > shown)
-        return text + "whatever " + listed(names) + " becomes, " + from + " would give no word of the language.";
-    return text + from + " would give " + listed(forms, " or ") + ", and no word of the language has " +
-           (one ? "this form." : "one of these forms.");
+        return text + "whatever " + listed(names) + " becomes, " + from +
+               " would give no word of the language.";
+    return text + from + " would give " + listed(forms, " or ") +
+           ", and no word of the language has " + (one ? "this form." : "one of these forms.");
 }
 
 std::string FiniteSentences::never_reached(const std::vector<std::vector<Word>>& sets) const {

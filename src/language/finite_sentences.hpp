@@ -32,7 +32,8 @@ public:
     std::string never_reached(const std::vector<std::vector<Word>>& sets) const;
 
     /// "x, y and z".
-    static std::string listed(const std::vector<std::string>& items, const std::string& last = " and ");
+    static std::string listed(const std::vector<std::string>& items,
+                              const std::string& last = " and ");
 
 private:
     std::string form(const ExcludedRule& excluded) const;

@@ -81,8 +81,9 @@ std::vector<std::vector<std::uint32_t>> RuleSearch::sources(const StepRelation& 
         }
         if (closed) sets.push_back(std::move(set));
     }
-    std::stable_sort(sets.begin(), sets.end(),
-                     [](const auto& left, const auto& right) { return left.size() < right.size(); });
+    std::stable_sort(sets.begin(), sets.end(), [](const auto& left, const auto& right) {
+        return left.size() < right.size();
+    });
     return sets;
 }
 
@@ -91,12 +92,14 @@ std::optional<std::vector<std::vector<std::uint32_t>>> RuleSearch::ruling_out(
     using Sets = std::vector<std::vector<std::uint32_t>>;
     if (words_.count() == 0) return Sets{};
     for (const auto& set : closed_sets)
-        if (!empty_axiom_ && set.size() == 1 && language_.words[set.front()].empty()) return Sets{set};
+        if (!empty_axiom_ && set.size() == 1 && language_.words[set.front()].empty())
+            return Sets{set};
     if (closed_sets.size() > 1) return Sets{closed_sets[0], closed_sets[1]};
     return std::nullopt;
 }
 
-std::optional<std::vector<std::vector<std::uint32_t>>> RuleSearch::unreached(const StepRelation& relation) const {
+std::optional<std::vector<std::vector<std::uint32_t>>> RuleSearch::unreached(
+    const StepRelation& relation) const {
     return ruling_out(sources(relation));
 }
 

@@ -21,7 +21,9 @@ std::vector<PossibleRules> TableSearch::tables(FamilyObstruction& obstruction) {
         const auto sets = RuleSearch::sources(steps_);
         if (!rules_.ruling_out(sets)) return std::move(found_);
         for (const auto& set : sets) {
-            if (std::find(entered_by_none.begin(), entered_by_none.end(), set) != entered_by_none.end()) continue;
+            if (std::find(entered_by_none.begin(), entered_by_none.end(), set) !=
+                entered_by_none.end())
+                continue;
             if (!enter(set, obstruction)) entered_by_none.push_back(set);
             break;
         }
@@ -46,8 +48,8 @@ bool TableSearch::enter(const std::vector<std::uint32_t>& set, FamilyObstruction
     return false;
 }
 
-bool TableSearch::follow(std::uint32_t from, std::uint32_t to, std::size_t position, std::size_t done,
-                         Set& used, FamilyObstruction& obstruction) {
+bool TableSearch::follow(std::uint32_t from, std::uint32_t to, std::size_t position,
+                         std::size_t done, Set& used, FamilyObstruction& obstruction) {
     const FiniteWords& words = rules_.words();
     const auto& path = words.node_path[to];
     if (position == words.words[from].size()) {
@@ -81,7 +83,8 @@ bool TableSearch::follow(std::uint32_t from, std::uint32_t to, std::size_t posit
 bool TableSearch::closes(const Set& used, PossibleRules& table, ObstructionCase& why) {
     table = all_;
     for (const auto& [letter, image] : used) {
-        if (rules_.is_deterministic()) std::fill(table.possible[letter].begin(), table.possible[letter].end(), 0);
+        if (rules_.is_deterministic())
+            std::fill(table.possible[letter].begin(), table.possible[letter].end(), 0);
         table.possible[letter][image] = 1;
         table.there[letter][image] = 1;
     }

@@ -26,8 +26,8 @@ private:
     void add(PossibleRules table);
     /// Adds a table with a step from outside into the set, if there is one.
     bool enter(const std::vector<std::uint32_t>& set, FamilyObstruction& obstruction);
-    bool follow(std::uint32_t from, std::uint32_t to, std::size_t position, std::size_t done, Set& used,
-                FamilyObstruction& obstruction);
+    bool follow(std::uint32_t from, std::uint32_t to, std::size_t position, std::size_t done,
+                Set& used, FamilyObstruction& obstruction);
     bool closes(const Set& used, PossibleRules& table, ObstructionCase& why);
     void rule_out(Set used, ObstructionCase why, FamilyObstruction& obstruction);
     bool is_impossible(const Set& used) const;

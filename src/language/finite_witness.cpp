@@ -13,8 +13,8 @@ bool is_of_family(const FiniteWitness& witness, const FiniteLanguage& language, 
         for (const Symbol a : letters_of(language)) {
             if (a >= table.size() || table[a].empty()) return false;
             if (family.deterministic && table[a].size() > 1) return false;
-            if (family.propagating &&
-                std::any_of(table[a].begin(), table[a].end(), [](const Word& image) { return image.empty(); }))
+            if (family.propagating && std::any_of(table[a].begin(), table[a].end(),
+                                                  [](const Word& image) { return image.empty(); }))
                 return false;
         }
     return true;
@@ -72,7 +72,8 @@ LSystem to_lsystem(const FiniteWitness& witness, const std::string& name) {
     system.alphabet = *witness.alphabet;
     system.axiom.letters = witness.axiom;
     if (witness.tables.size() > 1)
-        for (std::size_t i = 1; i <= witness.tables.size(); ++i) system.tables.push_back(std::to_string(i));
+        for (std::size_t i = 1; i <= witness.tables.size(); ++i)
+            system.tables.push_back(std::to_string(i));
     for (std::size_t i = 0; i < witness.tables.size(); ++i)
         for (Symbol a = 0; a < witness.tables[i].size(); ++a)
             for (const Word& image : witness.tables[i][a]) {

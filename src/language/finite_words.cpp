@@ -8,10 +8,12 @@
 
 namespace algae {
 
-FiniteWords::FiniteWords(const FiniteLanguage& language, const Budget& budget) : letters(letters_of(language)) {
+FiniteWords::FiniteWords(const FiniteLanguage& language, const Budget& budget)
+    : letters(letters_of(language)) {
     std::uint64_t bytes = 0;
     for (const Word& word : language.words)
-        bytes += (std::uint64_t{word.size()} + 1) * (word.size() + 2) * (word.size() * sizeof(Symbol) + 100) / 2;
+        bytes += (std::uint64_t{word.size()} + 1) * (word.size() + 2) *
+                 (word.size() * sizeof(Symbol) + 100) / 2;
     budget.check_memory(bytes, "the factors of the words of the language");
 
     std::vector<std::uint32_t> number(language.alphabet->size(), none);
@@ -24,7 +26,8 @@ FiniteWords::FiniteWords(const FiniteLanguage& language, const Budget& budget) :
         auto& path = node_path.emplace_back(1, 0);
         for (const Symbol a : word) {
             spelled.push_back(number[a]);
-            const auto [place, is_new] = next[path.back()].try_emplace(a, static_cast<Node>(next.size()));
+            const auto [place, is_new] =
+                next[path.back()].try_emplace(a, static_cast<Node>(next.size()));
             const Node node = place->second;
             if (is_new) {
                 next.emplace_back();
@@ -35,12 +38,15 @@ FiniteWords::FiniteWords(const FiniteLanguage& language, const Budget& budget) :
         word_at[path.back()] = static_cast<std::uint32_t>(words.size() - 1);
     }
 
-    const auto shorter = [](const Word& left, const Word& right) { return shortlex_less(left, right); };
+    const auto shorter = [](const Word& left, const Word& right) {
+        return shortlex_less(left, right);
+    };
     std::map<Word, Image, decltype(shorter)> numbered(shorter);
     numbered[{}] = 0;
     for (const Word& word : language.words)
         for (auto from = word.begin(); from != word.end(); ++from)
-            for (auto to = from + 1; to <= word.end(); ++to) numbered.try_emplace(Word(from, to), 0);
+            for (auto to = from + 1; to <= word.end(); ++to)
+                numbered.try_emplace(Word(from, to), 0);
     for (auto& [image, place] : numbered) {
         place = static_cast<Image>(images.size());
         images.push_back(image);

@@ -28,9 +28,9 @@ public:
 
     std::vector<Symbol> letters;
     std::vector<std::vector<std::uint32_t>> words;  // with letters by number
-    std::vector<Word> images;                       // shorter ones first; images[0] is the empty word
-    std::vector<std::vector<Step>> below;           // by node: every image that leads on, and where
-    std::vector<std::uint32_t> word_at;             // by node: the word that ends there, or none
+    std::vector<Word> images;              // shorter ones first; images[0] is the empty word
+    std::vector<std::vector<Step>> below;  // by node: every image that leads on, and where
+    std::vector<std::uint32_t> word_at;    // by node: the word that ends there, or none
     std::vector<std::vector<std::uint32_t>> node_path;  // by word: the nodes of its beginnings
 
     std::size_t count() const { return words.size(); }

@@ -45,21 +45,26 @@ bool is_of(const std::vector<std::string>& words, const std::string& family) {
 }  // namespace
 
 TEST_CASE("the languages of words of at most six letters a, counted by family") {
-    const std::map<std::string, std::size_t> counts = {{"0L", 17}, {"P0L", 6},  {"D0L", 12},  {"PD0L", 6},
-                                                       {"T0L", 17}, {"PT0L", 6}, {"DT0L", 12}, {"PDT0L", 6}};
-    for (const auto& [name, count] : counts) CHECK(decided(1, 6, family_named(name)).size() == count);
+    const std::map<std::string, std::size_t> counts = {{"0L", 17},   {"P0L", 6},  {"D0L", 12},
+                                                       {"PD0L", 6},  {"T0L", 17}, {"PT0L", 6},
+                                                       {"DT0L", 12}, {"PDT0L", 6}};
+    for (const auto& [name, count] : counts)
+        CHECK(decided(1, 6, family_named(name)).size() == count);
 }
 
 TEST_CASE("the languages of words of at most two letters a and b, counted by family") {
-    const std::map<std::string, std::size_t> counts = {{"0L", 80},  {"P0L", 18},  {"D0L", 37},  {"PD0L", 15},
-                                                       {"T0L", 89}, {"PT0L", 20}, {"DT0L", 82}, {"PDT0L", 20}};
-    for (const auto& [name, count] : counts) CHECK(decided(2, 2, family_named(name)).size() == count);
+    const std::map<std::string, std::size_t> counts = {{"0L", 80},   {"P0L", 18},  {"D0L", 37},
+                                                       {"PD0L", 15}, {"T0L", 89},  {"PT0L", 20},
+                                                       {"DT0L", 82}, {"PDT0L", 20}};
+    for (const auto& [name, count] : counts)
+        CHECK(decided(2, 2, family_named(name)).size() == count);
 }
 
 TEST_CASE("the decision agrees with writing down and running all small systems") {
     for (const auto& [letters, longest] : {std::pair{1, 6}, {2, 2}, {3, 1}})
         for (const Family family : all_families()) {
-            const FiniteSystems systems(letters, static_cast<std::size_t>(longest), family.propagating, family.deterministic);
+            const FiniteSystems systems(letters, static_cast<std::size_t>(longest),
+                                        family.propagating, family.deterministic);
             CHECK(decided(letters, static_cast<std::size_t>(longest), family) ==
                   (family.tables ? systems.with_tables() : systems.without_tables()));
         }
@@ -68,18 +73,21 @@ TEST_CASE("the decision agrees with writing down and running all small systems")
 TEST_CASE("all deterministic systems over words of at most three letters a and b") {
     for (const char* name : {"D0L", "PD0L"}) {
         const Family family = family_named(name);
-        CHECK(decided(2, 3, family) == FiniteSystems(2, 3, family.propagating, true).without_tables());
+        CHECK(decided(2, 3, family) ==
+              FiniteSystems(2, 3, family.propagating, true).without_tables());
     }
 }
 
-TEST_CASE("all 32767 languages over a and b with words of at most three letters are decided for 0L") {
+TEST_CASE(
+    "all 32767 languages over a and b with words of at most three letters are decided for 0L") {
     const auto start = std::chrono::steady_clock::now();
     const std::set<std::uint64_t> languages = decided(2, 3, Family{});
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
     MESSAGE("decided and every answer checked: ", taken.count(), " s");
     CHECK(taken.count() < 60);
     const auto deterministic = FiniteSystems(2, 3, false, true).without_tables();
-    CHECK(std::includes(languages.begin(), languages.end(), deterministic.begin(), deterministic.end()));
+    CHECK(std::includes(languages.begin(), languages.end(), deterministic.begin(),
+                        deterministic.end()));
     CHECK(languages.size() > deterministic.size());
 }
 
@@ -115,7 +123,8 @@ TEST_CASE("an empty axiom only where it is allowed") {
         CHECK(generates(*answer.witness, empty_word, family));
         CHECK(answer.witness->axiom.empty());
     }
-    CHECK(decide_family(finite_language({"", "a"}), family_named("P0L"), allowed).truth == Truth::refuted);
+    CHECK(decide_family(finite_language({"", "a"}), family_named("P0L"), allowed).truth ==
+          Truth::refuted);
 }
 
 TEST_CASE("no system generates the empty language") {
@@ -132,13 +141,16 @@ TEST_CASE("a bound that is reached is undecided, never no") {
     const FamilyAnswer answer = decide_family(finite_language({"a", "aa"}), Family{}, options);
     CHECK(answer.truth == Truth::undecided);
     CHECK(answer.tried ==
-          "Rules were ruled out case by case, but the bound on the number of cases was reached before the answer was known.");
+          "Rules were ruled out case by case, but the bound on the number of cases was reached "
+          "before the answer was known.");
     Budget budget;
     budget.memory = 10;
-    CHECK(decide_family(finite_language({"a", "aa"}), Family{}, {}, budget).truth == Truth::undecided);
+    CHECK(decide_family(finite_language({"a", "aa"}), Family{}, {}, budget).truth ==
+          Truth::undecided);
     budget = {};
     budget.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
-    CHECK(decide_family(finite_language({"a", "aa"}), Family{}, {}, budget).truth == Truth::undecided);
+    CHECK(decide_family(finite_language({"a", "aa"}), Family{}, {}, budget).truth ==
+          Truth::undecided);
 }
 
 TEST_CASE("twelve words of up to eight letters over three letters are decided at once") {
@@ -149,7 +161,8 @@ TEST_CASE("twelve words of up to eight letters over three letters are decided at
         while (words.size() < 12) {
             std::string& word = words.emplace_back();
             for (std::size_t size = generator() % 9; word.size() < size;)
-                word += "abc"[round % 2 == 0 ? generator() % letters : generator() % 4 / 3 * (generator() % letters)];
+                word += "abc"[round % 2 == 0 ? generator() % letters
+                                             : generator() % 4 / 3 * (generator() % letters)];
         }
         const FiniteLanguage language = finite_language(words);
         for (const Family family : all_families()) {
@@ -168,7 +181,8 @@ TEST_CASE("reversal changes nothing, and the largest family has what the smaller
     CHECK(rc::check([] {
         const auto words = *rc::gen::container<std::vector<std::string>>(
             rc::gen::mapcat(rc::gen::inRange(0, 5), [](int size) {
-                return rc::gen::container<std::string>(static_cast<std::size_t>(size), rc::gen::elementOf(std::string("aab")));
+                return rc::gen::container<std::string>(static_cast<std::size_t>(size),
+                                                       rc::gen::elementOf(std::string("aab")));
             }));
         if (words.size() > 10) return;
         const FiniteLanguage language = finite_language(words);
@@ -176,7 +190,8 @@ TEST_CASE("reversal changes nothing, and the largest family has what the smaller
         for (Word& word : reversed) std::reverse(word.begin(), word.end());
         for (const Family family : all_families()) {
             const FamilyAnswer answer = decide_family(language, family);
-            const FamilyAnswer mirror = decide_family(make_finite_language(language.alphabet, reversed), family);
+            const FamilyAnswer mirror =
+                decide_family(make_finite_language(language.alphabet, reversed), family);
             RC_ASSERT(answer.truth == mirror.truth);
             RC_ASSERT(answer.truth != Truth::undecided);
             if (answer.witness) {

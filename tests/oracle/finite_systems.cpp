@@ -42,7 +42,8 @@ FiniteSystems::FiniteSystems(int letters, std::size_t longest, bool propagating,
             std::set<std::string> results{""};
             for (const char letter : words_[w]) {
                 std::set<std::string> longer;
-                const std::uint64_t successors = choices[choice[static_cast<std::size_t>(letter - 'a')]];
+                const std::uint64_t successors =
+                    choices[choice[static_cast<std::size_t>(letter - 'a')]];
                 for (const std::string& result : results)
                     for (std::size_t i = 0; i < words_.size(); ++i)
                         if (successors >> i & 1) longer.insert(result + words_[i]);
@@ -62,7 +63,8 @@ FiniteSystems::FiniteSystems(int letters, std::size_t longest, bool propagating,
     } while (next_choice(choice, choices.size()));
 }
 
-std::uint64_t FiniteSystems::reached(std::size_t axiom, const std::vector<std::uint64_t>& given) const {
+std::uint64_t FiniteSystems::reached(std::size_t axiom,
+                                     const std::vector<std::uint64_t>& given) const {
     std::uint64_t all = std::uint64_t{1} << axiom;
     for (std::uint64_t before = 0; before != all;) {
         before = all;
@@ -94,7 +96,8 @@ std::set<std::uint64_t> FiniteSystems::with_tables() const {
             for (std::size_t w = 0; w < words_.size(); ++w) given[w] |= table.given[w];
         }
         for (std::size_t axiom = 1; axiom < words_.size(); ++axiom)
-            if ((language >> axiom & 1) && reached(axiom, given) == language) languages.insert(language);
+            if ((language >> axiom & 1) && reached(axiom, given) == language)
+                languages.insert(language);
     }
     return languages;
 }

@@ -1,12 +1,12 @@
 #include "language/finiteness.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <string>
 
 #include "base/error.hpp"
-#include "fold/choices.hpp"
 #include "language/finiteness_letters.hpp"
+#include "language/regular_images.hpp"
+#include "language/regular_words.hpp"
 
 namespace algae {
 
@@ -81,6 +81,28 @@ std::uint64_t cycle_length(const LetterFutures& futures, const std::vector<Word>
     return 0;
 }
 
+/// The words of all generations of a finite language, as an automaton: what the letters become is one of
+/// finitely many families of finite languages, so the families repeat (Brent 1980).
+RegularLanguage all_words_of(const OL& system, const Budget& budget) {
+    const RegularLanguage axiom = finite_set({system.axiom});
+    std::vector<RegularLanguage> family(system.alphabet->size());
+    for (const Symbol a : system.letters) family[a] = finite_set({Word{a}});
+    std::vector<RegularLanguage> remembered = family;
+    RegularLanguage found;
+    for (std::uint64_t step = 0, until = 1;; ++step) {
+        budget.check();
+        if (step > 0 && family == remembered) return found;
+        found = united(found, image(axiom, family, budget), budget);
+        if (step == until) {
+            remembered = family;
+            until *= 2;
+        }
+        std::vector<RegularLanguage> next(family.size());
+        for (const Symbol a : system.letters) next[a] = image(finite_set(system.successors[a]), family, budget);
+        family = std::move(next);
+    }
+}
+
 }  // namespace
 
 Finiteness finiteness(const OL& system) {
@@ -118,7 +140,7 @@ Integer number_of_words(const OL& system, const Budget& budget) {
         const Repetition found = repetition(system, budget);
         return Integer(found.preperiod) + found.period;
     }
-    return Integer(words_up_to(system, std::numeric_limits<std::size_t>::max(), budget).size());
+    return *number_of_words(all_words_of(system, budget));
 }
 
 }  // namespace algae

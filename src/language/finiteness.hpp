@@ -47,8 +47,9 @@ struct Finiteness {
 /// Example: !finiteness(ol("a", {{'a', "ab"}})).finite
 Finiteness finiteness(const OL& system);
 
-/// The number of words of a finite L(G): for D0L systems by `repetition`, otherwise by making all
-/// words. Throws Error if the language is infinite, BoundReached if the words need more than
+/// The number of words of a finite L(G): for D0L systems by `repetition`, otherwise as the words that
+/// the minimal automaton of the language accepts, so there may be far more words than could be listed.
+/// Throws Error if the language is infinite, BoundReached if an automaton needs more than
 /// budget.memory.
 ///
 /// Example: number_of_words(ol("aa", {{'a', ""}, {'a', "a"}})) == 3

@@ -126,6 +126,12 @@ TEST_CASE("what cannot be counted says so") {
     CHECK_THROWS_WITH_AS(repetition(ol("a", {{'a', "a"}, {'a', ""}})),
                          "a letter has several rules: the generations are no sequence of words", Error);
     Budget budget;
-    budget.memory = 1 << 16;
+    budget.memory = 1 << 10;
     CHECK_THROWS_AS(number_of_words(ol("aaaaaaaaaaaaaaaaaaaa", {{'a', "b"}, {'a', "c"}}), budget), BoundReached);
+}
+
+TEST_CASE("more words than could be listed are counted") {
+    CHECK(number_of_words(ol(std::string(100, 'a'), {{'a', "b"}, {'a', "c"}})) == power(Integer(2), 100) + 1);
+    // The axiom, and 60 to 180 letters b.
+    CHECK(number_of_words(ol(std::string(60, 'a'), {{'a', "b"}, {'a', "bb"}, {'a', "bbb"}})) == 1 + 121);
 }

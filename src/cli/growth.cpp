@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "growth/incidence.hpp"
 #include "render/plot.hpp"
+#include "turtle/segments.hpp"
 
 namespace algae::cli {
 
@@ -18,7 +19,7 @@ namespace {
 
 struct Options {
     std::string file, generation, plot, sequence;
-    bool bounds_wanted = false, words = false, json = false;
+    bool bounds_wanted = false, words = false, counts = false, json = false;
     Bounds bounds;
 };
 
@@ -35,6 +36,33 @@ int print_lengths(const D0L& system, const Options& options, const Budget& budge
             text += to_string(letters) + '\n';
     }
     print(options.json ? nlohmann::json{{"lengths", found}}.dump(2) + "\n" : text);
+    return success;
+}
+
+/// Lengths, how often each letter occurs, and how many segments are drawn.
+int print_counts(const LSystem& system, const D0L& rules, const Options& options, const Budget& budget) {
+    if (options.generation.empty()) throw Error("--counts needs a generation: -n");
+    const Commands commands(system, rules.letters);
+    const auto [first, last] = range("-n", options.generation);
+    std::string text;
+    nlohmann::ordered_json generations = nlohmann::ordered_json::array();
+    for (std::uint64_t n = first; n <= last; ++n) {
+        const auto counts = parikh_vector(rules, n, budget);
+        Integer sum = 0;
+        nlohmann::ordered_json letters;
+        std::string listed;
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            sum += counts[i];
+            const std::string& name = system.alphabet.name(rules.letters[i]);
+            letters[name] = json_number(counts[i]);
+            listed += "  " + name + ' ' + to_string(counts[i]);
+        }
+        const Integer segments = drawn_segments(commands, rules.letters, counts);
+        generations.push_back({{"generation", n}, {"length", json_number(sum)}, {"segments", json_number(segments)}, {"letters", letters}});
+        text += "n = " + std::to_string(n) + ": length " + to_string(sum) + ", segments " + to_string(segments) +
+                ", letters" + listed + '\n';
+    }
+    print(options.json ? nlohmann::ordered_json{{"generations", generations}}.dump(2) + "\n" : text);
     return success;
 }
 
@@ -70,6 +98,7 @@ int growth(const Options& options) {
         draw_plot(growth_plot(rules, first, last, budget), options.plot, budget);
         return success;
     }
+    if (options.counts) return print_counts(system, rules, options, budget);
     if (!options.generation.empty()) return print_lengths(rules, options, budget);
     const GrowthAnalysis analysis = growth_analysis(rules, budget);
     print(options.json ? growth_json(rules, analysis).dump(2) + "\n" : growth_page(rules, analysis));
@@ -89,6 +118,7 @@ void add_growth(Verbs& verbs) {
                               options, growth);
     verb.add_option("FILE", options->file, file_help);
     verb.add_option("-n", options->generation, "only the exact length of a generation, or of a range such as 0..6")->type_name("N[..M]");
+    verb.add_flag("--counts", options->counts, "with -n: how often each letter occurs, and how many segments are drawn");
     verb.add_flag("--bounds", options->bounds_wanted, "the least and greatest lengths of an 0L system, for -n (default 0..10)");
     verb.add_option("--plot", options->plot, "draw length against n, for -n (default 0..20): .svg, .pdf, .png, .ps or .eps")->type_name("FILE");
     verb.add_flag("--words", options->words, "factors and their complexity class, pushiness, repetitions, locally catenative formulas");

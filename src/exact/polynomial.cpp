@@ -277,6 +277,7 @@ Polynomial characteristic_polynomial(const IntegerMatrix& matrix) {
 Polynomial minimal_polynomial(const IntegerMatrix& matrix) {
     require_square(matrix);
     if (matrix.rows() == 0) return 1;
+    if (matrix.is_zero()) return Polynomial({0, 1});  // FLINT 2.9 would say 1
     FlintPolynomial result;
     fmpz_mat_minpoly(result.value, MatrixView(matrix).value);
     return result.take();

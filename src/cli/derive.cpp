@@ -71,8 +71,7 @@ void print_generations(const Options& options, const D0L& system, std::uint64_t 
     if (options.json) print("{\n  \"words\": [\n");
     for (std::uint64_t n = first; n <= last; ++n) {
         if (options.json) print("    \"");
-        derive_text(system, n, sink, budget);
-        if (length(system, n, budget).is_zero()) print("ε");
+        if (!derive_text(system, n, sink, budget)) print("ε");
         print(options.json ? (n < last ? "\",\n" : "\"\n") : "\n");
     }
     if (options.json) print("  ]\n}\n");

@@ -55,8 +55,7 @@ public:
 
 }  // namespace
 
-void derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budget& budget,
-                 Progress* progress) {
+bool derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budget& budget) {
     const Fates fates(system);
     const Blocks ready = blocks(system, n, budget);
     const Spellings& spellings = ready.text.monoid;
@@ -64,10 +63,7 @@ void derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budge
     Symbol last = 0;
     std::uint64_t visits = 0;
     walk(system, fates, n, [&](Symbol a, std::uint64_t steps) {
-        if (++visits % 1024 == 0) {
-            budget.check();
-            if (progress) progress->report(0);
-        }
+        if (++visits % 1024 == 0) budget.check();
         if (steps > ready.steps) return true;
         // Below the blocks' level (constants, and axioms of young generations) nothing is tabulated
         // but the letter itself and the blocks; a constant is its own block.
@@ -80,6 +76,7 @@ void derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budge
         return false;
     });
     sink.flush();
+    return begun;
 }
 
 std::string derived_text(const D0L& system, std::uint64_t n, const Budget& budget) {

@@ -19,7 +19,7 @@ public:
 };
 
 /// Sends the word of generation n to `sink` as text, names as `spell` writes them, nothing for the
-/// empty word.
+/// empty word; says whether there was anything to send.
 ///
 /// The words that letters become in k steps are spelled once, for the greatest k for which all of
 /// them together fit about 1 MiB; the derivation is then walked depth first down to k steps to go,
@@ -27,8 +27,7 @@ public:
 /// depend on the word. Throws what budget.check throws; does not check the number of letters.
 ///
 /// Example: derived_text(d0l("b", {{'a', "ab"}, {'b', "a"}}), 5) == "abaababa"
-void derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budget& budget = {},
-                 Progress* progress = nullptr);
+bool derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budget& budget = {});
 
 /// The same as one string; for words that fit in memory.
 std::string derived_text(const D0L& system, std::uint64_t n, const Budget& budget = {});

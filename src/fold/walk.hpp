@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "system/d0l.hpp"
+#include "word/lifetimes.hpp"
 
 namespace algae {
 
@@ -21,7 +22,7 @@ public:
     /// The least number of steps after which nothing is left of the letter: it is mortal
     /// (Rozenberg and Salomaa 1980, I.3); `never` if something always is.
     std::uint64_t lifetime(Symbol a) const { return gone_[a]; }
-    static constexpr std::uint64_t never = UINT64_MAX;
+    static constexpr std::uint64_t never = lasts;
 
 private:
     std::vector<char> constant_;

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "base/error.hpp"
-#include "fold/lifts.hpp"
+#include "growth/growth_matrix.hpp"
 
 namespace algae {
 
@@ -20,13 +20,6 @@ std::vector<std::size_t> positions(const D0L& system) {
     std::vector<std::size_t> position(system.alphabet->size(), 0);
     for (std::size_t i = 0; i < system.letters.size(); ++i) position[system.letters[i]] = i;
     return position;
-}
-
-std::vector<Integer> count(const D0L& system, const Word& word) {
-    const auto position = positions(system);
-    std::vector<Integer> counts(system.letters.size());
-    for (const Symbol a : word) counts[position[a]] += 1;
-    return counts;
 }
 
 void check_size(const std::vector<Integer>& numbers, const Budget& budget) {
@@ -81,28 +74,10 @@ struct ScaledMatrix {
 
 std::vector<Integer> iterate(const D0L& system, std::vector<Integer> counts, std::uint64_t n,
                              const Budget& budget) {
-    // How often a letter occurs in a successor, without the zeros of the matrix.
-    struct Share {
-        std::size_t to;
-        Integer times;
-    };
-    const auto position = positions(system);
-    std::vector<std::vector<Share>> shares(system.letters.size());
-    for (std::size_t i = 0; i < system.letters.size(); ++i) {
-        Word letters = system.successor(system.letters[i]);
-        std::sort(letters.begin(), letters.end());
-        for (const Symbol a : letters) {
-            if (shares[i].empty() || shares[i].back().to != position[a]) shares[i].push_back({position[a], 0});
-            shares[i].back().times += 1;
-        }
-    }
+    const GrowthMatrix matrix = growth_matrix(system);
     for (; n > 0; --n) {
         budget.check();
-        std::vector<Integer> next(counts.size());
-        for (std::size_t i = 0; i < counts.size(); ++i) {
-            if (counts[i].is_zero()) continue;
-            for (const Share& share : shares[i]) next[share.to] += counts[i] * share.times;
-        }
+        std::vector<Integer> next = counts * matrix;
         if (next == counts) break;  // and so for ever
         counts = std::move(next);
         check_size(counts, budget);
@@ -112,17 +87,10 @@ std::vector<Integer> iterate(const D0L& system, std::vector<Integer> counts, std
 
 }  // namespace
 
-IntegerMatrix incidence_matrix(const D0L& system) {
-    const std::size_t size = system.letters.size();
-    const auto position = positions(system);
-    IntegerMatrix matrix(size, size);
-    for (std::size_t i = 0; i < size; ++i)
-        for (const Symbol a : system.successor(system.letters[i])) matrix(i, position[a]) += 1;
-    return matrix;
-}
+IntegerMatrix incidence_matrix(const D0L& system) { return dense(growth_matrix(system)); }
 
 std::vector<Integer> parikh_vector(const D0L& system, std::uint64_t n, const Budget& budget) {
-    std::vector<Integer> counts = count(system, system.axiom);
+    std::vector<Integer> counts = axiom_counts(system);
     const std::size_t size = counts.size();
     if (size > squared_letters) check_estimate(system, n, size, budget);
     if (n <= iterated_generations || size > squared_letters) return iterate(system, std::move(counts), n, budget);

@@ -5,6 +5,7 @@
 
 #include "base/budget.hpp"
 #include "system/d0l.hpp"
+#include "word/lifetimes.hpp"
 
 namespace algae {
 
@@ -21,11 +22,6 @@ Word image(const std::vector<Word>& images, const Word& word);
 
 /// Which letters occur in h^n(u) for a letter u of `word` and some n >= 0.
 std::vector<char> accessible_letters(const std::vector<Word>& images, const Word& word);
-
-/// How many steps each letter lasts: h^n(a) is empty from n = lifetime on; `lasts` if it never is
-/// (Rozenberg and Salomaa 1980, I.3: the other letters are mortal).
-std::vector<std::size_t> lifetimes(const std::vector<Word>& images);
-inline constexpr std::size_t lasts = static_cast<std::size_t>(-1);
 
 /// The system without mortal letters, over the same numbers. No image of a letter that is left is
 /// empty, and what it derives is what the first system derives with the mortal letters deleted.

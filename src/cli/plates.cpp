@@ -14,6 +14,9 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
         const auto decimal = angle->exact ? exact_decimal(*angle->exact) : std::nullopt;
         angle_ = (decimal ? *decimal : to_text(angle->expression)) + "°";
     }
+    if (!seed && as_ol(system))
+        if (const View<D0L> rules = as_d0l(system); !rules)
+            throw Error(rules.reason() + "; say --seed S to draw one word picked at random");
     for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
         FigurePlate& plate = figures.emplace_back();
         plate.generation = n;
@@ -22,8 +25,6 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
             std::mt19937_64 generator(*seed);
             plate.figure = figure(system, random_word(*as_ol(system), n, generator, budget), n, budget);
         } else {
-            if (!as_d0l(system) && as_ol(system))
-                throw Error(as_d0l(system).reason() + "; say --seed S to draw one word picked at random");
             plate.figure = figure(system, n, budget);
         }
     }

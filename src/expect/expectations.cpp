@@ -47,7 +47,8 @@ std::string without_blanks(const std::string& text) {
 /// Answers the questions of one file; figures of a generation are made once.
 class Answers {
 public:
-    Answers(const LSystem& system, const Budget& budget) : system_(system), budget_(budget) {}
+    Answers(const LSystem& system, const Budget& budget)
+        : system_(system), budget_(budget), d0l_(as_d0l(system)), ol_(as_ol(system)), il_(as_il(system)) {}
 
     /// What was found, written as the expectation is.
     std::string found(const Expectation& expected) {
@@ -82,19 +83,19 @@ private:
                                       : traces_.emplace(n, trace(figure_of(n), budget_)).first->second;
     }
     /// Lengths and words of systems with interactions are derived.
-    bool interacts() const { return !as_ol(system_) && as_il(system_); }
+    bool interacts() const { return !ol_ && il_; }
     std::string length_of(std::uint64_t n) {
-        if (interacts()) return std::to_string(derived_lengths(*as_il(system_), n, budget_).back());
-        return to_string(length(*as_d0l(system_), n, budget_));
+        if (interacts()) return std::to_string(derived_lengths(*il_, n, budget_).back());
+        return to_string(length(*d0l_, n, budget_));
     }
     std::string word(std::uint64_t n) {
-        if (interacts()) return spell(system_.alphabet, derive(*as_il(system_), n, budget_));
-        const std::string text = derived_text(*as_d0l(system_), n, budget_);
+        if (interacts()) return spell(system_.alphabet, derive(*il_, n, budget_));
+        const std::string text = derived_text(*d0l_, n, budget_);
         return text.empty() ? "ε" : text;
     }
     std::string lengths(std::uint64_t n) {
         std::set<std::size_t> sizes;
-        for (const Word& word : words_of_generation(*as_ol(system_), n, std::nullopt, budget_))
+        for (const Word& word : words_of_generation(*ol_, n, std::nullopt, budget_))
             sizes.insert(word.size());
         std::string text;
         for (const std::size_t size : sizes) text += (text.empty() ? "" : ",") + std::to_string(size);
@@ -112,6 +113,9 @@ private:
 
     const LSystem& system_;
     const Budget& budget_;
+    View<D0L> d0l_;
+    View<OL> ol_;
+    View<IL> il_;
     std::map<std::uint64_t, std::unique_ptr<Figure>> figures_;
     std::map<std::uint64_t, Trace> traces_;
 };

@@ -50,6 +50,14 @@ struct ClaimedStatement {
     std::string citation;  // `by ...`: the source it rests on where it is not decided
 };
 
+/// What a claim settles in the table of closure: families closed, or not closed, under an operation.
+struct ClosureFact {
+    bool closed = false;
+    std::string operation;  // "union", "intersection with regular", ...
+    std::vector<std::string> families;
+    Place place;
+};
+
 /// A `.claim` file: definitions and statements about them.
 struct Claim {
     std::string name;  // of the file
@@ -59,6 +67,7 @@ struct Claim {
     std::vector<std::shared_ptr<const SourceSystem>> systems;  // defined by the claim, in order
     std::vector<Language> languages;                           // defined by the claim, each with its name
     std::vector<ClaimedStatement> statements;
+    std::vector<ClosureFact> closure;
 };
 
 }  // namespace algae

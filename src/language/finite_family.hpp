@@ -6,10 +6,10 @@
 
 #include "base/budget.hpp"
 #include "base/verdict.hpp"
-#include "language/family.hpp"
-#include "language/finite_language.hpp"
-#include "language/finite_obstruction.hpp"
 #include "language/finite_witness.hpp"
+#include "verify/family.hpp"
+#include "verify/finite_language.hpp"
+#include "verify/finite_obstruction.hpp"
 
 namespace algae {
 

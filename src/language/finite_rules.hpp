@@ -4,8 +4,8 @@
 #include <optional>
 #include <vector>
 
-#include "language/finite_obstruction.hpp"
 #include "language/finite_words.hpp"
+#include "verify/finite_obstruction.hpp"
 
 namespace algae {
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "language/finite_obstruction.hpp"
+#include "verify/finite_obstruction.hpp"
 
 namespace algae {
 

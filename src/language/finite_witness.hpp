@@ -4,9 +4,9 @@
 #include <vector>
 
 #include "base/budget.hpp"
-#include "language/family.hpp"
-#include "language/finite_language.hpp"
 #include "system/lsystem.hpp"
+#include "verify/family.hpp"
+#include "verify/finite_language.hpp"
 
 namespace algae {
 

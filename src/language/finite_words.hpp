@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "base/budget.hpp"
-#include "language/finite_language.hpp"
-#include "language/finite_obstruction.hpp"
+#include "verify/finite_language.hpp"
+#include "verify/finite_obstruction.hpp"
 
 namespace algae {
 

@@ -1,0 +1,202 @@
+#include "language/language.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "word/spelling.hpp"
+
+namespace algae {
+
+namespace {
+
+using Kind = LanguageTree::Kind;
+
+Language make(LanguageTree tree) { return std::make_shared<const LanguageTree>(std::move(tree)); }
+
+void add_letters(std::set<Symbol>& letters, const Word& word) { letters.insert(word.begin(), word.end()); }
+
+void add_letters(std::set<Symbol>& letters, const SourceSystem& system) {
+    if (system.tables) {
+        for (const Symbol a : accessible_letters(*system.tables))
+            if (system.tables->terminal[a]) letters.insert(a);
+        return;
+    }
+    add_letters(letters, system.interactive->axiom);
+    for (const auto& rules : system.interactive->rules)
+        for (const IL::Rule& rule : rules) add_letters(letters, rule.successor);
+}
+
+void add_letters(std::set<Symbol>& letters, const LanguageTree& tree) {
+    switch (tree.kind) {
+        case Kind::words:
+            for (const Word& word : tree.words) add_letters(letters, word);
+            return;
+        case Kind::generated:
+            add_letters(letters, *tree.system);
+            return;
+        case Kind::complement:
+            letters.insert(tree.letters.begin(), tree.letters.end());
+            return;
+        case Kind::image: {
+            for (const Symbol a : letters_of(tree.parts[0]))
+                if (const auto found = tree.morphism.find(a); found != tree.morphism.end())
+                    add_letters(letters, found->second);
+            return;
+        }
+        case Kind::inverse_image:
+            for (const auto& [a, image] : tree.morphism) letters.insert(a);
+            return;
+        case Kind::difference:
+            add_letters(letters, *tree.parts[0]);
+            return;
+        case Kind::intersected: {
+            const std::vector<Symbol> left = letters_of(tree.parts[0]), right = letters_of(tree.parts[1]);
+            std::set_intersection(left.begin(), left.end(), right.begin(), right.end(),
+                                  std::inserter(letters, letters.end()));
+            return;
+        }
+        default:
+            for (const Language& part : tree.parts) add_letters(letters, *part);
+    }
+}
+
+// How tightly an expression holds together, loosest first; what is looser goes between brackets.
+enum Level { sum, intersection, product, prefix, primary };
+
+Level level(const LanguageTree& tree) {
+    if (!tree.name.empty()) return primary;
+    switch (tree.kind) {
+        case Kind::united:
+        case Kind::difference:
+            return sum;
+        case Kind::intersected:
+            return intersection;
+        case Kind::concatenated:
+            return product;
+        case Kind::complement:
+            return prefix;
+        default:
+            return primary;
+    }
+}
+
+std::string text(const Language& language, const Alphabet& alphabet, Level least);
+
+std::string words_text(const std::vector<Word>& words, const Alphabet& alphabet) {
+    std::string result = "{";
+    for (const Word& word : words) result += (result.size() > 1 ? ", " : "") + spell(alphabet, word);
+    return result + "}";
+}
+
+std::string morphism_text(const std::map<Symbol, Word>& morphism, const Alphabet& alphabet) {
+    std::string result = "{ ";
+    for (const auto& [a, image] : morphism)
+        result += (result.size() > 2 ? "; " : "") + alphabet.name(a) + " -> " + spell(alphabet, image);
+    return result + " }";
+}
+
+std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
+    const auto part = [&](std::size_t i, Level least) { return text(tree.parts[i], alphabet, least); };
+    switch (tree.kind) {
+        case Kind::words:
+            return words_text(tree.words, alphabet);
+        case Kind::generated:
+            return "L(" + tree.system->name + ")";
+        case Kind::united:
+            return part(0, sum) + " | " + part(1, intersection);
+        case Kind::difference:
+            return part(0, sum) + " \\ " + part(1, intersection);
+        case Kind::intersected:
+            return part(0, intersection) + " & " + part(1, product);
+        case Kind::concatenated:
+            return part(0, product) + " . " + part(1, prefix);
+        case Kind::complement:
+            return "~" + part(0, prefix);
+        case Kind::star:
+            return part(0, primary) + "*";
+        case Kind::plus:
+            return part(0, primary) + "+";
+        case Kind::reversed:
+            return part(0, primary) + "^R";
+        case Kind::image:
+            return morphism_text(tree.morphism, alphabet) + "(" + part(0, sum) + ")";
+        case Kind::inverse_image:
+            return morphism_text(tree.morphism, alphabet) + "^-1(" + part(0, sum) + ")";
+    }
+    return {};
+}
+
+std::string text(const Language& language, const Alphabet& alphabet, Level least) {
+    if (!language->name.empty()) return language->name;
+    const std::string inner = operation_text(*language, alphabet);
+    return level(*language) < least ? "(" + inner + ")" : inner;
+}
+
+}  // namespace
+
+Language words_language(std::vector<Word> words) {
+    std::sort(words.begin(), words.end(), [](const Word& left, const Word& right) {
+        return left.size() != right.size() ? left.size() < right.size() : left < right;
+    });
+    words.erase(std::unique(words.begin(), words.end()), words.end());
+    LanguageTree tree;
+    tree.words = std::move(words);
+    return make(std::move(tree));
+}
+
+Language generated_language(std::shared_ptr<const SourceSystem> system) {
+    LanguageTree tree;
+    tree.kind = Kind::generated;
+    tree.system = std::move(system);
+    return make(std::move(tree));
+}
+
+Language combined(LanguageTree::Kind kind, std::vector<Language> parts) {
+    LanguageTree tree;
+    tree.kind = kind;
+    tree.parts = std::move(parts);
+    return make(std::move(tree));
+}
+
+Language complement_language(Language language, std::vector<Symbol> letters) {
+    LanguageTree tree;
+    tree.kind = Kind::complement;
+    tree.parts = {std::move(language)};
+    std::sort(letters.begin(), letters.end());
+    tree.letters = std::move(letters);
+    return make(std::move(tree));
+}
+
+Language image_language(Language language, std::map<Symbol, Word> morphism) {
+    LanguageTree tree;
+    tree.kind = Kind::image;
+    tree.parts = {std::move(language)};
+    tree.morphism = std::move(morphism);
+    return make(std::move(tree));
+}
+
+Language inverse_image_language(Language language, std::map<Symbol, Word> morphism) {
+    LanguageTree tree;
+    tree.kind = Kind::inverse_image;
+    tree.parts = {std::move(language)};
+    tree.morphism = std::move(morphism);
+    return make(std::move(tree));
+}
+
+Language named(Language language, std::string name) {
+    LanguageTree tree = *language;
+    tree.name = std::move(name);
+    return make(std::move(tree));
+}
+
+std::vector<Symbol> letters_of(const Language& language) {
+    std::set<Symbol> letters;
+    add_letters(letters, *language);
+    return {letters.begin(), letters.end()};
+}
+
+std::string to_string(const Language& language, const Alphabet& alphabet) {
+    return text(language, alphabet, sum);
+}
+
+}  // namespace algae

@@ -8,8 +8,8 @@
 #include <map>
 #include <random>
 
-#include "language/finite_check.hpp"
 #include "oracle/finite_systems.hpp"
+#include "verify/finite_check.hpp"
 
 using namespace algae;
 using oracle::FiniteSystems;

@@ -1,4 +1,4 @@
-#include "language/finite_check.hpp"
+#include "verify/finite_check.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

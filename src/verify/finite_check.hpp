@@ -1,0 +1,16 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "verify/finite_obstruction.hpp"
+
+namespace algae {
+
+/// What is wrong with a proof that a finite language is not of a family, in words; nothing if it
+/// proves that. Checks every step anew, on words and sets of words: it knows nothing of the search.
+///
+/// Example: flaw_in(*decide_family(finite_language({"a", "aa"}), Family{}).obstruction) == std::nullopt
+std::optional<std::string> flaw_in(const FamilyObstruction& obstruction);
+
+}  // namespace algae

@@ -1,0 +1,271 @@
+#include "language/derivation_tree.hpp"
+
+#include <algorithm>
+#include <map>
+#include <tuple>
+#include <utility>
+
+#include "base/error.hpp"
+#include "growth/growth_matrix.hpp"
+#include "growth/incidence.hpp"
+
+namespace algae {
+
+namespace {
+
+using Node = DerivationTree::Node;
+
+/// Every letter leaves one more letter behind for each generation that it has: h'(a) = h(a) c, and
+/// h'(a) = c c where h(a) is empty. So the length of generation n counts the letters of generation n,
+/// all letters of generations before, and what was erased.
+D0L leaving_letters_behind(const D0L& system) {
+    auto alphabet = std::make_shared<Alphabet>(*system.alphabet);
+    std::string name = "c";
+    while (alphabet->find(name)) name += 'c';
+    const Symbol mark = alphabet->symbol(name);
+    std::vector<Word> images = system.rules.images;
+    for (Word& image : images) {
+        if (image.empty()) image.push_back(mark);
+        image.push_back(mark);
+    }
+    images.push_back({mark});
+    return make_d0l(std::move(alphabet), system.axiom, std::move(images), system.name);
+}
+
+/// The letters of a word, each once, by first occurrence.
+Word distinct(const Word& word) {
+    Word found;
+    for (const Symbol a : word)
+        if (std::find(found.begin(), found.end(), a) == found.end()) found.push_back(a);
+    return found;
+}
+
+/// The letters of the next generation by first occurrence, and whether something is erased.
+std::pair<Word, bool> next_letters(const D0L& system, const Word& letters) {
+    Word next;
+    std::vector<char> seen(system.alphabet->size(), 0);
+    bool erases = false;
+    for (const Symbol a : letters) {
+        erases = erases || system.successor(a).empty();
+        for (const Symbol b : system.successor(a))
+            if (!std::exchange(seen[b], 1)) next.push_back(b);
+    }
+    return {next, erases};
+}
+
+/// The nodes of generations 0 to last where each generation has each letter once: the number of
+/// letters of every generation repeats when the generation does.
+Integer shared_size(const D0L& system, std::uint64_t last, bool cut, const Budget& budget) {
+    std::map<Word, std::uint64_t> first;      // where the letters of a generation first came
+    std::vector<std::uint64_t> before{0};     // nodes of all generations before, erased ones with them
+    Word letters = distinct(system.axiom);
+    for (std::uint64_t t = 0;; ++t) {
+        budget.check();
+        budget.check_memory((t + 1) * (letters.size() * sizeof(Symbol) + 100), "letters of generations");
+        if (t == last) return Integer(before[t] + letters.size() * (cut ? 2 : 1));
+        const auto [found, is_new] = first.emplace(letters, t);
+        if (!is_new) {
+            const std::uint64_t from = found->second, period = t - from;
+            const std::uint64_t rounds = (last - from) / period, rest = (last - from) % period;
+            // The letters of generation `last` are those of generation from + rest.
+            std::uint64_t there = 0;
+            for (const auto& [word, generation] : first)
+                if (generation == from + rest) there = word.size();
+            return Integer(before[t] - before[from]) * Integer(rounds) + Integer(before[from + rest]) +
+                   Integer(there * (cut ? 2 : 1));
+        }
+        auto [next, erases] = next_letters(system, letters);
+        before.push_back(before[t] + letters.size() + (erases ? 1 : 0));
+        letters = std::move(next);
+    }
+}
+
+/// Builds a tree generation by generation. `successor(t, i, a)` is what letter number i of the letters
+/// of generation t, the letter a, becomes; `below(i, a)` counts what is left out below it.
+template <class Successor, class Below>
+DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom, std::uint64_t last,
+                     bool cut, bool one_of_each, Successor successor, Below below,
+                     const Budget& budget) {
+    using enum Node::Kind;
+    DerivationTree tree;
+    tree.alphabet = std::move(alphabet);
+    const auto add = [&](Node node) {
+        if (tree.nodes.size() >= budget.letters)
+            throw BoundReached("the tree has more than " + std::to_string(budget.letters) +
+                               " nodes, the letters allowed by --max-letters");
+        tree.nodes.push_back(std::move(node));
+        return tree.nodes.size() - 1;
+    };
+    // In one generation, the only node of each letter, where there is one of each.
+    std::map<std::pair<Node::Kind, Symbol>, std::size_t> known;
+    const auto place = [&](Node::Kind kind, Symbol a, std::uint64_t generation, auto leaves) {
+        if (!one_of_each) return add({kind, a, generation, leaves(), {}});
+        const auto [found, is_new] = known.try_emplace({kind, a}, 0);
+        if (is_new) found->second = add({kind, a, generation, leaves(), {}});
+        return found->second;
+    };
+    const auto none = [] { return Integer(0); };
+
+    for (const Symbol a : axiom) tree.roots.push_back(place(letter, a, 0, none));
+    if (axiom.empty()) tree.roots.push_back(place(erased, 0, 0, none));
+    std::size_t begin = 0;
+    for (std::uint64_t t = 0; begin < tree.nodes.size() && (t < last || cut); ++t) {
+        budget.check();
+        known.clear();
+        const std::size_t end = tree.nodes.size();
+        for (std::size_t node = begin, i = 0; node < end; ++node) {
+            if (tree.nodes[node].kind != letter) continue;
+            const Symbol a = tree.nodes[node].letter;
+            std::vector<std::size_t> children;
+            if (t == last) {
+                children.push_back(place(omitted, a, t + 1, [&] { return below(i, a); }));
+            } else {
+                const Word& word = successor(t, i, a);
+                for (const Symbol b : word) children.push_back(place(letter, b, t + 1, none));
+                if (word.empty()) children.push_back(place(erased, 0, t + 1, none));
+            }
+            tree.nodes[node].children = std::move(children);
+            ++i;
+        }
+        begin = end;
+        if (t == last) break;
+    }
+    return tree;
+}
+
+/// The last generation that is shown, and whether something is left out below it.
+std::pair<std::uint64_t, bool> extent(std::uint64_t n, const TreeShape& shape) {
+    if (shape.depth && *shape.depth < n) return {*shape.depth, true};
+    return {n, false};
+}
+
+}  // namespace
+
+Integer tree_size(const D0L& system, std::uint64_t n, const TreeShape& shape, const Budget& budget) {
+    const auto [last, cut] = extent(n, shape);
+    if (system.axiom.empty()) return 1;
+    if (shape.shared) return shared_size(system, last, cut, budget);
+    const Integer shown = length(leaving_letters_behind(system), last, budget);
+    return cut ? shown + length(system, last, budget) : shown;
+}
+
+DerivationTree derivation_tree(const D0L& system, std::uint64_t n, const TreeShape& shape,
+                               const Budget& budget) {
+    const auto [last, cut] = extent(n, shape);
+    const std::uint64_t rest = n - last;
+    std::map<Symbol, Integer> lengths;  // of what letters become in the generations left out
+    const auto below = [&](std::size_t, Symbol a) {
+        const auto found = lengths.find(a);
+        if (found != lengths.end()) return found->second;
+        D0L from = system;
+        from.axiom = {a};
+        return lengths.emplace(a, length(from, rest, budget)).first->second;
+    };
+    const auto successor = [&](std::uint64_t, std::size_t, Symbol a) -> const Word& {
+        return system.successor(a);
+    };
+    return build(system.alphabet, system.axiom, last, cut, shape.shared, successor, below, budget);
+}
+
+Integer tree_size(const OL& system, const Derivation& derivation, const TreeShape& shape,
+                  const Budget& budget) {
+    if (shape.shared) return Integer(derivation_tree(system, derivation, shape, budget).nodes.size());
+    const auto [last, cut] = extent(derivation.choices.size(), shape);
+    if (derivation.words.front().empty()) return 1;
+    std::uint64_t nodes = 0;
+    for (std::uint64_t t = 0; t <= last; ++t) {
+        nodes += derivation.words[t].size();
+        if (t == last) break;
+        for (std::size_t i = 0; i < derivation.words[t].size(); ++i)
+            nodes += system.successors[derivation.words[t][i]][derivation.choices[t][i]].empty();
+    }
+    return Integer(cut ? nodes + derivation.words[last].size() : nodes);
+}
+
+DerivationTree derivation_tree(const OL& system, const Derivation& derivation, const TreeShape& shape,
+                               const Budget& budget) {
+    const auto [last, cut] = extent(derivation.choices.size(), shape);
+    const auto successor = [&](std::uint64_t t, std::size_t i, Symbol a) -> const Word& {
+        return system.successors[a][derivation.choices[t][i]];
+    };
+    // How many letters of the last word stand below each letter of the last generation shown.
+    std::vector<std::uint64_t> counts(derivation.words.back().size(), 1);
+    for (std::uint64_t t = derivation.choices.size(); t-- > last;) {
+        std::vector<std::uint64_t> above;
+        std::size_t next = 0;
+        for (std::size_t i = 0; i < derivation.words[t].size(); ++i) {
+            std::uint64_t sum = 0;
+            for (std::size_t k = successor(t, i, derivation.words[t][i]).size(); k > 0; --k)
+                sum += counts.at(next++);
+            above.push_back(sum);
+        }
+        counts = std::move(above);
+    }
+    const auto below = [&](std::size_t i, Symbol) { return Integer(counts.at(i)); };
+    DerivationTree tree = build(system.alphabet, derivation.words.front(), last, cut, false, successor,
+                                below, budget);
+    return shape.shared ? with_shared_subtrees(tree, budget) : tree;
+}
+
+DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& budget) {
+    using Key = std::tuple<std::uint64_t, Node::Kind, Symbol, Integer, std::vector<std::size_t>>;
+    std::map<Key, std::size_t> classes;
+    std::vector<std::size_t> of_node(tree.nodes.size());
+    for (std::size_t i = tree.nodes.size(); i-- > 0;) {
+        if (i % 1024 == 0) budget.check();
+        const Node& node = tree.nodes[i];
+        std::vector<std::size_t> children;
+        for (const std::size_t child : node.children) children.push_back(of_node[child]);
+        of_node[i] = classes
+                         .try_emplace({node.generation, node.kind, node.letter, node.leaves,
+                                       std::move(children)},
+                                      classes.size())
+                         .first->second;
+    }
+    constexpr std::size_t nowhere = SIZE_MAX;
+    std::vector<std::size_t> place(classes.size(), nowhere);
+    DerivationTree shared;
+    shared.alphabet = tree.alphabet;
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+        if (place[of_node[i]] != nowhere) continue;
+        place[of_node[i]] = shared.nodes.size();
+        shared.nodes.push_back(tree.nodes[i]);
+    }
+    for (Node& node : shared.nodes)
+        for (std::size_t& child : node.children) child = place[of_node[child]];
+    for (const std::size_t root : tree.roots) shared.roots.push_back(place[of_node[root]]);
+    return shared;
+}
+
+std::uint64_t depth(const DerivationTree& tree) {
+    std::uint64_t deepest = 0;
+    for (const Node& node : tree.nodes)
+        if (node.kind == Node::Kind::letter) deepest = std::max(deepest, node.generation);
+    return deepest;
+}
+
+std::uint64_t edge_count(const DerivationTree& tree) {
+    std::uint64_t edges = 0;
+    for (const Node& node : tree.nodes) edges += node.children.size();
+    return edges;
+}
+
+Word leaves(const DerivationTree& tree, const Budget& budget) {
+    Word word;
+    std::vector<std::size_t> open(tree.roots.rbegin(), tree.roots.rend());
+    for (std::uint64_t steps = 1; !open.empty(); ++steps) {
+        if (steps % 1024 == 0) budget.check();
+        const Node& node = tree.nodes[open.back()];
+        open.pop_back();
+        if (node.kind == Node::Kind::omitted) throw Error("the tree is cut: its leaves spell no word");
+        if (node.kind == Node::Kind::letter && node.children.empty()) {
+            if (word.size() >= budget.letters)
+                throw BoundReached("the tree has more than " + std::to_string(budget.letters) + " leaves");
+            word.push_back(node.letter);
+        }
+        open.insert(open.end(), node.children.rbegin(), node.children.rend());
+    }
+    return word;
+}
+
+}  // namespace algae

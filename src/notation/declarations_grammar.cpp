@@ -16,8 +16,8 @@ constexpr std::size_t longest_name = 200;  // reading looks so far ahead for a d
 
 }  // namespace
 
-void read_constant(const Statement& statement, Reading& reading) {
-    const std::string_view value = statement.value();
+void read_constant(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
     const char* here = value.data();
     const char* const end = here + value.size();
     std::string name;
@@ -38,8 +38,8 @@ void read_constant(const Statement& statement, Reading& reading) {
     }
 }
 
-void read_alphabet(const Statement& statement, Reading& reading) {
-    for (const std::string_view name : pieces(statement.value())) {
+void read_alphabet(const Clause& clause, Reading& reading) {
+    for (const std::string_view name : pieces(clause.value())) {
         // These open statements that contain arrows, or shape successors: a rule could not be told.
         for (const char* keyword : {"title", "source", "interpret", "div", "repeat"})
             if (name == keyword)

@@ -6,7 +6,7 @@
 
 #include "notation/canonical.hpp"
 #include "notation/read.hpp"
-#include "notation/statements.hpp"
+#include "notation/clauses.hpp"
 
 namespace algae {
 
@@ -40,7 +40,7 @@ void add_lines(const std::vector<std::string_view>& comments, std::string& out) 
 
 std::string format_lsystem(std::string_view text, const std::string& file_name) {
     const LSystem system = read_lsystem(text, file_name);
-    const std::vector<Statement> all = statements(text);
+    const std::vector<Clause> all = clauses(text);
     std::vector<std::string_view> top, end;
     std::map<Key, Comments> kept;
     Keys keys;
@@ -54,10 +54,10 @@ std::string format_lsystem(std::string_view text, const std::string& file_name) 
             (same_line ? before->behind : below).push_back(comment);
         }
     };
-    for (const Statement& statement : all) {
-        const Key key = keys.next(is_rule(statement) ? "->" : std::string(statement.keyword));
+    for (const Clause& clause : all) {
+        const Key key = keys.next(is_rule(clause) ? "->" : std::string(clause.keyword));
         Comments& own = kept[key];
-        take_gap(statement.comments, statement.text.data(), before ? own.above : top);
+        take_gap(clause.comments, clause.text.data(), before ? own.above : top);
         before = &own;
     }
     if (!all.empty()) {

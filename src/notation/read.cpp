@@ -5,6 +5,7 @@
 
 #include "notation/characters.hpp"
 #include "notation/expression_grammar.hpp"
+#include "notation/read_system.hpp"
 #include "notation/reading.hpp"
 #include "notation/rules.hpp"
 #include "notation/settings_grammar.hpp"
@@ -32,9 +33,9 @@ constexpr Stage all_stages[] = {Stage::alphabet,       Stage::constant, Stage::a
                                 Stage::rule,           Stage::ignore,   Stage::terminals,
                                 Stage::interpretation, Stage::other,    Stage::unknown};
 
-Stage stage(const Statement& statement) {
-    if (is_rule(statement)) return Stage::rule;
-    const std::string_view name = statement.keyword;
+Stage stage(const Clause& clause) {
+    if (is_rule(clause)) return Stage::rule;
+    const std::string_view name = clause.keyword;
     if (name == "alphabet") return Stage::alphabet;
     if (name == "let") return Stage::constant;
     if (name == "axiom") return Stage::axiom;
@@ -53,14 +54,14 @@ bool may_repeat(std::string_view name) {
     return false;
 }
 
-[[noreturn]] void refuse(const Statement& statement, const Reading& reading) {
+[[noreturn]] void refuse(const Clause& clause, const Reading& reading) {
     constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
-    const std::string_view text = statement.text;
+    const std::string_view text = clause.text;
     const std::string_view word =
         text.substr(0, std::min(text.find_first_of(" \t=:"), text.size()));
     throw SyntaxError{text.data(), "expected a setting or a rule with '->', found " + quoted(word) +
                                        (reading.findings.count() < most
-                                            ? did_you_mean(statement.keyword, setting_names())
+                                            ? did_you_mean(clause.keyword, setting_names())
                                             : std::string())};
 }
 
@@ -76,8 +77,8 @@ std::vector<Symbol> without_repetitions(const Word& word) {
     return out;
 }
 
-void read_axiom(const Statement& statement, Reading& reading) {
-    const std::string_view value = statement.value();
+void read_axiom(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
     LSystem& system = reading.system;
     system.axiom_place = reading.source.place(value.data());
     system.axiom = parse_word(value, reading.lexicon, reading.source);
@@ -86,19 +87,19 @@ void read_axiom(const Statement& statement, Reading& reading) {
         for (const Expression& argument : arguments) reading.check_names(argument, {});
 }
 
-void read_statement(const Statement& statement, Stage at, Reading& reading) {
-    const std::string_view name = statement.keyword, value = statement.value();
-    if (at == Stage::unknown) refuse(statement, reading);
-    if (at == Stage::rule && statement.arrow) return read_rule(statement, reading);
+void read_clause(const Clause& clause, Stage at, Reading& reading) {
+    const std::string_view name = clause.keyword, value = clause.value();
+    if (at == Stage::unknown) refuse(clause, reading);
+    if (at == Stage::rule && clause.arrow) return read_rule(clause, reading);
     if (!may_repeat(name)) {
-        const auto [first, is_new] = reading.given.emplace(name, statement.text.data());
+        const auto [first, is_new] = reading.given.emplace(name, clause.text.data());
         if (!is_new)
-            throw SyntaxError{statement.text.data(),
+            throw SyntaxError{clause.text.data(),
                               quoted(name) + " is given twice, first in line " +
                                   std::to_string(reading.source.place(first->second).line)};
     }
     if (value.empty()) {
-        const char* const end = statement.text.data() + statement.text.size();
+        const char* const end = clause.text.data() + clause.text.size();
         const bool is_axiom = at == Stage::axiom;
         throw unexpected(is_axiom ? "a word after 'axiom' (the empty word is ε)"
                                   : "a value after '" + std::string(name) + "'",
@@ -106,11 +107,11 @@ void read_statement(const Statement& statement, Stage at, Reading& reading) {
     }
     switch (at) {
         case Stage::alphabet:
-            return read_alphabet(statement, reading);
+            return read_alphabet(clause, reading);
         case Stage::constant:
-            return read_constant(statement, reading);
+            return read_constant(clause, reading);
         case Stage::axiom:
-            return read_axiom(statement, reading);
+            return read_axiom(clause, reading);
         case Stage::ignore:
             reading.system.ignored = without_repetitions(parse_symbols(value, reading.lexicon));
             return;
@@ -118,41 +119,41 @@ void read_statement(const Statement& statement, Stage at, Reading& reading) {
             reading.system.terminals = without_repetitions(parse_symbols(value, reading.lexicon));
             return;
         case Stage::interpretation:
-            return read_interpretation(statement, reading);
+            return read_interpretation(clause, reading);
         default:
-            return read_setting(statement, reading);
+            return read_setting(clause, reading);
     }
 }
 
 /// A rule that follows a setting in the same statement is a frequent slip.
-bool follows_setting(const Statement& statement) {
-    const std::string_view name = statement.keyword;
+bool follows_setting(const Clause& clause) {
+    const std::string_view name = clause.keyword;
     const auto& names = setting_names();
-    return std::find(names.begin(), names.end(), name) != names.end() && statement.has_word(name);
+    return std::find(names.begin(), names.end(), name) != names.end() && clause.has_word(name);
 }
 
-void read_statements(const std::vector<Statement>& all, Reading& reading) {
+void read_clauses(const std::vector<Clause>& all, Reading& reading) {
     std::vector<Stage> stages;
-    for (const Statement& statement : all) stages.push_back(stage(statement));
+    for (const Clause& clause : all) stages.push_back(stage(clause));
     // Rules before the first table belong to none.
-    const auto first_table = std::find_if(all.begin(), all.end(), [](const Statement& s) {
-        return s.keyword == "table" && !s.arrow;
+    const auto first_table = std::find_if(all.begin(), all.end(), [](const Clause& clause) {
+        return clause.keyword == "table" && !clause.arrow;
     });
     for (const Stage at : all_stages) {
-        for (auto statement = all.begin(); statement != all.end(); ++statement) {
-            if (stages[static_cast<std::size_t>(statement - all.begin())] != at) continue;
+        for (auto clause = all.begin(); clause != all.end(); ++clause) {
+            if (stages[static_cast<std::size_t>(clause - all.begin())] != at) continue;
             try {
-                if (at == Stage::rule && first_table != all.end() && statement < first_table)
-                    throw SyntaxError{statement->text.data(),
+                if (at == Stage::rule && first_table != all.end() && clause < first_table)
+                    throw SyntaxError{clause->text.data(),
                                       "expected a table before the first rule, as there are tables "
                                       "further down"};
-                read_statement(*statement, at, reading);
+                read_clause(*clause, at, reading);
             } catch (const SyntaxError& error) {
-                if (statement->arrow && at == Stage::rule && follows_setting(*statement)) {
-                    reading.findings.add(statement->text.data(),
+                if (clause->arrow && at == Stage::rule && follows_setting(*clause)) {
+                    reading.findings.add(clause->text.data(),
                                          "expected a line break or ';' between the setting " +
-                                             quoted(statement->keyword) + " and the rule");
-                    reading.given.emplace(statement->keyword, statement->text.data());
+                                             quoted(clause->keyword) + " and the rule");
+                    reading.given.emplace(clause->keyword, clause->text.data());
                 } else {
                     reading.findings.add(error);
                 }
@@ -166,19 +167,28 @@ void read_statements(const std::vector<Statement>& all, Reading& reading) {
 
 }  // namespace
 
+LSystem read_system(std::string_view text, const Source& source, Findings& findings, const std::string& name,
+                    const std::vector<std::string>& declared) {
+    LSystem system;
+    system.name = name;
+    Lexicon lexicon(system.alphabet);
+    for (const std::string& symbol : declared) lexicon.declare(symbol);
+    Reading reading{source, findings, lexicon, system, {}, {}, {}, {}, false};
+    read_clauses(clauses(text), reading);
+    if (!reading.given.count("axiom"))
+        findings.add(text.data() + text.size(),
+                     text.size() == source.text().size() ? "expected an axiom before the end of the file, found none"
+                                                         : "expected an axiom in the system, found none");
+    check_probabilities(system.rules, reading);
+    check_probabilities(system.interpretation, reading);
+    return system;
+}
+
 LSystem read_lsystem(std::string_view text, const std::string& file_name) {
     const Source source(text, file_name);
     Findings findings(source);
     findings.throw_if_no_text();
-    LSystem system;
-    system.name = file_name;
-    Lexicon lexicon(system.alphabet);
-    Reading reading{source, findings, lexicon, system, {}, {}, {}, {}, false};
-    read_statements(statements(text), reading);
-    if (!reading.given.count("axiom"))
-        findings.add(text.size(), "expected an axiom before the end of the file, found none");
-    check_probabilities(system.rules, reading);
-    check_probabilities(system.interpretation, reading);
+    LSystem system = read_system(text, source, findings, file_name, {});
     findings.throw_if_any();
     return system;
 }

@@ -10,7 +10,7 @@
 #include "notation/findings.hpp"
 #include "notation/lexicon.hpp"
 #include "notation/source.hpp"
-#include "notation/statements.hpp"
+#include "notation/clauses.hpp"
 #include "system/lsystem.hpp"
 
 namespace algae {

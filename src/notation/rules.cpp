@@ -54,16 +54,16 @@ Production parse_production(std::string_view text, const char* arrow, Reading& r
 
 }  // namespace
 
-void read_rule(const Statement& statement, Reading& reading) {
-    Production production = parse_production(statement.text, statement.arrow, reading);
+void read_rule(const Clause& clause, Reading& reading) {
+    Production production = parse_production(clause.text, clause.arrow, reading);
     if (!reading.system.tables.empty()) production.table = reading.system.tables.size() - 1;
     reading.system.rules.push_back(std::move(production));
 }
 
-void read_interpretation(const Statement& statement, Reading& reading) {
-    const std::string_view rule = statement.value();
-    if (!statement.arrow) throw unexpected("a rule with '->'", rule.data() + rule.size());
-    reading.system.interpretation.push_back(parse_production(rule, statement.arrow, reading));
+void read_interpretation(const Clause& clause, Reading& reading) {
+    const std::string_view rule = clause.value();
+    if (!clause.arrow) throw unexpected("a rule with '->'", rule.data() + rule.size());
+    reading.system.interpretation.push_back(parse_production(rule, clause.arrow, reading));
 }
 
 }  // namespace algae

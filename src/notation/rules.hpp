@@ -5,10 +5,10 @@
 namespace algae {
 
 /// Reads a rule into the system. Throws `SyntaxError`.
-void read_rule(const Statement& statement, Reading& reading);
+void read_rule(const Clause& clause, Reading& reading);
 
 /// Reads `interpret L -> F` into the system. Throws `SyntaxError`.
-void read_interpretation(const Statement& statement, Reading& reading);
+void read_interpretation(const Clause& clause, Reading& reading);
 
 /// Adds a finding for each left side whose rules have probabilities that do not add up to 1, or for
 /// which only some rules have one.

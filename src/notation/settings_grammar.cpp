@@ -52,8 +52,8 @@ void read_generations(std::string_view value, Reading& reading) {
     reading.system.settings.generations = generations;
 }
 
-void read_expectation(const Statement& statement, Reading& reading) {
-    const std::string_view value = statement.value();
+void read_expectation(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
     const char* here = value.data();
     const char* const end = here + value.size();
     std::string_view kind, number;
@@ -73,7 +73,7 @@ void read_expectation(const Statement& statement, Reading& reading) {
     if (here == end) throw unexpected("a value", here);
     reading.system.expectations.push_back({std::string(kind), generation(number),
                                            std::string(between(here, end)),
-                                           reading.source.place(statement.text.data())});
+                                           reading.source.place(clause.text.data())});
 }
 
 void read_start(std::string_view value, Reading& reading) {
@@ -136,8 +136,8 @@ const std::vector<std::string>& expectation_kinds() {
     return kinds;
 }
 
-void read_setting(const Statement& statement, Reading& reading) {
-    const std::string_view name = statement.keyword, value = statement.value();
+void read_setting(const Clause& clause, Reading& reading) {
+    const std::string_view name = clause.keyword, value = clause.value();
     LSystem& system = reading.system;
     if (name == "title") {
         system.title = value;
@@ -158,7 +158,7 @@ void read_setting(const Statement& statement, Reading& reading) {
     } else if (name == "generation") {
         read_generations(value, reading);
     } else if (name == "expect") {
-        read_expectation(statement, reading);
+        read_expectation(clause, reading);
     } else if (name == "start") {
         read_start(value, reading);
     } else if (name == "colour") {

@@ -14,12 +14,12 @@ const std::vector<std::string>& setting_names();
 const std::vector<std::string>& expectation_kinds();
 
 /// Reads `let NAME = EXPRESSION` into the system. Throws `SyntaxError`.
-void read_constant(const Statement& statement, Reading& reading);
+void read_constant(const Clause& clause, Reading& reading);
 
 /// Reads names longer than the notation knows, `alphabet wall window`. Throws `SyntaxError`.
-void read_alphabet(const Statement& statement, Reading& reading);
+void read_alphabet(const Clause& clause, Reading& reading);
 
 /// Reads any other setting whose value is no word. Throws `SyntaxError`.
-void read_setting(const Statement& statement, Reading& reading);
+void read_setting(const Clause& clause, Reading& reading);
 
 }  // namespace algae

@@ -65,4 +65,25 @@ View<IL> as_il(const LSystem& system) {
     return il;
 }
 
+IL over(const IL& system, std::shared_ptr<const Alphabet> alphabet) {
+    std::vector<Symbol> numbers;
+    for (Symbol a = 0; a < system.alphabet->size(); ++a) {
+        const std::optional<Symbol> number = alphabet->find(system.alphabet->name(a));
+        if (!number) throw Error("the symbol " + system.alphabet->name(a) + " is not in the alphabet");
+        numbers.push_back(*number);
+    }
+    const auto renamed = [&](Word word) {
+        for (Symbol& a : word) a = numbers[a];
+        return word;
+    };
+    IL moved{alphabet, renamed(system.axiom), {}, std::vector<char>(alphabet->size(), 0), system.name};
+    moved.rules.resize(alphabet->size());
+    for (Symbol a = 0; a < numbers.size(); ++a) {
+        moved.ignored[numbers[a]] = system.ignored[a];
+        for (const IL::Rule& rule : system.rules[a])
+            moved.rules[numbers[a]].push_back({renamed(rule.left), renamed(rule.right), renamed(rule.successor)});
+    }
+    return moved;
+}
+
 }  // namespace algae

@@ -29,4 +29,8 @@ struct IL {
 /// are refused. O(size of the system).
 View<IL> as_il(const LSystem& system);
 
+/// The same system over another alphabet that has all its symbols by name: letters that it does not
+/// know stay as they are. Throws Error if a symbol is missing there.
+IL over(const IL& system, std::shared_ptr<const Alphabet> alphabet);
+
 }  // namespace algae

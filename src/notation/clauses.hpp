@@ -6,7 +6,7 @@
 namespace algae {
 
 /// One setting or rule, cut out of its line: without comment, without blanks at its ends.
-struct Statement {
+struct Clause {
     std::string_view text;
     std::string_view keyword;        // the letters it begins with
     const char* arrow = nullptr;     // its first `->` or `→`; nullptr if it has none
@@ -18,18 +18,18 @@ struct Statement {
     std::string_view value() const;
 };
 
-/// The statements of a text: `;` and line breaks separate them, `#` at the start of a line or
+/// The clauses of a text: `;` and line breaks separate them, `#` at the start of a line or
 /// behind white space opens a comment (but in `colour #ff8000` it opens a colour). Linear.
-std::vector<Statement> statements(std::string_view text);
+std::vector<Clause> clauses(std::string_view text);
 
-/// Whether a statement is a rule: it has an arrow that is not part of a title, a source or an
+/// Whether a clause is a rule: it has an arrow that is not part of a title, a source or an
 /// interpretation.
-bool is_rule(const Statement& statement);
+bool is_rule(const Clause& clause);
 
 /// The pieces of a text between blanks outside brackets.
 std::vector<std::string_view> pieces(std::string_view text);
 
-/// The comments in a stretch of text without statements, each with its `#`, without the line break.
+/// The comments in a stretch of text without clauses, each with its `#`, without the line break.
 std::vector<std::string_view> comments(std::string_view text);
 
 }  // namespace algae

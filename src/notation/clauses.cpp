@@ -1,4 +1,4 @@
-#include "notation/statements.hpp"
+#include "notation/clauses.hpp"
 
 #include <algorithm>
 #include <cctype>
@@ -37,30 +37,30 @@ const char* first_arrow(std::string_view text) {
 
 }  // namespace
 
-bool Statement::has_word(std::string_view word) const {
+bool Clause::has_word(std::string_view word) const {
     return keyword == word && (text.size() == word.size() || is_ascii_blank(text[word.size()]));
 }
 
-bool is_rule(const Statement& statement) {
-    return statement.arrow && !statement.has_word("title") && !statement.has_word("source") &&
-           !statement.has_word("interpret");
+bool is_rule(const Clause& clause) {
+    return clause.arrow && !clause.has_word("title") && !clause.has_word("source") &&
+           !clause.has_word("interpret");
 }
 
-std::string_view Statement::value() const { return trimmed(text.substr(keyword.size())); }
+std::string_view Clause::value() const { return trimmed(text.substr(keyword.size())); }
 
-std::vector<Statement> statements(std::string_view text) {
-    std::vector<Statement> found;
+std::vector<Clause> clauses(std::string_view text) {
+    std::vector<Clause> found;
     const char* after_last = text.data();
     std::size_t begin = 0;
     const auto add = [&](std::size_t end) {
-        Statement statement;
-        statement.text = trimmed(text.substr(begin, end - begin));
-        if (statement.text.empty()) return;
-        statement.keyword = keyword_of(statement.text);
-        statement.arrow = first_arrow(statement.text);
-        statement.comments = after_last;
-        after_last = statement.text.data() + statement.text.size();
-        found.push_back(statement);
+        Clause clause;
+        clause.text = trimmed(text.substr(begin, end - begin));
+        if (clause.text.empty()) return;
+        clause.keyword = keyword_of(clause.text);
+        clause.arrow = first_arrow(clause.text);
+        clause.comments = after_last;
+        after_last = clause.text.data() + clause.text.size();
+        found.push_back(clause);
     };
     std::size_t here = 0;
     while (here < text.size()) {

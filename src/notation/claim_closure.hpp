@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "language/claim.hpp"
+#include "notation/claim_reading.hpp"
+
+namespace algae {
+
+/// The operations and the families of the table of closure.
+const std::vector<std::string>& closure_operations();
+const std::vector<std::string>& closure_families();
+
+/// Whether a clause says what a claim settles in the table: `closed under ...`, `not closed under ...`.
+bool is_closure_fact(std::string_view text);
+
+/// What it says. Throws `SyntaxError`.
+ClosureFact parse_closure_fact(std::string_view text, const ClaimReading& reading);
+
+}  // namespace algae

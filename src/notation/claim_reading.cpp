@@ -1,0 +1,163 @@
+#include "notation/claim_reading.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "notation/characters.hpp"
+#include "notation/claim_families.hpp"
+#include "notation/claim_scanner.hpp"
+#include "notation/suggestion.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr std::size_t most_suggested = 1000;  // to choose from more would take long and help little
+
+bool is_name(std::string_view text) { return !text.empty() && ClaimScanner(text).name() == text; }
+
+std::string kind_text(ClaimName::Kind kind) {
+    switch (kind) {
+        case ClaimName::Kind::system:
+            return "a system";
+        case ClaimName::Kind::morphism:
+            return "a morphism";
+        default:
+            return "a language";
+    }
+}
+
+}  // namespace
+
+const std::vector<std::string>& claim_keywords() {
+    static const std::vector<std::string> all{"L", "is", "in", "not", "by", "growth", "sequence"};
+    return all;
+}
+
+ClaimReading::ClaimReading(const Source& text_source, Findings& text_findings,
+                           const SystemSource& system_source)
+    : source(text_source),
+      findings(text_findings),
+      open(system_source),
+      alphabet(std::make_shared<Alphabet>()),
+      lexicon(*alphabet) {}
+
+ClaimName& ClaimReading::define(std::string_view name) {
+    const auto& keywords = claim_keywords();
+    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end() || system_form(name))
+        throw SyntaxError{name.data(),
+                          "expected another name, " + quoted(name) + " has a meaning in claims"};
+    const auto [entry, is_new] = names_.try_emplace(std::string(name));
+    if (!is_new)
+        throw SyntaxError{name.data(), quoted(name) + " is defined twice, first in line " +
+                                           std::to_string(source.place(entry->second.where).line)};
+    entry->second.where = name.data();
+    return entry->second;
+}
+
+const ClaimName* ClaimReading::find(std::string_view name) const {
+    const auto found = names_.find(std::string(name));
+    if (found == names_.end()) return nullptr;
+    const ClaimName& known = found->second;
+    if (known.where >= name.data())
+        throw SyntaxError{name.data(), "expected a name that is defined above, found " +
+                                           quoted(name) + ", which is defined in line " +
+                                           std::to_string(source.place(known.where).line)};
+    if (known.kind == ClaimName::Kind::broken) throw DependsOnError();
+    return &known;
+}
+
+const ClaimName& ClaimReading::expect(std::string_view name) const {
+    if (const ClaimName* known = find(name)) return *known;
+    throw SyntaxError{name.data(), "expected a name that is defined above, found " + quoted(name) +
+                                       suggestion(name)};
+}
+
+std::string ClaimReading::suggestion(std::string_view name) const {
+    std::vector<std::string> candidates;
+    if (names_.size() < most_suggested)
+        for (const auto& [known, meaning] : names_) candidates.push_back(known);
+    std::sort(candidates.begin(), candidates.end());
+    if (std::string meant = did_you_mean(name, candidates); !meant.empty()) return meant;
+    std::string with_zero(name);
+    std::replace(with_zero.begin(), with_zero.end(), 'O', '0');
+    if (system_form(with_zero)) return "; did you mean '" + with_zero + "', with a zero?";
+    const bool is_word =
+        std::all_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
+    constexpr std::size_t longest = 40;
+    if (!is_word || name.size() > longest) return {};
+    return "; the language of one word is written {" + std::string(name) + "}";
+}
+
+std::shared_ptr<const SourceSystem> ClaimReading::system(std::string_view name) {
+    const ClaimName* known = is_name(name) ? find(name) : nullptr;
+    if (!known && opens_systems) {
+        const std::string key(name);
+        if (const auto found = opened_.find(key); found != opened_.end()) return found->second;
+        return opened_[key] = add_system(key, opened(key, name.data()), name.data());
+    }
+    if (!known) known = &expect(name);
+    if (known->kind != ClaimName::Kind::system)
+        throw SyntaxError{name.data(), "expected a system, found " + quoted(name) + ", " +
+                                           kind_text(known->kind)};
+    return known->system;
+}
+
+Symbol ClaimReading::declare(std::string_view name) {
+    if (const std::optional<Symbol> known = alphabet->find(name)) return *known;
+    if (undeclared_length(name) == name.size()) return alphabet->symbol(name);
+    long_names.emplace_back(name);
+    return lexicon.declare(name);
+}
+
+LSystem ClaimReading::opened(const std::string& name, const char* where) const {
+    try {
+        return open(name);
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const BoundReached&) {
+        throw;
+    } catch (const Diagnostics& error) {
+        const Diagnostic& first = error.findings().front();
+        throw SyntaxError{
+            where, "the system cannot be read: " + to_string(first.place) + ": " + first.message};
+    } catch (const Error& error) {
+        throw SyntaxError{where, error.what()};
+    }
+}
+
+std::shared_ptr<const SourceSystem> ClaimReading::add_system(const std::string& name,
+                                                             const LSystem& written,
+                                                             const char* where) {
+    Owned owned{std::make_shared<SourceSystem>(), {}};
+    if (View<ET0L> tables = as_et0l(written)) {
+        owned.own.tables = *tables;
+    } else if (View<IL> interactive = as_il(written)) {
+        owned.own.interactive = *interactive;
+    } else {
+        const bool has_context = std::any_of(
+            written.rules.begin(), written.rules.end(),
+            [](const Production& rule) { return !rule.left.empty() || !rule.right.empty(); });
+        throw SyntaxError{
+            where, "expected a system without context or a deterministic one with context, but " +
+                       name + " is " + (has_context ? interactive.reason() : tables.reason())};
+    }
+    owned.own.name = name;
+    for (Symbol symbol = 0; symbol < written.alphabet.size(); ++symbol)
+        declare(written.alphabet.name(symbol));
+    put_over_alphabet(owned);
+    systems_.push_back(owned);
+    return owned.system;
+}
+
+void ClaimReading::put_over_alphabet(Owned& owned) const {
+    owned.system->name = owned.own.name;
+    if (owned.own.tables) owned.system->tables = over(*owned.own.tables, alphabet);
+    if (owned.own.interactive) owned.system->interactive = over(*owned.own.interactive, alphabet);
+}
+
+void ClaimReading::finish() {
+    for (Owned& owned : systems_) put_over_alphabet(owned);
+}
+
+}  // namespace algae

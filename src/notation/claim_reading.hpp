@@ -1,0 +1,88 @@
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "notation/findings.hpp"
+#include "notation/lexicon.hpp"
+#include "notation/read_claim.hpp"
+#include "notation/source.hpp"
+#include "system/lsystem.hpp"
+
+namespace algae {
+
+/// A language on its way from a text, with what bounds it: nothing that is read is so deep that it could
+/// exhaust the stack of those who work on it.
+struct LanguageOperand {
+    Language language;
+    std::size_t levels = 0;  // operations inside each other
+    std::size_t parts = 1;   // parts of the expression, names written out
+};
+
+/// What a name stands for in a claim.
+struct ClaimName {
+    enum class Kind { language, system, morphism, broken };
+    Kind kind = Kind::broken;  // as long as its definition has not been read
+    const char* where = nullptr;
+    LanguageOperand language;
+    std::shared_ptr<const SourceSystem> system;
+    std::map<Symbol, Word> morphism;
+};
+
+/// A claim, or a single language, on its way from a text: what the readers of its parts share. They throw
+/// `SyntaxError` or `DependsOnError`.
+class ClaimReading {
+public:
+    ClaimReading(const Source& text_source, Findings& text_findings,
+                 const SystemSource& system_source);
+
+    const Source& source;
+    Findings& findings;
+    const SystemSource& open;
+    std::shared_ptr<Alphabet> alphabet;  // common to all
+    Lexicon lexicon;
+    std::vector<Symbol> declared;  // by `alphabet`
+    std::vector<std::string>
+        long_names;              // the symbols that are read as one because they are declared
+    bool opens_systems = false;  // `L(NAME)` of a name that is not defined opens a system
+
+    /// Makes a name known before its definition is read. Throws if it is known or cannot be a name.
+    ClaimName& define(std::string_view name);
+    /// What a name stands for, if it was defined before; nullptr if it was not defined at all.
+    const ClaimName* find(std::string_view name) const;
+    /// The same; throws with what could have been meant if it was not defined.
+    const ClaimName& expect(std::string_view name) const;
+    /// The system of this name. Throws if it is a name of something else.
+    std::shared_ptr<const SourceSystem> system(std::string_view name);
+
+    /// A symbol that counts as declared from now on if it has to.
+    Symbol declare(std::string_view name);
+    /// Adds a system, called `name` in text, over the common alphabet; `written` is what it was read from.
+    std::shared_ptr<const SourceSystem> add_system(const std::string& name, const LSystem& written,
+                                                   const char* where);
+    /// The system that `open` knows by this name, which stands at `where`.
+    LSystem opened(const std::string& name, const char* where) const;
+    /// Puts all systems over the alphabet as it is now.
+    void finish();
+
+private:
+    struct Owned {
+        std::shared_ptr<SourceSystem> system;
+        SourceSystem own;  // over its own alphabet
+    };
+    void put_over_alphabet(Owned& owned) const;
+    std::string suggestion(std::string_view name) const;
+
+    std::unordered_map<std::string, ClaimName> names_;
+    std::unordered_map<std::string, std::shared_ptr<const SourceSystem>> opened_;
+    std::vector<Owned> systems_;
+};
+
+/// The words that cannot be names of claims.
+const std::vector<std::string>& claim_keywords();
+
+}  // namespace algae

@@ -79,6 +79,7 @@ ClaimDefinition begin_definition(const ClaimClause& clause, ClaimReading& readin
     definition.name = scanner.take_name();
     if (definition.name.empty()) throw unexpected("a name after 'let'", scanner.here);
     definition.meaning = &reading.define(definition.name);
+    definition.meaning->end = scanner.end;
     if (!scanner.take("=")) throw unexpected("'='", scanner.here);
     definition.value = scanner.rest();
     if (definition.value.empty())

@@ -89,8 +89,10 @@ LanguageOperand LanguageParser::product() {
 LanguageOperand LanguageParser::prefix() {
     std::vector<const char*> signs;
     for (const char* where = scanner_.rest().data(); scanner_.take("~");
-         where = scanner_.rest().data())
+         where = scanner_.rest().data()) {
+        if (signs.size() == most_levels) throw too_deep(where);
         signs.push_back(where);
+    }
     LanguageOperand operand = postfix();
     for (; !signs.empty(); signs.pop_back())
         operand = complement_operand(std::move(operand), reading_, signs.back());

@@ -7,7 +7,6 @@ namespace algae {
 
 namespace {
 
-constexpr std::size_t most_levels = 1000;
 constexpr std::size_t most_parts = 1'000'000;
 
 /// What the bounds say of an operation on these parts; the language is still missing.
@@ -17,9 +16,7 @@ LanguageOperand measured(const std::vector<LanguageOperand>& parts, const char* 
         out.levels = std::max(out.levels, part.levels + 1);
         out.parts += part.parts;
     }
-    if (out.levels > most_levels)
-        throw SyntaxError{where, "a language with more than " + std::to_string(most_levels) +
-                                     " operations inside each other"};
+    if (out.levels > most_levels) throw too_deep(where);
     if (out.parts > most_parts)
         throw SyntaxError{where, "a language with more than " + std::to_string(most_parts) +
                                      " parts where its names are written out"};
@@ -27,6 +24,11 @@ LanguageOperand measured(const std::vector<LanguageOperand>& parts, const char* 
 }
 
 }  // namespace
+
+SyntaxError too_deep(const char* where) {
+    return {where, "a language with more than " + std::to_string(most_levels) +
+                       " operations inside each other"};
+}
 
 LanguageOperand combined_operand(LanguageTree::Kind kind, std::vector<LanguageOperand> parts,
                                  const char* where) {

@@ -8,6 +8,10 @@
 
 namespace algae {
 
+/// How many operations a language may have inside each other, and what is said of more at a place.
+constexpr std::size_t most_levels = 1000;
+SyntaxError too_deep(const char* where);
+
 /// The language that an operation makes of others; `where` it is written. Throws `SyntaxError` if the
 /// expression becomes too deep or too large.
 LanguageOperand combined_operand(LanguageTree::Kind kind, std::vector<LanguageOperand> parts,

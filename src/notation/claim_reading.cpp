@@ -59,6 +59,8 @@ const ClaimName* ClaimReading::find(std::string_view name) const {
     const auto found = names_.find(std::string(name));
     if (found == names_.end()) return nullptr;
     const ClaimName& known = found->second;
+    if (known.where < name.data() && name.data() < known.end)
+        throw SyntaxError{name.data(), quoted(name) + " stands in its own definition"};
     if (known.where >= name.data())
         throw SyntaxError{name.data(), "expected a name that is defined above, found " +
                                            quoted(name) + ", which is defined in line " +
@@ -85,7 +87,10 @@ std::string ClaimReading::suggestion(std::string_view name) const {
     const bool is_word =
         std::all_of(name.begin(), name.end(), [](char c) { return c >= 'a' && c <= 'z'; });
     constexpr std::size_t longest = 40;
-    if (!is_word || name.size() > longest) return {};
+    const char* const behind = name.data() + name.size();
+    const bool is_applied =
+        behind != source.text().data() + source.text().size() && (*behind == '(' || *behind == '^');
+    if (!is_word || is_applied || name.size() > longest) return {};
     return "; the language of one word is written {" + std::string(name) + "}";
 }
 
@@ -111,6 +116,9 @@ Symbol ClaimReading::declare(std::string_view name) {
 }
 
 LSystem ClaimReading::opened(const std::string& name, const char* where) const {
+    if (!open)
+        throw SyntaxError{where,
+                          "expected a system between braces: none can be opened by its name here"};
     try {
         return open(name);
     } catch (const Interrupted&) {

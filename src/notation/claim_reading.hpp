@@ -26,8 +26,9 @@ struct LanguageOperand {
 /// What a name stands for in a claim.
 struct ClaimName {
     enum class Kind { language, system, morphism, broken };
-    Kind kind = Kind::broken;  // as long as its definition has not been read
-    const char* where = nullptr;
+    Kind kind = Kind::broken;     // as long as its definition has not been read
+    const char* where = nullptr;  // it begins, with the name
+    const char* end = nullptr;    // it ends
     LanguageOperand language;
     std::shared_ptr<const SourceSystem> system;
     std::map<Symbol, Word> morphism;

@@ -74,6 +74,7 @@ private:
     /// Moves over a letter or ε and says what word it is.
     std::optional<Word> take_letter();
     bool ends();
+    bool is_repeated();
 
     ClaimScanner& scanner_;
     ClaimReading& reading_;
@@ -103,10 +104,23 @@ bool RegularParser::ends() {
     return rest.empty() || rest[0] == '|' || rest[0] == ')' || rest[0] == '/';
 }
 
+bool RegularParser::is_repeated() {
+    const std::string_view rest = scanner_.rest();
+    return !rest.empty() && (rest[0] == '*' || rest[0] == '+' || rest[0] == '?');
+}
+
 LanguageOperand RegularParser::product() {
     Gathered factors(Kind::concatenated, scanner_.rest().data());
     do {
-        factors.add(factor());
+        // A letter that stays as it is needs no language of its own: long words are read fast.
+        const ClaimScanner before_letter = scanner_;
+        std::optional<Word> letter = take_letter();
+        if (letter && !is_repeated()) {
+            factors.add_word(*letter);
+        } else {
+            scanner_ = before_letter;
+            factors.add(factor());
+        }
     } while (!ends());
     return factors.finish();
 }

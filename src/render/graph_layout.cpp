@@ -1,0 +1,308 @@
+#include "render/graph_layout.hpp"
+
+#include <graphviz/gvc.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <memory>
+#include <mutex>
+
+#include "base/error.hpp"
+#include "render/graph_label.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr double inch = 72;           // points
+constexpr double line_height = 20;    // of a node with one line of text
+constexpr double bare_height = 18;
+constexpr double beside_label = 9;    // left and right of the label of a node, together
+constexpr double along = 0.6;         // of a straight edge, to its label: those of one node stand apart
+
+// Graphviz takes texts as char*, and does not write to them.
+char* text(const std::string& value) { return const_cast<char*>(value.c_str()); }
+
+std::string number(double value) {
+    char digits[32];
+    std::snprintf(digits, sizeof digits, "%.6g", value);
+    return digits;
+}
+
+std::string inches(double points) { return number(points / inch); }
+
+std::string code(const Colour& colour) {
+    char digits[8];
+    const auto part = [](double share) { return static_cast<unsigned>(share * 255 + 0.5); };
+    std::snprintf(digits, sizeof digits, "#%02x%02x%02x", part(colour.red), part(colour.green),
+                  part(colour.blue));
+    return digits;
+}
+
+/// A label as Graphviz reads it: a backslash would begin an escape.
+std::string escaped(const std::string& label) {
+    std::string out;
+    for (const char c : label) {
+        if (c == '\\') out += '\\';
+        out += c;
+    }
+    return out;
+}
+
+std::string full_label(const Graph::Node& node) {
+    return node.subscript.empty() ? node.label : node.label + "_" + node.subscript;
+}
+
+/// The graph in Graphviz's hands.
+class Handed {
+public:
+    explicit Handed(const Graph& graph, Agdisc_t* discipline = nullptr)
+        : graph_(graph), handed_(agopen(text("algae"), Agdirected, discipline)) {
+        if (!handed_) throw std::bad_alloc();
+        add_defaults();
+        add_nodes();
+        add_rows();
+        add_groups();
+        add_edges();
+    }
+    Handed(const Handed&) = delete;
+    Handed& operator=(const Handed&) = delete;
+    ~Handed() { agclose(handed_); }
+
+    Agraph_t* get() const { return handed_; }
+    Agnode_t* node(std::size_t i) const { return nodes_[i]; }
+    Agedge_t* edge(std::size_t i) const { return edges_[i]; }
+    Agraph_t* group(std::size_t i) const { return groups_[i]; }
+
+private:
+    static void set(void* object, const std::string& name, const std::string& value) {
+        agsafeset(object, text(name), text(value), text(""));
+    }
+    void by_default(int kind, const std::string& name, const std::string& value) {
+        agattr(handed_, kind, text(name), text(value));
+    }
+
+    void add_defaults() {
+        by_default(AGRAPH, "rankdir", graph_.upward ? "BT" : "TB");
+        by_default(AGRAPH, "splines", graph_.straight ? "line" : "true");
+        by_default(AGRAPH, "nodesep", graph_.trees ? "0.11" : "0.35");
+        by_default(AGRAPH, "ranksep", graph_.trees ? "0.28" : "0.45");
+        by_default(AGRAPH, "fontname", "DejaVu Sans");
+        by_default(AGRAPH, "fontsize", number(graph_small_letters));
+        by_default(AGNODE, "fontname", "DejaVu Sans");
+        by_default(AGNODE, "fontsize", number(graph_letters));
+        by_default(AGNODE, "shape", "box");
+        by_default(AGNODE, "style", "rounded,filled");
+        by_default(AGNODE, "fillcolor", "white");
+        by_default(AGNODE, "fixedsize", "true");
+        by_default(AGEDGE, "fontname", "DejaVu Sans");
+        by_default(AGEDGE, "fontsize", number(graph_small_letters));
+        by_default(AGEDGE, "arrowsize", "0.6");
+    }
+
+    void add_nodes() {
+        for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+            const Graph::Node& node = graph_.nodes[i];
+            Agnode_t* added = agnode(handed_, text("n" + std::to_string(i)), 1);
+            nodes_.push_back(added);
+            const Point size = node_size(node);
+            set(added, "label", escaped(full_label(node)));
+            set(added, "width", inches(size.x));
+            set(added, "height", inches(size.y));
+            using enum Graph::Node::Shape;
+            if (node.shape == round && size.x <= size.y) set(added, "shape", "circle");
+            if (node.shape == bare) set(added, "shape", "none");
+            if (node.shape == triangle) set(added, "shape", "triangle");
+            if (node.shape == start) set(added, "shape", "none");
+            if (node.fill) set(added, "fillcolor", code(*node.fill));
+            if (graph_.ordered) set(added, "group", escaped(full_label(node)));
+        }
+    }
+
+    void add_rows() {
+        for (std::size_t i = 0; i < graph_.rows.size(); ++i) {
+            const std::vector<std::size_t>& row = graph_.rows[i];
+            Agraph_t* added = agsubg(handed_, text("row" + std::to_string(i)), 1);
+            set(added, "rank", "same");
+            for (std::size_t k = 0; k < row.size(); ++k) {
+                agsubnode(added, nodes_[row[k]], 1);
+                if (k == 0 || !graph_.ordered) continue;
+                const std::string name = "order" + std::to_string(i) + "_" + std::to_string(k);
+                Agedge_t* order = agedge(added, nodes_[row[k - 1]], nodes_[row[k]], text(name), 1);
+                set(order, "style", "invis");
+            }
+        }
+    }
+
+    void add_groups() {
+        for (std::size_t i = 0; i < graph_.groups.size(); ++i) {
+            const Graph::Group& group = graph_.groups[i];
+            Agraph_t* added = agsubg(handed_, text("cluster" + std::to_string(i)), 1);
+            groups_.push_back(added);
+            set(added, "style", "rounded,filled");
+            set(added, "fillcolor", code(group.fill));
+            set(added, "label", escaped(group.label));
+            set(added, "margin", "10");
+            set(added, "labelloc", "b");  // arrows come from above
+            set(added, "labeljust", "l");
+            for (const std::size_t node : group.nodes) agsubnode(added, nodes_[node], 1);
+        }
+    }
+
+    void add_edges() {
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const Graph::Edge& edge = graph_.edges[i];
+            Agedge_t* added = agedge(handed_, nodes_[edge.from], nodes_[edge.to],
+                                     text("e" + std::to_string(i)), 1);
+            edges_.push_back(added);
+            // An outer label takes no room of its own.
+            if (!edge.label.empty()) set(added, graph_.straight ? "xlabel" : "label", escaped(edge.label));
+            if (!edge.arrow) set(added, "dir", "none");
+            if (edge.dashed) set(added, "style", "dashed");
+            if (!edge.places) set(added, "constraint", "false");
+        }
+    }
+
+    const Graph& graph_;
+    Agraph_t* handed_;
+    std::vector<Agnode_t*> nodes_;
+    std::vector<Agedge_t*> edges_;
+    std::vector<Agraph_t*> groups_;
+};
+
+std::mutex one_at_a_time;    // Graphviz's state is that of the process
+std::string what_went_wrong;  // guarded by it
+
+int note_error(char* message) {
+    what_went_wrong += message;
+    return 0;
+}
+
+/// While it lives, Graphviz's errors are noted instead of printed.
+class Listening {
+public:
+    Listening() : level_(agseterr(AGERR)), before_(agseterrf(note_error)) { what_went_wrong.clear(); }
+    Listening(const Listening&) = delete;
+    Listening& operator=(const Listening&) = delete;
+    ~Listening() {
+        agseterrf(before_);
+        agseterr(level_);
+    }
+    /// What Graphviz said, as one line.
+    std::string said() const {
+        std::string line = what_went_wrong;
+        if (line.starts_with("Error: ")) line.erase(0, 7);
+        std::replace(line.begin(), line.end(), '\n', ' ');
+        while (line.ends_with(' ')) line.pop_back();
+        return line;
+    }
+
+private:
+    agerrlevel_t level_;
+    agusererrf before_;
+};
+
+/// Turns Graphviz's coordinates, whose y grows upward, into those of a page.
+class Page {
+public:
+    explicit Page(const boxf& whole) : left_(whole.LL.x), top_(whole.UR.y) {}
+    Point operator()(const pointf& at) const { return {at.x - left_, top_ - at.y}; }
+
+private:
+    double left_, top_;
+};
+
+GraphLayout::Line line_of(Agedge_t* edge, const Page& page) {
+    GraphLayout::Line line;
+    if (const splines* curves = ED_spl(edge)) {
+        for (std::size_t i = 0; i < static_cast<std::size_t>(curves->size); ++i) {
+            const bezier& curve = curves->list[i];
+            for (std::size_t k = i == 0 ? 0 : 1; k < static_cast<std::size_t>(curve.size); ++k)
+                line.points.push_back(page(curve.list[k]));
+            if (curve.eflag) line.tip = page(curve.ep);
+        }
+    }
+    if (ED_label(edge)) line.label = page(ED_label(edge)->pos);
+    else if (!line.points.empty())
+        line.label = {along * line.points.back().x + (1 - along) * line.points.front().x,
+                      along * line.points.back().y + (1 - along) * line.points.front().y};
+    return line;
+}
+
+int put_text(void* into, const char* piece) {
+    static_cast<std::string*>(into)->append(piece);
+    return 0;
+}
+
+int put_nothing(void*) { return 0; }
+
+}  // namespace
+
+Point node_size(const Graph::Node& node) {
+    const double width = text_width(node.label, node.subscript, {graph_letters, node.bold});
+    using enum Graph::Node::Shape;
+    switch (node.shape) {
+        case round:
+            return {std::max(line_height, width + beside_label), line_height};
+        case box:
+            return {std::max(40.0, width + 2 * beside_label), 1.3 * line_height};
+        case bare:
+            return {std::max(bare_height, width + 4), bare_height};
+        case triangle: {
+            const double small = text_width(node.label, "", {graph_small_letters, false});
+            return {std::max(line_height, small + 16), 1.4 * line_height};
+        }
+        case start:
+            return {2, 2};
+    }
+    return {};
+}
+
+GraphLayout graph_layout(const Graph& graph, const Budget& budget) {
+    budget.check();
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    const Listening listening;
+    const std::unique_ptr<GVC_t, decltype(&gvFreeContext)> context(gvContext(), gvFreeContext);
+    if (!context) throw Error("Graphviz cannot begin: " + listening.said());
+    const Handed handed(graph);
+    budget.check();
+    if (gvLayout(context.get(), handed.get(), "dot") != 0)
+        throw Error("Graphviz cannot place the graph: " + listening.said());
+    const std::unique_ptr<Agraph_t, void (*)(Agraph_t*)> placed(
+        handed.get(), [](Agraph_t* done) { gvFreeLayout(GD_gvc(done), done); });
+
+    GraphLayout layout;
+    const boxf whole = GD_bb(handed.get());
+    const Page page(whole);
+    layout.width = whole.UR.x - whole.LL.x;
+    layout.height = whole.UR.y - whole.LL.y;
+    for (std::size_t i = 0; i < graph.nodes.size(); ++i)
+        layout.nodes.push_back(page(ND_coord(handed.node(i))));
+    for (std::size_t i = 0; i < graph.edges.size(); ++i)
+        layout.edges.push_back(line_of(handed.edge(i), page));
+    for (std::size_t i = 0; i < graph.groups.size(); ++i) {
+        const boxf frame = GD_bb(handed.group(i));
+        const Point low = page(frame.LL), high = page(frame.UR);
+        GraphLayout::Frame found{low.x, high.y, high.x, low.y, {}};
+        if (GD_label(handed.group(i))) found.label = page(GD_label(handed.group(i))->pos);
+        layout.groups.push_back(found);
+    }
+    budget.check();
+    return layout;
+}
+
+std::string dot_text(const Graph& graph) {
+    const std::lock_guard<std::mutex> lock(one_at_a_time);
+    const Listening listening;
+    Agiodisc_t writing = AgIoDisc;
+    writing.putstr = put_text;
+    writing.flush = put_nothing;
+    Agdisc_t discipline{&AgMemDisc, &AgIdDisc, &writing};
+    const Handed handed(graph, &discipline);
+    std::string written;
+    if (agwrite(handed.get(), &written) != 0 || written.empty())
+        throw Error("Graphviz cannot write the graph: " + listening.said());
+    return written;
+}
+
+}  // namespace algae

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cctype>
 #include <limits>
-#include <map>
 #include <set>
 #include <utility>
 
@@ -25,30 +24,20 @@ std::string stem(const std::string& name) {
     return name.substr(0, end);
 }
 
-/// Names that an alphabet does not have yet.
-class NewNames {
-public:
-    explicit NewNames(Alphabet& alphabet) : alphabet_(&alphabet) {}
-
-    Symbol symbol(const std::string& like) {
-        const std::string begin = stem(like);
-        std::string name = begin;
-        for (std::size_t& number = last_[begin]; alphabet_->find(name);
-             name = begin + "_" + std::to_string(number))
-            ++number;
-        return alphabet_->symbol(name);
-    }
-
-private:
-    Alphabet* alphabet_;
-    std::map<std::string, std::size_t> last_;
-};
-
 bool all_marked(const Word& word, const std::vector<char>& marks) {
     return std::all_of(word.begin(), word.end(), [&](Symbol a) { return marks[a] != 0; });
 }
 
 }  // namespace
+
+Symbol NewNames::symbol(const std::string& like) {
+    const std::string begin = stem(like);
+    std::string name = begin;
+    for (std::size_t& number = last_[begin]; alphabet_->find(name);
+         name = begin + "_" + std::to_string(number))
+        ++number;
+    return alphabet_->symbol(name);
+}
 
 Draft::Draft(const Alphabet& base, std::size_t tables)
     : base_(base), tables_(tables), table_names_(tables) {}
@@ -120,6 +109,17 @@ void Draft::add_rules(std::size_t table, const ET0L& system, std::size_t from,
     for (Symbol a = 0; a < rules.size(); ++a)
         for (const Word& successor : rules[a])
             add_rule(table, letters[a], replaced(successor, letters));
+}
+
+Word Draft::terminals(const Alphabet& alphabet, const Word& word) {
+    Word found;
+    for (const Symbol a : word) found.push_back(terminal(alphabet.name(a)));
+    return found;
+}
+
+void Draft::check(const Budget& budget) const {
+    budget.check();
+    budget.check_memory(size_ * sizeof(Word), "the constructed system");
 }
 
 /// The letters from which some word of terminals is derived if each letter may choose its table.

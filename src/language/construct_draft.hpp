@@ -1,12 +1,27 @@
 #pragma once
 
 #include <cstddef>
+#include <map>
 #include <string>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "system/et0l.hpp"
 
 namespace algae {
+
+/// Gives out symbols of an alphabet for new letters: `a_1`, `a_2`, ... for those to be named like `a`.
+class NewNames {
+public:
+    /// The alphabet must outlive this.
+    explicit NewNames(Alphabet& alphabet) : alphabet_(&alphabet) {}
+
+    Symbol symbol(const std::string& like);
+
+private:
+    Alphabet* alphabet_;
+    std::map<std::string, std::size_t> last_;  // numbers in use, by beginning of the name
+};
 
 /// An ET0L system while it is constructed. Its letters are numbers of its own: each stands for a terminal
 /// of the result or is a new letter, which gets a name only when the system is done.
@@ -33,13 +48,15 @@ public:
     std::vector<Symbol> copies(const ET0L& system);
     /// The same, but its terminals stand for themselves.
     std::vector<Symbol> letters(const ET0L& system);
+    /// A word over the symbols of an alphabet, its letters terminals.
+    Word terminals(const Alphabet& alphabet, const Word& word);
     /// The rules of table number `from` of a system, its letters replaced.
     void add_rules(std::size_t table, const ET0L& system, std::size_t from,
                    const std::vector<Symbol>& letters);
 
     std::size_t tables() const { return tables_.size(); }
-    /// The letters and rules written so far, for bounds.
-    std::size_t size() const { return size_; }
+    /// Throws what budget.check throws, and BoundReached if what is written takes more than budget.memory.
+    void check(const Budget& budget) const;
 
     /// The system. A letter without a rule in a table becomes a letter there that fails: it derives
     /// itself only. New letters that the axiom does not reach or from which no terminal word is derived

@@ -17,7 +17,8 @@ using End = ObstructionCase::End;
 
 class Checker {
 public:
-    explicit Checker(const FamilyObstruction& proof) : proof_(proof), steps_(proof) {}
+    Checker(const FamilyObstruction& proof, const Budget& budget)
+        : proof_(proof), steps_(proof, budget) {}
 
     void check() {
         Possible possible = steps_.factors();
@@ -156,9 +157,9 @@ private:
 
 }  // namespace
 
-std::optional<std::string> flaw_in(const FamilyObstruction& obstruction) {
+std::optional<std::string> flaw_in(const FamilyObstruction& obstruction, const Budget& budget) {
     try {
-        Checker(obstruction).check();
+        Checker(obstruction, budget).check();
     } catch (const ProofFlaw& flaw) {
         return flaw.text;
     }

@@ -33,7 +33,7 @@ struct ObstructionCase {
         needed,    // the rule excluded last is known to be there
         sources,   // two disjoint sets of words, neither reached from outside it, or {ε} alone
         conflict,  // a step from `word` leaves the language: one of `rules`, the rules it uses that
-                   // are not known to be there, is missing. In case i it is rules[i], and the rules before it are there
+        // are not known to be there, is missing. In case i it is rules[i], and the rules before it are there
         choice  // one of `rules`, the possible rules of `letter`, is its only one
     };
     std::vector<ExcludedRule> excluded;  // one after the other

@@ -2,11 +2,15 @@
 
 #include <algorithm>
 
+#include "base/error.hpp"
+
 namespace algae {
 
 namespace {
 
 [[noreturn]] void fail(std::string text) { throw ProofFlaw{std::move(text)}; }
+
+constexpr std::size_t longest = 2000;  // letters of a word that steps are followed through
 
 Word concatenated(const std::vector<Word>& words) {
     Word whole;
@@ -16,8 +20,21 @@ Word concatenated(const std::vector<Word>& words) {
 
 }  // namespace
 
-StepCheck::StepCheck(const FamilyObstruction& proof)
-    : proof_(proof), words_(proof.language.words.begin(), proof.language.words.end()) {
+StepCheck::StepCheck(const FamilyObstruction& proof, const Budget& budget)
+    : proof_(proof),
+      budget_(budget),
+      words_(proof.language.words.begin(), proof.language.words.end()) {
+    double bytes = 0;
+    for (const Word& word : words_) {
+        const auto size = static_cast<double>(word.size() + 1);
+        bytes += size * size * (50 + size);  // of the factors, which are the images of each letter
+        if (word.size() > longest)
+            throw BoundReached("a proof by cases with words of more than " +
+                               std::to_string(longest) + " letters is not checked");
+    }
+    bytes *= static_cast<double>(letters_of(proof.language).size() + 1);
+    budget.check_memory(static_cast<std::uint64_t>(std::min(bytes, 1e18)),
+                        "the factors of the words");
     for (const Word& word : words_)
         for (auto end = word.begin();; ++end) {
             beginnings_.emplace(word.begin(), end);
@@ -74,6 +91,7 @@ void StepCheck::must_not_give(const Word& from, const Word& to, const Possible& 
 
 void StepCheck::follow(const Word& from, std::size_t position, const Word& to, std::size_t done,
                        const Possible& possible, Rules& used, Places& seen) const {
+    budget_.check();
     const bool rules_matter = proof_.family.deterministic || !proof_.impossible.empty();
     if (!rules_matter && !seen.emplace(position, done).second) return;
     for (const ImpossibleTable& table : proof_.impossible)
@@ -106,6 +124,7 @@ bool StepCheck::lands(const Word& word, const LetterRule& rule, const Possible& 
 
 bool StepCheck::lands_after(const Word& word, std::size_t position, const Word& built,
                             const Possible& possible, std::map<Symbol, Word>& chosen) const {
+    budget_.check();
     if (!beginnings_.contains(built)) return false;
     if (position == word.size()) return words_.contains(built);
     const Symbol letter = word[position];

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "verify/finite_obstruction.hpp"
 
 namespace algae {
@@ -22,8 +23,8 @@ public:
     using Possible = std::map<Symbol, std::set<Word>>;
     using Rules = std::set<LetterRule>;
 
-    /// `proof` must outlive this.
-    explicit StepCheck(const FamilyObstruction& proof);
+    /// Both must outlive this. Throws BoundReached where the factors of the words would take too much.
+    StepCheck(const FamilyObstruction& proof, const Budget& budget);
 
     const std::set<Word>& words() const { return words_; }
     std::string spelled(const Word& word) const;
@@ -51,6 +52,7 @@ private:
                 const Possible& possible, Rules& used, Places& seen) const;
 
     const FamilyObstruction& proof_;
+    const Budget& budget_;
     std::set<Word> words_;
     std::set<Word> beginnings_;
 };

@@ -1,0 +1,195 @@
+#include "verify/exponential_polynomial.hpp"
+
+#include <algorithm>
+
+#include "base/error.hpp"
+
+namespace algae::verify {
+
+namespace {
+
+constexpr std::uint64_t most_bits = 200'000;
+constexpr std::size_t most_coefficients = 2'000;
+
+[[noreturn]] void too_hard(const Field& field, const std::string& why) {
+    throw BoundReached(field.path() + ": " + why);
+}
+
+std::uint64_t bits(const Rational& value) {
+    return bit_length(value.numerator()) + bit_length(value.denominator());
+}
+
+Rational checked_power(const Rational& base, const Integer& exponent, const Field& field) {
+    if (!exponent.fits_int64() || abs(exponent) > 100'000 ||
+        bits(base) * static_cast<std::uint64_t>(abs(exponent).to_int64()) > most_bits)
+        too_hard(field, "the power is too large to be checked");
+    if (base.is_zero() && exponent < 0) field.fail("a negative power of 0");
+    return power(base, static_cast<long>(exponent.to_int64()));
+}
+
+}  // namespace
+
+ExponentialPolynomial ExponentialPolynomial::constant(const Rational& value) {
+    ExponentialPolynomial made;
+    made.terms_[Rational(1)] = {value};
+    made.settle();
+    return made;
+}
+
+void ExponentialPolynomial::settle() {
+    for (auto term = terms_.begin(); term != terms_.end();) {
+        Coefficients& all = term->second;
+        if (term->first.is_zero() && all.size() > 1) all.resize(1);  // n 0^n is 0
+        while (!all.empty() && all.back().is_zero()) all.pop_back();
+        term = all.empty() ? terms_.erase(term) : std::next(term);
+    }
+}
+
+void ExponentialPolynomial::check_size(const Field& field) const {
+    if (order() > most_coefficients)
+        too_hard(field, "the formula has too many terms to be checked");
+    for (const auto& [base, coefficients] : terms_) {
+        std::uint64_t most = bits(base);
+        for (const Rational& each : coefficients) most = std::max(most, bits(each));
+        if (most > most_bits) too_hard(field, "the formula has numbers too large to be checked");
+    }
+}
+
+void ExponentialPolynomial::add(const ExponentialPolynomial& other, const Rational& factor) {
+    for (const auto& [base, coefficients] : other.terms_) {
+        Coefficients& sum = terms_[base];
+        if (sum.size() < coefficients.size()) sum.resize(coefficients.size());
+        for (std::size_t i = 0; i < coefficients.size(); ++i) sum[i] += factor * coefficients[i];
+    }
+    settle();
+}
+
+ExponentialPolynomial ExponentialPolynomial::times(const ExponentialPolynomial& other) const {
+    ExponentialPolynomial product;
+    for (const auto& [base, left] : terms_)
+        for (const auto& [other_base, right] : other.terms_) {
+            Coefficients& sum = product.terms_[base * other_base];
+            if (sum.size() < left.size() + right.size() - 1)
+                sum.resize(left.size() + right.size() - 1);
+            for (std::size_t i = 0; i < left.size(); ++i)
+                for (std::size_t j = 0; j < right.size(); ++j) sum[i + j] += left[i] * right[j];
+        }
+    product.settle();
+    return product;
+}
+
+const Rational* ExponentialPolynomial::as_constant() const {
+    static const Rational zero;
+    if (terms_.empty()) return &zero;
+    const auto& [base, coefficients] = *terms_.begin();
+    return terms_.size() == 1 && base == Rational(1) && coefficients.size() == 1
+               ? &coefficients.front()
+               : nullptr;
+}
+
+ExponentialPolynomial ExponentialPolynomial::inverse(const Field& field) const {
+    if (terms_.empty()) field.fail("a division by 0");
+    const auto& [base, coefficients] = *terms_.begin();
+    if (terms_.size() != 1 || coefficients.size() != 1 || base.is_zero())
+        too_hard(field, "a formula that divides by this cannot be checked");
+    ExponentialPolynomial made;
+    made.terms_[Rational(1) / base] = {Rational(1) / coefficients.front()};
+    return made;
+}
+
+ExponentialPolynomial ExponentialPolynomial::raised(const ExponentialPolynomial& base,
+                                                    const ExponentialPolynomial& exponent,
+                                                    const Field& field) {
+    if (const Rational* times = exponent.as_constant();
+        times && times->denominator() == 1 && times->numerator() >= 0) {
+        if (times->numerator() > 1000) {
+            if (const Rational* value = base.as_constant())
+                return constant(checked_power(*value, times->numerator(), field));
+            too_hard(field, "the power is too large to be checked");
+        }
+        ExponentialPolynomial product = constant(1);
+        for (std::uint64_t i = times->numerator().to_uint64(); i > 0; --i) {
+            product = product.times(base);
+            product.check_size(field);
+        }
+        return product;
+    }
+    const Rational* value = base.as_constant();
+    const auto linear = exponent.terms_.find(Rational(1));
+    if (!value || exponent.terms_.size() > 1 || linear == exponent.terms_.end() ||
+        linear->second.size() > 2)
+        too_hard(field, "a formula with such a power cannot be checked");
+    const Rational fixed = linear->second[0];
+    const Rational slope = linear->second.size() > 1 ? linear->second[1] : Rational();
+    if (fixed.denominator() != 1 || slope.denominator() != 1)
+        too_hard(field, "a formula with a broken exponent cannot be checked");
+    if (value->is_zero() && (sign(fixed) < 0 || sign(slope) < 0))
+        field.fail("a negative power of 0");
+    ExponentialPolynomial made;
+    made.terms_[checked_power(*value, slope.numerator(), field)] = {
+        checked_power(*value, fixed.numerator(), field)};
+    made.settle();
+    return made;
+}
+
+ExponentialPolynomial ExponentialPolynomial::read(const Field& field) {
+    ExponentialPolynomial found;
+    if (field.kind() == JsonValue::Kind::object) {
+        found = read_operation(field);
+    } else if (field.kind() == JsonValue::Kind::text && field.text() == "n") {
+        found.terms_[Rational(1)] = {Rational(0), Rational(1)};
+    } else {
+        found = constant(field.integer(true));
+    }
+    found.check_size(field);
+    return found;
+}
+
+ExponentialPolynomial ExponentialPolynomial::read_operation(const Field& field) {
+    for (const char* name : {"sum", "product"}) {
+        if (!field.has(name)) continue;
+        field.only({name});
+        const bool adds = std::string_view(name) == "sum";
+        ExponentialPolynomial all = constant(adds ? 0 : 1);
+        for (const Field& each : field.at(name).list()) {
+            const ExponentialPolynomial part = read(each);
+            if (adds)
+                all.add(part, 1);
+            else
+                all = all.times(part);
+            all.check_size(field);
+        }
+        return all;
+    }
+    for (const char* name : {"difference", "quotient", "power"}) {
+        if (!field.has(name)) continue;
+        field.only({name});
+        const auto [left, right] = field.at(name).pair();
+        ExponentialPolynomial first = read(left);
+        const ExponentialPolynomial second = read(right);
+        if (std::string_view(name) == "power") return raised(first, second, field);
+        if (std::string_view(name) == "quotient") return first.times(second.inverse(right));
+        first.add(second, -1);
+        return first;
+    }
+    field.fail("expected a formula");
+}
+
+Rational ExponentialPolynomial::operator()(std::uint64_t n) const {
+    Rational value;
+    for (const auto& [base, coefficients] : terms_) {
+        Rational polynomial;
+        for (auto each = coefficients.rbegin(); each != coefficients.rend(); ++each)
+            polynomial = polynomial * Rational(Integer(n)) + *each;
+        value += polynomial * power(base, static_cast<long>(n));
+    }
+    return value;
+}
+
+std::size_t ExponentialPolynomial::order() const {
+    std::size_t order = 0;
+    for (const auto& [base, coefficients] : terms_) order += coefficients.size();
+    return order;
+}
+
+}  // namespace algae::verify

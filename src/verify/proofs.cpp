@@ -1,0 +1,36 @@
+#include "verify/proofs.hpp"
+
+namespace algae::verify {
+
+void wrong_kind(const Field& proof, const std::string& by) {
+    proof.at("by").refuse("no proof by '" + by + "' shows this");
+}
+
+void check_proof(const Checking& with, const Statement& statement, bool holds, const Field& proof) {
+    using Kind = Statement::Kind;
+    const std::string by = proof.at("by").text();
+    switch (statement.kind) {
+        case Kind::family:
+            return check_family(with, statement, holds, proof, by);
+        case Kind::finite:
+        case Kind::empty:
+        case Kind::size:
+            return check_size(with, statement, holds, proof, by);
+        case Kind::equal:
+        case Kind::included:
+            return check_comparison(with, statement, holds, proof, by);
+        case Kind::member:
+            return check_membership(with, statement, holds, proof, by);
+        case Kind::derives:
+            return check_derivation(with, statement, holds, proof, by);
+        case Kind::equal_sequences:
+            return check_sequences(with, statement, holds, proof, by);
+        case Kind::equal_growth:
+        case Kind::growth_formula:
+        case Kind::growth_class:
+            return check_growth(with, statement, holds, proof, by);
+    }
+    wrong_kind(proof, by);
+}
+
+}  // namespace algae::verify

@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "language/finiteness_letters.hpp"
-#include "language/regular_images.hpp"
 #include "language/regular_words.hpp"
+#include "language/tables_words.hpp"
 
 namespace algae {
 
@@ -81,28 +81,6 @@ std::uint64_t cycle_length(const LetterFutures& futures, const std::vector<Word>
     return 0;
 }
 
-/// The words of all generations of a finite language, as an automaton: what the letters become is one of
-/// finitely many families of finite languages, so the families repeat (Brent 1980).
-RegularLanguage all_words_of(const OL& system, const Budget& budget) {
-    const RegularLanguage axiom = finite_set({system.axiom});
-    std::vector<RegularLanguage> family(system.alphabet->size());
-    for (const Symbol a : system.letters) family[a] = finite_set({Word{a}});
-    std::vector<RegularLanguage> remembered = family;
-    RegularLanguage found;
-    for (std::uint64_t step = 0, until = 1;; ++step) {
-        budget.check();
-        if (step > 0 && family == remembered) return found;
-        found = united(found, image(axiom, family, budget), budget);
-        if (step == until) {
-            remembered = family;
-            until *= 2;
-        }
-        std::vector<RegularLanguage> next(family.size());
-        for (const Symbol a : system.letters) next[a] = image(finite_set(system.successors[a]), family, budget);
-        family = std::move(next);
-    }
-}
-
 }  // namespace
 
 Finiteness finiteness(const OL& system) {
@@ -140,7 +118,7 @@ Integer number_of_words(const OL& system, const Budget& budget) {
         const Repetition found = repetition(system, budget);
         return Integer(found.preperiod) + found.period;
     }
-    return *number_of_words(all_words_of(system, budget));
+    return *number_of_words(finite_words(as_et0l(system), budget));
 }
 
 }  // namespace algae

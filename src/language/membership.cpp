@@ -11,8 +11,8 @@
 namespace algae {
 
 bool is_derivation(const OL& system, const Derivation& derivation) {
-    const auto& [words, choices] = derivation;
-    if (words.empty() || words.front() != system.axiom || choices.size() + 1 != words.size()) return false;
+    const auto& [words, choices, tables] = derivation;
+    if (!tables.empty() || words.empty() || words.front() != system.axiom || choices.size() + 1 != words.size()) return false;
     for (std::size_t t = 0; t < choices.size(); ++t) {
         if (choices[t].size() != words[t].size()) return false;
         Word next;

@@ -15,6 +15,7 @@ namespace algae {
 struct Derivation {
     std::vector<Word> words;
     std::vector<std::vector<std::uint32_t>> choices;  // one fewer than words
+    std::vector<std::uint32_t> tables = {};           // of each step; empty where the system has one table
 };
 
 /// Whether the derivation begins with the axiom and each step does what the rules say. Linear time.
@@ -29,12 +30,17 @@ struct Membership {
                      // `earlier` steps, so nothing new is derived afterwards, and no generation before had the word
         outgrown,    // no: from generation `step` on all words are longer, and no generation before had it
         periodic,    // no: generation `step` is the same word as generation `earlier` (D0L systems)
+        nonterminal, // no: letter number `position` of the word is no terminal (language/tables_membership.hpp)
+        exhausted,   // no: what the letters derive within the word by any `step` tables is what they derive by
+                     // fewer, so nothing new is derived afterwards, and none of the `states` families seen has it
     };
     bool member = false;
     Reason reason = Reason::derived;
     std::uint64_t step = 0;
     std::uint64_t earlier = 0;
     std::uint64_t position = 0;
+    std::uint64_t states = 0;
+    std::vector<std::uint32_t> tables = {};  // of a member, where there are several: those of its steps
 };
 
 /// Whether the word is in L(G), decided: complete, with erasing rules too.

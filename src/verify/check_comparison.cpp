@@ -104,6 +104,14 @@ void check_comparison(const Checking& with, const Statement& statement, bool hol
     } else if (by == "sequences") {
         proof.only({"by", "proof"});
         check_same_sequences(with, statement, proof);
+    } else if (by == "sections" && of_equality) {
+        for (const Language& language : statement.languages)
+            if (language->kind != Tree::Kind::generated || !is_d0l(*language->system))
+                proof.refuse("a language is not given by a D0L system");
+        check_sections(with, *statement.languages[0]->system, *statement.languages[1]->system,
+                       proof);
+    } else if (by == "induction" && !of_equality) {
+        check_induction(with, statement.languages[0], statement.languages[1], proof);
     } else if (by == "relations" && !of_equality) {
         proof.only({"by"});
         check_relations(with, statement, proof);

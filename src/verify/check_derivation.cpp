@@ -59,8 +59,19 @@ void check_derivation(const Checking& with, const Statement& statement, bool hol
 void check_membership(const Checking& with, const Statement& statement, bool holds,
                       const Field& proof, const std::string& by) {
     if (by != "membership") wrong_kind(proof, by);
-    proof.only({"by", "derivation"});
+    proof.only({"by", "derivation", "preimage"});
     const Language& language = statement.languages[0];
+    if (proof.has("preimage")) {
+        const Field preimage = proof.at("preimage");
+        const Word word = with.reader.word(preimage);
+        if (!holds || proof.has("derivation") || language->kind != Tree::Kind::image)
+            preimage.refuse("this does not show it");
+        if (image_of(word, language->morphism, with.budget) != statement.word)
+            preimage.refuse("the word is not its image");
+        if (!contains(language->parts[0], word, with.alphabet(), with.budget))
+            preimage.refuse("it is not in the language whose image this is");
+        return;
+    }
     if (proof.has("derivation")) {
         const Field derivation = proof.at("derivation");
         derivation.only({"words", "tables"});

@@ -76,12 +76,41 @@ void check_cases(const Checking& with, const std::string& family, const Language
     if (const auto flaw = flaw_in(obstruction, with.budget)) proof.refuse(*flaw);
 }
 
+/// All families are closed under reversal, and it is its own inverse.
+void check_reversal(const Checking& with, const Statement& statement, bool holds,
+                    const Field& proof) {
+    if (statement.languages[0]->kind != Tree::Kind::reversal)
+        proof.refuse("the language is no reversal");
+    Statement part = statement;
+    part.languages = statement.languages[0]->parts;
+    check_proof(with, part, holds, proof.at("proof"));
+}
+
+/// The lengths of the words are infinitely many, and so few that they hold no arithmetic progression; but those
+/// of an infinite context-free language do (Parikh 1966).
+void check_sparse(const Statement& statement, const Field& proof) {
+    const Language& language = statement.languages[0];
+    if (statement.family != "REG" && statement.family != "CF")
+        proof.refuse("this shows nothing of " + statement.family);
+    if (language->kind != Tree::Kind::generated || !is_d0l(*language->system))
+        proof.refuse("the language is not given by a D0L system");
+    const Growth growth = growth_of(*language->system);
+    if (growth.name != "exponential" && (growth.name != "polynomial" || growth.degree < 2))
+        proof.refuse("the lengths grow no faster than n");
+}
+
 }  // namespace
 
 void check_family(const Checking& with, const Statement& statement, bool holds, const Field& proof,
                   const std::string& by) {
     const Language& language = statement.languages[0];
-    if (!holds) {
+    if (by == "reversal") {
+        proof.only({"by", "proof"});
+        check_reversal(with, statement, holds, proof);
+    } else if (!holds && by == "sparse") {
+        proof.only({"by"});
+        check_sparse(statement, proof);
+    } else if (!holds) {
         if (by != "cases") wrong_kind(proof, by);
         proof.only({"by", "obstruction"});
         check_cases(with, statement.family, language, proof);

@@ -49,11 +49,19 @@ std::map<Overhang, std::size_t> read_states(const Checking& with, const Field& p
     return states;
 }
 
+}  // namespace
+
 /// g^k(w) leads from the empty overflow to itself for every k, so g and h agree on it: by induction the
 /// sequences of g and h are the same.
 void check_balance(const Checking& with, const System& left, const System& right,
                    const Field& proof) {
-    proof.only({"by", "bound", "states"});
+    proof.only({"by", "bound", "states", "accepts"});
+    if (proof.has("accepts")) {
+        const Field repeats = proof.at("accepts");
+        repeats.only({"steps", "earlier"});
+        if (repeats.at("steps").number() <= repeats.at("earlier").number())
+            repeats.refuse("nothing repeats before it begins");
+    }
     if (left.axiom != right.axiom) proof.refuse("the axioms differ");
     const auto letters = accessible_letters(left, left.axiom);
     const auto states = read_states(with, proof);
@@ -79,6 +87,8 @@ void check_balance(const Checking& with, const System& left, const System& right
         proof.at("states").refuse(
             "a word of the sequence does not lead through these overflows back to the empty one");
 }
+
+namespace {
 
 void check_finite_sequences(const Checking& with, const System& left, const System& right,
                             const Field& proof) {

@@ -132,47 +132,134 @@ ExponentialPolynomial ExponentialPolynomial::raised(const ExponentialPolynomial&
     return made;
 }
 
-ExponentialPolynomial ExponentialPolynomial::read(const Field& field) {
-    ExponentialPolynomial found;
-    if (field.kind() == JsonValue::Kind::object) {
-        found = read_operation(field);
-    } else if (field.kind() == JsonValue::Kind::text && field.text() == "n") {
-        found.terms_[Rational(1)] = {Rational(0), Rational(1)};
-    } else {
-        found = constant(field.integer(true));
+/// Reads a formula from left to right.
+class FormulaReader {
+public:
+    using Value = ExponentialPolynomial;
+
+    explicit FormulaReader(const Field& field) : field_(field), rest_(field.text()) {}
+
+    Value whole() {
+        Value value = sum();
+        if (!rest_.empty())
+            field_.fail("expected the end of the formula, found '" + std::string(rest_) + "'");
+        return value;
     }
-    found.check_size(field);
-    return found;
+
+private:
+    bool take(char c) {
+        while (rest_.starts_with(' ')) rest_.remove_prefix(1);
+        if (!rest_.starts_with(c)) return false;
+        rest_.remove_prefix(1);
+        while (rest_.starts_with(' ')) rest_.remove_prefix(1);
+        return true;
+    }
+
+    Value checked(Value value) const {
+        value.check_size(field_);
+        return value;
+    }
+
+    Value sum() {
+        if (++depth_ > 200) throw BoundReached(field_.path() + ": brackets nested too deeply");
+        Value value = product();
+        for (;;) {
+            if (take('+'))
+                value.add(product(), 1);
+            else if (take('-'))
+                value.add(product(), -1);
+            else
+                break;
+            value.check_size(field_);
+        }
+        --depth_;
+        return value;
+    }
+
+    Value product() {
+        Value value = signed_power();
+        for (;;) {
+            if (take('*'))
+                value = checked(value.times(signed_power()));
+            else if (take('/'))
+                value = checked(value.times(signed_power().inverse(field_)));
+            else
+                return value;
+        }
+    }
+
+    Value signed_power() {
+        bool negative = false;
+        while (take('-')) negative = !negative;
+        Value value = power();
+        if (!negative) return value;
+        Value opposite;
+        opposite.add(value, -1);
+        return opposite;
+    }
+
+    Value power() {
+        Value base = operand();
+        if (!take('^')) return base;
+        if (++depth_ > 200) throw BoundReached(field_.path() + ": powers nested too deeply");
+        const Value exponent = signed_power();
+        --depth_;
+        return checked(Value::raised(base, exponent, field_));
+    }
+
+    Value operand() {
+        if (take('(')) {
+            Value value = sum();
+            if (!take(')')) field_.fail("a ')' is missing in the formula");
+            return value;
+        }
+        if (take('n')) {
+            Value value;
+            value.terms_[Rational(1)] = {Rational(0), Rational(1)};
+            return value;
+        }
+        std::size_t size = 0;
+        while (size < rest_.size() &&
+               ((rest_[size] >= '0' && rest_[size] <= '9') || rest_[size] == '.'))
+            ++size;
+        if (size == 0)
+            field_.fail("expected a number, n or '(' in the formula, found '" + std::string(rest_) +
+                        "'");
+        if (size > 10'000) too_hard(field_, "the formula has numbers too large to be checked");
+        const Rational value(rest_.substr(0, size));
+        rest_.remove_prefix(size);
+        return checked(Value::constant(value));
+    }
+
+    const Field& field_;
+    std::string_view rest_;
+    std::size_t depth_ = 0;
+};
+
+ExponentialPolynomial ExponentialPolynomial::read(const Field& field) {
+    return FormulaReader(field).whole();
 }
 
-ExponentialPolynomial ExponentialPolynomial::read_operation(const Field& field) {
-    for (const char* name : {"sum", "product"}) {
-        if (!field.has(name)) continue;
-        field.only({name});
-        const bool adds = std::string_view(name) == "sum";
-        ExponentialPolynomial all = constant(adds ? 0 : 1);
-        for (const Field& each : field.at(name).list()) {
-            const ExponentialPolynomial part = read(each);
-            if (adds)
-                all.add(part, 1);
-            else
-                all = all.times(part);
-            all.check_size(field);
-        }
-        return all;
+ExponentialPolynomial ExponentialPolynomial::read_terms(const Field& field) {
+    ExponentialPolynomial all;
+    for (const Field& each : field.list()) {
+        each.only({"coefficient", "power", "base"});
+        const auto rational = [&](const char* name) {
+            const Field part = each.at(name);
+            if (part.text().size() > 10'000)
+                too_hard(part, "the number is too large to be checked");
+            return Rational(part.text());
+        };
+        const std::uint64_t power = each.at("power").number();
+        if (power >= most_coefficients) too_hard(each, "the power is too large to be checked");
+        ExponentialPolynomial term;
+        Coefficients coefficients(power + 1);
+        coefficients[power] = rational("coefficient");
+        term.terms_[rational("base")] = std::move(coefficients);
+        term.settle();
+        all.add(term, 1);
     }
-    for (const char* name : {"difference", "quotient", "power"}) {
-        if (!field.has(name)) continue;
-        field.only({name});
-        const auto [left, right] = field.at(name).pair();
-        ExponentialPolynomial first = read(left);
-        const ExponentialPolynomial second = read(right);
-        if (std::string_view(name) == "power") return raised(first, second, field);
-        if (std::string_view(name) == "quotient") return first.times(second.inverse(right));
-        first.add(second, -1);
-        return first;
-    }
-    field.fail("expected a formula");
+    return all;
 }
 
 Rational ExponentialPolynomial::operator()(std::uint64_t n) const {

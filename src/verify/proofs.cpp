@@ -1,5 +1,7 @@
 #include "verify/proofs.hpp"
 
+#include "base/error.hpp"
+
 namespace algae::verify {
 
 void wrong_kind(const Field& proof, const std::string& by) {
@@ -9,6 +11,11 @@ void wrong_kind(const Field& proof, const std::string& by) {
 void check_proof(const Checking& with, const Statement& statement, bool holds, const Field& proof) {
     using Kind = Statement::Kind;
     const std::string by = proof.at("by").text();
+    if (by == "construction") {
+        proof.only({"by", "system"});
+        proof.at("system").only({"axiom", "tables", "terminals"});
+        throw BoundReached("it rests on a system made by the constructions of a theorem");
+    }
     switch (statement.kind) {
         case Kind::family:
             return check_family(with, statement, holds, proof, by);

@@ -36,6 +36,26 @@ void check_sequences(const Checking& with, const Statement& statement, bool hold
 void check_growth(const Checking& with, const Statement& statement, bool holds, const Field& proof,
                   const std::string& by);  // equal growth, formula, class
 
+/// How the lengths of a D0L system grow: "zero", "bounded", "polynomial" or "exponential", and the degree.
+struct Growth {
+    std::string name;
+    std::size_t degree = 0;
+};
+Growth growth_of(const System& system);
+
+/// Checks that a language is infinite.
+void check_infinite(const Checking& with, const Language& language, const Field& proof,
+                    const std::string& by);
+/// Checks that two D0L systems have the same sequence, by the automaton of overflows in the proof.
+void check_balance(const Checking& with, const System& left, const System& right,
+                   const Field& proof);
+/// Checks that two D0L systems generate the same language, by the sections of their sequences in the proof.
+void check_sections(const Checking& with, const System& left, const System& right,
+                    const Field& proof);
+/// Checks by induction on the length that a regular language is within that of a system.
+void check_induction(const Checking& with, const Language& left, const Language& right,
+                     const Field& proof);
+
 /// The proof is of no kind that shows such a statement: throws Flaw.
 [[noreturn]] void wrong_kind(const Field& proof, const std::string& by);
 

@@ -68,6 +68,7 @@ int main(int argc, char** argv) {
     add_member(verbs);
     add_finite(verbs);
     add_equal(verbs);
+    add_verify(verbs);
     add_draw(verbs);
     add_figures(verbs);
     add_gallery(verbs);

@@ -62,7 +62,8 @@ GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format, const 
     const double scale = scale_of(page, format, options);
     const auto side = [&](double length) {
         const double scaled = length * scale;
-        return format == PictureFormat::png ? std::clamp(std::ceil(scaled - 1e-6), 1.0, largest_png) : scaled;
+        return format == PictureFormat::png ? std::clamp(std::ceil(scaled - 1e-6), 1.0, largest_png)
+                                            : std::min(scaled, largest_vector);
     };
     const GraphDrawn drawn{side(page.width()), side(page.height())};
     if (format == PictureFormat::png)

@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <utility>
 
 #include "base/error.hpp"
 #include "render/graph_label.hpp"
@@ -53,11 +55,59 @@ std::string full_label(const Graph::Node& node) {
     return node.subscript.empty() ? node.label : node.label + "_" + node.subscript;
 }
 
+/// Numbers for Graphviz's names, in order of first use: its own are addresses, by which it sorts, so
+/// that equal graphs would not be equal texts.
+class Names {
+public:
+    static void* open(Agraph_t*, Agdisc_t*) { return new Names; }
+    static void close(void* names) { delete static_cast<Names*>(names); }
+    static long map(void* names, int kind, char* name, IDTYPE* id, int create) {
+        return static_cast<Names*>(names)->number(kind, name, *id, create != 0);
+    }
+    static long allocate(void*, int, IDTYPE) { return 0; }
+    static void free(void*, int, IDTYPE) {}
+    static char* print(void* names, int kind, IDTYPE id) {
+        auto& known = static_cast<Names*>(names)->names_;
+        const auto found = known.find({family(kind), id});
+        return found == known.end() ? nullptr : text(found->second);
+    }
+    static void note(void*, int, void*) {}
+
+private:
+    // The two kinds of edges are one.
+    static int family(int kind) { return kind == AGINEDGE ? AGOUTEDGE : kind; }
+
+    long number(int kind, const char* name, IDTYPE& id, bool create) {
+        if (!name) {  // unnamed objects are odd, as Graphviz has it
+            id = 2 * ++unnamed_ + 1;
+            return 1;
+        }
+        const auto found = numbers_.find({family(kind), name});
+        if (found != numbers_.end()) {
+            id = found->second;
+            return 1;
+        }
+        if (!create) return 0;
+        id = 2 * (numbers_.size() + 1);
+        numbers_.emplace(std::pair(family(kind), std::string(name)), id);
+        names_.emplace(std::pair(family(kind), id), name);
+        return 1;
+    }
+
+    std::map<std::pair<int, std::string>, IDTYPE> numbers_;
+    std::map<std::pair<int, IDTYPE>, std::string> names_;
+    IDTYPE unnamed_ = 0;
+};
+
+Agiddisc_t numbered_names{Names::open, Names::map, Names::allocate, Names::free, Names::print, Names::close, Names::note};
+
 /// The graph in Graphviz's hands.
 class Handed {
 public:
-    explicit Handed(const Graph& graph, Agdisc_t* discipline = nullptr)
-        : graph_(graph), handed_(agopen(text("algae"), Agdirected, discipline)) {
+    explicit Handed(const Graph& graph, Agiodisc_t* writing = &AgIoDisc)
+        : graph_(graph),
+          discipline_{&AgMemDisc, &numbered_names, writing},
+          handed_(agopen(text("algae"), Agdirected, &discipline_)) {
         if (!handed_) throw std::bad_alloc();
         add_defaults();
         add_nodes();
@@ -164,6 +214,7 @@ private:
     }
 
     const Graph& graph_;
+    Agdisc_t discipline_;
     Agraph_t* handed_;
     std::vector<Agnode_t*> nodes_;
     std::vector<Agedge_t*> edges_;
@@ -262,11 +313,12 @@ GraphLayout graph_layout(const Graph& graph, const Budget& budget) {
     budget.check();
     const std::lock_guard<std::mutex> lock(one_at_a_time);
     const Listening listening;
-    const std::unique_ptr<GVC_t, decltype(&gvFreeContext)> context(gvContext(), gvFreeContext);
+    // One for the whole process: every new one takes memory for good.
+    static GVC_t* const context = gvContext();
     if (!context) throw Error("Graphviz cannot begin: " + listening.said());
     const Handed handed(graph);
     budget.check();
-    if (gvLayout(context.get(), handed.get(), "dot") != 0)
+    if (gvLayout(context, handed.get(), "dot") != 0)
         throw Error("Graphviz cannot place the graph: " + listening.said());
     const std::unique_ptr<Agraph_t, void (*)(Agraph_t*)> placed(
         handed.get(), [](Agraph_t* done) { gvFreeLayout(GD_gvc(done), done); });
@@ -297,8 +349,7 @@ std::string dot_text(const Graph& graph) {
     Agiodisc_t writing = AgIoDisc;
     writing.putstr = put_text;
     writing.flush = put_nothing;
-    Agdisc_t discipline{&AgMemDisc, &AgIdDisc, &writing};
-    const Handed handed(graph, &discipline);
+    const Handed handed(graph, &writing);
     std::string written;
     if (agwrite(handed.get(), &written) != 0 || written.empty())
         throw Error("Graphviz cannot write the graph: " + listening.said());

@@ -1,7 +1,6 @@
 #include "notation/claim_families.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "system/classes.hpp"
@@ -11,29 +10,6 @@
 namespace algae {
 
 namespace {
-
-bool take(std::string_view& text, std::string_view token) {
-    if (!text.starts_with(token)) return false;
-    text.remove_prefix(token.size());
-    return true;
-}
-
-std::optional<std::size_t> take_number(std::string_view& text) {
-    std::size_t number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    if (error != std::errc()) return std::nullopt;
-    text.remove_prefix(static_cast<std::size_t>(end - text.data()));
-    return number;
-}
-
-/// `(1,0)L`, from behind its first bracket.
-std::optional<std::pair<std::size_t, std::size_t>> take_context(std::string_view& text) {
-    const auto left = take_number(text);
-    if (!left || !take(text, ",")) return std::nullopt;
-    const auto right = take_number(text);
-    if (!right || !take(text, ")L")) return std::nullopt;
-    return std::pair{*left, *right};
-}
 
 /// Whether each letter is one whose rules matter.
 std::vector<char> occurring(const LSystem& system) {
@@ -108,28 +84,6 @@ std::string misfit_with_context(const LSystem& system, const SystemForm& form) {
 }
 
 }  // namespace
-
-std::optional<SystemForm> system_form(std::string_view name) {
-    SystemForm form;
-    form.extended = take(name, "E");
-    form.propagating = take(name, "P");
-    form.deterministic = take(name, "D");
-    form.tables = take(name, "T");
-    if (name == "0L") return form;
-    if (form.extended || form.tables) return std::nullopt;
-    form.interactive = true;
-    if (name == "1L") {
-        form.one_sided = true;
-    } else if (name == "2L") {
-        form.context = {1, 1};
-    } else if (take(name, "(")) {
-        form.context = take_context(name);
-        if (!form.context || !name.empty()) return std::nullopt;
-    } else if (name != "IL") {
-        return std::nullopt;
-    }
-    return form;
-}
 
 std::optional<std::string> language_family(std::string_view name) {
     if (name == "REG" || name == "regular") return "REG";

@@ -142,7 +142,7 @@ LanguageOperand LanguageParser::bracketed() {
 }
 
 LanguageOperand LanguageParser::generated() {
-    if (!scanner_.take("(")) throw unexpected("'(' after 'L'", scanner_.here);
+    scanner_.take("(");
     const std::string_view rest = scanner_.rest();
     const std::string_view name = trimmed(rest.substr(0, rest.find(')')));
     if (name.empty()) throw unexpected("the name of a system", scanner_.here);
@@ -155,7 +155,7 @@ LanguageOperand LanguageParser::generated() {
 
 LanguageOperand LanguageParser::named() {
     const std::string_view name = scanner_.take_name();
-    if (name == "L") return generated();
+    if (name == "L" && scanner_.rest().starts_with('(')) return generated();
     const ClaimName& known = reading_.expect(name);
     switch (known.kind) {
         case ClaimName::Kind::system:

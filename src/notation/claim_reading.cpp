@@ -14,6 +14,12 @@ namespace {
 
 constexpr std::size_t most_suggested = 1000;  // to choose from more would take long and help little
 
+/// The words that cannot be names of claims.
+const std::vector<std::string>& claim_keywords() {
+    static const std::vector<std::string> all{"is", "in", "not", "by", "growth", "sequence"};
+    return all;
+}
+
 bool is_name(std::string_view text) { return !text.empty() && ClaimScanner(text).name() == text; }
 
 std::string kind_text(ClaimName::Kind kind) {
@@ -29,11 +35,6 @@ std::string kind_text(ClaimName::Kind kind) {
 
 }  // namespace
 
-const std::vector<std::string>& claim_keywords() {
-    static const std::vector<std::string> all{"L", "is", "in", "not", "by", "growth", "sequence"};
-    return all;
-}
-
 ClaimReading::ClaimReading(const Source& text_source, Findings& text_findings,
                            const SystemSource& system_source)
     : source(text_source),
@@ -43,15 +44,15 @@ ClaimReading::ClaimReading(const Source& text_source, Findings& text_findings,
       lexicon(*alphabet) {}
 
 ClaimName& ClaimReading::define(std::string_view name) {
-    const auto& keywords = claim_keywords();
-    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end() || system_form(name))
-        throw SyntaxError{name.data(),
-                          "expected another name, " + quoted(name) + " has a meaning in claims"};
     const auto [entry, is_new] = names_.try_emplace(std::string(name));
     if (!is_new)
         throw SyntaxError{name.data(), quoted(name) + " is defined twice, first in line " +
                                            std::to_string(source.place(entry->second.where).line)};
     entry->second.where = name.data();
+    const auto& keywords = claim_keywords();
+    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end() || system_form(name))
+        throw SyntaxError{name.data(),
+                          "expected another name, " + quoted(name) + " has a meaning in claims"};
     return entry->second;
 }
 

@@ -83,7 +83,4 @@ private:
     std::vector<Owned> systems_;
 };
 
-/// The words that cannot be names of claims.
-const std::vector<std::string>& claim_keywords();
-
 }  // namespace algae

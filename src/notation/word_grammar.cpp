@@ -19,11 +19,12 @@ void scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol, OnArgumen
     bool may_open = false;  // a symbol without arguments stands before
     while (here != end) {
         const auto byte = static_cast<unsigned char>(*here);
-        const auto plain = lexicon.plain(byte);
-        if (plain && (here + 1 == end || here[1] != '_')) {
-            on_symbol(*plain, here++);
-            may_open = true;
-            continue;
+        if (here + 1 == end || here[1] != '_') {
+            if (const auto plain = lexicon.plain(byte)) {
+                on_symbol(*plain, here++);
+                may_open = true;
+                continue;
+            }
         }
         std::string_view rest{here, static_cast<std::size_t>(end - here)};
         if (const auto symbol = lexicon.next(rest)) {

@@ -53,8 +53,11 @@ void add_growth(Verbs& verbs);
 void add_member(Verbs& verbs);
 void add_finite(Verbs& verbs);
 void add_equal(Verbs& verbs);
+void add_is(Verbs& verbs);
+void add_check(Verbs& verbs);
 void add_verify(Verbs& verbs);
 void add_draw(Verbs& verbs);
+void add_tree(Verbs& verbs);
 void add_figures(Verbs& verbs);
 void add_gallery(Verbs& verbs);
 

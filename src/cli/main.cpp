@@ -68,8 +68,11 @@ int main(int argc, char** argv) {
     add_member(verbs);
     add_finite(verbs);
     add_equal(verbs);
+    add_is(verbs);
+    add_check(verbs);
     add_verify(verbs);
     add_draw(verbs);
+    add_tree(verbs);
     add_figures(verbs);
     add_gallery(verbs);
     if (argc < 2) {

@@ -63,6 +63,7 @@ struct Claim {
     std::string name;  // of the file
     std::string title, source;
     std::vector<std::string> notes;  // `note`, in the order of the file, printed by explanations
+    bool empty_axiom = false;        // whether families of systems may have the empty word as axiom
     std::shared_ptr<const Alphabet> alphabet;
     std::vector<std::shared_ptr<const SourceSystem>> systems;  // defined by the claim, in order
     std::vector<Language> languages;                           // defined by the claim, each with its name

@@ -89,28 +89,48 @@ public:
 private:
     using Triple = std::array<std::size_t, 3>;  // state, letter, state
 
-    void add_rules(std::size_t table, Symbol letter, const Triple& triple) {
-        for (const Word& successor : system_->tables[table][triple[1]])
-            guess(table, letter, successor, {}, triple[0], triple[2]);
+    /// A successor with the states from which its letters from each one on may lead to some last state.
+    struct Goal {
+        const Word* successor;
+        std::vector<std::vector<char>> before;
+    };
+
+    Goal goal(const Word& successor, std::size_t last) const {
+        const std::size_t n = machine_->states();
+        Goal found{&successor,
+                   std::vector<std::vector<char>>(successor.size() + 1, std::vector<char>(n))};
+        found.before.back()[last] = true;
+        for (std::size_t i = successor.size(); i-- > 0;)
+            for (std::size_t p = 0; p < n; ++p)
+                for (std::size_t q = 0; q < n; ++q)
+                    if (found.before[i + 1][q] && ways_[successor[i]][p * n + q])
+                        found.before[i][p] = true;
+        return found;
     }
 
-    /// All ways from `state` to `last` through the letters that `begun` does not have yet.
-    void guess(std::size_t table, Symbol letter, const Word& successor, Word begun,
-               std::size_t state, std::size_t last) {
-        if (begun.size() == successor.size()) {
-            if (state == last) draft_.add_rule(table, letter, std::move(begun));
+    void add_rules(std::size_t table, Symbol letter, const Triple& triple) {
+        for (const Word& successor : system_->tables[table][triple[1]]) {
+            const Goal whole = goal(successor, triple[2]);
+            if (whole.before.front()[triple[0]]) guess(table, letter, whole, {}, triple[0]);
+        }
+    }
+
+    /// All ways from `state` on through the letters that `begun` does not have yet.
+    void guess(std::size_t table, Symbol letter, const Goal& goal, Word begun, std::size_t state) {
+        const std::size_t place = begun.size();
+        if (place == goal.successor->size()) {
+            draft_.add_rule(table, letter, std::move(begun));
             draft_.check(*budget_);
             return;
         }
-        const Symbol a = successor[begun.size()];
-        const bool end = begun.size() + 1 == successor.size();
+        const Symbol a = (*goal.successor)[place];
         begun.push_back(0);
-        for (std::size_t next = end ? last : 0; next < (end ? last + 1 : machine_->states());
-             ++next) {
-            if (!ways_[a][state * machine_->states() + next]) continue;
+        for (std::size_t next = 0; next < machine_->states(); ++next) {
+            if (!goal.before[place + 1][next] || !ways_[a][state * machine_->states() + next])
+                continue;
             for (const Symbol found : between({state, a, next})) {
                 begun.back() = found;
-                guess(table, letter, successor, begun, next, last);
+                guess(table, letter, goal, begun, next);
             }
         }
     }

@@ -15,6 +15,8 @@ namespace {
 
 using Node = DerivationTree::Node;
 
+constexpr double most_bits = 1000;  // of the number of letters below a cut
+
 /// Every letter leaves one more letter behind for each generation that it has: h'(a) = h(a) c, and
 /// h'(a) = c c where h(a) is empty. So the length of generation n counts the letters of generation n,
 /// all letters of generations before, and what was erased.
@@ -133,6 +135,12 @@ DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom
     return tree;
 }
 
+/// What letter number i of a word of a derivation becomes.
+const Word& successor_in(const ET0L& system, const Derivation& derivation, std::uint64_t t, std::size_t i) {
+    const std::uint32_t table = derivation.tables.empty() ? 0 : derivation.tables[t];
+    return system.tables.at(table)[derivation.words[t][i]][derivation.choices[t][i]];
+}
+
 /// The last generation that is shown, and whether something is left out below it.
 std::pair<std::uint64_t, bool> extent(std::uint64_t n, const TreeShape& shape) {
     if (shape.depth && *shape.depth < n) return {*shape.depth, true};
@@ -159,7 +167,8 @@ DerivationTree derivation_tree(const D0L& system, std::uint64_t n, const TreeSha
         if (found != lengths.end()) return found->second;
         D0L from = system;
         from.axiom = {a};
-        return lengths.emplace(a, length(from, rest, budget)).first->second;
+        const bool countable = estimated_log2_length(from, rest) < most_bits;
+        return lengths.emplace(a, countable ? length(from, rest, budget) : Integer(-1)).first->second;
     };
     const auto successor = [&](std::uint64_t, std::size_t, Symbol a) -> const Word& {
         return system.successor(a);
@@ -167,7 +176,7 @@ DerivationTree derivation_tree(const D0L& system, std::uint64_t n, const TreeSha
     return build(system.alphabet, system.axiom, last, cut, shape.shared, successor, below, budget);
 }
 
-Integer tree_size(const OL& system, const Derivation& derivation, const TreeShape& shape,
+Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeShape& shape,
                   const Budget& budget) {
     if (shape.shared) return Integer(derivation_tree(system, derivation, shape, budget).nodes.size());
     const auto [last, cut] = extent(derivation.choices.size(), shape);
@@ -177,16 +186,16 @@ Integer tree_size(const OL& system, const Derivation& derivation, const TreeShap
         nodes += derivation.words[t].size();
         if (t == last) break;
         for (std::size_t i = 0; i < derivation.words[t].size(); ++i)
-            nodes += system.successors[derivation.words[t][i]][derivation.choices[t][i]].empty();
+            nodes += successor_in(system, derivation, t, i).empty();
     }
     return Integer(cut ? nodes + derivation.words[last].size() : nodes);
 }
 
-DerivationTree derivation_tree(const OL& system, const Derivation& derivation, const TreeShape& shape,
+DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation, const TreeShape& shape,
                                const Budget& budget) {
     const auto [last, cut] = extent(derivation.choices.size(), shape);
-    const auto successor = [&](std::uint64_t t, std::size_t i, Symbol a) -> const Word& {
-        return system.successors[a][derivation.choices[t][i]];
+    const auto successor = [&](std::uint64_t t, std::size_t i, Symbol) -> const Word& {
+        return successor_in(system, derivation, t, i);
     };
     // How many letters of the last word stand below each letter of the last generation shown.
     std::vector<std::uint64_t> counts(derivation.words.back().size(), 1);
@@ -195,7 +204,7 @@ DerivationTree derivation_tree(const OL& system, const Derivation& derivation, c
         std::size_t next = 0;
         for (std::size_t i = 0; i < derivation.words[t].size(); ++i) {
             std::uint64_t sum = 0;
-            for (std::size_t k = successor(t, i, derivation.words[t][i]).size(); k > 0; --k)
+            for (std::size_t k = successor_in(system, derivation, t, i).size(); k > 0; --k)
                 sum += counts.at(next++);
             above.push_back(sum);
         }
@@ -204,7 +213,26 @@ DerivationTree derivation_tree(const OL& system, const Derivation& derivation, c
     const auto below = [&](std::size_t i, Symbol) { return Integer(counts.at(i)); };
     DerivationTree tree = build(system.alphabet, derivation.words.front(), last, cut, false, successor,
                                 below, budget);
+    for (std::uint64_t t = 0; t < last && !derivation.tables.empty(); ++t)
+        tree.tables.push_back(system.table_names.at(derivation.tables[t]));
     return shape.shared ? with_shared_subtrees(tree, budget) : tree;
+}
+
+std::optional<std::uint64_t> depth_within(std::uint64_t n, std::uint64_t most_nodes,
+                                          const std::function<Integer(const TreeShape&)>& size,
+                                          bool shared) {
+    const auto fits = [&](std::uint64_t depth) { return size({depth, shared}) <= Integer(most_nodes); };
+    if (n == 0 || !fits(0)) return std::nullopt;
+    std::uint64_t low = 0, step = 1;  // low fits
+    while (step < n - low && fits(low + step)) {
+        low += step;
+        step *= 2;
+    }
+    for (std::uint64_t high = std::min(n, low + step); high - low > 1;) {
+        const std::uint64_t middle = low + (high - low) / 2;
+        (fits(middle) ? low : high) = middle;
+    }
+    return low;
 }
 
 DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& budget) {
@@ -226,6 +254,7 @@ DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& bu
     std::vector<std::size_t> place(classes.size(), nowhere);
     DerivationTree shared;
     shared.alphabet = tree.alphabet;
+    shared.tables = tree.tables;
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
         if (place[of_node[i]] != nowhere) continue;
         place[of_node[i]] = shared.nodes.size();

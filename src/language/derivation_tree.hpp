@@ -1,14 +1,17 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "base/budget.hpp"
 #include "exact/integer.hpp"
 #include "language/membership.hpp"
 #include "system/d0l.hpp"
+#include "system/et0l.hpp"
 
 namespace algae {
 
@@ -24,13 +27,14 @@ struct DerivationTree {
         Kind kind = Kind::letter;
         Symbol letter = 0;                  // omitted: the letter above; erased: 0
         std::uint64_t generation = 0;       // of the letter; erased and omitted: one more than above
-        Integer leaves = 0;                 // omitted: letters of the last generation
+        Integer leaves = 0;                 // omitted: letters of the last generation, -1 if beyond count
         std::vector<std::size_t> children;  // from left to right, as places in `nodes`
         bool operator==(const Node&) const = default;
     };
     std::shared_ptr<const Alphabet> alphabet;
     std::vector<std::size_t> roots;  // the letters of the axiom
     std::vector<Node> nodes;         // generation after generation, in each from left to right
+    std::vector<std::string> tables;  // the names of the tables that the steps use; empty with one table
 };
 
 /// How a derivation is shown.
@@ -54,10 +58,18 @@ DerivationTree derivation_tree(const D0L& system, std::uint64_t n, const TreeSha
                                const Budget& budget = {});
 
 /// The same of a derivation. Linear time, n log n with shared subtrees.
-Integer tree_size(const OL& system, const Derivation& derivation, const TreeShape& shape = {},
+Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeShape& shape = {},
                   const Budget& budget = {});
-DerivationTree derivation_tree(const OL& system, const Derivation& derivation,
+DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
                                const TreeShape& shape = {}, const Budget& budget = {});
+
+/// A depth below n at which a tree is small enough to show, and the next depth is not, if depth 0 is:
+/// `size` gives the size of the tree in a shape. O(log n) calls.
+///
+/// Example: depth_within(30, 100, [](const TreeShape& shape) { return Integer(*shape.depth + 1); }) == 29
+std::optional<std::uint64_t> depth_within(std::uint64_t n, std::uint64_t most_nodes,
+                                          const std::function<Integer(const TreeShape&)>& size,
+                                          bool shared = false);
 
 /// The same tree with equal subtrees of one generation made one, each at its first place.
 DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& budget = {});

@@ -1,0 +1,83 @@
+#include "language/check.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "language/certificate.hpp"
+#include "language/decide.hpp"
+
+namespace algae {
+
+namespace {
+
+using Outcome = CheckedStatement::Outcome;
+using Json = nlohmann::ordered_json;
+
+Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
+    if (truth == Truth::undecided) return claimed.citation.empty() ? Outcome::undecided : Outcome::cited;
+    const Truth expected = claimed.purpose == ClaimedStatement::Purpose::refute ? Truth::refuted : Truth::proved;
+    return truth == expected ? Outcome::stands : Outcome::wrong;
+}
+
+Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& checked, const Alphabet& alphabet) {
+    Json result{{"text", claimed.statement.text}, {"statement", to_json(claimed.statement, alphabet)}};
+    if (checked.outcome == Outcome::cited) {
+        result["verdict"] = "cited";
+        result["citation"] = claimed.citation;
+        return result;
+    }
+    result["verdict"] = to_string(checked.judgement.truth);
+    if (checked.judgement.proof) result["proof"] = *checked.judgement.proof;
+    return result;
+}
+
+}  // namespace
+
+CheckedStatement::Outcome CheckedClaim::outcome() const {
+    Outcome worst = Outcome::stands;
+    for (const CheckedStatement& statement : statements) worst = std::max(worst, statement.outcome);
+    return worst;
+}
+
+CheckedClaim check(Claim claim, const Budget& budget) {
+    CheckedClaim checked;
+    for (const ClaimedStatement& claimed : claim.statements) {
+        CheckedStatement found;
+        found.judgement = decide(claimed.statement, claim, budget);
+        found.outcome = outcome(claimed, found.judgement.truth);
+        checked.statements.push_back(std::move(found));
+    }
+    checked.claim = std::move(claim);
+    return checked;
+}
+
+std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked) {
+    switch (checked.outcome) {
+        case Outcome::stands:
+            return statement.purpose == ClaimedStatement::Purpose::refute ? "refuted" : "proved";
+        case Outcome::cited:
+            return "cited";
+        case Outcome::undecided:
+            return "undecided";
+        case Outcome::wrong:
+            return "WRONG";
+    }
+    return {};
+}
+
+nlohmann::ordered_json certificate(const CheckedClaim& checked) {
+    const Claim& claim = checked.claim;
+    Json letters = Json::array(), systems = Json::object(), statements = Json::array();
+    for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
+    for (const auto& system : claim.systems) systems[system->name] = to_json(*system, *claim.alphabet);
+    for (std::size_t i = 0; i < checked.statements.size(); ++i)
+        statements.push_back(statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
+    Json result{{"format", "algae certificate 1"}, {"claim", claim.title}, {"source", claim.source}};
+    if (claim.empty_axiom) result["empty axiom"] = true;
+    result["alphabet"] = std::move(letters);
+    result["systems"] = std::move(systems);
+    result["statements"] = std::move(statements);
+    return result;
+}
+
+}  // namespace algae

@@ -1,0 +1,107 @@
+#include <algorithm>
+#include <sstream>
+
+#include "language/check.hpp"
+#include "word/spelling.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr std::size_t width = 100;
+
+/// How many characters a text takes on a line: its code points.
+std::size_t columns(const std::string& text) {
+    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// The text with a break and the indentation wherever a line would be too long. Blanks that a line begins with add to it.
+std::string wrapped(const std::string& text, std::size_t indentation) {
+    const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+    const std::string margin(indentation + blanks, ' ');
+    std::string result = margin;
+    std::size_t column = margin.size();
+    std::istringstream words(text);
+    bool first = true;
+    for (std::string word; words >> word;) {
+        if (!first && column + 1 + columns(word) > width) {
+            result += '\n' + margin;
+            column = margin.size();
+        } else if (!first) {
+            result += ' ';
+            ++column;
+        }
+        result += word;
+        column += columns(word);
+        first = false;
+    }
+    return result + '\n';
+}
+
+std::string rules_text(const Table& table, const std::vector<Symbol>& letters, const Alphabet& alphabet) {
+    std::string text;
+    for (const Symbol a : letters) {
+        if (table[a] == std::vector<Word>{Word{a}}) continue;
+        text += "; " + alphabet.name(a) + " -> ";
+        for (std::size_t i = 0; i < table[a].size(); ++i) text += (i > 0 ? " | " : "") + spell(alphabet, table[a][i]);
+    }
+    return text;
+}
+
+std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
+    if (!system.tables) {
+        std::string text = "the system with axiom " + spell(alphabet, system.interactive->axiom);
+        for (Symbol a = 0; a < system.interactive->rules.size(); ++a)
+            for (const IL::Rule& rule : system.interactive->rules[a])
+                text += "; " + (rule.left.empty() ? "" : spell(alphabet, rule.left) + " < ") + alphabet.name(a) +
+                        (rule.right.empty() ? "" : " > " + spell(alphabet, rule.right)) + " -> " + spell(alphabet, rule.successor);
+        return text;
+    }
+    const ET0L& tables = *system.tables;
+    const std::vector<Symbol> letters = accessible_letters(tables);
+    std::string text = "the " + family_name(tables) + " system with axiom " + spell(alphabet, tables.axiom);
+    for (std::size_t t = 0; t < tables.tables.size(); ++t) {
+        const std::string rules = rules_text(tables.tables[t], letters, alphabet);
+        if (tables.tables.size() == 1)
+            text += rules;
+        else
+            text += "; table " + tables.table_names[t] + " {" + (rules.empty() ? "" : rules.substr(1)) + " }";
+    }
+    if (has_only_terminals(tables)) return text;
+    text += "; terminals";
+    for (const Symbol a : letters)
+        if (tables.terminal[a]) text += " " + alphabet.name(a);
+    return text;
+}
+
+std::string unnamed_text(const Language& language, const Alphabet& alphabet) {
+    LanguageTree tree = *language;
+    tree.name.clear();
+    return to_string(std::make_shared<const LanguageTree>(std::move(tree)), alphabet);
+}
+
+}  // namespace
+
+std::string explanation(const CheckedClaim& checked) {
+    const Claim& claim = checked.claim;
+    std::string page = wrapped(claim.title, 0);
+    if (!claim.source.empty()) page += wrapped(claim.source, 0);
+    page += '\n';
+    for (const std::string& note : claim.notes) page += wrapped(note, 0);
+    if (!claim.notes.empty()) page += '\n';
+    for (const auto& system : claim.systems)
+        page += wrapped("Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
+    for (const Language& language : claim.languages)
+        page += wrapped("Let " + language->name + " = " + unnamed_text(language, *claim.alphabet) + ".", 0);
+    for (std::size_t i = 0; i < checked.statements.size(); ++i) {
+        const ClaimedStatement& claimed = claim.statements[i];
+        const CheckedStatement& found = checked.statements[i];
+        page += "\n" + wrapped(std::to_string(i + 1) + ". " + claimed.statement.text + ": " + verdict_text(claimed, found) +
+                                   (found.outcome == CheckedStatement::Outcome::cited ? " (" + claimed.citation + ")" : "") + ".", 0);
+        if (found.outcome == CheckedStatement::Outcome::cited) continue;
+        for (const std::string& line : found.judgement.argument) page += wrapped(line, 3);
+    }
+    return page;
+}
+
+}  // namespace algae

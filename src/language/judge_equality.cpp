@@ -1,0 +1,211 @@
+#include "language/judge_equality.hpp"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "fold/choices.hpp"
+#include "language/certificate.hpp"
+#include "language/judge_generated.hpp"
+#include "language/judge_membership.hpp"
+#include "language/known_value.hpp"
+#include "language/regular_induction.hpp"
+#include "language/regular_meeting.hpp"
+#include "language/regular_words.hpp"
+#include "language/table_value.hpp"
+#include "language/tables_membership.hpp"
+#include "word/spelling.hpp"
+#include "word/word_sets.hpp"
+#include "verify/obstruction_json.hpp"
+
+namespace algae {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Kind = LanguageTree::Kind;
+
+constexpr std::size_t most_tried = 600;        // words that are looked at for a difference
+constexpr std::size_t longest_tried = 60;      // letters of a word of a generation that is looked at
+constexpr std::uint64_t most_generations = 12;
+
+Judgement by(const char* rule, bool holds, std::vector<std::string> argument) {
+    const Json proof{{"by", rule}};
+    return holds ? Judgement::proved(std::move(argument), proof) : Judgement::refuted(std::move(argument), proof);
+}
+
+std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+    for (const std::string& line : second)
+        if (std::find(first.begin(), first.end(), line) == first.end()) first.push_back(line);
+    return first;
+}
+
+class Comparison {
+public:
+    Comparison(const Language& left, const Language& right, const Alphabet& alphabet, const Budget& budget)
+        : left_(left), right_(right), alphabet_(alphabet), budget_(budget) {}
+
+    /// Whether left <= right.
+    Judgement included() {
+        if (is_identical()) return by("identical", true, {"Both sides are the same expression."});
+        if (const auto known = finite_value(left_, alphabet_, budget_)) return finite_inclusion(*known);
+        const auto regular_left = regular_value(left_, alphabet_, budget_);
+        const auto regular_right = regular_value(right_, alphabet_, budget_);
+        if (regular_left && regular_right) {
+            if (const auto word = first_outside(*regular_left, *regular_right, budget_)) return witness(*word);
+            return by("derivatives", true, {"Both are regular, and the minimal automaton of " + text(left_) + " without " + text(right_) + " accepts nothing."});
+        }
+        if (regular_right)
+            if (auto found = generated_in_regular(*regular_right)) return *found;
+        if (regular_left)
+            if (auto found = regular_in_generated(*regular_left)) return *found;
+        if (auto found = difference(true)) return *found;
+        return Judgement::undecided({"no word among the first ones is in " + text(left_) + " and not in " + text(right_) + ", and no theorem applies"});
+    }
+
+    Judgement equal() {
+        if (is_identical()) return by("identical", true, {"Both sides are the same expression."});
+        const auto left = finite_value(left_, alphabet_, budget_), right = finite_value(right_, alphabet_, budget_);
+        if (left && right) return finite_equality(*left, *right);
+        const auto regular_left = regular_value(left_, alphabet_, budget_);
+        const auto regular_right = regular_value(right_, alphabet_, budget_);
+        if (regular_left && regular_right) {
+            if (const auto word = first_difference(*regular_left, *regular_right, budget_)) return witness(*word);
+            return by("derivatives", true, {"Both are regular, and their minimal automata, with " + std::to_string(regular_left->automaton().states()) + " states, are the same."});
+        }
+        if (auto found = difference(false)) return *found;
+        Judgement there = included();
+        if (there.truth == Truth::refuted) return there;
+        Judgement back = Comparison(right_, left_, alphabet_, budget_).included();
+        if (back.truth == Truth::refuted) return back;
+        if (there.truth == Truth::proved && back.truth == Truth::proved)
+            return Judgement::proved(joined(there.argument, back.argument),
+                                     {{"by", "both"}, {"proofs", Json::array({*there.proof, *back.proof})}});
+        return there.truth == Truth::undecided ? there : back;
+    }
+
+private:
+    std::string text(const Language& language) const { return to_string(language, alphabet_); }
+
+    bool is_identical() const { return to_json(left_, alphabet_) == to_json(right_, alphabet_); }
+
+    Judgement witness(const Word& word) const {
+        const Judgement in_left = judge_membership(left_, word, alphabet_, budget_);
+        const Judgement in_right = judge_membership(right_, word, alphabet_, budget_);
+        return Judgement::refuted(joined(in_left.argument, in_right.argument), {{"by", "word"}, {"word", certificate_text(alphabet_, word)}});
+    }
+
+    Judgement finite_equality(const FiniteValue& left, const FiniteValue& right) const {
+        if (left.words == right.words) return by("values", true, joined(left.argument, right.argument));
+        for (const Word& word : left.words)
+            if (std::find(right.words.begin(), right.words.end(), word) == right.words.end()) return listed_witness(word, left, right);
+        for (const Word& word : right.words)
+            if (std::find(left.words.begin(), left.words.end(), word) == left.words.end()) return listed_witness(word, left, right);
+        return witness({});
+    }
+
+    Judgement listed_witness(const Word& word, const FiniteValue& left, const FiniteValue& right) const {
+        std::vector<std::string> argument = joined(left.argument, right.argument);
+        argument.push_back(spell(alphabet_, word) + " is in one and not in the other.");
+        return Judgement::refuted(std::move(argument), {{"by", "word"}, {"word", certificate_text(alphabet_, word)}});
+    }
+
+    Judgement finite_inclusion(const FiniteValue& left) const {
+        std::vector<std::string> argument = left.argument;
+        for (const Word& word : left.words) {
+            const Judgement found = judge_membership(right_, word, alphabet_, budget_);
+            if (found.truth == Truth::refuted) return witness(word);
+            if (found.truth == Truth::undecided) return found;
+            if (argument.size() < 40) argument = joined(argument, found.argument);
+        }
+        return by("values", true, std::move(argument));
+    }
+
+    std::optional<Judgement> generated_in_regular(const RegularLanguage& right) const {
+        const auto tables = table_value(left_, alphabet_, budget_);
+        if (!tables) return std::nullopt;
+        const Meeting meeting = first_outside(tables->system, right, budget_);
+        if (meeting.derivation) return witness(meeting.derivation->words.back());
+        const bool one = tables->system.tables.size() == 1;
+        const std::string line = "Every word of " + text(left_) + " is in " + text(right_) + ": what the letters derive in " + std::to_string(meeting.step) +
+                                 " steps does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before leaves it.";
+        if (left_->kind == Kind::generated) return by("relations", true, {line});
+        return Judgement::proved({tables->argument, line}, {{"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
+    }
+
+    std::optional<Judgement> regular_in_generated(const RegularLanguage& left) const {
+        if (right_->kind != Kind::generated || !right_->system->tables) return std::nullopt;
+        const ET0L& system = *right_->system->tables;
+        if (system.tables.size() != 1 || !has_only_terminals(system)) return std::nullopt;
+        const auto found = regular_induction(left, without_terminals(system), 100, budget_);
+        if (!found) return std::nullopt;
+        std::vector<std::string> argument;
+        Json base = Json::array();
+        for (const Word& word : found->base) {
+            const Judgement member = judge_membership(right_, word, alphabet_, budget_);
+            if (member.truth == Truth::refuted) return witness(word);
+            argument = joined(argument, member.argument);
+            base.push_back(certificate_text(alphabet_, word));
+        }
+        argument.push_back("Every other word of " + text(left_) + " comes in one step from a shorter word of it, by induction on the length: by successors that are not empty, one of them longer than one letter.");
+        return Judgement::proved(std::move(argument), {{"by", "induction"}, {"base", base}});
+    }
+
+    /// A word that is in one of the languages only, in the left one if `left_only`, among words worth a look.
+    std::optional<Judgement> difference(bool left_only) const {
+        for (const Word& word : candidates()) {
+            budget_.check();
+            const Truth in_left = judge_membership(left_, word, alphabet_, budget_).truth;
+            if (in_left == Truth::undecided || (left_only && in_left == Truth::refuted)) continue;
+            const Truth in_right = judge_membership(right_, word, alphabet_, budget_).truth;
+            if (in_right != Truth::undecided && in_left != in_right) return witness(word);
+        }
+        return std::nullopt;
+    }
+
+    /// All short words, and the words of first generations of the systems that are not too long.
+    std::vector<Word> candidates() const {
+        std::set<Symbol> letters;
+        for (const Language& side : {left_, right_})
+            for (const Symbol a : letters_of(side)) letters.insert(a);
+        std::vector<Word> words{{}};
+        for (std::size_t i = 0; i < words.size() && words.size() < most_tried; ++i)
+            for (const Symbol a : letters) {
+                words.push_back(words[i]);
+                words.back().push_back(a);
+            }
+        add_generations(*left_, words);
+        add_generations(*right_, words);
+        return words;
+    }
+
+    void add_generations(const LanguageTree& tree, std::vector<Word>& words) const {
+        for (const Language& part : tree.parts) add_generations(*part, words);
+        if (tree.kind != Kind::generated || !tree.system->tables) return;
+        for (const Table& table : tree.system->tables->tables) {
+            Word word = tree.system->tables->axiom;
+            for (std::uint64_t n = 0; n < most_generations && word.size() <= longest_tried; ++n) {
+                words.push_back(word);
+                Word next;
+                for (const Symbol a : word) next.insert(next.end(), table[a].front().begin(), table[a].front().end());
+                word = std::move(next);
+            }
+        }
+    }
+
+    const Language& left_;
+    const Language& right_;
+    const Alphabet& alphabet_;
+    const Budget& budget_;
+};
+
+}  // namespace
+
+Judgement judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet, const Budget& budget) {
+    return Comparison(inner, outer, alphabet, budget).included();
+}
+
+Judgement judge_equality(const Language& left, const Language& right, const Alphabet& alphabet, const Budget& budget) {
+    return Comparison(left, right, alphabet, budget).equal();
+}
+
+}  // namespace algae

@@ -1,0 +1,205 @@
+#include "language/judge_system.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "fold/interaction.hpp"
+#include "growth/equal_growth.hpp"
+#include "growth/growth_class.hpp"
+#include "growth/growth_matrix.hpp"
+#include "language/certificate.hpp"
+#include "language/exponential_polynomial.hpp"
+#include "language/judge_generated.hpp"
+#include "language/sequence_certificate.hpp"
+#include "language/sequence_equality.hpp"
+#include "language/tables_membership.hpp"
+#include "word/spelling.hpp"
+
+namespace algae {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+std::string steps_text(std::uint64_t n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); }
+
+std::string derives(const SourceSystem& system, const Word& from, const Word& word, const Alphabet& alphabet) {
+    return system.name + ": " + spell(alphabet, from) + " ==> " + spell(alphabet, word);
+}
+
+Judgement walked(const SourceSystem& system, const Word& from, const Word& word, std::uint64_t steps,
+                 const Alphabet& alphabet, const Budget& budget) {
+    Derivation walk{{from}, {}};
+    for (std::uint64_t n = 0; n < steps; ++n) {
+        budget.check();
+        walk.words.push_back(next_word(*system.interactive, walk.words.back()));
+        if (walk.words.back().size() > budget.letters) throw BoundReached("a word of " + system.name + " has more letters than allowed");
+    }
+    const std::string line = derives(system, from, walk.words.back(), alphabet) + " in " + steps_text(steps);
+    if (walk.words.back() == word)
+        return Judgement::proved({line + ": " + arrows(walk, alphabet) + "."},
+                                 {{"by", "derivation"}, {"words", derivation_json(walk, alphabet)["words"]}});
+    return Judgement::refuted({line + ", and to nothing else."}, {{"by", "exhausted"}});
+}
+
+/// Whether an 0L system derives the word in exactly so many steps, with the derivation.
+Judgement exact_steps(const SourceSystem& system, OL rules, const Word& word, std::uint64_t steps,
+                      const Alphabet& alphabet, const Budget& budget) {
+    std::optional<Derivation> found;
+    try {
+        found = derivation(rules, word, steps, budget);
+    } catch (const BoundReached&) {
+        throw;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error&) {
+        return Judgement::refuted({spell(alphabet, rules.axiom) + " derives other words than " + spell(alphabet, word) + " in " + steps_text(steps) + "."},
+                                  {{"by", "exhausted"}});
+    }
+    Json proof{{"by", "derivation"}};
+    proof.update(derivation_json(*found, alphabet));
+    return Judgement::proved({derives(system, rules.axiom, word, alphabet) + " in " + steps_text(steps) + (steps > 0 ? ": " + arrows(*found, alphabet) : "") + "."}, proof);
+}
+
+/// The system with a copy of each letter for each of so many steps; copies for the last are the terminals.
+ET0L counting(const ET0L& system, std::uint64_t steps) {
+    const std::size_t letters = system.terminal.size();
+    const auto copies = [&](Word word, std::uint64_t n) {
+        for (Symbol& a : word) a += static_cast<Symbol>(n * letters);
+        return word;
+    };
+    Alphabet alphabet;
+    for (std::uint64_t n = 0; n <= steps; ++n)
+        for (Symbol a = 0; a < letters; ++a) alphabet.symbol(std::to_string(n) + " " + system.alphabet->name(a));
+    ET0L counted{std::make_shared<const Alphabet>(std::move(alphabet)), system.axiom, {}, std::vector<char>(letters * (steps + 1), 0), system.table_names, system.name};
+    for (const Table& table : system.tables) {
+        Table& target = counted.tables.emplace_back();
+        for (std::uint64_t n = 0; n < steps; ++n)
+            for (Symbol a = 0; a < letters; ++a) {
+                auto& choices = target.emplace_back();
+                for (const Word& successor : table[a]) choices.push_back(copies(successor, n + 1));
+            }
+        for (Symbol a = 0; a < letters; ++a) target.push_back({copies({a}, steps)});
+    }
+    for (Symbol a = 0; a < letters; ++a) counted.terminal[a + steps * letters] = 1;
+    return counted;
+}
+
+/// The same where there are several tables: whether the counting system derives the word in copies for the last step.
+Judgement exact_steps_of_tables(const SourceSystem& source, const ET0L& system, const Word& word, std::uint64_t steps,
+                                const Alphabet& alphabet, const Budget& budget) {
+    const std::size_t letters = system.terminal.size();
+    if (steps > 1000) return Judgement::undecided({"with several tables at most 1000 steps are followed"});
+    const ET0L counted = counting(system, steps);
+    Word goal = word;
+    for (Symbol& a : goal) a += static_cast<Symbol>(steps * letters);
+    const Membership found = membership(counted, goal, budget);
+    if (!found.member)
+        return Judgement::refuted({spell(alphabet, system.axiom) + " derives other words than " + spell(alphabet, word) + " in " + steps_text(steps) + "."},
+                                  {{"by", "exhausted"}});
+    Derivation witness = derivation(counted, goal, found, budget);
+    for (Word& reached : witness.words)
+        for (Symbol& a : reached) a %= static_cast<Symbol>(letters);
+    Json proof{{"by", "derivation"}};
+    proof.update(derivation_json(witness, alphabet));
+    return Judgement::proved({derives(source, system.axiom, word, alphabet) + " in " + steps_text(steps) + (steps > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
+}
+
+}  // namespace
+
+D0L as_d0l(const SourceSystem& system) {
+    const auto refuse = [&](const std::string& reason) -> Error {
+        return Error(system.name + " is not a D0L system: " + reason);
+    };
+    if (!system.tables) throw refuse("it has contexts");
+    if (system.tables->tables.size() > 1) throw refuse("it has several tables");
+    if (!has_only_terminals(*system.tables)) throw refuse("not all its letters are terminals");
+    if (!is_deterministic(*system.tables)) throw refuse("a letter has several rules");
+    std::vector<Word> images;
+    for (const auto& choices : system.tables->tables.front()) images.push_back(choices.front());
+    return make_d0l(system.tables->alphabet, system.tables->axiom, std::move(images), system.name);
+}
+
+Judgement judge_derivation(const SourceSystem& system, const Word& word, const std::optional<Word>& from,
+                           std::optional<std::uint64_t> steps, const Alphabet& alphabet, const Budget& budget) {
+    if (system.interactive) {
+        SourceSystem moved = system;
+        if (from) moved.interactive->axiom = *from;
+        if (steps) return walked(moved, moved.interactive->axiom, word, *steps, alphabet, budget);
+        Judgement found = judge_generated(moved, word, alphabet, budget);
+        if (found.truth == Truth::refuted) found.proof = std::make_shared<const Json>(Json{{"by", "exhausted"}});
+        if (found.truth == Truth::proved) {
+            Json proof{{"by", "derivation"}};
+            proof.update(found.proof->at("derivation"));
+            found.proof = std::make_shared<const Json>(std::move(proof));
+        }
+        return found;
+    }
+    ET0L moved = *system.tables;
+    if (from) moved.axiom = *from;
+    moved.terminal.assign(moved.terminal.size(), 1);  // derivations go through any letters
+    if (steps) {
+        if (moved.tables.size() > 1) return exact_steps_of_tables(system, moved, word, *steps, alphabet, budget);
+        return exact_steps(system, without_terminals(moved), word, *steps, alphabet, budget);
+    }
+    const Membership found = membership(moved, word, budget);
+    if (!found.member)
+        return Judgement::refuted({spell(alphabet, moved.axiom) + " does not derive " + spell(alphabet, word) + " by " + system.name + " in any number of steps."},
+                                  {{"by", "exhausted"}});
+    const Derivation witness = derivation(moved, word, found, budget);
+    Json proof{{"by", "derivation"}};
+    proof.update(derivation_json(witness, alphabet));
+    return Judgement::proved({derives(system, moved.axiom, word, alphabet) + " in " + steps_text(found.step) + (found.step > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
+}
+
+Judgement judge_sequences(const SourceSystem& left, const SourceSystem& right, const Alphabet& alphabet, const Budget& budget) {
+    const SequenceEquality found = equal_sequences(as_d0l(left), as_d0l(right), budget);
+    if (found.equal)
+        return Judgement::proved({"Generation by generation the words of " + left.name + " and " + right.name + " are the same: along each of them the images by the two rules get apart by at most " +
+                                  std::to_string(found.balance->bound) + " letters, and the " + std::to_string(found.balance->states.size()) + " overflows that occur suffice for all generations."},
+                                 balance_certificate(*found.balance, alphabet));
+    const SequenceDifference& difference = *found.difference;
+    return Judgement::refuted({"Generation " + std::to_string(difference.generation) + " is the first that differs: " + left.name + " has " + spell(alphabet, difference.left) + " and " + right.name + " has " + spell(alphabet, difference.right) +
+                               " from position " + to_string(difference.from) + " on."},
+                              difference_certificate(difference));
+}
+
+Judgement judge_growth(const SourceSystem& left, const SourceSystem& right, const Budget& budget) {
+    const GrowthComparison found = equal_growth(as_d0l(left), as_d0l(right), budget);
+    if (found.equal)
+        return Judgement::proved({"The lengths of generations 0 to " + std::to_string(found.bound == 0 ? 0 : found.bound - 1) + " are the same, and as many as both systems have letters together decide."},
+                                 {{"by", "terms"}});
+    return Judgement::refuted({"In generation " + std::to_string(found.difference->generation) + " the lengths are " + to_string(found.difference->left) + " and " + to_string(found.difference->right) + "."},
+                              {{"by", "generation"}, {"generation", found.difference->generation}});
+}
+
+Judgement judge_growth_formula(const SourceSystem& system, const Expression& formula, const Budget& budget) {
+    const D0L rules = as_d0l(system);
+    const ExponentialPolynomial function = exponential_polynomial(formula);
+    const std::size_t terms = rules.letters.size() + function.order();
+    const std::vector<Integer> found = lengths(rules, terms, budget);
+    for (std::size_t n = 0; n < terms; ++n) {
+        const Rational value = function(n);
+        if (Rational(found[n]) != value)
+            return Judgement::refuted({"In generation " + std::to_string(n) + " the length is " + to_string(found[n]) + ", and the formula gives " + to_string(value) + "."},
+                                      {{"by", "generation"}, {"generation", n}});
+    }
+    Json powers = Json::array();
+    for (const auto& [base, coefficients] : function.terms)
+        for (std::size_t k = 0; k < coefficients.size(); ++k)
+            powers.push_back({{"coefficient", to_string(coefficients[k])}, {"power", k}, {"base", to_string(base)}});
+    return Judgement::proved({"The lengths obey a recurrence of order " + std::to_string(rules.letters.size()) + " at most (as many as there are letters), the formula one of order " + std::to_string(function.order()) +
+                              "; generations 0 to " + std::to_string(terms == 0 ? 0 : terms - 1) + " agree, so all do."},
+                             {{"by", "terms"}, {"terms", powers}});
+}
+
+Judgement judge_growth_class(const SourceSystem& system, const std::string& kind, const std::optional<Integer>& degree, const Budget& budget) {
+    const GrowthClass found = growth_class(as_d0l(system), budget);
+    const bool right = to_string(found.order.kind) == kind &&
+                       (!degree || Integer(static_cast<long>(found.order.degree)) == *degree);
+    const std::vector<std::string> argument{"The length of generation n of " + system.name + " grows like " + found.order.text() + ": " + to_string(found.order.kind) +
+                                            (found.order.kind == GrowthKind::polynomial ? " of degree " + std::to_string(found.order.degree) : "") + "."};
+    const Json proof{{"by", "components"}};
+    return right ? Judgement::proved(argument, proof) : Judgement::refuted(argument, proof);
+}
+
+}  // namespace algae

@@ -85,7 +85,7 @@ void GraphPage::draw(cairo_t* context) const {
 
 void GraphPage::draw_rows(cairo_t* context) const {
     for (std::size_t i = 0; i < graph_.row_labels.size() && i < graph_.rows.size(); ++i) {
-        if (graph_.rows[i].empty()) continue;
+        if (graph_.rows[i].empty() || graph_.row_labels[i].empty()) continue;
         const double y = layout_.nodes[graph_.rows[i].front()].y;
         set(context, guide);
         cairo_set_line_width(context, thin);

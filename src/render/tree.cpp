@@ -12,8 +12,9 @@ namespace {
 
 using Kind = DerivationTree::Node::Kind;
 
-/// "0", "377", "3.5e20" for what has too many digits; "ε" for nothing.
+/// "377", "3.5e20" for what has many digits; "ε" for nothing.
 std::string leaves_text(const Integer& leaves) {
+    if (leaves < 0) return "...";
     if (leaves == 0) return "ε";
     const std::string digits = to_string(leaves);
     if (digits.size() <= 6) return digits;
@@ -90,7 +91,9 @@ Graph tree_graph(const DerivationTree& tree) {
         const bool letters = std::any_of(graph.rows[t].begin(), graph.rows[t].end(), [&](std::size_t i) {
             return tree.nodes[i].kind != Kind::omitted;
         });
-        graph.row_labels.push_back(letters ? std::to_string(t) : "");
+        std::string label = letters ? std::to_string(t) : "";
+        if (letters && t > 0 && t <= tree.tables.size()) label = tree.tables[t - 1] + "  " + label;
+        graph.row_labels.push_back(std::move(label));
     }
     return graph;
 }

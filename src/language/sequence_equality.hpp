@@ -49,7 +49,8 @@ struct SequenceEquality {
 ///
 /// Throws BoundReached, and says what was tried, if the overflows take more than budget.memory or time is up.
 ///
-/// Example: equal_sequences(d0l("ab", {{'a', "abb"}, {'b', "aabba"}}), d0l("ab", {{'a', "abbaabb"}, {'b', "a"}})).difference->generation == 3
+/// Example: equal_sequences(d0l("ab", {{'a', "abb"}, {'b', "aabba"}}),
+///     d0l("ab", {{'a', "abbaabb"}, {'b', "a"}})).difference->generation == 3
 SequenceEquality equal_sequences(const D0L& left, const D0L& right, const Budget& budget = {});
 
 }  // namespace algae

@@ -41,7 +41,8 @@ TEST_CASE("equal --as sequence shows the first difference") {
     CHECK(found["witness"]["by"] == "generation");
     CHECK(found["witness"]["generation"] == 3);
     CHECK(found["witness"]["letters"][0] != found["witness"]["letters"][1]);
-    const Run ends = run("equal " + files.file("a.lsys", "axiom a; a -> ab") + " " + files.file("b.lsys", "axiom a; a -> a") + " --as sequence");
+    const Run ends = run("equal " + files.file("a.lsys", "axiom a; a -> ab") + " " +
+                         files.file("b.lsys", "axiom a; a -> a") + " --as sequence");
     CHECK(ends.out ==
           "different: the words of generation 1 differ at position 1, those before are the same\n"
           "  A, from position 0 of 2: ab\n"

@@ -30,25 +30,31 @@ struct Kind {
     int longest = 2;  // of a successor
 };
 
-inline Word any_word_over(std::size_t letters, int least, int most) {
-    return *rc::gen::container<Word>(static_cast<std::size_t>(*rc::gen::inRange(least, most + 1)),
-                                     rc::gen::inRange(Symbol{0}, static_cast<Symbol>(letters)));
+/// A number from `least` to `most`, all of them as likely in the first cases as in the last.
+inline int any_number(int least, int most) {
+    return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(least, most + 1));
 }
 
-/// Over a, b, A, B; only a and b are terminals, if not all letters are. The letter c does not occur.
+inline Word any_word_over(std::size_t letters, int least, int most) {
+    Word word;
+    for (int size = any_number(least, most); size > 0; --size)
+        word.push_back(static_cast<Symbol>(any_number(0, static_cast<int>(letters) - 1)));
+    return word;
+}
+
+/// Over a, b, A, B; only a and b are terminals. The letter c does not occur.
 inline ET0L any_system(const Kind& kind) {
     ET0L system;
     system.alphabet = any_alphabet();
-    system.axiom = any_word_over(4, kind.erasing ? 0 : 1, 2);
+    system.axiom = any_word_over(4, any_number(0, 9) > 0 || !kind.erasing ? 1 : 0, 2);
     system.name = "G";
-    const int tables = *rc::gen::inRange(1, kind.most_tables + 1);
+    const int tables = any_number(1, kind.most_tables);
     for (int t = 0; t < tables; ++t) {
         Table table(system.alphabet->size());
-        for (Symbol a = 0; a < 4; ++a) {
-            const int count = kind.deterministic ? 1 : *rc::gen::inRange(1, 3);
-            for (int i = 0; i < count; ++i)
-                table[a].push_back(any_word_over(4, kind.erasing ? 0 : 1, kind.longest));
-        }
+        for (Symbol a = 0; a < 4; ++a)
+            for (int count = kind.deterministic ? 1 : any_number(1, 2); count > 0; --count)
+                table[a].push_back(
+                    any_word_over(4, kind.erasing && any_number(0, 2) == 0 ? 0 : 1, kind.longest));
         table[4].push_back({4});
         system.tables.push_back(table);
         system.table_names.emplace_back();
@@ -70,14 +76,14 @@ inline std::string text_of(const ET0L& system) {
 
 /// The words of at most `longest` letters; the case is given up if there is too much to look at.
 inline std::set<Word> words_of(const ET0L& system, std::size_t longest) {
-    auto found = oracle::short_words(system, longest);
+    auto found = oracle::short_words(system, longest, 600);
     if (!found) RC_DISCARD("too many families of sets");
     return std::move(*found);
 }
 
 inline std::set<Word> words_of(const ET0L& system, const oracle::Meaning& meaning,
                                std::size_t longest) {
-    auto found = oracle::meant_words(system, meaning, longest);
+    auto found = oracle::meant_words(system, meaning, longest, 600);
     if (!found) RC_DISCARD("too many families of sets");
     return std::move(*found);
 }

@@ -17,7 +17,7 @@ constexpr std::size_t longest = 4;
 Substitution any_substitution(bool erasing, int most) {
     Substitution found;
     for (const Symbol a : {0u, 1u})
-        for (int count = *rc::gen::inRange(1, most + 1); count > 0; --count)
+        for (int count = any_number(1, most); count > 0; --count)
             found[a].push_back(any_word_over(2, erasing ? 0 : 1, 2));
     return found;
 }
@@ -77,7 +77,7 @@ TEST_CASE("a coding of an 0L language is E0L") {
         ET0L system = any_system({1, true, false, 2});
         system.terminal = {1, 1, 1, 1, 0};
         Substitution coding;
-        for (Symbol a = 0; a < 4; ++a) coding[a] = {{*rc::gen::inRange(0u, 2u)}};
+        for (Symbol a = 0; a < 4; ++a) coding[a] = {{static_cast<Symbol>(any_number(0, 1))}};
         const ET0L result = e0l_image(system, coding);
         require_form(result, 1);
         RC_ASSERT(words_of(result, longest) == words_of(system, meaning(coding), longest));

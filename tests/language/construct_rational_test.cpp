@@ -11,7 +11,7 @@ using namespace algae::construct_tests;
 
 namespace {
 
-constexpr std::size_t longest = 5;
+constexpr std::size_t longest = 4;
 
 /// Every successor of a terminal is a letter that derives itself only and is no terminal.
 bool is_synchronised(const ET0L& system) {
@@ -31,7 +31,6 @@ bool is_synchronised(const ET0L& system) {
 TEST_CASE("the exact oracle finds what trying everything finds, where nothing is erased") {
     CHECK(rc::check("two oracles", [] {
         const ET0L system = any_system({2, false, false, 2});
-        RC_TAG(system.tables.size());
         const auto tried = oracle::table_words(system, 4, 4);
         if (!tried) RC_DISCARD("too many words");
         RC_LOG() << text_of(system);
@@ -70,7 +69,7 @@ TEST_CASE("rational operations on ET0L and EDT0L systems are what they are on se
     for (const bool deterministic : {false, true})
         CHECK(rc::check("tables", [deterministic] {
             const ET0L left = any_system({2, true, deterministic, 2}),
-                       right = any_system({2, true, deterministic, 2});
+                       right = any_system({1, true, deterministic, 2});
             RC_LOG() << text_of(left) << "\n" << text_of(right);
             const auto first = words_of(left, longest), second = words_of(right, longest);
             const ET0L sum = table_union(left, right), product = table_concatenation(left, right),

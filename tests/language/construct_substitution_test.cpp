@@ -10,8 +10,8 @@ using namespace algae::construct_tests;
 
 TEST_CASE("substitution is what it is on sets of words") {
     CHECK(rc::check("substitution", [] {
-        const Kind kind{2, true, false, 2};
-        const ET0L system = any_system(kind), a = any_system(kind), b = any_system(kind);
+        const ET0L system = any_system({2, true, false, 2}), a = any_system({1, true, false, 2}),
+                   b = any_system({1, true, false, 2});
         RC_LOG() << text_of(system) << "\n" << text_of(a) << "\n" << text_of(b);
         const ET0L result = substituted(system, {{0, a}, {1, b}});
         require_form(result, system.tables.size() + a.tables.size() + b.tables.size() + 1);

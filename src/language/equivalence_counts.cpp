@@ -8,7 +8,10 @@
 namespace algae {
 
 GenerationCounts::GenerationCounts(const D0L& system, const Budget& budget)
-    : system_(system), budget_(budget), matrix_(growth_matrix(system)), row_(axiom_counts(system)),
+    : system_(system),
+      budget_(budget),
+      matrix_(growth_matrix(system)),
+      row_(axiom_counts(system)),
       letter_lengths_(matrix_.size(), Integer(1)) {
     const LetterFutures futures = letter_futures(ol_of(system));
     for (std::size_t i = 0; i < system.letters.size(); ++i)

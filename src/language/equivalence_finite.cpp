@@ -31,7 +31,9 @@ std::set<Word> words_of(const D0L& system, const Budget& budget) {
     return words;
 }
 
-std::optional<std::uint64_t> first_generation_outside(const D0L& system, const std::set<Word>& words, const Budget& budget) {
+std::optional<std::uint64_t> first_generation_outside(const D0L& system,
+                                                      const std::set<Word>& words,
+                                                      const Budget& budget) {
     Word word = system.axiom;
     for (std::uint64_t generation = 0; generation <= words.size(); ++generation) {
         if (!words.contains(word)) return generation;

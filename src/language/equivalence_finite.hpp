@@ -22,6 +22,8 @@ std::set<Word> words_of(const D0L& system, const Budget& budget = {});
 
 /// The first generation whose word is not in the set; none if the language of the system is finite
 /// and all its words are. Ends, since a D0L system with an infinite language has no word twice.
-std::optional<std::uint64_t> first_generation_outside(const D0L& system, const std::set<Word>& words, const Budget& budget = {});
+std::optional<std::uint64_t> first_generation_outside(const D0L& system,
+                                                      const std::set<Word>& words,
+                                                      const Budget& budget = {});
 
 }  // namespace algae

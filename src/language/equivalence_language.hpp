@@ -23,18 +23,20 @@ struct LanguageDifference {
     bool in_left = false;          // the language that has it
     std::uint64_t generation = 0;  // of which it is the word
     Integer length;
-    std::optional<Word> word;      // over the alphabet of both, unless it is too long to be written out
-    std::optional<std::uint64_t> alike;  // the only generation of the other with as many of each letter, if there is one
+    std::optional<Word> word;  // over the alphabet of both, unless it is too long to be written out
+    std::optional<std::uint64_t>
+        alike;  // the only generation of the other with as many of each letter, if there is one
 };
 
 /// Whether two D0L systems generate the same language, and how that is known.
 struct LanguageEquality {
     bool equal = false;
-    bool finite = false;         // both languages: then they were compared word by word
+    bool finite = false;             // both languages: then they were compared word by word
     std::uint64_t words_in_all = 0;  // of equal finite languages
-    std::vector<std::pair<std::uint64_t, std::uint64_t>> words;  // equal infinite ones: the same words, by generation
-    std::vector<SectionMatch> sections;                          // and all others
-    std::optional<LanguageDifference> difference;                // if they are not equal
+    std::vector<std::pair<std::uint64_t, std::uint64_t>>
+        words;                           // equal infinite ones: the same words, by generation
+    std::vector<SectionMatch> sections;  // and all others
+    std::optional<LanguageDifference> difference;  // if they are not equal
 };
 
 /// D0L language equivalence, decided by sequence equivalence (after Nielsen 1974).

@@ -26,11 +26,13 @@ struct SectionPlan {
 /// generations worked out. That counts agree throughout a section is proved: both obey linear recurrences
 /// whose orders are the numbers of accessible letters, so as many first terms as both together decide.
 /// May work out further generations.
-std::optional<SectionPlan> section_plan(GenerationCounts& left, GenerationCounts& right, std::size_t letters, const Budget& budget);
+std::optional<SectionPlan> section_plan(GenerationCounts& left, GenerationCounts& right,
+                                        std::size_t letters, const Budget& budget);
 
 /// Whether every number from 0 on is one of these, or of these arithmetic progressions (first, difference).
 ///
 /// Example: covers_all({0}, {{1, 2}, {2, 2}}) && !covers_all({}, {{0, 2}})
-bool covers_all(const std::vector<std::uint64_t>& single, const std::vector<std::pair<std::uint64_t, std::uint64_t>>& progressions);
+bool covers_all(const std::vector<std::uint64_t>& single,
+                const std::vector<std::pair<std::uint64_t, std::uint64_t>>& progressions);
 
 }  // namespace algae

@@ -37,9 +37,11 @@ State led(const Maps& maps, const Word& word, State from, State refusal) {
 
 }  // namespace
 
-BalanceAttempt try_balance(const SequencePair& systems, std::vector<Overflow> states, const Budget& budget) {
+BalanceAttempt try_balance(const SequencePair& systems, std::vector<Overflow> states,
+                           const Budget& budget) {
     const State refusal = static_cast<State>(states.size());
-    budget.check_memory(states.size() * systems.left.letters.size() * 3 * sizeof(State), "the maps of overflows");
+    budget.check_memory(states.size() * systems.left.letters.size() * 3 * sizeof(State),
+                        "the maps of overflows");
     Maps maps = first_maps(systems, states), remembered = maps, next = maps;
     std::uint64_t earlier = 0;
     for (std::uint64_t step = 0, until = 1;; ++step) {
@@ -56,7 +58,8 @@ BalanceAttempt try_balance(const SequencePair& systems, std::vector<Overflow> st
             until *= 2;
         }
         for (const Symbol a : systems.left.letters)
-            for (State q = 0; q < refusal; ++q) next[a][q] = led(maps, systems.left.successor(a), q, refusal);
+            for (State q = 0; q < refusal; ++q)
+                next[a][q] = led(maps, systems.left.successor(a), q, refusal);
         std::swap(maps, next);
     }
 }

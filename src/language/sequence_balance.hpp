@@ -19,7 +19,7 @@ namespace algae {
 /// leads from the empty overflow to itself. So g and h have the same value on every word g^k(w), and by
 /// induction g^k(w) = h^k(w) for all k.
 struct Balance {
-    std::size_t bound = 0;  // no overflow is longer
+    std::size_t bound = 0;         // no overflow is longer
     std::vector<Overflow> states;  // the empty one first
     std::uint64_t steps = 0;
     std::uint64_t earlier = 0;
@@ -28,7 +28,8 @@ struct Balance {
 /// What came of the attempt to close these states.
 struct BalanceAttempt {
     std::optional<Balance> balance;  // if the proof holds
-    std::uint64_t generation = 0;    // otherwise: the first whose word does not lead back through these states
+    std::uint64_t generation =
+        0;  // otherwise: the first whose word does not lead back through these states
 };
 
 /// Tries the proof with these states, of which the first is the empty overflow, and the accessible
@@ -37,6 +38,7 @@ struct BalanceAttempt {
 /// Throws what budget.check throws, and BoundReached if the maps take more than budget.memory.
 ///
 /// Example: try_balance(over_common_alphabet(d0l("a", {{'a', "ab"}}), d0l("a", {{'a', "ab"}})), {Overflow{}}).balance->steps == 1
-BalanceAttempt try_balance(const SequencePair& systems, std::vector<Overflow> states, const Budget& budget = {});
+BalanceAttempt try_balance(const SequencePair& systems, std::vector<Overflow> states,
+                           const Budget& budget = {});
 
 }  // namespace algae

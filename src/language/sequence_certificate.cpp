@@ -31,7 +31,9 @@ Json balance_certificate(const Balance& balance, const Alphabet& alphabet) {
 }
 
 Json difference_certificate(const SequenceDifference& difference) {
-    return {{"by", "generation"}, {"generation", difference.generation}, {"position", number(difference.position)}};
+    return {{"by", "generation"},
+            {"generation", difference.generation},
+            {"position", number(difference.position)}};
 }
 
 Json language_certificate(const LanguageEquality& equality, const Alphabet& alphabet) {

@@ -17,6 +17,7 @@ nlohmann::ordered_json difference_certificate(const SequenceDifference& differen
 
 /// Equal languages: by `values` if they are finite, otherwise by `sections`. The alphabet is that of both
 /// systems; the languages must be equal.
-nlohmann::ordered_json language_certificate(const LanguageEquality& equality, const Alphabet& alphabet);
+nlohmann::ordered_json language_certificate(const LanguageEquality& equality,
+                                            const Alphabet& alphabet);
 
 }  // namespace algae

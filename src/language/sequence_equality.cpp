@@ -14,11 +14,13 @@ namespace {
 
 constexpr std::uint64_t letters_before = 8, letters_shown = 20;
 
-Word letters_from(const D0L& system, std::uint64_t generation, const Integer& from, const Integer& length, const Budget& budget) {
+Word letters_from(const D0L& system, std::uint64_t generation, const Integer& from,
+                  const Integer& length, const Budget& budget) {
     return from < length ? letters_at(system, generation, from, letters_shown, budget) : Word{};
 }
 
-SequenceEquality different(const SequencePair& systems, std::uint64_t generation, Integer position, const Budget& budget) {
+SequenceEquality different(const SequencePair& systems, std::uint64_t generation, Integer position,
+                           const Budget& budget) {
     SequenceDifference found;
     found.generation = generation;
     found.from = std::max<Integer>(Integer(0), position - letters_before);
@@ -32,10 +34,11 @@ SequenceEquality different(const SequencePair& systems, std::uint64_t generation
 
 std::string tried(const OverflowWalk& walk) {
     std::size_t longest = 0;
-    for (const Overflow& overflow : walk.overflows()) longest = std::max(longest, overflow.word.size());
+    for (const Overflow& overflow : walk.overflows())
+        longest = std::max(longest, overflow.word.size());
     return "generations 0 to " + std::to_string(walk.generations()) + " are the same, with " +
-           std::to_string(walk.overflows().size()) + " overflows of up to " + std::to_string(longest) +
-           " letters so far, and these do not prove that all are";
+           std::to_string(walk.overflows().size()) + " overflows of up to " +
+           std::to_string(longest) + " letters so far, and these do not prove that all are";
 }
 
 }  // namespace
@@ -44,7 +47,8 @@ SequenceEquality equal_sequences(const D0L& left, const D0L& right, const Budget
     const SequencePair systems = over_common_alphabet(left, right);
     const Word &first = systems.left.axiom, &second = systems.right.axiom;
     if (first != second) {
-        const auto at = std::mismatch(first.begin(), first.end(), second.begin(), second.end()).first;
+        const auto at =
+            std::mismatch(first.begin(), first.end(), second.begin(), second.end()).first;
         return different(systems, 0, Integer(at - first.begin()), budget);
     }
     OverflowWalk walk(systems, budget);

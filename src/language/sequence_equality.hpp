@@ -12,7 +12,8 @@ namespace algae {
 /// The first generation in which two sequences of words differ, and where.
 struct SequenceDifference {
     std::uint64_t generation = 0;
-    Integer position;  // of the first letter, counted from 0, that is not the same or that only one word has
+    Integer
+        position;  // of the first letter, counted from 0, that is not the same or that only one word has
     Integer from;      // where the letters shown begin: a little before the position
     Word left, right;  // the letters of both words from there on, over the alphabet of both systems
     Integer left_length, right_length;

@@ -16,8 +16,9 @@ OverflowStep overflow_step(const SequencePair& systems, const Overflow& overflow
     OverflowStep step;
     step.agreed = static_cast<std::size_t>(at - left.begin());
     if (at != left.end() && other != right.end()) return step;
-    step.next = at != left.end() || other == right.end() ? Overflow{Overflow::Ahead::left, Word(at, left.end())}
-                                                         : Overflow{Overflow::Ahead::right, Word(other, right.end())};
+    step.next = at != left.end() || other == right.end()
+                    ? Overflow{Overflow::Ahead::left, Word(at, left.end())}
+                    : Overflow{Overflow::Ahead::right, Word(other, right.end())};
     return step;
 }
 

@@ -21,7 +21,7 @@ struct Overflow {
 /// What a further letter makes of an overflow.
 struct OverflowStep {
     std::optional<Overflow> next;  // none if the images differ at a letter that both have
-    std::size_t agreed = 0;        // so many more letters does the shorter image share with the other
+    std::size_t agreed = 0;  // so many more letters does the shorter image share with the other
 };
 
 /// From u with this overflow to u a: what is ahead and the images of a are compared. Linear time.

@@ -3,7 +3,10 @@
 namespace algae {
 
 OverflowWalk::OverflowWalk(const SequencePair& systems, const Budget& budget)
-    : systems_(systems), budget_(budget), matrix_(growth_matrix(systems.left)), row_(systems.alphabet->size(), 0) {
+    : systems_(systems),
+      budget_(budget),
+      matrix_(growth_matrix(systems.left)),
+      row_(systems.alphabet->size(), 0) {
     for (std::size_t i = 0; i < systems.left.letters.size(); ++i) row_[systems.left.letters[i]] = i;
     lengths_.push_back(std::vector<Integer>(matrix_.size(), Integer(1)));
     number_of({});
@@ -60,7 +63,8 @@ std::optional<OverflowWalk::Number> OverflowWalk::first_step(Symbol letter, Numb
 }
 
 OverflowWalk::Number OverflowWalk::number_of(Overflow overflow) {
-    const auto [place, is_new] = numbers_.emplace(std::move(overflow), static_cast<Number>(overflows_.size()));
+    const auto [place, is_new] =
+        numbers_.emplace(std::move(overflow), static_cast<Number>(overflows_.size()));
     if (is_new) {
         overflows_.push_back(place->first);
         kept_ += 2 * sizeof(Symbol) * place->first.word.size() + 160;
@@ -73,7 +77,8 @@ OverflowWalk::Number OverflowWalk::number_of(Overflow overflow) {
 Integer OverflowWalk::position(const std::vector<Reading>& open, std::size_t agreed) const {
     Integer found(agreed);
     for (const Reading& reading : open)
-        for (std::size_t i = 0; i < reading.read; ++i) found += lengths_[reading.level + 1][row_[(*reading.word)[i]]];
+        for (std::size_t i = 0; i < reading.read; ++i)
+            found += lengths_[reading.level + 1][row_[(*reading.word)[i]]];
     const Overflow& overflow = overflows_[open.back().at];
     if (overflow.ahead == Overflow::Ahead::left) found -= Integer(overflow.word.size());
     return found;

@@ -47,14 +47,15 @@ private:
     const SequencePair& systems_;
     const Budget& budget_;
     GrowthMatrix matrix_;
-    std::vector<std::size_t> row_;                // of a letter in the matrix
-    std::vector<std::vector<Integer>> lengths_;   // of g^k(letter), by k and row
+    std::vector<std::size_t> row_;               // of a letter in the matrix
+    std::vector<std::vector<Integer>> lengths_;  // of g^k(letter), by k and row
     std::vector<Overflow> overflows_;
     std::map<Overflow, Number> numbers_;
-    std::vector<std::unordered_map<std::uint64_t, Number>> led_;  // by level: where a letter leads from an overflow
+    std::vector<std::unordered_map<std::uint64_t, Number>>
+        led_;  // by level: where a letter leads from an overflow
     std::uint64_t generations_ = 0;
-    std::uint64_t kept_ = 0;    // bytes
-    std::size_t agreed_ = 0;    // by the step that found the difference
+    std::uint64_t kept_ = 0;  // bytes
+    std::size_t agreed_ = 0;  // by the step that found the difference
 };
 
 }  // namespace algae

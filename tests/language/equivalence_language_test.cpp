@@ -14,7 +14,8 @@ using namespace algae;
 namespace {
 
 /// The words of generations 0, 1, ... as long as they are not too many or too long.
-std::vector<std::string> first_words(const oracle::WrittenSystem& system, std::size_t most, std::size_t longest) {
+std::vector<std::string> first_words(const oracle::WrittenSystem& system, std::size_t most,
+                                     std::size_t longest) {
     std::vector<std::string> words;
     oracle::WrittenSystem from = system;
     while (words.size() < most && from.axiom.size() <= longest) {
@@ -25,10 +26,12 @@ std::vector<std::string> first_words(const oracle::WrittenSystem& system, std::s
 }
 
 /// The first words of two sequences agree with what was found, by looking for each among many of the other's.
-void check(const oracle::WrittenSystem& left, const oracle::WrittenSystem& right, const LanguageEquality& found) {
+void check(const oracle::WrittenSystem& left, const oracle::WrittenSystem& right,
+           const LanguageEquality& found) {
     REQUIRE(found.equal == !found.difference);
     const auto lefts = first_words(left, 60, 4000), rights = first_words(right, 60, 4000);
-    const std::set<std::string> in_left(lefts.begin(), lefts.end()), in_right(rights.begin(), rights.end());
+    const std::set<std::string> in_left(lefts.begin(), lefts.end()),
+        in_right(rights.begin(), rights.end());
     if (!found.equal) {
         const auto& difference = *found.difference;
         const auto& own = difference.in_left ? lefts : rights;
@@ -38,7 +41,9 @@ void check(const oracle::WrittenSystem& left, const oracle::WrittenSystem& right
         CHECK(!other.contains(word));
         CHECK(difference.length == Integer(word.size()));
         REQUIRE(difference.word.has_value());
-        CHECK(oracle::text_of(*over_common_alphabet(oracle::d0l_of(left), oracle::d0l_of(right)).alphabet, *difference.word) == word);
+        CHECK(oracle::text_of(
+                  *over_common_alphabet(oracle::d0l_of(left), oracle::d0l_of(right)).alphabet,
+                  *difference.word) == word);
         return;
     }
     // Words of the first half are all among the other's, unless those end at words too long.
@@ -49,7 +54,9 @@ void check(const oracle::WrittenSystem& left, const oracle::WrittenSystem& right
         if (n < lefts.size() && m < rights.size()) CHECK(lefts[n] == rights[m]);
     for (const SectionMatch& match : found.sections) {
         std::uint64_t n = match.section.left, m = match.section.right;
-        for (; n < lefts.size() && m < rights.size(); n += match.section.step, m += match.section.stride) CHECK(lefts[n] == rights[m]);
+        for (; n < lefts.size() && m < rights.size();
+             n += match.section.step, m += match.section.stride)
+            CHECK(lefts[n] == rights[m]);
     }
 }
 
@@ -85,7 +92,8 @@ TEST_CASE("all pairs of small binary systems, against the sets of their first wo
     std::size_t equal = 0;
     for (std::size_t i = 0; i < systems.size(); ++i)
         for (std::size_t j = i % 3; j < i; j += 3) {
-            const auto one = first_words(systems[i], 12, 300), two = first_words(systems[j], 12, 300);
+            const auto one = first_words(systems[i], 12, 300),
+                       two = first_words(systems[j], 12, 300);
             const std::set<std::string> left(one.begin(), one.end()), right(two.begin(), two.end());
             // Short words that appear in one only show that languages differ; lengths do not go back far here.
             bool differ = false;
@@ -113,14 +121,16 @@ TEST_CASE("languages that are the same in another order") {
     CHECK(exchanged.sections[0].section == Section{2, 1, 2, 1});
 
     // Generations 2n and 2n + 1 are S X^n and T X^n on the left, the other way round on the right.
-    const LanguageEquality turned = decided({"S", {{'S', {"T"}}, {'T', {"SX"}}}}, {"T", {{'T', {"S"}}, {'S', {"TX"}}}});
+    const LanguageEquality turned =
+        decided({"S", {{'S', {"T"}}, {'T', {"SX"}}}}, {"T", {{'T', {"S"}}, {'S', {"TX"}}}});
     CHECK(turned.equal);
     REQUIRE(turned.sections.size() == 2);
     CHECK(turned.sections[0].section == Section{0, 2, 1, 2});
     CHECK(turned.sections[1].section == Section{1, 2, 0, 2});
 
     // Here it is not: T X comes after S X.
-    CHECK_FALSE(decided({"S", {{'S', {"T"}}, {'T', {"SX"}}}}, {"T", {{'T', {"SX"}}, {'S', {"T"}}}}).equal);
+    CHECK_FALSE(
+        decided({"S", {{'S', {"T"}}, {'T', {"SX"}}}}, {"T", {{'T', {"SX"}}, {'S', {"T"}}}}).equal);
 }
 
 TEST_CASE("exponential sections in another order, with erasing") {
@@ -131,11 +141,13 @@ TEST_CASE("exponential sections in another order, with erasing") {
     const LanguageEquality doubled = decided({"Sa", {{'S', {"T"}}, {'T', {"S"}}, {'a', {"aa"}}}},
                                              {"Sa", {{'S', {"T"}}, {'T', {"S"}}, {'a', {"aa"}}}});
     CHECK(doubled.equal);
-    CHECK(decided({"ab", {{'a', {""}}, {'b', {"aabb"}}}}, {"ab", {{'a', {"aabb"}}, {'b', {""}}}}).equal);
+    CHECK(decided({"ab", {{'a', {""}}, {'b', {"aabb"}}}}, {"ab", {{'a', {"aabb"}}, {'b', {""}}}})
+              .equal);
 }
 
 TEST_CASE("the same letters in another order are another word") {
-    const LanguageEquality found = decided({"ab", {{'a', {"aab"}}, {'b', {"b"}}}}, {"ab", {{'a', {"aba"}}, {'b', {"b"}}}});
+    const LanguageEquality found =
+        decided({"ab", {{'a', {"aab"}}, {'b', {"b"}}}}, {"ab", {{'a', {"aba"}}, {'b', {"b"}}}});
     REQUIRE(!found.equal);
     CHECK(found.difference->in_left);
     CHECK(found.difference->generation == 1);
@@ -143,9 +155,11 @@ TEST_CASE("the same letters in another order are another word") {
 }
 
 TEST_CASE("finite languages by their words") {
-    const LanguageEquality found = decided({"ab", {{'a', {"b"}}, {'b', {"a"}}}}, {"ba", {{'a', {"ba"}}, {'b', {""}}}});
+    const LanguageEquality found =
+        decided({"ab", {{'a', {"b"}}, {'b', {"a"}}}}, {"ba", {{'a', {"ba"}}, {'b', {""}}}});
     CHECK_FALSE(found.equal);
-    const LanguageEquality equal = decided({"ab", {{'a', {"b"}}, {'b', {"a"}}}}, {"ba", {{'a', {"b"}}, {'b', {"a"}}}});
+    const LanguageEquality equal =
+        decided({"ab", {{'a', {"b"}}, {'b', {"a"}}}}, {"ba", {{'a', {"b"}}, {'b', {"a"}}}});
     CHECK(equal.equal);
     CHECK(equal.finite);
     CHECK(equal.words_in_all == 2);
@@ -157,7 +171,8 @@ TEST_CASE("finite languages by their words") {
 TEST_CASE("words too long to be written still decide") {
     // Both double; the sequences differ in generation 40, whose words have more than 2^40 letters.
     oracle::WrittenSystem left{"!d", {{'d', {"dd"}}}}, right = left;
-    for (char a = '!'; a < '!' + 40; ++a) left.successors[a] = right.successors[a] = {std::string(1, static_cast<char>(a + 1))};
+    for (char a = '!'; a < '!' + 40; ++a)
+        left.successors[a] = right.successors[a] = {std::string(1, static_cast<char>(a + 1))};
     left.successors['!' + 39] = {"xy"};
     right.successors['!' + 39] = {"yx"};
     const LanguageEquality found = equal_languages(oracle::d0l_of(left), oracle::d0l_of(right));
@@ -177,5 +192,6 @@ TEST_CASE("progressions that cover all numbers") {
 TEST_CASE("a bound that is reached is no answer") {
     Budget budget;
     budget.memory = 500;
-    CHECK_THROWS_AS(equal_languages(d0l("a", {{'a', "ab"}}), d0l("a", {{'a', "ab"}}), budget), BoundReached);
+    CHECK_THROWS_AS(equal_languages(d0l("a", {{'a', "ab"}}), d0l("a", {{'a', "ab"}}), budget),
+                    BoundReached);
 }

@@ -24,17 +24,23 @@ std::string image(const Rules& rules, const std::string& word) {
     return out;
 }
 
-D0L system_of(const std::string& axiom, const Rules& rules) { return d0l(axiom, {rules.begin(), rules.end()}); }
+D0L system_of(const std::string& axiom, const Rules& rules) {
+    return d0l(axiom, {rules.begin(), rules.end()});
+}
 
 using oracle::text_of;
 
 /// Checks the proof from its words alone: an overflow is text with the sign of the side before it.
-bool holds(const std::string& axiom, const Rules& left, const Rules& right, const Alphabet& alphabet, const Balance& proof) {
+bool holds(const std::string& axiom, const Rules& left, const Rules& right,
+           const Alphabet& alphabet, const Balance& proof) {
     std::set<std::string> states;
     for (const Overflow& overflow : proof.states) {
         if (overflow.word.size() > proof.bound) return false;
         const bool ahead = overflow.ahead == Overflow::Ahead::left;
-        states.insert((overflow.word.empty() ? "=" : ahead ? "+" : "-") + text_of(alphabet, overflow.word));
+        states.insert((overflow.word.empty() ? "="
+                       : ahead               ? "+"
+                                             : "-") +
+                      text_of(alphabet, overflow.word));
     }
     std::set<char> letters(axiom.begin(), axiom.end());
     for (std::size_t before = 0; before != letters.size();) {
@@ -46,12 +52,15 @@ bool holds(const std::string& axiom, const Rules& left, const Rules& right, cons
     Maps maps;
     for (const char a : letters)
         for (const std::string& state : states) {
-            const std::string more = image(left, std::string(1, a)), other = image(right, std::string(1, a));
+            const std::string more = image(left, std::string(1, a)),
+                              other = image(right, std::string(1, a));
             const std::string one = (state[0] == '+' ? state.substr(1) : "") + more;
             const std::string two = (state[0] == '-' ? state.substr(1) : "") + other;
             std::string next = "refused";
-            if (one.starts_with(two)) next = (one == two ? "=" : "+") + one.substr(two.size());
-            else if (two.starts_with(one)) next = "-" + two.substr(one.size());
+            if (one.starts_with(two))
+                next = (one == two ? "=" : "+") + one.substr(two.size());
+            else if (two.starts_with(one))
+                next = "-" + two.substr(one.size());
             maps[{a, state}] = states.contains(next) ? next : "refused";
         }
     const auto led = [&](const Maps& by, const std::string& word, std::string state) {
@@ -64,14 +73,16 @@ bool holds(const std::string& axiom, const Rules& left, const Rules& right, cons
         all.push_back(maps);
         if (k < proof.steps && led(maps, axiom, "=") != "=") return false;
         Maps next;
-        for (const auto& [from, to] : maps) next[from] = led(maps, image(left, std::string(1, from.first)), from.second);
+        for (const auto& [from, to] : maps)
+            next[from] = led(maps, image(left, std::string(1, from.first)), from.second);
         maps = std::move(next);
     }
     return proof.earlier < proof.steps && all[proof.steps] == all[proof.earlier];
 }
 
 /// Decides, and checks the answer against the first words written out and the proof by the other route.
-SequenceEquality decided(const std::string& axiom, const Rules& left, const std::string& other, const Rules& right) {
+SequenceEquality decided(const std::string& axiom, const Rules& left, const std::string& other,
+                         const Rules& right) {
     const D0L one = system_of(axiom, left), two = system_of(other, right);
     const SequenceEquality found = equal_sequences(one, two);
     REQUIRE(found.equal == found.balance.has_value());
@@ -83,7 +94,8 @@ SequenceEquality decided(const std::string& axiom, const Rules& left, const std:
         CHECK((a == b) == (found.equal || n < found.difference->generation));
         if (a != b) {
             CHECK(found.difference->generation == n);
-            const auto at = static_cast<std::size_t>(std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
+            const auto at = static_cast<std::size_t>(
+                std::mismatch(a.begin(), a.end(), b.begin(), b.end()).first - a.begin());
             CHECK(found.difference->position == Integer(at));
             const std::size_t from = found.difference->from.to_uint64();
             CHECK(from <= at);
@@ -145,10 +157,12 @@ TEST_CASE("all pairs of small binary systems with four equal words are decided, 
                     bound = std::max(bound, found.balance->bound);
                     states = std::max(states, found.balance->states.size());
                     const auto other = [&](const Rules& rules) {
-                        return Rules{{'a', exchanged(rules.at('b'))}, {'b', exchanged(rules.at('a'))}};
+                        return Rules{{'a', exchanged(rules.at('b'))},
+                                     {'b', exchanged(rules.at('a'))}};
                     };
-                    classes.insert(std::min(key(axiom, systems[i], systems[j]),
-                                            key(exchanged(axiom), other(systems[i]), other(systems[j]))));
+                    classes.insert(
+                        std::min(key(axiom, systems[i], systems[j]),
+                                 key(exchanged(axiom), other(systems[i]), other(systems[j]))));
                 }
     }
     CHECK(pairs == 184);
@@ -158,13 +172,15 @@ TEST_CASE("all pairs of small binary systems with four equal words are decided, 
 }
 
 TEST_CASE("three equal words of two letters do not suffice") {
-    const SequenceEquality found = decided("ab", {{'a', "abb"}, {'b', "aabba"}}, "ab", {{'a', "abbaabb"}, {'b', "a"}});
+    const SequenceEquality found =
+        decided("ab", {{'a', "abb"}, {'b', "aabba"}}, "ab", {{'a', "abbaabb"}, {'b', "a"}});
     CHECK_FALSE(found.equal);
     CHECK(found.difference->generation == 3);
 }
 
 TEST_CASE("erasing systems with the greatest overflow of the small ones") {
-    const SequenceEquality found = decided("ab", {{'a', ""}, {'b', "aabb"}}, "ab", {{'a', "aabb"}, {'b', ""}});
+    const SequenceEquality found =
+        decided("ab", {{'a', ""}, {'b', "aabb"}}, "ab", {{'a', "aabb"}, {'b', ""}});
     CHECK(found.equal);
     CHECK(found.balance->bound == 8);
 }
@@ -179,7 +195,8 @@ TEST_CASE("any systems that cut the same words in other places") {
         for (const char a : letters) all += left[a] = *oracle::any_word("abc", 4);
         std::size_t at = 0;
         for (const char a : letters) {
-            const std::size_t end = a == letters.back() ? all.size() : *rc::gen::inRange(at, all.size() + 1);
+            const std::size_t end =
+                a == letters.back() ? all.size() : *rc::gen::inRange(at, all.size() + 1);
             right[a] = all.substr(at, end - at);
             at = end;
         }
@@ -199,7 +216,8 @@ TEST_CASE("any two systems") {
             return all;
         };
         decided(left.axiom, rules(left), *rc::gen::element(left.axiom, right.axiom), rules(right));
-        RC_ASSERT(decided(left.axiom, rules(left), left.axiom, rules(left)).balance->states.size() == 1);
+        RC_ASSERT(
+            decided(left.axiom, rules(left), left.axiom, rules(left)).balance->states.size() == 1);
     }));
 }
 
@@ -224,18 +242,21 @@ TEST_CASE("all pairs over three letters with axiom abc and at most five letters 
     for (const auto& [words, systems] : by_words)
         for (std::size_t i = 0; i < systems.size(); ++i)
             for (std::size_t j = i + 1; j < systems.size() && j < i + 4; ++j) {
-                const SequencePair pair = over_common_alphabet(system_of("abc", systems[i]), system_of("abc", systems[j]));
+                const SequencePair pair = over_common_alphabet(system_of("abc", systems[i]),
+                                                               system_of("abc", systems[j]));
                 const SequenceEquality found = equal_sequences(pair.left, pair.right);
                 ++pairs;
                 if (!found.equal) ++different;
-                if (found.equal) CHECK(holds("abc", systems[i], systems[j], *pair.alphabet, *found.balance));
+                if (found.equal)
+                    CHECK(holds("abc", systems[i], systems[j], *pair.alphabet, *found.balance));
             }
     CHECK(pairs > 100);
     CHECK(different == 0);
 }
 
 TEST_CASE("letters are the same if their names are, in whatever order systems have them") {
-    const D0L left = d0l("ab", {{'a', "ab"}, {'b', "a"}}), right = d0l("ab", {{'b', "a"}, {'a', "ab"}, {'x', "xx"}});
+    const D0L left = d0l("ab", {{'a', "ab"}, {'b', "a"}}),
+              right = d0l("ab", {{'b', "a"}, {'a', "ab"}, {'x', "xx"}});
     CHECK(equal_sequences(left, right).equal);
     const D0L turned = make_d0l(std::make_shared<const Alphabet>([] {
                                     Alphabet letters;
@@ -252,9 +273,12 @@ TEST_CASE("letters are the same if their names are, in whatever order systems ha
 
 TEST_CASE("systems whose rules factor through fewer letters") {
     // a and b become powers of one word, so both go through one letter.
-    CHECK(decided("abc", {{'a', "abc"}, {'b', "abcabc"}, {'c', ""}}, "abc", {{'a', "abcabc"}, {'b', ""}, {'c', "abc"}}).equal);
+    CHECK(decided("abc", {{'a', "abc"}, {'b', "abcabc"}, {'c', ""}}, "abc",
+                  {{'a', "abcabc"}, {'b', ""}, {'c', "abc"}})
+              .equal);
     CHECK(decided("aabb", {{'a', "ab"}, {'b', "ab"}}, "aabb", {{'a', "abab"}, {'b', ""}}).equal);
-    CHECK_FALSE(decided("aabb", {{'a', "aabb"}, {'b', ""}}, "aabb", {{'a', "aabb"}, {'b', "aabb"}}).equal);
+    CHECK_FALSE(
+        decided("aabb", {{'a', "aabb"}, {'b', ""}}, "aabb", {{'a', "aabb"}, {'b', "aabb"}}).equal);
     CHECK(decided("ab", {{'a', ""}, {'b', ""}}, "ab", {{'a', ""}, {'b', ""}}).equal);
     CHECK(decided("", {}, "", {{'a', "b"}}).equal);
 }
@@ -295,7 +319,8 @@ TEST_CASE("words too long to write are compared all the same") {
 TEST_CASE("a bound that is reached is no answer, and says what was tried") {
     Budget budget;
     budget.memory = 600;
-    const D0L left = d0l("ab", {{'a', ""}, {'b', "aabb"}}), right = d0l("ab", {{'a', "aabb"}, {'b', ""}});
+    const D0L left = d0l("ab", {{'a', ""}, {'b', "aabb"}}),
+              right = d0l("ab", {{'a', "aabb"}, {'b', ""}});
     try {
         equal_sequences(left, right, budget);
         FAIL("no bound");

@@ -1,0 +1,117 @@
+#include <doctest/doctest.h>
+
+#include "base/error.hpp"
+#include "verify/samples.hpp"
+
+using namespace samples;
+using Outcome = algae::verify::Finding::Outcome;
+
+TEST_CASE("sound proofs of every kind are checked") {
+    for (const Sample& sample : sound()) {
+        INFO(sample.statement << " " << sample.verdict << " " << sample.proof);
+        const auto found = check(certificate(sample));
+        REQUIRE(found.size() == 1);
+        CHECK_MESSAGE(found[0].outcome == Outcome::checked, found[0].path << ": " << found[0].reason);
+    }
+}
+
+TEST_CASE("the other verdict never passes") {
+    for (const Sample& sample : sound()) {
+        INFO(sample.statement << " " << sample.verdict << " " << sample.proof);
+        Json changed = certificate(sample);
+        Json& verdict = changed["statements"][0]["verdict"];
+        verdict = verdict == "proved" ? "refuted" : "proved";
+        CHECK(check(changed)[0].outcome != Outcome::checked);
+        Json negated = certificate(sample);
+        Json& statement = negated["statements"][0]["statement"];
+        statement = Json{{"not", statement}};
+        CHECK(check(negated)[0].outcome != Outcome::checked);
+    }
+}
+
+TEST_CASE("a wrong proof is named with its path, line and reason") {
+    Json bad = certificate(Json::parse(R"({"derives": "a b a", "system": "F"})"), "proved",
+                           Json::parse(R"({"by": "derivation", "words": ["a", "a b", "a b b"]})"));
+    const auto found = check(bad)[0];
+    CHECK(found.outcome == Outcome::wrong);
+    CHECK(found.path == "statements[0].proof.words[2]");
+    CHECK(found.reason == "the word before does not give it");
+    const std::string text = bad.dump(1);
+    std::size_t line = 1, place = text.rfind("\"a b b\"");
+    while ((place = text.rfind('\n', place - 1)) != std::string::npos && place > 0) ++line;
+    CHECK(found.line == line);
+    CHECK(found.statement == "F derives aba");
+}
+
+TEST_CASE("cited and undecided statements are told apart, constructions are not checked") {
+    Json all = certificate(Json::parse(R"({"is": "CF", "language": {"generated": "G"}})"), "proved",
+                           Json::parse(R"({"by": "construction", "system": {"axiom": "a", "tables": [{}]}})"));
+    Json cited = all["statements"][0];
+    cited.erase("proof");
+    cited["verdict"] = "cited";
+    cited["citation"] = "RS80 III.2.1";
+    Json undecided = cited;
+    undecided.erase("citation");
+    undecided["verdict"] = "undecided";
+    all["statements"].push_back(cited);
+    all["statements"].push_back(undecided);
+    const auto found = check(all);
+    CHECK(found[0].outcome == Outcome::not_checked);
+    CHECK(found[1].outcome == Outcome::cited);
+    CHECK(found[1].citation == "RS80 III.2.1");
+    CHECK(found[2].outcome == Outcome::undecided);
+}
+
+TEST_CASE("what is no certificate is refused with the place") {
+    const Json good = certificate(sound()[0]);
+    const auto error = [](const Json& bad) -> std::string {
+        try {
+            check(bad);
+        } catch (const algae::Error& refused) {
+            return refused.what();
+        }
+        return "accepted";
+    };
+    Json bad = good;
+    bad["statements"][0]["statement"]["member"] = "a c";
+    CHECK(error(bad).ends_with(": statements[0].statement.member: 'c' is no letter of the alphabet"));
+    bad = good;
+    bad["statements"][0]["statement"]["member"] = "a  a";
+    CHECK(error(bad).ends_with("'' is no letter of the alphabet"));
+    bad = good;
+    bad["statements"][0]["proof"]["more"] = 1;
+    CHECK(error(bad).ends_with(": statements[0].proof: unexpected field 'more'"));
+    bad = good;
+    bad["format"] = "algae certificate 2";
+    CHECK(error(bad) == "x.json:2: format: expected \"algae certificate 1\"");
+    bad = good;
+    bad.erase("alphabet");
+    CHECK(error(bad) == "x.json:1: the field 'alphabet' is missing");
+    bad = good;
+    bad["alphabet"] = {"a", 7};
+    CHECK(error(bad).ends_with(": alphabet[1]: expected a string, found a number"));
+    CHECK_THROWS_WITH_AS(algae::verify::read_certificate("{\"a\": 1,\n\"a\": 2}", "y"), "y:2: the field 'a' stands here twice", algae::Error);
+    CHECK_THROWS_AS(algae::verify::read_certificate("", "y"), algae::Error);
+    CHECK_THROWS_AS(algae::verify::read_certificate("{} {}", "y"), algae::Error);
+    CHECK_THROWS_AS(algae::verify::read_certificate("[1e999]", "y"), algae::Error);
+    CHECK_THROWS_AS(algae::verify::read_certificate("\"\xff\"", "y"), algae::Error);
+}
+
+TEST_CASE("nothing deep, large or long crashes or hangs") {
+    CHECK_THROWS_AS(algae::verify::read_certificate(std::string(1'000'000, '['), "y"), algae::BoundReached);
+    Json language = Json::parse(R"({"words": ["a"]})");
+    for (int i = 0; i < 400; ++i) language = Json{{"star", language}};
+    const auto with = [&](const char* statement, const char* verdict, const char* proof) {
+        Json made = certificate(Json::parse(statement), verdict, Json::parse(proof));
+        return check(made)[0].outcome;
+    };
+    Json deep = certificate(Json{{"member", "a"}, {"language", language}}, "proved", Json{{"by", "membership"}});
+    CHECK(check(deep)[0].outcome == Outcome::checked);
+    CHECK(with(R"({"derives": "a", "system": "W", "steps": "99999999999999999999999999"})", "refuted", R"({"by": "exhausted"})") == Outcome::checked);
+    CHECK(with(R"({"is": "finite", "language": {"generated": "W"}})", "proved", R"({"by": "values"})") == Outcome::not_checked);
+    CHECK(with(R"({"equal sequences": ["F", "W"]})", "refuted", R"({"by": "generation", "generation": "99999999999999999999"})") == Outcome::not_checked);
+    CHECK(with(R"({"equal sequences": ["F", "W"]})", "refuted", R"({"by": "generation", "generation": 30, "position": "1073741823"})") == Outcome::checked);
+    CHECK(with(R"({"growth": "W", "equals": "9^9^9^9^9"})", "refuted", R"({"by": "generation", "generation": 3})") == Outcome::not_checked);
+    CHECK(with(R"({"equal": [{"generated": "W"}, {"generated": "W"}]})", "proved",
+               R"({"by": "sections", "words": [[40, 40]], "sections": []})") == Outcome::not_checked);
+}

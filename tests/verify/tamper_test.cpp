@@ -1,0 +1,368 @@
+// Every field of sound certificates is changed, removed and doubled. What still passes must be true: it says the
+// same as before, or a slow second route that shares no code with the checker confirms it.
+
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <set>
+
+#include "base/error.hpp"
+#include "oracle/finite_systems.hpp"
+#include "verify/samples.hpp"
+
+using namespace samples;
+using Outcome = algae::verify::Finding::Outcome;
+
+namespace {
+
+using Words = std::set<std::string>;  // one character a letter
+
+constexpr std::size_t longest_form = 13;  // of words on the way
+constexpr std::size_t longest = 6;        // of words that are compared
+
+std::string plain(const Json& word) {
+    std::string text = word.get<std::string>();
+    text.erase(std::remove(text.begin(), text.end(), ' '), text.end());
+    return text;
+}
+
+Words one_step(const Json& system, const std::string& word) {
+    Words results;
+    if (system.contains("rules")) {
+        std::string next;
+        const std::string ignored = system.contains("ignored") ? plain(system["ignored"]) : "";
+        for (std::size_t i = 0; i < word.size(); ++i) {
+            std::string before, after;
+            for (std::size_t k = 0; k < word.size(); ++k)
+                if (k != i && ignored.find(word[k]) == std::string::npos) (k < i ? before : after) += word[k];
+            std::optional<std::string> best;
+            std::size_t size = 0;
+            for (const Json& rule : system["rules"]) {
+                const std::string left = plain(rule["left"]), right = plain(rule["right"]);
+                if (plain(rule["letter"]) != std::string(1, word[i]) || !before.ends_with(left) || !after.starts_with(right)) continue;
+                if (best && left.size() + right.size() <= size) continue;
+                size = left.size() + right.size();
+                best = plain(rule["successor"]);
+            }
+            next += best.value_or(std::string(1, word[i]));
+        }
+        return {next};
+    }
+    for (const Json& table : system["tables"]) {
+        Words built{""};
+        for (const char letter : word) {
+            Words longer;
+            const std::string name(1, letter);
+            for (const std::string& start : built)
+                if (table.contains(name))
+                    for (const Json& image : table[name]) longer.insert(start + plain(image));
+                else
+                    longer.insert(start + name);
+            std::erase_if(longer, [](const std::string& each) { return each.size() > longest_form; });
+            built = std::move(longer);
+        }
+        results.merge(built);
+    }
+    return results;
+}
+
+Words forms(const Json& system, const std::string& from) {
+    Words known{from};
+    std::vector<std::string> open{from};
+    while (!open.empty()) {
+        const std::string word = open.back();
+        open.pop_back();
+        for (const std::string& next : one_step(system, word))
+            if (next.size() <= longest_form && known.insert(next).second) open.push_back(next);
+    }
+    return known;
+}
+
+Words all_words(const std::string& letters, std::size_t most) {
+    Words all{""};
+    std::vector<std::string> last{""};
+    for (std::size_t n = 0; n < most; ++n) {
+        std::vector<std::string> next;
+        for (const std::string& word : last)
+            for (const char letter : letters) next.push_back(word + letter);
+        all.insert(next.begin(), next.end());
+        last = next;
+    }
+    return all;
+}
+
+/// The words of a language up to `most` letters.
+Words words(const Json& language, const Json& systems, std::size_t most) {
+    const auto of = [&](const Json& part, std::size_t size) { return words(part, systems, size); };
+    const auto short_ones = [&](Words all) {
+        std::erase_if(all, [&](const std::string& word) { return word.size() > most; });
+        return all;
+    };
+    Words all;
+    if (language.contains("words")) {
+        for (const Json& word : language["words"]) all.insert(plain(word));
+    } else if (language.contains("generated")) {
+        const Json& system = systems[language["generated"].get<std::string>()];
+        all = forms(system, plain(system["axiom"]));
+        if (system.contains("terminals"))
+            std::erase_if(all, [&](const std::string& word) { return word.find_first_not_of(plain(system["terminals"])) != std::string::npos; });
+    } else if (language.contains("union")) {
+        all = of(language["union"][0], most);
+        all.merge(of(language["union"][1], most));
+    } else if (language.contains("intersection") || language.contains("difference")) {
+        const bool both = language.contains("intersection");
+        const Json& parts = language[both ? "intersection" : "difference"];
+        all = of(parts[0], most);
+        const Words other = of(parts[1], most);
+        std::erase_if(all, [&](const std::string& word) { return other.contains(word) != both; });
+    } else if (language.contains("concatenation")) {
+        for (const std::string& left : of(language["concatenation"][0], most))
+            for (const std::string& right : of(language["concatenation"][1], most)) all.insert(left + right);
+    } else if (language.contains("star") || language.contains("plus")) {
+        const Words part = of(language.contains("star") ? language["star"] : language["plus"], most);
+        Words last = part;
+        all = part;
+        for (std::size_t n = 0; n < most; ++n) {
+            Words next;
+            for (const std::string& left : last)
+                for (const std::string& right : part)
+                    if (left.size() + right.size() <= most) next.insert(left + right);
+            all.insert(next.begin(), next.end());
+            last = next;
+        }
+        if (language.contains("star")) all.insert("");
+    } else if (language.contains("reversal")) {
+        for (const std::string& word : of(language["reversal"], most)) all.emplace(word.rbegin(), word.rend());
+    } else if (language.contains("complement")) {
+        const Words part = of(language["complement"], most);
+        for (const std::string& word : all_words(plain(language["letters"]), most))
+            if (!part.contains(word)) all.insert(word);
+    } else {
+        const bool forward = language.contains("image");
+        const Json& morphism = language["morphism"];
+        const auto image = [&](const std::string& word) -> std::optional<std::string> {
+            std::string mapped;
+            for (const char letter : word) {
+                if (!morphism.contains(std::string(1, letter))) return std::nullopt;
+                mapped += plain(morphism[std::string(1, letter)]);
+            }
+            return mapped;
+        };
+        const Words part = of(language[forward ? "image" : "inverse image"], 2 * longest);
+        for (const std::string& word : forward ? part : all_words("ab", most)) {
+            const auto mapped = image(word);
+            if (mapped && (forward || part.contains(*mapped))) all.insert(forward ? *mapped : word);
+        }
+    }
+    return short_ones(std::move(all));
+}
+
+/// The first words of a D0L system.
+std::vector<std::string> sequence(const Json& system, std::size_t count) {
+    std::vector<std::string> all{plain(system["axiom"])};
+    while (all.size() < count && all.back().size() < 3000) {
+        std::string next;
+        for (const char letter : all.back()) {
+            const Json& table = system["tables"][0];
+            const std::string name(1, letter);
+            next += table.contains(name) ? plain(table[name][0]) : name;
+        }
+        all.push_back(next);
+    }
+    return all;
+}
+
+/// Whether nothing among short words and first generations speaks against the statement; nothing where they do
+/// not decide it.
+std::optional<bool> truth(const Json& statement, const Json& systems) {
+    if (statement.contains("not")) {
+        const auto opposite = truth(statement["not"], systems);
+        return opposite ? std::optional(!*opposite) : std::nullopt;
+    }
+    const auto of = [&](const Json& language, std::size_t most = longest) { return words(language, systems, most); };
+    if (statement.contains("member")) return of(statement["language"]).contains(plain(statement["member"]));
+    if (statement.contains("size")) {
+        const Json& size = statement["size"];
+        return std::to_string(of(statement["language"], 2 * longest).size()) == (size.is_string() ? size.get<std::string>() : size.dump());
+    }
+    if (statement.contains("equal")) return of(statement["equal"][0]) == of(statement["equal"][1]);
+    if (statement.contains("included")) {
+        const Words left = of(statement["included"][0]), right = of(statement["included"][1]);
+        return std::includes(right.begin(), right.end(), left.begin(), left.end());
+    }
+    if (statement.contains("derives")) {
+        const Json& system = systems[statement["system"].get<std::string>()];
+        const std::string from = plain(statement.contains("from") ? statement["from"] : system["axiom"]), to = plain(statement["derives"]);
+        if (!statement.contains("steps")) return forms(system, from).contains(to);
+        Words now{from};
+        std::uint64_t steps = statement["steps"].is_string() ? std::stoull(statement["steps"].get<std::string>()) : statement["steps"].get<std::uint64_t>();
+        if (steps > 20) steps = 20 + steps % 2;  // what repeats here repeats with period 1 or 2
+        for (; steps > 0; --steps) {
+            Words next;
+            for (const std::string& word : now) next.merge(one_step(system, word));
+            std::erase_if(next, [](const std::string& word) { return word.size() > longest_form; });
+            now = next;
+        }
+        return now.contains(to);
+    }
+    if (statement.contains("equal sequences") || statement.contains("equal growth")) {
+        const bool letters = statement.contains("equal sequences");
+        const Json& names = statement[letters ? "equal sequences" : "equal growth"];
+        const auto left = sequence(systems[names[0].get<std::string>()], 10), right = sequence(systems[names[1].get<std::string>()], 10);
+        for (std::size_t n = 0; n < std::min(left.size(), right.size()); ++n)
+            if (letters ? left[n] != right[n] : left[n].size() != right[n].size()) return false;
+        return true;
+    }
+    if (statement.contains("class")) {
+        const auto all = sequence(systems[statement["growth"].get<std::string>()], 11);
+        const auto size = [&](std::size_t n) { return static_cast<double>(all[std::min(n, all.size() - 1)].size()); };
+        const bool fast = all.size() < 11 || size(10) > 20, still = size(10) == size(8);
+        const std::string found = size(10) == 0 ? "zero" : fast ? "exponential" : still ? "bounded" : "polynomial";
+        const bool degree = !statement.contains("degree") || statement["degree"] == 1 || statement["degree"] == "1";
+        return found == statement["class"] && degree;
+    }
+    if (statement["is"] == "empty") return of(statement["language"]).empty();
+    if (statement["is"] == "finite") return of(statement["language"]) == of(statement["language"], 2 * longest);
+    return std::nullopt;
+}
+
+/// Whether a finite language of words of at most two letters is of a family without context.
+bool is_of(const Json& family, const Words& language) {
+    static std::map<std::string, std::set<std::uint64_t>> all;
+    const std::string name = family.get<std::string>();
+    if (!all.contains(name)) {
+        const bool tables = name.find('T') != std::string::npos;
+        const algae::oracle::FiniteSystems systems(2, 2, name.find('P') != std::string::npos, name.find('D') != std::string::npos);
+        all[name] = tables ? systems.with_tables() : systems.without_tables();
+    }
+    const auto universe = algae::oracle::FiniteSystems::words(2, 2);
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < universe.size(); ++i)
+        if (language.contains(universe[i])) bits |= std::uint64_t{1} << i;
+    return all.at(name).contains(bits);
+}
+
+/// Throws no doubt on a certificate that was accepted: whether what it says can be true.
+bool can_be_true(const Json& certificate) {
+    const Json& systems = certificate["systems"];
+    const Json& entry = certificate["statements"][0];
+    Json statement = entry["statement"];
+    bool holds = entry["verdict"] == "proved";
+    for (; statement.contains("not"); holds = !holds) statement = Json(statement["not"]);
+    if (statement.contains("is") && statement["is"] != "finite" && statement["is"] != "empty") {
+        static const std::set<std::string> decided = {"0L", "P0L", "D0L", "PD0L", "T0L", "PT0L", "DT0L", "PDT0L"};
+        const Words all = words(statement["language"], systems, 2 * longest);
+        const bool is_short = std::all_of(all.begin(), all.end(), [](const std::string& word) { return word.size() <= 2; });
+        if (!decided.contains(statement["is"].get<std::string>())) return holds || !is_short;  // all finite ones are, but {ε}
+        return !is_short || is_of(statement["is"], all) == holds;
+    }
+    if (statement.contains("growth") && statement.contains("equals")) return true;  // see the test of formulas
+    const auto found = truth(statement, systems);
+    return !found || *found == holds;
+}
+
+/// A budget that keeps thousands of changed certificates short; what it cuts off does not pass.
+algae::Budget short_budget() {
+    algae::Budget budget = small_budget();
+    budget.memory = 1 << 20;
+    budget.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(50);
+    return budget;
+}
+
+/// Calls visit for every value in the JSON, with its pointer.
+void each_value(const Json& value, const Json::json_pointer& at, const std::function<void(const Json::json_pointer&)>& visit) {
+    visit(at);
+    if (value.is_object())
+        for (const auto& [key, part] : value.items()) each_value(part, at / key, visit);
+    if (value.is_array())
+        for (std::size_t i = 0; i < value.size(); ++i) each_value(value[i], at / i, visit);
+}
+
+/// What a value may be changed to.
+std::vector<Json> others(const Json& value) {
+    if (value.is_number()) return {0, 1, 2, 3, 5, -1, 1.5, "7", true, nullptr};
+    if (value.is_string())
+        return {"", "a", "b", "a a", "a b", "b a", "0L", "P0L", "D0L", "PD0L", "PDT0L", "finite", "empty", "REG", "CF", "E0L",
+                "left", "right", "sources", "needed", "no image", "values", "identical", "form", "terms", "word", "lengths",
+                "exhausted", "membership", "derivatives", "relations", "proved", "refuted", "polynomial", "bounded",
+                "exponential", "F", "G", "S", "W", "P", "E", "T", "2^n", "n+2", "0", "3", 4, Json::array(), Json::object()};
+    if (value.is_array()) {
+        std::vector<Json> all{Json::array(), "a"};
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            Json without = value, twice = value;
+            without.erase(i);
+            twice.push_back(value[i]);
+            all.push_back(without);
+            all.push_back(twice);
+        }
+        Json turned = value;
+        std::reverse(turned.begin(), turned.end());
+        all.push_back(turned);
+        return all;
+    }
+    std::vector<Json> all{Json::object(), "a", Json{{"words", Json::array({"a"})}}, Json{{"generated", "G"}}, Json{{"not", value}}};
+    for (const auto& [key, part] : value.items()) {
+        Json without = value, more = value;
+        without.erase(key);
+        more[key + "s"] = part;
+        all.push_back(without);
+        all.push_back(more);
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("the second route agrees with all sound certificates") {
+    for (const Sample& sample : sound()) {
+        INFO(sample.statement << " " << sample.verdict);
+        CHECK(can_be_true(certificate(sample)));
+    }
+}
+
+TEST_CASE("no changed certificate passes for something false") {
+    std::size_t changed = 0, passed = 0;
+    for (const Sample& sample : sound()) {
+        Json good = certificate(sample);
+        for (const char* name : {"C", "E", "H", "Q", "T", "U", "V", "X", "Y"})
+            if (std::string(sample.statement).find('"' + std::string(name) + '"') == std::string::npos) good["systems"].erase(name);
+        // The whole statement, and those systems that it names.
+        std::vector<Json::json_pointer> places;
+        const auto note = [&](const Json::json_pointer& at) { places.push_back(at); };
+        each_value(good["statements"], Json::json_pointer("/statements"), note);
+        for (const auto& [name, system] : good["systems"].items())
+            if (std::string(sample.statement).find('"' + name + '"') != std::string::npos)
+                each_value(system, Json::json_pointer("/systems") / name, note);
+        for (const auto& place : places)
+            for (const Json& other : others(good[place])) {
+                Json bad = good;
+                bad[place] = other;
+                if (bad == good) continue;
+                ++changed;
+                try {
+                    const auto found = check(bad, short_budget());
+                    if (found.empty() || found[0].outcome != Outcome::checked) continue;
+                } catch (const algae::Error&) {
+                    continue;
+                }
+                ++passed;
+                if (!can_be_true(bad))
+                    FAIL_CHECK(std::string(place.to_string() + " := " + other.dump() + " passes: " + bad["statements"].dump()));
+            }
+    }
+    CHECK(changed > 10'000);
+    CHECK(passed < changed / 4);
+}
+
+TEST_CASE("only formulas that give the lengths pass") {
+    for (const char* formula : {"n+2", "(n^2+3*n+2)/(n+1)", "n", "2+n*1^n", "n+2+0^n", "2^n", "-(-n-2)", "n+3", "2^n+2"}) {
+        INFO(formula);
+        const Json made = certificate(Json{{"growth", "P"}, {"equals", formula}}, "proved", Json{{"by", "terms"}});
+        const std::string text = formula;
+        const bool right = text == "n+2" || text == "2+n*1^n" || text == "-(-n-2)";
+        CHECK((check(made)[0].outcome == Outcome::checked) == right);
+    }
+}

@@ -5,7 +5,7 @@
 
 namespace algae {
 
-/// E0L languages are closed under union, concatenation, star and plus (Herman and Rozenberg 1975, 5;
+/// E0L languages are closed under union, concatenation, star and plus (Herman and Rozenberg 1975;
 /// Rozenberg and Salomaa 1980, II.1). All of these synchronise the systems first and are O(size of the
 /// rules). Words of the second operand are words by the names of their letters; the alphabet of the
 /// result begins with that of the first. Throw Error if a system has several tables.

@@ -9,8 +9,8 @@ namespace algae {
 
 /// What a generalised sequential machine writes when it reads words of L(G), and L(G) intersected with a
 /// regular language: what the machine writes that copies its words. E0L, ET0L and, for deterministic
-/// machines, EDT0L languages are closed under both (Herman and Rozenberg 1975, 5; Rozenberg and Salomaa
-/// 1980, II.1 and V.2). Words of the machine and of the regular language are over the symbols of the system.
+/// machines, EDT0L languages are closed under both (Herman and Rozenberg 1975; Rozenberg and Salomaa
+/// 1980, II.1 and IV.1). Words of the machine and of the regular language are over the symbols of the system.
 ///
 /// A letter of the result is a letter x between two states p and q: what is derived from it leads the
 /// machine from p to q. The states between the letters of a successor are guessed, and a terminal

@@ -15,7 +15,7 @@ using Substitution = std::map<Symbol, std::vector<Word>>;
 Substitution substitution(const std::map<Symbol, Word>& morphism);
 
 /// E0L languages are closed under finite substitution, with that under homomorphisms, erasing or not
-/// (Herman and Rozenberg 1975, 5; Rozenberg and Salomaa 1980, II.1). With letter-to-letter images and a
+/// (Herman and Rozenberg 1975; Rozenberg and Salomaa 1980, II.1). With letter-to-letter images and a
 /// system all of whose letters are terminals: a coding of an 0L language is E0L. The tables keep their
 /// number.
 ///
@@ -32,7 +32,7 @@ Substitution substitution(const std::map<Symbol, Word>& morphism);
 ET0L e0l_image(const ET0L& system, const Substitution& images, const Budget& budget = {});
 
 /// ET0L languages are closed under finite substitution, EDT0L languages under homomorphisms (Rozenberg and
-/// Salomaa 1980, V.1 and V.2). The letters are copied as letters that are no terminals, and a further table
+/// Salomaa 1980, IV.1 and V.1). The letters are copied as letters that are no terminals, and a further table
 /// rewrites those of terminals to the images; deterministic tables stay deterministic if each letter has
 /// one image. O(size of the rules).
 ///

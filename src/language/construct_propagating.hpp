@@ -8,7 +8,7 @@
 namespace algae {
 
 /// A system without erasing rules for L(G) without the empty word; the tables keep their number, so E0L
-/// languages are EP0L and ET0L languages EPT0L but for the empty word (Herman and Rozenberg 1975, 5;
+/// languages are EP0L and ET0L languages EPT0L but for the empty word (Herman and Rozenberg 1975;
 /// Rozenberg and Salomaa 1980, II.1 and V.1). Deterministic tables become nondeterministic.
 ///
 /// The system is synchronised first. A letter of the result is a letter x together with a set of letters of

@@ -6,7 +6,7 @@
 namespace algae {
 
 /// ET0L and EDT0L languages are closed under union, concatenation, star and plus (Rozenberg and Salomaa
-/// 1980, V.1 and V.2). The parts are derived one after the other with copies of the letters that are no
+/// 1980, IV.1 and V.1). The parts are derived one after the other with copies of the letters that are no
 /// terminals, while all else stays as it is; a table that finishes a part makes terminals of its letters
 /// and lets a letter fail that is none. All are O(size of the rules). Words of the second operand are
 /// words by the names of their letters; the alphabet of the result begins with that of the first.

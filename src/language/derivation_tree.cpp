@@ -18,8 +18,8 @@ using Node = DerivationTree::Node;
 constexpr double most_bits = 1000;  // of the number of letters below a cut
 
 /// Every letter leaves one more letter behind for each generation that it has: h'(a) = h(a) c, and
-/// h'(a) = c c where h(a) is empty. So the length of generation n counts the letters of generation n,
-/// all letters of generations before, and what was erased.
+/// h'(a) = c c where h(a) is empty. So the length of generation n counts the letters of generation
+/// n, all letters of generations before, and what was erased.
 D0L leaving_letters_behind(const D0L& system) {
     auto alphabet = std::make_shared<Alphabet>(*system.alphabet);
     std::string name = "c";
@@ -58,12 +58,13 @@ std::pair<Word, bool> next_letters(const D0L& system, const Word& letters) {
 /// The nodes of generations 0 to last where each generation has each letter once: the number of
 /// letters of every generation repeats when the generation does.
 Integer shared_size(const D0L& system, std::uint64_t last, bool cut, const Budget& budget) {
-    std::map<Word, std::uint64_t> first;      // where the letters of a generation first came
-    std::vector<std::uint64_t> before{0};     // nodes of all generations before, erased ones with them
+    std::map<Word, std::uint64_t> first;   // where the letters of a generation first came
+    std::vector<std::uint64_t> before{0};  // nodes of all generations before, erased ones with them
     Word letters = distinct(system.axiom);
     for (std::uint64_t t = 0;; ++t) {
         budget.check();
-        budget.check_memory((t + 1) * (letters.size() * sizeof(Symbol) + 100), "letters of generations");
+        budget.check_memory((t + 1) * (letters.size() * sizeof(Symbol) + 100),
+                            "letters of generations");
         if (t == last) return Integer(before[t] + letters.size() * (cut ? 2 : 1));
         const auto [found, is_new] = first.emplace(letters, t);
         if (!is_new) {
@@ -73,8 +74,8 @@ Integer shared_size(const D0L& system, std::uint64_t last, bool cut, const Budge
             std::uint64_t there = 0;
             for (const auto& [word, generation] : first)
                 if (generation == from + rest) there = word.size();
-            return Integer(before[t] - before[from]) * Integer(rounds) + Integer(before[from + rest]) +
-                   Integer(there * (cut ? 2 : 1));
+            return Integer(before[t] - before[from]) * Integer(rounds) +
+                   Integer(before[from + rest]) + Integer(there * (cut ? 2 : 1));
         }
         auto [next, erases] = next_letters(system, letters);
         before.push_back(before[t] + letters.size() + (erases ? 1 : 0));
@@ -82,12 +83,12 @@ Integer shared_size(const D0L& system, std::uint64_t last, bool cut, const Budge
     }
 }
 
-/// Builds a tree generation by generation. `successor(t, i, a)` is what letter number i of the letters
-/// of generation t, the letter a, becomes; `below(i, a)` counts what is left out below it.
+/// Builds a tree generation by generation. `successor(t, i, a)` is what letter number i of the
+/// letters of generation t, the letter a, becomes; `below(i, a)` counts what is left out below it.
 template <class Successor, class Below>
-DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom, std::uint64_t last,
-                     bool cut, bool one_of_each, Successor successor, Below below,
-                     const Budget& budget) {
+DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom,
+                     std::uint64_t last, bool cut, bool one_of_each, Successor successor,
+                     Below below, const Budget& budget) {
     using enum Node::Kind;
     DerivationTree tree;
     tree.alphabet = std::move(alphabet);
@@ -136,7 +137,8 @@ DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom
 }
 
 /// What letter number i of a word of a derivation becomes.
-const Word& successor_in(const ET0L& system, const Derivation& derivation, std::uint64_t t, std::size_t i) {
+const Word& successor_in(const ET0L& system, const Derivation& derivation, std::uint64_t t,
+                         std::size_t i) {
     const std::uint32_t table = derivation.tables.empty() ? 0 : derivation.tables[t];
     return system.tables.at(table)[derivation.words[t][i]][derivation.choices[t][i]];
 }
@@ -149,7 +151,8 @@ std::pair<std::uint64_t, bool> extent(std::uint64_t n, const TreeShape& shape) {
 
 }  // namespace
 
-Integer tree_size(const D0L& system, std::uint64_t n, const TreeShape& shape, const Budget& budget) {
+Integer tree_size(const D0L& system, std::uint64_t n, const TreeShape& shape,
+                  const Budget& budget) {
     const auto [last, cut] = extent(n, shape);
     if (system.axiom.empty()) return 1;
     if (shape.shared) return shared_size(system, last, cut, budget);
@@ -168,7 +171,8 @@ DerivationTree derivation_tree(const D0L& system, std::uint64_t n, const TreeSha
         D0L from = system;
         from.axiom = {a};
         const bool countable = estimated_log2_length(from, rest) < most_bits;
-        return lengths.emplace(a, countable ? length(from, rest, budget) : Integer(-1)).first->second;
+        return lengths.emplace(a, countable ? length(from, rest, budget) : Integer(-1))
+            .first->second;
     };
     const auto successor = [&](std::uint64_t, std::size_t, Symbol a) -> const Word& {
         return system.successor(a);
@@ -178,7 +182,8 @@ DerivationTree derivation_tree(const D0L& system, std::uint64_t n, const TreeSha
 
 Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeShape& shape,
                   const Budget& budget) {
-    if (shape.shared) return Integer(derivation_tree(system, derivation, shape, budget).nodes.size());
+    if (shape.shared)
+        return Integer(derivation_tree(system, derivation, shape, budget).nodes.size());
     const auto [last, cut] = extent(derivation.choices.size(), shape);
     if (derivation.words.front().empty()) return 1;
     std::uint64_t nodes = 0;
@@ -191,8 +196,8 @@ Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeSh
     return Integer(cut ? nodes + derivation.words[last].size() : nodes);
 }
 
-DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation, const TreeShape& shape,
-                               const Budget& budget) {
+DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
+                               const TreeShape& shape, const Budget& budget) {
     const auto [last, cut] = extent(derivation.choices.size(), shape);
     const auto successor = [&](std::uint64_t t, std::size_t i, Symbol) -> const Word& {
         return successor_in(system, derivation, t, i);
@@ -211,8 +216,8 @@ DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
         counts = std::move(above);
     }
     const auto below = [&](std::size_t i, Symbol) { return Integer(counts.at(i)); };
-    DerivationTree tree = build(system.alphabet, derivation.words.front(), last, cut, false, successor,
-                                below, budget);
+    DerivationTree tree = build(system.alphabet, derivation.words.front(), last, cut, false,
+                                successor, below, budget);
     for (std::uint64_t t = 0; t < last && !derivation.tables.empty(); ++t)
         tree.tables.push_back(system.table_names.at(derivation.tables[t]));
     return shape.shared ? with_shared_subtrees(tree, budget) : tree;
@@ -221,7 +226,9 @@ DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
 std::optional<std::uint64_t> depth_within(std::uint64_t n, std::uint64_t most_nodes,
                                           const std::function<Integer(const TreeShape&)>& size,
                                           bool shared) {
-    const auto fits = [&](std::uint64_t depth) { return size({depth, shared}) <= Integer(most_nodes); };
+    const auto fits = [&](std::uint64_t depth) {
+        return size({depth, shared}) <= Integer(most_nodes);
+    };
     if (n == 0 || !fits(0)) return std::nullopt;
     std::uint64_t low = 0, step = 1;  // low fits
     while (step < n - low && fits(low + step)) {
@@ -286,10 +293,12 @@ Word leaves(const DerivationTree& tree, const Budget& budget) {
         if (steps % 1024 == 0) budget.check();
         const Node& node = tree.nodes[open.back()];
         open.pop_back();
-        if (node.kind == Node::Kind::omitted) throw Error("the tree is cut: its leaves spell no word");
+        if (node.kind == Node::Kind::omitted)
+            throw Error("the tree is cut: its leaves spell no word");
         if (node.kind == Node::Kind::letter && node.children.empty()) {
             if (word.size() >= budget.letters)
-                throw BoundReached("the tree has more than " + std::to_string(budget.letters) + " leaves");
+                throw BoundReached("the tree has more than " + std::to_string(budget.letters) +
+                                   " leaves");
             word.push_back(node.letter);
         }
         open.insert(open.end(), node.children.rbegin(), node.children.rend());

@@ -25,22 +25,24 @@ struct DerivationTree {
             omitted,  // everything below a letter at which the tree was cut
         };
         Kind kind = Kind::letter;
-        Symbol letter = 0;                  // omitted: the letter above; erased: 0
-        std::uint64_t generation = 0;       // of the letter; erased and omitted: one more than above
-        Integer leaves = 0;                 // omitted: letters of the last generation, -1 if beyond count
+        Symbol letter = 0;             // omitted: the letter above; erased: 0
+        std::uint64_t generation = 0;  // of the letter; erased and omitted: one more than above
+        Integer leaves = 0;  // omitted: letters of the last generation, -1 if beyond count
         std::vector<std::size_t> children;  // from left to right, as places in `nodes`
         bool operator==(const Node&) const = default;
     };
     std::shared_ptr<const Alphabet> alphabet;
     std::vector<std::size_t> roots;  // the letters of the axiom
     std::vector<Node> nodes;         // generation after generation, in each from left to right
-    std::vector<std::string> tables;  // the names of the tables that the steps use; empty with one table
+    std::vector<std::string>
+        tables;  // the names of the tables that the steps use; empty with one table
 };
 
 /// How a derivation is shown.
 struct TreeShape {
-    std::optional<std::uint64_t> depth;  // the last generation shown, one mark below each of its letters
-    bool shared = false;                 // equal subtrees of one generation are one: no tree any more
+    std::optional<std::uint64_t>
+        depth;            // the last generation shown, one mark below each of its letters
+    bool shared = false;  // equal subtrees of one generation are one: no tree any more
 };
 
 /// How many nodes the tree of generation n has, without the tree: the length of a generation of a
@@ -63,8 +65,8 @@ Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeSh
 DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
                                const TreeShape& shape = {}, const Budget& budget = {});
 
-/// A depth below n at which a tree is small enough to show, and the next depth is not, if depth 0 is:
-/// `size` gives the size of the tree in a shape. O(log n) calls.
+/// A depth below n at which a tree is small enough to show, and the next depth is not, if depth 0
+/// is: `size` gives the size of the tree in a shape. O(log n) calls.
 ///
 /// Example: depth_within(30, 100, [](const TreeShape& shape) { return Integer(*shape.depth + 1); }) == 29
 std::optional<std::uint64_t> depth_within(std::uint64_t n, std::uint64_t most_nodes,

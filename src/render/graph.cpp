@@ -18,9 +18,9 @@ namespace algae {
 
 namespace {
 
-constexpr double pixels_of_a_point = 2;      // in png
-constexpr double largest_png = 20'000;       // pixels a side
-constexpr double largest_vector = 14'400;    // points a side: what PDF readers take (ISO 32000)
+constexpr double pixels_of_a_point = 2;    // in png
+constexpr double largest_png = 20'000;     // pixels a side
+constexpr double largest_vector = 14'400;  // points a side: what PDF readers take (ISO 32000)
 
 double largest(PictureFormat format) {
     return format == PictureFormat::png ? largest_png : largest_vector;
@@ -32,8 +32,8 @@ void check_side(const char* what, const std::optional<double>& side, PictureForm
     std::snprintf(value, sizeof value, "%.10g", *side);
     throw Error(std::string("the ") + what + " must be from 10 to " +
                 std::to_string(static_cast<long>(largest(format))) +
-                (format == PictureFormat::png ? " pixels" : " points") + " in " + format_name(format) +
-                ", not " + value);
+                (format == PictureFormat::png ? " pixels" : " points") + " in " +
+                format_name(format) + ", not " + value);
 }
 
 std::optional<Colour> background_of(const GraphOptions& options, PictureFormat format) {
@@ -54,10 +54,11 @@ double scale_of(const GraphPage& page, PictureFormat format, const GraphOptions&
     return std::min(natural, largest(format) / std::max(page.width(), page.height()));
 }
 
-GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format, const GraphOptions& options,
-                const Budget& budget) {
+GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format,
+                const GraphOptions& options, const Budget& budget) {
     const std::optional<Colour> background = background_of(options, format);
-    const GraphLayout layout = graph.trees ? tree_layout(graph, budget) : graph_layout(graph, budget);
+    const GraphLayout layout =
+        graph.trees ? tree_layout(graph, budget) : graph_layout(graph, budget);
     const GraphPage page(graph, layout);
     const double scale = scale_of(page, format, options);
     const auto side = [&](double length) {
@@ -67,7 +68,8 @@ GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format, const 
     };
     const GraphDrawn drawn{side(page.width()), side(page.height())};
     if (format == PictureFormat::png)
-        budget.check_memory(static_cast<std::uint64_t>(4 * drawn.width * drawn.height), "the picture");
+        budget.check_memory(static_cast<std::uint64_t>(4 * drawn.width * drawn.height),
+                            "the picture");
     Document document(format, drawn.width, drawn.height, background, output, budget);
     cairo_scale(document.context(), scale, scale);
     page.draw(document.context());

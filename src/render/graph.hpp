@@ -76,20 +76,21 @@ struct GraphDrawn {
     double width = 0, height = 0;
 };
 
-/// Draws the graph in a format. Letters are 12 points high (png: 24 pixels) unless the options or the
-/// format's largest size ask for smaller ones. The file appears complete or not at all, and equal
-/// graphs make equal files on one machine.
+/// Draws the graph in a format. Letters are 12 points high (png: 24 pixels) unless the options or
+/// the format's largest size ask for smaller ones. The file appears complete or not at all, and
+/// equal graphs make equal files on one machine.
 ///
-/// Throws Error on options out of range, if Graphviz cannot place the graph, or if the file cannot be
-/// written; what budget.check throws, before and after Graphviz is at work: it cannot be stopped.
+/// Throws Error on options out of range, if Graphviz cannot place the graph, or if the file cannot
+/// be written; what budget.check throws, before and after Graphviz is at work: it cannot be
+/// stopped.
 GraphDrawn draw_graph(const Graph& graph, const std::string& path, PictureFormat format,
                       const GraphOptions& options = {}, const Budget& budget = {});
 GraphDrawn draw_graph(const Graph& graph, std::ostream& stream, PictureFormat format,
                       const GraphOptions& options = {}, const Budget& budget = {});
 
-/// The graph in Graphviz's own language, for `dot` and programs that read it. Nodes are named n0, n1...
-/// in the order of `nodes`; nodes of one row stand in a subgraph with rank=same, where the order of rows
-/// counts joined by invisible edges.
+/// The graph in Graphviz's own language, for `dot` and programs that read it. Nodes are named n0,
+/// n1... in the order of `nodes`; nodes of one row stand in a subgraph with rank=same, where the
+/// order of rows counts joined by invisible edges.
 std::string dot_text(const Graph& graph);
 
 }  // namespace algae

@@ -32,10 +32,10 @@ Graph::Edge edge(Graph& graph, const char* lower, const char* upper) {
 
 const std::vector<std::pair<const char*, const char*>>& family_inclusions() {
     static const std::vector<std::pair<const char*, const char*>> inclusions{
-        {"PD0L", "D0L"},  {"PD0L", "P0L"},   {"D0L", "0L"},    {"P0L", "0L"},   {"D0L", "DT0L"},
-        {"0L", "T0L"},    {"DT0L", "T0L"},   {"0L", "E0L"},    {"0L", "IL"},    {"DT0L", "EDT0L"},
-        {"T0L", "ET0L"},  {"E0L", "ET0L"},   {"EDT0L", "ET0L"}, {"FIN", "REG"}, {"REG", "CF"},
-        {"REG", "EDT0L"}, {"CF", "E0L"},     {"ET0L", "CS"},
+        {"PD0L", "D0L"},  {"PD0L", "P0L"}, {"D0L", "0L"},     {"P0L", "0L"},  {"D0L", "DT0L"},
+        {"0L", "T0L"},    {"DT0L", "T0L"}, {"0L", "E0L"},     {"0L", "IL"},   {"DT0L", "EDT0L"},
+        {"T0L", "ET0L"},  {"E0L", "ET0L"}, {"EDT0L", "ET0L"}, {"FIN", "REG"}, {"REG", "CF"},
+        {"REG", "EDT0L"}, {"CF", "E0L"},   {"ET0L", "CS"},
     };
     return inclusions;
 }
@@ -43,14 +43,16 @@ const std::vector<std::pair<const char*, const char*>>& family_inclusions() {
 Graph families_graph() {
     Graph graph;
     graph.upward = true;
-    for (const auto& [lower, upper] : family_inclusions()) graph.edges.push_back(edge(graph, lower, upper));
+    for (const auto& [lower, upper] : family_inclusions())
+        graph.edges.push_back(edge(graph, lower, upper));
     for (const char* family : {"REG", "CF"}) {
         Graph::Edge incomparable = edge(graph, "0L", family);
         incomparable.dashed = true;
         incomparable.places = false;
         graph.edges.push_back(incomparable);
     }
-    graph.keys = {{chomsky, "Chomsky's families and FIN"}, {pure, "L-systems"}, {extended, "with terminals"}};
+    graph.keys = {
+        {chomsky, "Chomsky's families and FIN"}, {pure, "L-systems"}, {extended, "with terminals"}};
     graph.caption = "A line leads up to a larger family; dashed: neither contains the other";
     return graph;
 }

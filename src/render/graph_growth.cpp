@@ -82,8 +82,10 @@ Graph growth_graph(const D0L& system, const Budget& budget) {
     std::vector<Fate> of_component;
     for (const Component& component : found.list) {
         Fate fate = Fate::passing;
-        if (component.rate) fate = *component.rate == Rate(1) ? Fate::cycle : Fate::expanding;
-        else if (lives[component.letters.front()]) fate = Fate::mortal;
+        if (component.rate)
+            fate = *component.rate == Rate(1) ? Fate::cycle : Fate::expanding;
+        else if (lives[component.letters.front()])
+            fate = Fate::mortal;
         of_component.push_back(fate);
     }
     for (std::size_t i = 0; i < matrix.size(); ++i) {
@@ -116,11 +118,13 @@ Graph growth_graph(const D0L& system, const Budget& budget) {
     for (std::size_t k = found.list.size(); k-- > 0;) {
         const Component& component = found.list[k];
         const Fate fate = of_component[k];
-        const bool framed = fate == Fate::expanding || (fate == Fate::cycle && component.letters.size() > 1);
+        const bool framed =
+            fate == Fate::expanding || (fate == Fate::cycle && component.letters.size() > 1);
         if (!framed) continue;
         Graph::Group group;
-        group.label = fate == Fate::expanding ? rate_text(*component.rate)
-                                              : "cycle of " + std::to_string(component.letters.size());
+        group.label = fate == Fate::expanding
+                          ? rate_text(*component.rate)
+                          : "cycle of " + std::to_string(component.letters.size());
         group.fill = frame_colour(fate);
         group.nodes = component.letters;
         graph.groups.push_back(std::move(group));

@@ -16,11 +16,11 @@ namespace algae {
 
 namespace {
 
-constexpr double inch = 72;           // points
-constexpr double line_height = 20;    // of a node with one line of text
+constexpr double inch = 72;         // points
+constexpr double line_height = 20;  // of a node with one line of text
 constexpr double bare_height = 18;
-constexpr double beside_label = 9;    // left and right of the label of a node, together
-constexpr double along = 0.6;         // of a straight edge, to its label: those of one node stand apart
+constexpr double beside_label = 9;  // left and right of the label of a node, together
+constexpr double along = 0.6;  // of a straight edge, to its label: those of one node stand apart
 
 // Graphviz takes texts as char*, and does not write to them.
 char* text(const std::string& value) { return const_cast<char*>(value.c_str()); }
@@ -55,8 +55,8 @@ std::string full_label(const Graph::Node& node) {
     return node.subscript.empty() ? node.label : node.label + "_" + node.subscript;
 }
 
-/// Numbers for Graphviz's names, in order of first use: its own are addresses, by which it sorts, so
-/// that equal graphs would not be equal texts.
+/// Numbers for Graphviz's names, in order of first use: its own are addresses, by which it sorts,
+/// so that equal graphs would not be equal texts.
 class Names {
 public:
     static void* open(Agraph_t*, Agdisc_t*) { return new Names; }
@@ -99,7 +99,8 @@ private:
     IDTYPE unnamed_ = 0;
 };
 
-Agiddisc_t numbered_names{Names::open, Names::map, Names::allocate, Names::free, Names::print, Names::close, Names::note};
+Agiddisc_t numbered_names{Names::open,  Names::map,   Names::allocate, Names::free,
+                          Names::print, Names::close, Names::note};
 
 /// The graph in Graphviz's hands.
 class Handed {
@@ -206,7 +207,8 @@ private:
                                      text("e" + std::to_string(i)), 1);
             edges_.push_back(added);
             // An outer label takes no room of its own.
-            if (!edge.label.empty()) set(added, graph_.straight ? "xlabel" : "label", escaped(edge.label));
+            if (!edge.label.empty())
+                set(added, graph_.straight ? "xlabel" : "label", escaped(edge.label));
             if (!edge.arrow) set(added, "dir", "none");
             if (edge.dashed) set(added, "style", "dashed");
             if (!edge.places) set(added, "constraint", "false");
@@ -221,7 +223,7 @@ private:
     std::vector<Agraph_t*> groups_;
 };
 
-std::mutex one_at_a_time;    // Graphviz's state is that of the process
+std::mutex one_at_a_time;     // Graphviz's state is that of the process
 std::string what_went_wrong;  // guarded by it
 
 int note_error(char* message) {
@@ -232,7 +234,9 @@ int note_error(char* message) {
 /// While it lives, Graphviz's errors are noted instead of printed.
 class Listening {
 public:
-    Listening() : level_(agseterr(AGERR)), before_(agseterrf(note_error)) { what_went_wrong.clear(); }
+    Listening() : level_(agseterr(AGERR)), before_(agseterrf(note_error)) {
+        what_went_wrong.clear();
+    }
     Listening(const Listening&) = delete;
     Listening& operator=(const Listening&) = delete;
     ~Listening() {
@@ -273,7 +277,8 @@ GraphLayout::Line line_of(Agedge_t* edge, const Page& page) {
             if (curve.eflag) line.tip = page(curve.ep);
         }
     }
-    if (ED_label(edge)) line.label = page(ED_label(edge)->pos);
+    if (ED_label(edge))
+        line.label = page(ED_label(edge)->pos);
     else if (!line.points.empty())
         line.label = {along * line.points.back().x + (1 - along) * line.points.front().x,
                       along * line.points.back().y + (1 - along) * line.points.front().y};

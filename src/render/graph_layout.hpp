@@ -25,7 +25,7 @@ struct GraphLayout {
         Point label;
     };
     double width = 0, height = 0;
-    std::vector<Point> nodes;     // their middles
+    std::vector<Point> nodes;  // their middles
     std::vector<Line> edges;
     std::vector<Frame> groups;
 };
@@ -33,9 +33,10 @@ struct GraphLayout {
 /// The width and height of a node, so that its label fits.
 Point node_size(const Graph::Node& node);
 
-/// Places a graph by Graphviz's `dot` (Gansner, Koutsofios, North and Vo 1993): as few crossings and as
-/// short edges as it finds. One at a time in a process, since Graphviz has global state. Throws Error
-/// with Graphviz's own words if it cannot, and what budget.check throws, before it begins and after.
+/// Places a graph by Graphviz's `dot` (Gansner, Koutsofios, North and Vo 1993): as few crossings
+/// and as short edges as it finds. One at a time in a process, since Graphviz has global state.
+/// Throws Error with Graphviz's own words if it cannot, and what budget.check throws, before it
+/// begins and after.
 GraphLayout graph_layout(const Graph& graph, const Budget& budget = {});
 
 }  // namespace algae

@@ -15,7 +15,7 @@ namespace {
 constexpr double margin = 12;
 constexpr double line_below = 18;  // height of keys, and of the caption
 constexpr double swatch = 9;
-constexpr double key_gap = 16;     // between two keys
+constexpr double key_gap = 16;  // between two keys
 constexpr double thin = 0.7, thick = 0.9;
 constexpr double arrow_half = 2.6;
 constexpr GraphFont small_font{graph_small_letters, false};
@@ -31,7 +31,8 @@ Colour darker(const Colour& colour, double share) {
     return {colour.red * share, colour.green * share, colour.blue * share};
 }
 
-void rounded_box(cairo_t* context, double left, double top, double right, double bottom, double radius) {
+void rounded_box(cairo_t* context, double left, double top, double right, double bottom,
+                 double radius) {
     constexpr double quarter = std::numbers::pi / 2;
     cairo_new_sub_path(context);
     cairo_arc(context, right - radius, top + radius, radius, -quarter, 0);
@@ -58,12 +59,14 @@ double key_width(const Graph::Key& key) {
 
 }  // namespace
 
-GraphPage::GraphPage(const Graph& graph, const GraphLayout& layout) : graph_(graph), layout_(layout) {
+GraphPage::GraphPage(const Graph& graph, const GraphLayout& layout)
+    : graph_(graph), layout_(layout) {
     double labels = 0;
     for (const std::string& label : graph.row_labels)
         labels = std::max(labels, text_width(label, "", small_font));
     const double beside = labels > 0 ? labels + 14 : 0;
-    for (const Graph::Key& key : graph.keys) keys_width_ += key_width(key) + (keys_width_ > 0 ? key_gap : 0);
+    for (const Graph::Key& key : graph.keys)
+        keys_width_ += key_width(key) + (keys_width_ > 0 ? key_gap : 0);
     const double below = std::max(keys_width_, text_width(graph.caption, "", small_font));
     const double content = std::max(beside + layout.width, below);
     left_ = margin + beside + (content - beside - layout.width) / 2;
@@ -130,7 +133,8 @@ void GraphPage::draw_edges(cairo_t* context) const {
         if (graph_.straight) {
             const double half = text_width(edge.label, "", small_font) / 2 + 1.5;
             set(context, paper);
-            rounded_box(context, line.label.x - half, line.label.y - 6, line.label.x + half, line.label.y + 6, 5);
+            rounded_box(context, line.label.x - half, line.label.y - 6, line.label.x + half,
+                        line.label.y + 6, 5);
             cairo_fill(context);
         }
         set(context, ink);

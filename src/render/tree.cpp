@@ -18,7 +18,8 @@ std::string leaves_text(const Integer& leaves) {
     if (leaves == 0) return "ε";
     const std::string digits = to_string(leaves);
     if (digits.size() <= 6) return digits;
-    return digits.substr(0, 1) + "." + digits.substr(1, 1) + "e" + std::to_string(digits.size() - 1);
+    return digits.substr(0, 1) + "." + digits.substr(1, 1) + "e" +
+           std::to_string(digits.size() - 1);
 }
 
 /// The letters that somewhere become something else than themselves, or are never rewritten in the
@@ -28,11 +29,13 @@ std::vector<Symbol> rewritten_letters(const DerivationTree& tree) {
     std::map<Symbol, bool> stays;  // of letters that have children
     for (const auto& node : tree.nodes) {
         if (node.kind != Kind::letter) continue;
-        if (std::find(order.begin(), order.end(), node.letter) == order.end()) order.push_back(node.letter);
+        if (std::find(order.begin(), order.end(), node.letter) == order.end())
+            order.push_back(node.letter);
         if (node.children.empty()) continue;
         const auto& child = tree.nodes[node.children.front()];
         if (child.kind == Kind::omitted) continue;
-        const bool same = node.children.size() == 1 && child.kind == Kind::letter && child.letter == node.letter;
+        const bool same =
+            node.children.size() == 1 && child.kind == Kind::letter && child.letter == node.letter;
         const auto known = stays.emplace(node.letter, same).first;
         known->second = known->second && same;
     }
@@ -64,7 +67,8 @@ Graph tree_graph(const DerivationTree& tree) {
         } else {
             drawn = letter_node(*tree.alphabet, node.letter);
             const auto found = std::find(rewritten.begin(), rewritten.end(), node.letter);
-            if (found == rewritten.end()) drawn.shape = Graph::Node::Shape::bare;
+            if (found == rewritten.end())
+                drawn.shape = Graph::Node::Shape::bare;
             else if (rewritten.size() <= tints.size())
                 drawn.fill = tints[static_cast<std::size_t>(found - rewritten.begin())];
         }
@@ -74,9 +78,12 @@ Graph tree_graph(const DerivationTree& tree) {
 
         std::vector<std::pair<std::size_t, std::size_t>> below;  // each child once, and how often
         for (const std::size_t child : node.children) {
-            const auto known = std::find_if(below.begin(), below.end(), [&](const auto& one) { return one.first == child; });
-            if (known == below.end()) below.emplace_back(child, 1);
-            else ++known->second;
+            const auto known = std::find_if(below.begin(), below.end(),
+                                            [&](const auto& one) { return one.first == child; });
+            if (known == below.end())
+                below.emplace_back(child, 1);
+            else
+                ++known->second;
         }
         for (const auto& [child, times] : below) {
             Graph::Edge edge;
@@ -88,9 +95,9 @@ Graph tree_graph(const DerivationTree& tree) {
     }
     // Rows of nothing but marks are no generation of their own.
     for (std::size_t t = 0; t < graph.rows.size(); ++t) {
-        const bool letters = std::any_of(graph.rows[t].begin(), graph.rows[t].end(), [&](std::size_t i) {
-            return tree.nodes[i].kind != Kind::omitted;
-        });
+        const bool letters =
+            std::any_of(graph.rows[t].begin(), graph.rows[t].end(),
+                        [&](std::size_t i) { return tree.nodes[i].kind != Kind::omitted; });
         std::string label = letters ? std::to_string(t) : "";
         if (letters && t > 0 && t <= tree.tables.size()) label = tree.tables[t - 1] + "  " + label;
         graph.row_labels.push_back(std::move(label));

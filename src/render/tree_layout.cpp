@@ -18,8 +18,8 @@ Point edge_end(const Point& from, const Point& to, const Graph::Node& node) {
     const double x = to.x - from.x, y = to.y - from.y, length = std::hypot(x, y);
     if (length == 0) return from;
     if (node.shape == Graph::Node::Shape::triangle) return {from.x, from.y - size.y / 2};
-    // The edge leads from row to row, so it is steep enough to leave a pill through its straight side,
-    // or through the arc at the end of it.
+    // The edge leads from row to row, so it is steep enough to leave a pill through its straight
+    // side, or through the arc at the end of it.
     const double across = std::clamp(x / std::fabs(y) * radius, -arm, arm);
     const double rest = std::hypot(x - across, y);
     return {from.x + across + (x - across) / rest * radius, from.y + y / rest * radius};
@@ -69,7 +69,8 @@ GraphLayout tree_layout(const Graph& graph, const Budget& budget) {
             for (const std::size_t child : children[i]) {
                 lefts[child] = left;
                 left += widths[child];
-                flattest = std::max(flattest, std::fabs(lefts[child] + places[child] - layout.nodes[i].x));
+                flattest =
+                    std::max(flattest, std::fabs(lefts[child] + places[child] - layout.nodes[i].x));
             }
         }
     const double row_height = std::clamp(flattest * least_slope, least_row, largest_row);

@@ -45,10 +45,10 @@ bool same(const DerivationTree& left, const DerivationTree& right) {
     return left.nodes == right.nodes && left.roots == right.roots;
 }
 
-OL with_choices(const D0L& system) {
+ET0L with_choices(const D0L& system) {
     OL nondeterministic{system.alphabet, system.axiom, {}, system.letters, system.name};
     for (const Word& image : system.rules.images) nondeterministic.successors.push_back({image});
-    return nondeterministic;
+    return as_et0l(nondeterministic);
 }
 
 Derivation derivation_of(const D0L& system, std::uint64_t n) {
@@ -75,7 +75,8 @@ TEST_CASE("the rows of a tree are the generations, its leaves spell the last one
             RC_ASSERT(row(tree, t) == word);
             letters += word.size();
             for (const char a : word)
-                if (t < n && oracle::rewritten({std::string(1, a), written.successors}, 1).empty()) ++erased;
+                if (t < n && oracle::rewritten({std::string(1, a), written.successors}, 1).empty())
+                    ++erased;
         }
         RC_ASSERT(count(tree, Kind::letter) == letters);
         RC_ASSERT(count(tree, Kind::erased) == erased);
@@ -113,13 +114,17 @@ TEST_CASE("shared subtrees: merged in the tree, built at once, and counted by se
         TreeShape shape{std::nullopt, true};
         if (*rc::gen::arbitrary<bool>()) shape.depth = *rc::gen::inRange(0u, n + 1);
         const DerivationTree shared = derivation_tree(system, n, shape);
-        RC_ASSERT(same(shared, with_shared_subtrees(derivation_tree(system, n, {shape.depth, false}))));
+        RC_ASSERT(
+            same(shared, with_shared_subtrees(derivation_tree(system, n, {shape.depth, false}))));
         RC_ASSERT(tree_size(system, n, shape) == Integer(shared.nodes.size()));
-        if (!shape.depth) RC_ASSERT(oracle::text_of(*system.alphabet, leaves(shared)) == oracle::rewritten(written, n));
+        if (!shape.depth)
+            RC_ASSERT(oracle::text_of(*system.alphabet, leaves(shared)) ==
+                      oracle::rewritten(written, n));
         // Letters of a generation, once each.
         for (unsigned t = 0; t <= depth(shared); ++t) {
             const std::string word = oracle::rewritten(written, t), nodes = row(shared, t);
-            RC_ASSERT(std::set<char>(word.begin(), word.end()) == std::set<char>(nodes.begin(), nodes.end()));
+            RC_ASSERT(std::set<char>(word.begin(), word.end()) ==
+                      std::set<char>(nodes.begin(), nodes.end()));
             RC_ASSERT(nodes.size() == std::set<char>(nodes.begin(), nodes.end()).size());
         }
     }));
@@ -132,7 +137,7 @@ TEST_CASE("a derivation of a deterministic system has the tree of its generation
         const unsigned n = oracle::last_generation_within(written, 200, 6);
         TreeShape shape{std::nullopt, *rc::gen::arbitrary<bool>()};
         if (*rc::gen::arbitrary<bool>()) shape.depth = *rc::gen::inRange(0u, n + 1);
-        const OL choices = with_choices(system);
+        const ET0L choices = with_choices(system);
         const Derivation found = derivation_of(system, n);
         RC_ASSERT(same(derivation_tree(choices, found, shape), derivation_tree(system, n, shape)));
         RC_ASSERT(tree_size(choices, found, shape) == tree_size(system, n, shape));
@@ -149,15 +154,28 @@ TEST_CASE("the tree of a member spells it") {
             const Membership found = membership(system, word);
             RC_ASSERT(found.member);
             const Derivation steps = derivation(system, word, found.step);
-            const DerivationTree tree = derivation_tree(system, steps);
+            const DerivationTree tree = derivation_tree(as_et0l(system), steps);
             RC_ASSERT(is_forest(tree));
             RC_ASSERT(leaves(tree) == word);
-            RC_ASSERT(tree_size(system, steps) == Integer(tree.nodes.size()));
+            RC_ASSERT(tree_size(as_et0l(system), steps) == Integer(tree.nodes.size()));
             const DerivationTree shared = with_shared_subtrees(tree);
             RC_ASSERT(leaves(shared) == word);
             RC_ASSERT(shared.nodes.size() <= tree.nodes.size());
         }
     }));
+}
+
+TEST_CASE("a derivation by tables has their names") {
+    const ET0L system = et0l("S", {{{'S', "SS"}, {'a', "a"}}, {{'S', "a"}, {'a', ""}}}, "a");
+    const Derivation steps{{{0}, {0, 0}, {1, 1}}, {{0}, {0, 0}}, {0, 1}};
+    ET0L named = system;
+    named.table_names = {"grow", "end"};
+    const DerivationTree tree = derivation_tree(named, steps);
+    CHECK(row(tree, 2) == "aa");
+    CHECK(tree.tables == std::vector<std::string>{"grow", "end"});
+    CHECK(tree_size(named, steps) == 5);
+    CHECK(with_shared_subtrees(tree).nodes.size() == 3);
+    CHECK(derivation_tree(named, steps, {1, false}).tables == std::vector<std::string>{"grow"});
 }
 
 TEST_CASE("sizes of trees far too large to build") {
@@ -173,7 +191,18 @@ TEST_CASE("sizes of trees far too large to build") {
     CHECK(tree_size(doubling, 1000) == power(Integer(2), 1001) - 1);
     CHECK(tree_size(doubling, 1000, {std::nullopt, true}) == 1001);
     CHECK_THROWS_AS(tree_size(doubling, 1'000'000'000'000), BoundReached);
-    CHECK_THROWS_WITH_AS(leaves(derivation_tree(doubling, 100, {2, false})), "the tree is cut: its leaves spell no word", Error);
+    CHECK_THROWS_WITH_AS(leaves(derivation_tree(doubling, 100, {2, false})),
+                         "the tree is cut: its leaves spell no word", Error);
+    // Cut in time, what is left out need not be counted.
+    CHECK(derivation_tree(doubling, 1'000'000'000'000, {2, false}).nodes.back().leaves == -1);
+    CHECK(derivation_tree(doubling, 100, {2, false}).nodes.back().leaves == power(Integer(2), 98));
+    const auto size = [&](const TreeShape& shape) { return tree_size(fibonacci, 30, shape); };
+    CHECK(depth_within(30, 2000, size) == 13);
+    CHECK(tree_size(fibonacci, 30, {13, false}) <= 2000);
+    CHECK(tree_size(fibonacci, 30, {14, false}) > 2000);
+    CHECK(depth_within(30, 2000, size, true) == 29);
+    CHECK(depth_within(30, 1, size) == std::nullopt);
+    CHECK(depth_within(30, 2, size) == 0);
     Budget few;
     few.letters = 10;
     CHECK_THROWS_AS(derivation_tree(doubling, 10, {}, few), BoundReached);

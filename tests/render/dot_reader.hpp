@@ -9,11 +9,11 @@ namespace algae::test {
 
 /// What a text in Graphviz's language says, as far as `dot_text` writes it.
 struct ReadDot {
-    std::map<int, std::string> labels;                // of nodes, by the number in their name
-    std::vector<std::pair<int, int>> edges;           // that are visible
-    std::vector<std::pair<int, int>> orders;          // invisible ones
-    std::map<int, std::vector<int>> rows;             // nodes, in the order of mention
-    std::map<int, std::vector<int>> frames;           // of groups
+    std::map<int, std::string> labels;        // of nodes, by the number in their name
+    std::vector<std::pair<int, int>> edges;   // that are visible
+    std::vector<std::pair<int, int>> orders;  // invisible ones
+    std::map<int, std::vector<int>> rows;     // nodes, in the order of mention
+    std::map<int, std::vector<int>> frames;   // of groups
 
     explicit ReadDot(const std::string& text) {
         static const std::regex token(

@@ -39,7 +39,9 @@ std::string spelled(const ReadDot& dot, int node) {
 
 }  // namespace
 
-TEST_CASE("the leaves of a tree in Graphviz's language spell the word, its rows are as long as the generations") {
+TEST_CASE(
+    "the leaves of a tree in Graphviz's language spell the word, its rows are as long as the "
+    "generations") {
     CHECK(rc::check("D0L trees", [] {
         const auto written = *oracle::any_d0l();
         const D0L system = oracle::d0l_of(written);
@@ -54,7 +56,8 @@ TEST_CASE("the leaves of a tree in Graphviz's language spell the word, its rows 
             std::size_t letters = 0;
             if (dot.rows.contains(static_cast<int>(t))) {
                 const auto& row = dot.rows.at(static_cast<int>(t));
-                for (const int node : std::set<int>(row.begin(), row.end())) letters += dot.labels.at(node) != "ε";
+                for (const int node : std::set<int>(row.begin(), row.end()))
+                    letters += dot.labels.at(node) != "ε";
             }
             RC_ASSERT(letters == oracle::rewritten(written, t).size());
         }
@@ -62,12 +65,14 @@ TEST_CASE("the leaves of a tree in Graphviz's language spell the word, its rows 
     }));
 }
 
-TEST_CASE("a placed tree keeps its order, stands parents over their children and nothing overlaps") {
+TEST_CASE(
+    "a placed tree keeps its order, stands parents over their children and nothing overlaps") {
     CHECK(rc::check("places", [] {
         const auto written = *oracle::any_d0l();
         const D0L system = oracle::d0l_of(written);
         const unsigned n = oracle::last_generation_within(written, 100, 6);
-        const Graph graph = tree_graph(derivation_tree(system, n, {*rc::gen::inRange(0u, 6u), false}));
+        const Graph graph =
+            tree_graph(derivation_tree(system, n, {*rc::gen::inRange(0u, 6u), false}));
         const GraphLayout layout = tree_layout(graph);
         for (const auto& row : graph.rows)
             for (std::size_t i = 0; i < row.size(); ++i) {
@@ -76,7 +81,8 @@ TEST_CASE("a placed tree keeps its order, stands parents over their children and
                 RC_ASSERT(at.x + size.x / 2 <= layout.width + 1e-6);
                 RC_ASSERT(at.y == layout.nodes[row[0]].y);
                 if (i == 0) continue;
-                const Point before = layout.nodes[row[i - 1]], other = node_size(graph.nodes[row[i - 1]]);
+                const Point before = layout.nodes[row[i - 1]],
+                            other = node_size(graph.nodes[row[i - 1]]);
                 RC_ASSERT(before.x + other.x / 2 < at.x - size.x / 2);
             }
         std::vector<std::vector<double>> below(graph.nodes.size());
@@ -99,18 +105,22 @@ TEST_CASE("what a tree shows") {
     CHECK(graph.trees);
     CHECK(graph.row_labels == std::vector<std::string>{"0", "1", "2"});
     std::string shapes;
-    for (const Graph::Node& node : graph.nodes) shapes += node.label + (node.shape == bare ? "." : " ");
+    for (const Graph::Node& node : graph.nodes)
+        shapes += node.label + (node.shape == bare ? "." : " ");
     CHECK(shapes == "a a b +.a b +.ε.+.");
     // Cut after a generation, triangles say what is left out.
-    const Graph cut = tree_graph(derivation_tree(d0l("a", {{'a', "ab"}, {'b', "a"}}), 12, {1, false}));
+    const Graph cut =
+        tree_graph(derivation_tree(d0l("a", {{'a', "ab"}, {'b', "a"}}), 12, {1, false}));
     CHECK(cut.nodes.back().shape == triangle);
     CHECK(cut.nodes[3].label == "233");
     CHECK(cut.nodes[4].label == "144");
     CHECK(cut.row_labels.back().empty());
-    CHECK(tree_graph(derivation_tree(d0l("a", {{'a', "aa"}}), 100, {0, false})).nodes[1].label == "1.2e30");
+    CHECK(tree_graph(derivation_tree(d0l("a", {{'a', "aa"}}), 100, {0, false})).nodes[1].label ==
+          "1.2e30");
     CHECK(tree_graph(derivation_tree(d0l("ab", {{'b', ""}}), 9, {0, false})).nodes[3].label == "ε");
     // Shared subtrees: how often a letter occurs stands at the edge.
-    const Graph shared = tree_graph(derivation_tree(d0l("F", {{'F', "F+F--F+F"}}), 1, {std::nullopt, true}));
+    const Graph shared =
+        tree_graph(derivation_tree(d0l("F", {{'F', "F+F--F+F"}}), 1, {std::nullopt, true}));
     CHECK_FALSE(shared.trees);
     CHECK(shared.nodes.size() == 4);
     CHECK(shared.edges[0].label == "×4");
@@ -119,7 +129,8 @@ TEST_CASE("what a tree shows") {
 
 TEST_CASE("subscripts are lowered, and turtle symbols are names like any other") {
     auto alphabet = std::make_shared<Alphabet>();
-    const Symbol divided = alphabet->symbol("a_r"), slash = alphabet->symbol("\\"), quote = alphabet->symbol("\"");
+    const Symbol divided = alphabet->symbol("a_r"), slash = alphabet->symbol("\\"),
+                 quote = alphabet->symbol("\"");
     const D0L system = make_d0l(alphabet, {divided}, {{divided, slash, quote}, {slash}, {quote}});
     const Graph graph = tree_graph(derivation_tree(system, 1));
     CHECK(graph.nodes[0].label == "a");
@@ -128,15 +139,19 @@ TEST_CASE("subscripts are lowered, and turtle symbols are names like any other")
     CHECK(dot.find("label=a_r") != std::string::npos);
     CHECK(dot.find(R"(label="\\")") != std::string::npos);
     CHECK(dot.find(R"(label="\"")") != std::string::npos);
-    for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png, PictureFormat::ps, PictureFormat::eps})
+    for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png,
+                                       PictureFormat::ps, PictureFormat::eps})
         CHECK(drawn(graph, format).size() > 500);
 }
 
 TEST_CASE("equal graphs are equal files, of the size that was asked for") {
     const D0L system = d0l("b", {{'a', "ab"}, {'b', "a"}});
-    for (const Graph& graph : {tree_graph(derivation_tree(system, 4)), tree_graph(derivation_tree(system, 4, {std::nullopt, true})),
+    for (const Graph& graph : {tree_graph(derivation_tree(system, 4)),
+                               tree_graph(derivation_tree(system, 4, {std::nullopt, true})),
                                growth_graph(system), families_graph()}) {
-        for (const PictureFormat format : {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png, PictureFormat::ps, PictureFormat::eps})
+        for (const PictureFormat format :
+             {PictureFormat::svg, PictureFormat::pdf, PictureFormat::png, PictureFormat::ps,
+              PictureFormat::eps})
             CHECK(drawn(graph, format) == drawn(graph, format));
         CHECK(dot_text(graph) == dot_text(graph));
         GraphOptions options;
@@ -158,8 +173,10 @@ TEST_CASE("equal graphs are equal files, of the size that was asked for") {
 
 TEST_CASE("a tree wider than any page becomes smaller") {
     std::ostringstream out;
-    const D0L wide = make_d0l(std::make_shared<Alphabet>(*d0l("a", {}).alphabet), Word(2000, 0), {{0}});
-    CHECK(draw_graph(tree_graph(derivation_tree(wide, 0)), out, PictureFormat::svg).width <= 14'400);
+    const D0L wide =
+        make_d0l(std::make_shared<Alphabet>(*d0l("a", {}).alphabet), Word(2000, 0), {{0}});
+    CHECK(draw_graph(tree_graph(derivation_tree(wide, 0)), out, PictureFormat::svg).width <=
+          14'400);
 }
 
 TEST_CASE("the growth digraph has the letters, their successors and their fates") {
@@ -170,9 +187,14 @@ TEST_CASE("the growth digraph has the letters, their successors and their fates"
         std::map<std::pair<std::string, std::string>, std::string> edges, expected;
         for (const Graph::Edge& edge : graph.edges)
             if (graph.nodes[edge.from].shape != Graph::Node::Shape::start)
-                RC_ASSERT(edges.emplace(std::pair(graph.nodes[edge.from].label, graph.nodes[edge.to].label), edge.label).second);
+                RC_ASSERT(edges
+                              .emplace(std::pair(graph.nodes[edge.from].label,
+                                                 graph.nodes[edge.to].label),
+                                       edge.label)
+                              .second);
         for (const Symbol a : system.letters) {
-            const std::string from = system.alphabet->name(a), word = oracle::rewritten({from, written.successors}, 1);
+            const std::string from = system.alphabet->name(a),
+                              word = oracle::rewritten({from, written.successors}, 1);
             for (const char to : word) {
                 const auto times = std::count(word.begin(), word.end(), to);
                 expected[{from, std::string(1, to)}] = times > 1 ? "×" + std::to_string(times) : "";
@@ -180,10 +202,19 @@ TEST_CASE("the growth digraph has the letters, their successors and their fates"
         }
         RC_ASSERT(edges == expected);
     }));
-    const Graph graph = growth_graph(d0l("s", {{'s', "apmx"}, {'a', "ab"}, {'b', "ac"}, {'c', "c"}, {'p', "q"}, {'q', "pm"}, {'m', ""}, {'x', "xx"}}));
+    const Graph graph = growth_graph(d0l("s", {{'s', "apmx"},
+                                               {'a', "ab"},
+                                               {'b', "ac"},
+                                               {'c', "c"},
+                                               {'p', "q"},
+                                               {'q', "pm"},
+                                               {'m', ""},
+                                               {'x', "xx"}}));
     std::set<std::string> frames;
-    for (const Graph::Group& group : graph.groups) frames.insert(group.label + " " + std::to_string(group.nodes.size()));
-    CHECK(frames == std::set<std::string>{"rate (1+√5)/2 = 1.6180... 2", "rate 2 1", "cycle of 2 2"});
+    for (const Graph::Group& group : graph.groups)
+        frames.insert(group.label + " " + std::to_string(group.nodes.size()));
+    CHECK(frames ==
+          std::set<std::string>{"rate (1+√5)/2 = 1.6180... 2", "rate 2 1", "cycle of 2 2"});
     CHECK(graph.keys.size() == 4);
     CHECK(ReadDot(dot_text(graph)).frames.size() == 3);
     CHECK(growth_graph(d0l("ab", {{'a', "b"}})).keys.size() == 2);
@@ -193,7 +224,8 @@ TEST_CASE("the diagram of families is an order without lines that follow from ot
     std::map<std::string, std::set<std::string>> above;
     for (const auto& [lower, upper] : family_inclusions()) above[lower].insert(upper);
     // What is above without the direct line.
-    const auto reaches = [&](const auto& self, const std::string& from, const std::string& to) -> bool {
+    const auto reaches = [&](const auto& self, const std::string& from,
+                             const std::string& to) -> bool {
         if (from == to) return true;
         for (const std::string& next : above[from])
             if (self(self, next, to)) return true;

@@ -6,11 +6,15 @@
 #include "fold/choices.hpp"
 #include "language/certificate.hpp"
 #include "language/judge_generated.hpp"
+#include "language/equivalence_language.hpp"
 #include "language/judge_membership.hpp"
+#include "language/judge_system.hpp"
 #include "language/known_value.hpp"
 #include "language/regular_induction.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
+#include "language/sequence_certificate.hpp"
+#include "language/system_form.hpp"
 #include "language/table_value.hpp"
 #include "language/tables_membership.hpp"
 #include "word/spelling.hpp"
@@ -72,6 +76,7 @@ public:
             if (const auto word = first_difference(*regular_left, *regular_right, budget_)) return witness(*word);
             return by("derivatives", true, {"Both are regular, and their minimal automata, with " + std::to_string(regular_left->automaton().states()) + " states, are the same."});
         }
+        if (auto found = deterministic_equality()) return *found;
         if (auto found = difference(false)) return *found;
         Judgement there = included();
         if (there.truth == Truth::refuted) return there;
@@ -92,6 +97,23 @@ private:
         const Judgement in_left = judge_membership(left_, word, alphabet_, budget_);
         const Judgement in_right = judge_membership(right_, word, alphabet_, budget_);
         return Judgement::refuted(joined(in_left.argument, in_right.argument), {{"by", "word"}, {"word", certificate_text(alphabet_, word)}});
+    }
+
+    /// Of the languages of two D0L systems.
+    std::optional<Judgement> deterministic_equality() const {
+        const auto is_d0l = [](const LanguageTree& tree) {
+            return tree.kind == Kind::generated && has_form(*tree.system, *system_form("D0L"));
+        };
+        if (!is_d0l(*left_) || !is_d0l(*right_)) return std::nullopt;
+        const LanguageEquality found = equal_languages(as_d0l(*left_->system), as_d0l(*right_->system), budget_);
+        if (found.equal) {
+            const std::string line = found.sections.size() == 1 && found.words.empty()
+                                         ? "Both sequences have the same words in the same order: the overflows of the images by the two rules stay within " + std::to_string(found.sections.front().balance.bound) + " letters."
+                                         : "Generation by generation the words are paired by the numbers of their letters: " + std::to_string(found.words.size()) + " single words and " + std::to_string(found.sections.size()) + " sections of the sequences, and all that is paired is equal.";
+            return Judgement::proved({line}, language_certificate(found, alphabet_));
+        }
+        if (found.difference->word) return witness(*found.difference->word);
+        return Judgement::undecided({"the word of generation " + std::to_string(found.difference->generation) + " is in one language only, and too long to be written out"});
     }
 
     Judgement finite_equality(const FiniteValue& left, const FiniteValue& right) const {

@@ -10,6 +10,7 @@
 #include "language/finite_family.hpp"
 #include "language/finite_proof.hpp"
 #include "language/judge_equality.hpp"
+#include "language/judge_membership.hpp"
 #include "language/judge_system.hpp"
 #include "language/known_value.hpp"
 #include "language/system_form.hpp"
@@ -41,6 +42,8 @@ public:
         if (!form) throw Error(question_.family + " is no family of languages");
         if (language_->kind == Kind::generated && has_form(*language_->system, *form)) return by_form();
         if (const auto known = finite_value(language_, alphabet_, budget_)) return finite(*known, *form);
+        if (form->propagating && !question_.empty_axiom && !form->interactive && !form->extended)
+            if (auto found = has_empty_word()) return *found;
         if (auto found = by_system(*form)) return *found;
         if (language_->kind == Kind::reversed && !form->interactive)
             if (auto found = by_reversal()) return *found;
@@ -60,6 +63,15 @@ private:
                                      {{"by", "regular"}});
         if (auto found = sparse()) return *found;
         return Judgement::undecided({"no regular expression for " + name_ + " is at hand"});
+    }
+
+    /// Words of a propagating system are at least as long as its axiom.
+    std::optional<Judgement> has_empty_word() const {
+        const Judgement found = judge_membership(language_, {}, alphabet_, budget_);
+        if (found.truth != Truth::proved) return std::nullopt;
+        Judgement result = Judgement::refuted(found.argument, {{"by", "empty word"}});
+        result.argument.push_back("A system without erasing rules derives no shorter word than its axiom, which is not empty; so " + name_ + " is not " + question_.family + ".");
+        return result;
     }
 
     /// The lengths of a context-free language are, with finitely many exceptions, all numbers in some classes of

@@ -4,6 +4,7 @@
 
 #include "language/certificate.hpp"
 #include "language/finiteness.hpp"
+#include "language/judge_generated.hpp"
 #include "language/known_value.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
@@ -149,6 +150,29 @@ std::optional<Judgement> infinite(const Language& language, const Alphabet& alph
     }
 }
 
+/// Whether L(G) meets a regular language, where the expression is an intersection of such.
+std::optional<Judgement> disjoint(const Language& language, const Alphabet& alphabet, const Budget& budget) {
+    if (language->kind != Kind::intersected) return std::nullopt;
+    for (const std::size_t i : {0u, 1u}) {
+        const LanguageTree& part = *language->parts[i];
+        if (part.kind != Kind::generated || !part.system->tables) continue;
+        const auto regular = regular_value(language->parts[1 - i], alphabet, budget);
+        if (!regular) continue;
+        const Meeting meeting = first_meeting(*part.system->tables, *regular, budget);
+        const std::string name = to_string(language, alphabet);
+        if (meeting.derivation) {
+            const Word& word = meeting.derivation->words.back();
+            return Judgement::refuted({spell(alphabet, word) + " is a word of " + name + ": " + arrows(*meeting.derivation, alphabet) + "."},
+                                      {{"by", "word"}, {"word", certificate_text(alphabet, word)}});
+        }
+        const bool one = part.system->tables->tables.size() == 1;
+        return Judgement::proved({"No word of L(" + part.system->name + ") is in " + to_string(language->parts[1 - i], alphabet) + ": what the letters derive in " + std::to_string(meeting.step) +
+                                  " steps does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before has such a word."},
+                                 {{"by", "relations"}});
+    }
+    return std::nullopt;
+}
+
 Judgement with(Truth truth, std::vector<std::string> argument, const std::string& last) {
     argument.push_back(last);
     const Json proof{{"by", "values"}};
@@ -180,6 +204,7 @@ Judgement judge_empty(const Language& language, const Alphabet& alphabet, const 
         return Judgement::refuted({spell(alphabet, word) + " is a word of " + to_string(language, alphabet) + why + "."},
                                   {{"by", "word"}, {"word", certificate_text(alphabet, word)}});
     };
+    if (auto found = disjoint(language, alphabet, budget)) return *found;
     if (const auto known = finite_value(language, alphabet, budget)) {
         if (!known->words.empty()) return has(known->words.front(), "");
         return with(Truth::proved, known->argument, to_string(language, alphabet) + " has no word.");
@@ -200,6 +225,9 @@ Judgement judge_size(const Language& language, const Integer& size, const Alphab
         return with(right ? Truth::proved : Truth::refuted, known->argument,
                     to_string(language, alphabet) + " has " + words(known->words.size()) + ".");
     }
+    if (const auto regular = regular_value(language, alphabet, budget))
+        if (const auto count = number_of_words(*regular))
+            return with(*count == size ? Truth::proved : Truth::refuted, {}, to_string(language, alphabet) + " has " + to_string(*count) + " words: so many its automaton accepts.");
     if (auto found = infinite(language, alphabet, budget)) {
         found->proof = std::make_shared<const Json>(Json{{"by", "infinite"}, {"proof", *found->proof}});
         return *found;

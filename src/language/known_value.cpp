@@ -7,6 +7,7 @@
 #include "language/judge_membership.hpp"
 #include "language/regular_images.hpp"
 #include "language/regular_words.hpp"
+#include "language/table_value.hpp"
 #include "language/tables_finiteness.hpp"
 #include "language/tables_words.hpp"
 #include "word/spelling.hpp"
@@ -69,7 +70,7 @@ private:
             case Kind::intersected:
             case Kind::difference:
                 if (auto words = left_of_finite(tree)) return words;
-                return regular(tree);
+                return as_a_whole(tree);
             case Kind::united:
                 return both(tree, [](const auto& left, const auto& right) {
                     std::vector<Word> words = left;
@@ -91,7 +92,7 @@ private:
             case Kind::reversed:
                 return mapped(tree, [](const Word& word) { return std::optional(Word(word.rbegin(), word.rend())); });
             default:
-                return regular(tree);
+                return as_a_whole(tree);
         }
     }
 
@@ -169,9 +170,13 @@ private:
         return std::nullopt;
     }
 
-    std::optional<std::vector<Word>> regular(const LanguageTree& tree) {
-        const auto known = regular_value(std::make_shared<const LanguageTree>(tree), alphabet_, budget_);
-        return known ? listed(*known, budget_) : std::nullopt;
+    /// Of an expression of regular parts, or one for which a system is constructed.
+    std::optional<std::vector<Word>> as_a_whole(const LanguageTree& tree) {
+        const Language language = std::make_shared<const LanguageTree>(tree);
+        if (const auto known = regular_value(language, alphabet_, budget_)) return listed(*known, budget_);
+        const auto tables = table_value(language, alphabet_, budget_);
+        if (!tables || !finiteness(tables->system, budget_).finite) return std::nullopt;
+        return listed(finite_words(tables->system, budget_), budget_);
     }
 
     const Alphabet& alphabet_;

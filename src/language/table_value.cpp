@@ -5,7 +5,9 @@
 
 #include "language/construct_draft.hpp"
 #include "language/construct_e0l.hpp"
+#include "language/construct_gsm.hpp"
 #include "language/construct_image.hpp"
+#include "language/construct_inverse_image.hpp"
 #include "language/construct_reversal.hpp"
 #include "language/construct_tables.hpp"
 #include "language/known_value.hpp"
@@ -47,19 +49,15 @@ public:
         budget_.check();
         const LanguageTree& tree = *language;
         if (tree.kind == Kind::generated) {
-            if (!tree.system->tables || (deterministic_ && !is_deterministic(*tree.system->tables))) return std::nullopt;
+            if (!tree.system->tables || (deterministic_ && !is_deterministic(*tree.system->tables))) return regular(language);
             return tree.system->tables;
         }
-        if (const auto words = finite_value(language, alphabet_, budget_)) return finite(words->words);
-        std::vector<ET0L> parts;
-        for (const Language& part : tree.parts) {
-            auto system = of(part);
-            if (!system) return std::nullopt;
-            parts.push_back(std::move(*system));
+        if (tree.kind == Kind::words) return finite(tree.words);
+        if (auto made = tree.kind == Kind::intersected || tree.kind == Kind::difference ? filtered(tree) : operated(tree)) {
+            used_.push_back(name_of(tree.kind));
+            return made;
         }
-        auto made = constructed(tree, parts);
-        if (made) used_.push_back(name_of(tree.kind));
-        return made;
+        return regular(language);
     }
 
     const std::vector<std::string>& used() const { return used_; }
@@ -79,8 +77,53 @@ private:
         return draft.system({start}, {});
     }
 
+    /// The operation on the systems of the parts.
+    std::optional<ET0L> operated(const LanguageTree& tree) {
+        std::vector<ET0L> parts;
+        for (const Language& part : tree.parts) {
+            auto system = of(part);
+            if (!system) return std::nullopt;
+            parts.push_back(std::move(*system));
+        }
+        return constructed(tree, parts);
+    }
+
+    /// A system for one part, intersected with the other if that is regular, or with the complement of it.
+    std::optional<ET0L> filtered(const LanguageTree& tree) {
+        for (const std::size_t i : {0u, 1u}) {
+            if (tree.kind == Kind::difference && i == 1) break;
+            auto filter = regular_value(tree.parts[1 - i], alphabet_, budget_);
+            if (!filter) continue;
+            if (tree.kind == Kind::difference) filter = complement(*filter, letters_of(tree.parts[0]), budget_);
+            const auto system = of(tree.parts[i]);
+            if (!system) continue;
+            return one_table(*system) ? e0l_intersection(*system, *filter, budget_) : table_intersection(*system, *filter, budget_);
+        }
+        return std::nullopt;
+    }
+
+    /// A system for all words over some letters, intersected with the language.
+    std::optional<ET0L> regular(const Language& language) {
+        const auto known = regular_value(language, alphabet_, budget_);
+        if (!known) return std::nullopt;
+        const std::vector<Symbol> letters = letters_of(language);
+        Draft draft(alphabet_, deterministic_ ? letters.size() + 1 : 1);
+        const Symbol start = draft.fresh("S");
+        std::size_t table = 0;
+        for (const Symbol a : letters) {
+            draft.add_rule(table, start, {draft.terminal(alphabet_.name(a)), start});
+            if (deterministic_) ++table;
+        }
+        draft.add_rule(table, start, {});
+        draft.keep_terminals();
+        const ET0L all = draft.system({start}, {});
+        return one_table(all) ? e0l_intersection(all, *known, budget_) : table_intersection(all, *known, budget_);
+    }
+
+    bool one_table(const ET0L& system) const { return !deterministic_ && system.tables.size() == 1; }
+
     std::optional<ET0L> constructed(const LanguageTree& tree, const std::vector<ET0L>& parts) const {
-        const bool one = !deterministic_ && std::all_of(parts.begin(), parts.end(), [](const ET0L& part) { return part.tables.size() == 1; });
+        const bool one = std::all_of(parts.begin(), parts.end(), [&](const ET0L& part) { return one_table(part); });
         switch (tree.kind) {
             case Kind::united:
                 return one ? e0l_union(parts[0], parts[1]) : table_union(parts[0], parts[1]);
@@ -94,6 +137,8 @@ private:
                 return reversed(parts[0]);
             case Kind::image:
                 return one ? e0l_image(parts[0], substitution(tree.morphism), budget_) : table_image(parts[0], substitution(tree.morphism));
+            case Kind::inverse_image:
+                return table_inverse_image(parts[0], tree.morphism, budget_);
             default:
                 return std::nullopt;
         }

@@ -63,3 +63,62 @@ TEST_CASE("finite says how many words there are, or why there is no end") {
     CHECK(infinite["finite"] == false);
     CHECK(infinite["count"].is_null());
 }
+
+TEST_CASE("member with tables names the table of each step, and with terminals looks at them") {
+    const std::string system =
+        "printf 'axiom SS\\nterminals a b\\ntable grow\\nS -> aT; T -> b\\n"
+        "table turn\\nT -> SU; a -> ; b -> N\\ntable end\\nU -> b; S -> b\\n' |";
+    const Run yes = run("member - bbbb", system);
+    CHECK(yes.status == 0);
+    CHECK(yes.out ==
+          "yes: bbbb is in the language, first in generation 3\n"
+          "     0  SS\n"
+          "        table grow: S -> aT (2 times)\n"
+          "     1  aTaT\n"
+          "        table turn: a -> ε, T -> SU, a -> ε, T -> SU\n"
+          "     2  SUSU\n"
+          "        table end: S -> b, U -> b, S -> b, U -> b\n"
+          "     3  bbbb\n");
+    const auto found = nlohmann::json::parse(run("member - bbbb --json", system).out);
+    CHECK(found["step"] == 3);
+    CHECK(found["derivation"][0] == nlohmann::json::parse(R"({"word":"SS","table":"grow","successors":["aT","aT"]})"));
+    const Run no = run("member - bbb", system);
+    CHECK(no.status == 1);
+    CHECK(no.out.starts_with("no: bbb is not in the language: what the letters derive within it by "));
+    CHECK(run("member - aSb", system).out ==
+          "no: aSb is not in the language: the letter S at position 1 is no terminal\n");
+}
+
+TEST_CASE("member of an E0L system needs no tables") {
+    const Run yes = run("member - aabb", "printf 'axiom S; terminals a b; S -> aSb; S -> ab' |");
+    CHECK(yes.status == 0);
+    CHECK(yes.out.ends_with("     1  aSb\n        S -> ab\n     2  aabb\n"));
+}
+
+TEST_CASE("finite with tables and terminals") {
+    CHECK(run("finite -", "printf 'axiom S; terminals a; S -> SN; S -> a' |").out == "finite: 1 word\n");
+    CHECK(run("finite -", "printf 'axiom S; terminals a; S -> SN' |").out == "finite: 0 words; the language is empty\n");
+    const std::string tables = "printf 'axiom a\\ntable p\\na -> b\\ntable q\\nb -> aa\\n' |";
+    const Run endless = run("finite -", tables);
+    CHECK(endless.status == 1);
+    CHECK(endless.out ==
+          "infinite: by p: a -> b, q: b -> aa the letter a has a in what it becomes, and beside it a once more\n");
+    const auto found = nlohmann::json::parse(run("finite - --json", tables).out);
+    CHECK(found["finite"] == false);
+    CHECK(found["count"].is_null());
+    CHECK(found["round"]["again"] == "a");
+    CHECK(found["round"]["round"] == nlohmann::json::parse(R"([{"table":"p","rule":"a -> b"},{"table":"q","rule":"b -> aa"}])"));
+    CHECK(run("finite -", "printf 'axiom S; terminals a x; S -> aSx; S -> ; a -> a; x -> x' |").out ==
+          "infinite: by S -> aSx the letter S has S in what it becomes, and beside it a, which has a in what it becomes by a -> a; "
+          "a can end by a -> a; and all letters beside them can become terminals by the same tables\n");
+    CHECK(nlohmann::json::parse(run("finite - --json", "printf 'axiom S; terminals a; S -> a; S -> aa' |").out) ==
+          nlohmann::json({{"finite", true}, {"count", 2}}));
+}
+
+TEST_CASE("member and finite refuse systems with context or parameters, and say why") {
+    for (const std::string verb : {"member - a", "finite -"}) {
+        const Run context = run(verb, "printf 'axiom ba; b < a -> b' |");
+        CHECK(context.status == 2);
+        CHECK(run(verb, "printf 'axiom A(1); A(x) -> A(x+1)' |").status == 2);
+    }
+}

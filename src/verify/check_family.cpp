@@ -2,6 +2,7 @@
 #include <array>
 
 #include "base/error.hpp"
+#include "verify/contains.hpp"
 #include "verify/finite_check.hpp"
 #include "verify/obstruction_json.hpp"
 #include "verify/proofs.hpp"
@@ -99,6 +100,15 @@ void check_sparse(const Statement& statement, const Field& proof) {
         proof.refuse("the lengths grow no faster than n");
 }
 
+/// A propagating system derives the empty word from no other.
+void check_empty_word(const Checking& with, const Statement& statement, const Field& proof) {
+    if (!statement.family.starts_with('P'))
+        proof.refuse("a system of the family " + statement.family + " may derive the empty word");
+    if (with.certificate.empty_axiom) proof.refuse("the empty word may be the axiom");
+    if (!contains(statement.languages[0], {}, with.alphabet(), with.budget))
+        proof.refuse("the empty word is not in the language");
+}
+
 }  // namespace
 
 void check_family(const Checking& with, const Statement& statement, bool holds, const Field& proof,
@@ -107,6 +117,9 @@ void check_family(const Checking& with, const Statement& statement, bool holds, 
     if (by == "reversal") {
         proof.only({"by", "proof"});
         check_reversal(with, statement, holds, proof);
+    } else if (!holds && by == "empty word") {
+        proof.only({"by"});
+        check_empty_word(with, statement, proof);
     } else if (!holds && by == "sparse") {
         proof.only({"by"});
         check_sparse(statement, proof);

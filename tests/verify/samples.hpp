@@ -68,6 +68,7 @@ inline const std::vector<Sample>& sound() {
          R"({"by": "cases", "obstruction": {"root": {"excluded": [
            {"letter": "a", "image": "", "word": "a"}, {"letter": "a", "image": "a a", "word": "a a"}],
            "end": "sources", "sources": [["a"], ["a a"]]}}})"},
+        {R"({"is": "PT0L", "language": {"star": {"words": ["a"]}}})", "refuted", R"({"by": "empty word"})"},
         {R"({"is": "finite", "language": {"generated": "S"}})", "proved", R"({"by": "values"})"},
         {R"({"is": "finite", "language": {"complement": {"words": ["a"]}, "letters": "a"}})", "refuted", R"({"by": "values"})"},
         {R"({"is": "empty", "language": {"intersection": [{"words": ["a"]}, {"generated": "P"}]}})", "proved", R"({"by": "values"})"},

@@ -8,7 +8,7 @@
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/output.hpp"
-#include "language/check.hpp"
+#include "claim/check.hpp"
 #include "render/output.hpp"
 
 namespace algae::cli {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "base/budget.hpp"
-#include "language/claim.hpp"
+#include "claim/claim.hpp"
 #include "notation/read_claim.hpp"
 
 namespace algae::cli {

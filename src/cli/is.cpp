@@ -4,8 +4,8 @@
 #include "cli/claims.hpp"
 #include "cli/command.hpp"
 #include "cli/output.hpp"
-#include "language/judge_family.hpp"
-#include "language/judge_values.hpp"
+#include "claim/judge_family.hpp"
+#include "claim/judge_values.hpp"
 
 namespace algae::cli {
 

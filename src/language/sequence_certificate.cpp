@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "language/certificate.hpp"
 #include "verify/obstruction_json.hpp"
 
 namespace algae {

@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "language/claim.hpp"
+#include "claim/claim.hpp"
 #include "notation/claim_reading.hpp"
 
 namespace algae {

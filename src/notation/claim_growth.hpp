@@ -1,7 +1,7 @@
 #pragma once
 
 #include "exact/integer.hpp"
-#include "language/claim.hpp"
+#include "claim/claim.hpp"
 #include "notation/claim_reading.hpp"
 #include "notation/claim_scanner.hpp"
 

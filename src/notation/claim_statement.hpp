@@ -2,7 +2,7 @@
 
 #include <string_view>
 
-#include "language/claim.hpp"
+#include "claim/claim.hpp"
 #include "notation/claim_reading.hpp"
 
 namespace algae {

@@ -5,7 +5,7 @@
 #include <string>
 #include <string_view>
 
-#include "language/claim.hpp"
+#include "claim/claim.hpp"
 #include "system/lsystem.hpp"
 
 namespace algae {

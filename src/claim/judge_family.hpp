@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/budget.hpp"
-#include "language/judgement.hpp"
+#include "claim/judgement.hpp"
 #include "language/language.hpp"
 
 namespace algae {

@@ -1,4 +1,4 @@
-#include "language/exponential_polynomial.hpp"
+#include "claim/exponential_polynomial.hpp"
 
 #include <algorithm>
 #include <optional>

@@ -1,13 +1,13 @@
-#include "language/known_value.hpp"
+#include "claim/known_value.hpp"
 
 #include <algorithm>
 
 #include "exact/integer.hpp"
 #include "fold/interaction.hpp"
-#include "language/judge_membership.hpp"
+#include "claim/judge_membership.hpp"
 #include "language/regular_images.hpp"
 #include "language/regular_words.hpp"
-#include "language/table_value.hpp"
+#include "claim/table_value.hpp"
 #include "language/tables_finiteness.hpp"
 #include "language/tables_words.hpp"
 #include "word/spelling.hpp"

@@ -1,21 +1,21 @@
-#include "language/judge_equality.hpp"
+#include "claim/judge_equality.hpp"
 
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "fold/choices.hpp"
-#include "language/certificate.hpp"
-#include "language/judge_generated.hpp"
+#include "claim/certificate.hpp"
+#include "claim/judge_generated.hpp"
 #include "language/equivalence_language.hpp"
-#include "language/judge_membership.hpp"
-#include "language/judge_system.hpp"
-#include "language/known_value.hpp"
+#include "claim/judge_membership.hpp"
+#include "claim/judge_system.hpp"
+#include "claim/known_value.hpp"
 #include "language/regular_induction.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
 #include "language/sequence_certificate.hpp"
 #include "language/system_form.hpp"
-#include "language/table_value.hpp"
+#include "claim/table_value.hpp"
 #include "language/tables_membership.hpp"
 #include "word/spelling.hpp"
 #include "word/word_sets.hpp"

@@ -1,4 +1,4 @@
-#include "language/table_value.hpp"
+#include "claim/table_value.hpp"
 
 #include <algorithm>
 #include <vector>
@@ -10,7 +10,7 @@
 #include "language/construct_inverse_image.hpp"
 #include "language/construct_reversal.hpp"
 #include "language/construct_tables.hpp"
-#include "language/known_value.hpp"
+#include "claim/known_value.hpp"
 
 namespace algae {
 

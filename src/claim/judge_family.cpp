@@ -1,4 +1,4 @@
-#include "language/judge_family.hpp"
+#include "claim/judge_family.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
@@ -6,15 +6,15 @@
 
 #include "base/error.hpp"
 #include "growth/growth_class.hpp"
-#include "language/certificate.hpp"
+#include "claim/certificate.hpp"
 #include "language/finite_family.hpp"
 #include "language/finite_proof.hpp"
-#include "language/judge_equality.hpp"
-#include "language/judge_membership.hpp"
-#include "language/judge_system.hpp"
-#include "language/known_value.hpp"
+#include "claim/judge_equality.hpp"
+#include "claim/judge_membership.hpp"
+#include "claim/judge_system.hpp"
+#include "claim/known_value.hpp"
 #include "language/system_form.hpp"
-#include "language/table_value.hpp"
+#include "claim/table_value.hpp"
 #include "verify/obstruction_json.hpp"
 
 namespace algae {

@@ -1,15 +1,15 @@
-#include "language/judge_membership.hpp"
+#include "claim/judge_membership.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "language/certificate.hpp"
-#include "language/judge_generated.hpp"
-#include "language/known_value.hpp"
+#include "claim/certificate.hpp"
+#include "claim/judge_generated.hpp"
+#include "claim/known_value.hpp"
 #include "language/regular_images.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
-#include "language/table_value.hpp"
+#include "claim/table_value.hpp"
 #include "word/spelling.hpp"
 #include "verify/obstruction_json.hpp"
 

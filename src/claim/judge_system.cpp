@@ -1,4 +1,4 @@
-#include "language/judge_system.hpp"
+#include "claim/judge_system.hpp"
 
 #include <nlohmann/json.hpp>
 
@@ -6,9 +6,9 @@
 #include "growth/equal_growth.hpp"
 #include "growth/growth_class.hpp"
 #include "growth/growth_matrix.hpp"
-#include "language/certificate.hpp"
-#include "language/exponential_polynomial.hpp"
-#include "language/judge_generated.hpp"
+#include "claim/certificate.hpp"
+#include "claim/exponential_polynomial.hpp"
+#include "claim/judge_generated.hpp"
 #include "language/sequence_certificate.hpp"
 #include "language/sequence_equality.hpp"
 #include "language/tables_membership.hpp"

@@ -1,14 +1,14 @@
-#include "language/judge_values.hpp"
+#include "claim/judge_values.hpp"
 
 #include <nlohmann/json.hpp>
 
-#include "language/certificate.hpp"
+#include "claim/certificate.hpp"
 #include "language/finiteness.hpp"
-#include "language/judge_generated.hpp"
-#include "language/known_value.hpp"
+#include "claim/judge_generated.hpp"
+#include "claim/known_value.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
-#include "language/table_value.hpp"
+#include "claim/table_value.hpp"
 #include "language/tables_finiteness.hpp"
 #include "language/tables_membership.hpp"
 #include "word/spelling.hpp"

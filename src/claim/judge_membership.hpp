@@ -1,7 +1,7 @@
 #pragma once
 
 #include "base/budget.hpp"
-#include "language/judgement.hpp"
+#include "claim/judgement.hpp"
 #include "language/language.hpp"
 
 namespace algae {

@@ -1,11 +1,11 @@
-#include "language/decide.hpp"
+#include "claim/decide.hpp"
 
 #include "base/error.hpp"
-#include "language/judge_equality.hpp"
-#include "language/judge_family.hpp"
-#include "language/judge_membership.hpp"
-#include "language/judge_system.hpp"
-#include "language/judge_values.hpp"
+#include "claim/judge_equality.hpp"
+#include "claim/judge_family.hpp"
+#include "claim/judge_membership.hpp"
+#include "claim/judge_system.hpp"
+#include "claim/judge_values.hpp"
 
 namespace algae {
 

@@ -1,10 +1,10 @@
-#include "language/judge_generated.hpp"
+#include "claim/judge_generated.hpp"
 
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "fold/interaction.hpp"
-#include "language/certificate.hpp"
+#include "claim/certificate.hpp"
 #include "language/tables_membership.hpp"
 #include "word/spelling.hpp"
 #include "verify/obstruction_json.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "base/budget.hpp"
-#include "language/claim.hpp"
-#include "language/judgement.hpp"
+#include "claim/claim.hpp"
+#include "claim/judgement.hpp"
 
 namespace algae {
 

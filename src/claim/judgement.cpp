@@ -1,4 +1,4 @@
-#include "language/judgement.hpp"
+#include "claim/judgement.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -1,4 +1,6 @@
 #pragma once
+// claim: statements about languages and systems, what is known of them and why, in sentences and in
+// proofs that the room verify checks again.
 
 #include <cstdint>
 #include <optional>

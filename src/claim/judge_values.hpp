@@ -2,7 +2,7 @@
 
 #include "base/budget.hpp"
 #include "exact/integer.hpp"
-#include "language/judgement.hpp"
+#include "claim/judgement.hpp"
 #include "language/language.hpp"
 
 namespace algae {

@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <sstream>
 
-#include "language/check.hpp"
+#include "claim/check.hpp"
 #include "word/spelling.hpp"
 
 namespace algae {

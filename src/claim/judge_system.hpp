@@ -4,8 +4,8 @@
 #include <optional>
 
 #include "base/budget.hpp"
-#include "language/claim.hpp"
-#include "language/judgement.hpp"
+#include "claim/claim.hpp"
+#include "claim/judgement.hpp"
 #include "system/d0l.hpp"
 
 namespace algae {

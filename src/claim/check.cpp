@@ -1,10 +1,10 @@
-#include "language/check.hpp"
+#include "claim/check.hpp"
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
-#include "language/certificate.hpp"
-#include "language/decide.hpp"
+#include "claim/certificate.hpp"
+#include "claim/decide.hpp"
 
 namespace algae {
 

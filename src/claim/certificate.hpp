@@ -3,7 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 
-#include "language/claim.hpp"
+#include "claim/claim.hpp"
 #include "language/language.hpp"
 
 namespace algae {

@@ -1,4 +1,4 @@
-#include "language/certificate.hpp"
+#include "claim/certificate.hpp"
 
 #include <nlohmann/json.hpp>
 

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "base/budget.hpp"
-#include "language/claim.hpp"
-#include "language/judgement.hpp"
+#include "claim/claim.hpp"
+#include "claim/judgement.hpp"
 
 namespace algae {
 

@@ -75,14 +75,17 @@ void check_membership(const Checking& with, const Statement& statement, bool hol
     if (proof.has("derivation")) {
         const Field derivation = proof.at("derivation");
         derivation.only({"words", "tables"});
-        if (language->kind != Tree::Kind::generated)
+        Language source = language;  // of a reversal, the derivation is that of the reversed word
+        Word word = statement.word;
+        for (; source->kind == Tree::Kind::reversal; source = source->parts[0])
+            std::reverse(word.begin(), word.end());
+        if (source->kind != Tree::Kind::generated)
             derivation.refuse("the language is not given by a system");
         if (!holds)
             derivation.refuse("a derivation does not show that a word is not in a language");
-        const System& system = *language->system;
-        check_steps(with, system, system.axiom, statement.word, derivation);
-        if (!std::all_of(statement.word.begin(), statement.word.end(),
-                         [&](Symbol a) { return system.terminal[a]; }))
+        const System& system = *source->system;
+        check_steps(with, system, system.axiom, word, derivation);
+        if (!std::all_of(word.begin(), word.end(), [&](Symbol a) { return system.terminal[a]; }))
             derivation.refuse("a letter of the word is no terminal");
         return;
     }

@@ -110,8 +110,10 @@ public:
             case Tree::Kind::concatenation:
                 return concatenated(of(tree.parts[0]), of(tree.parts[1]));
             case Tree::Kind::intersection:
-                if (auto left = tried(tree.parts[0])) return filtered(*left, tree.parts[1], true);
-                if (auto right = tried(tree.parts[1])) return filtered(*right, tree.parts[0], true);
+                for (const std::size_t i :
+                     {is_regular(tree.parts[0]) ? 0u : 1u, is_regular(tree.parts[0]) ? 1u : 0u})
+                    if (auto part = tried(tree.parts[i]))
+                        return filtered(*part, tree.parts[1 - i], true);
                 return regular(language);
             case Tree::Kind::difference:
                 if (auto left = tried(tree.parts[0])) return filtered(*left, tree.parts[1], false);

@@ -1,22 +1,28 @@
-# Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs.
-# Sets algae_gallery_source; the file is written at build time, again whenever a figure changes.
+# Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs, and the
+# claims of the table of closure, for `algae closure`. Sets algae_gallery_sources; the files are written at
+# build time, again whenever a figure or a claim changes.
+function(embed function)  # embed(function file...): writes the definition of algae::function() from the files
+  set(seen)
+  foreach(file IN LISTS ARGN)
+    cmake_path(GET file STEM LAST_ONLY stem)
+    if(stem IN_LIST seen)
+      message(FATAL_ERROR "two files are named '${stem}' like ${file}; names in the ${function} are file names, so one must change")
+    endif()
+    list(APPEND seen ${stem})
+  endforeach()
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${function}.cpp)
+  set(list ${CMAKE_CURRENT_BINARY_DIR}/${function}.txt)
+  list(JOIN ARGN "\n" listing)
+  file(CONFIGURE OUTPUT ${list} CONTENT "${listing}\n")
+  add_custom_command(OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -D LIST=${list} -D ROOT=${CMAKE_CURRENT_SOURCE_DIR} -D OUTPUT=${source} -D FUNCTION=${function}
+      -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/write_gallery.cmake
+    DEPENDS ${ARGN} ${list} cmake/write_gallery.cmake
+    COMMENT "Writing the ${function}" VERBATIM)
+  set(algae_gallery_sources ${algae_gallery_sources} ${source} PARENT_SCOPE)
+endfunction()
+
 file(GLOB_RECURSE algae_gallery_files CONFIGURE_DEPENDS figures/*.lsys systems/*.lsys)
-
-set(seen)
-foreach(figure IN LISTS algae_gallery_files)
-  cmake_path(GET figure STEM LAST_ONLY stem)
-  if(stem IN_LIST seen)
-    message(FATAL_ERROR "figures, systems: two files are named '${stem}.lsys'; names in the gallery are file names, so one must change")
-  endif()
-  list(APPEND seen ${stem})
-endforeach()
-
-set(algae_gallery_source ${CMAKE_CURRENT_BINARY_DIR}/gallery.cpp)
-set(algae_gallery_list ${CMAKE_CURRENT_BINARY_DIR}/gallery.txt)
-list(JOIN algae_gallery_files "\n" listing)
-file(CONFIGURE OUTPUT ${algae_gallery_list} CONTENT "${listing}\n")
-add_custom_command(OUTPUT ${algae_gallery_source}
-  COMMAND ${CMAKE_COMMAND} -D LIST=${algae_gallery_list} -D ROOT=${CMAKE_CURRENT_SOURCE_DIR} -D OUTPUT=${algae_gallery_source}
-    -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/write_gallery.cmake
-  DEPENDS ${algae_gallery_files} ${algae_gallery_list} cmake/write_gallery.cmake
-  COMMENT "Writing the gallery" VERBATIM)
+file(GLOB_RECURSE algae_closure_files CONFIGURE_DEPENDS theory/closure/*.claim)
+embed(gallery ${algae_gallery_files})
+embed(closure_claims ${algae_closure_files})

@@ -1,5 +1,5 @@
-# cmake -D LIST=file-of-paths -D ROOT=folder -D OUTPUT=gallery.cpp -P write_gallery.cmake
-# Writes the definition of algae::gallery(), each text as an array of bytes.
+# cmake -D LIST=file-of-paths -D ROOT=folder -D OUTPUT=gallery.cpp -D FUNCTION=gallery -P write_gallery.cmake
+# Writes the definition of algae::FUNCTION(), each text as an array of bytes.
 file(STRINGS ${LIST} files ENCODING UTF-8)
 set(sortable)
 foreach(file IN LISTS files)
@@ -24,7 +24,7 @@ foreach(line IN LISTS sortable)
   math(EXPR count "${count} + 1")
 endforeach()
 
-file(WRITE ${OUTPUT} "// Written by cmake/write_gallery.cmake from the files under figures.
+file(WRITE ${OUTPUT} "// Written by cmake/write_gallery.cmake from files of the project.
 #include \"notation/gallery.hpp\"
 
 #include <array>
@@ -45,7 +45,7 @@ ${entries}}};
 
 namespace algae {
 
-std::span<const GalleryEntry> gallery() { return entries; }
+std::span<const GalleryEntry> ${FUNCTION}() { return entries; }
 
 }  // namespace algae
 ")

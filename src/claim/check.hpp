@@ -34,8 +34,9 @@ CheckedClaim check(Claim claim, const Budget& budget = {});
 std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked);
 
 /// The claim as a page: its title and source, the definitions, its notes, then each statement with its verdict and the
-/// argument in sentences, in lines of at most 100 characters.
-std::string explanation(const CheckedClaim& checked);
+/// argument in sentences, in lines of at most 100 characters. With a family, what is said of a language and other
+/// families is left out where the same is said of this one.
+std::string explanation(const CheckedClaim& checked, const std::string& family = {});
 
 /// The claim as a certificate (CERTIFICATES.md).
 nlohmann::ordered_json certificate(const CheckedClaim& checked);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 #include "claim/check.hpp"
@@ -80,26 +81,45 @@ std::string unnamed_text(const Language& language, const Alphabet& alphabet) {
     return to_string(std::make_shared<const LanguageTree>(std::move(tree)), alphabet);
 }
 
+/// Whether a statement says of another family what one of the claim says of this one.
+bool is_about_another(const Claim& claim, const Statement& statement, const std::string& family) {
+    if (statement.kind != Statement::Kind::family || statement.family == family) return false;
+    return std::any_of(claim.statements.begin(), claim.statements.end(), [&](const ClaimedStatement& other) {
+        return other.statement.kind == Statement::Kind::family && other.statement.family == family &&
+               other.statement.negated == statement.negated &&
+               to_string(other.statement.languages[0], *claim.alphabet) == to_string(statement.languages[0], *claim.alphabet);
+    });
+}
+
 }  // namespace
 
-std::string explanation(const CheckedClaim& checked) {
+std::string explanation(const CheckedClaim& checked, const std::string& family) {
     const Claim& claim = checked.claim;
     std::string page = wrapped(claim.title, 0);
     if (!claim.source.empty()) page += wrapped(claim.source, 0);
-    page += '\n';
-    for (const std::string& note : claim.notes) page += wrapped(note, 0);
+    const bool defines = claim.empty_axiom || !claim.systems.empty() || !claim.languages.empty();
     if (!claim.notes.empty()) page += '\n';
+    for (const std::string& note : claim.notes) page += wrapped(note, 0);
+    if (defines) page += '\n';
+    if (claim.empty_axiom) page += wrapped("Systems may have the empty word as axiom.", 0);
     for (const auto& system : claim.systems)
         page += wrapped("Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
     for (const Language& language : claim.languages)
         page += wrapped("Let " + language->name + " = " + unnamed_text(language, *claim.alphabet) + ".", 0);
+    std::set<std::string> said;  // what a statement begins with is not repeated for the next one
+    std::size_t number = 0;
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {
         const ClaimedStatement& claimed = claim.statements[i];
         const CheckedStatement& found = checked.statements[i];
-        page += "\n" + wrapped(std::to_string(i + 1) + ". " + claimed.statement.text + ": " + verdict_text(claimed, found) +
+        if (!family.empty() && is_about_another(claim, claimed.statement, family)) continue;
+        page += "\n" + wrapped(std::to_string(++number) + ". " + claimed.statement.text + ": " + verdict_text(claimed, found) +
                                    (found.outcome == CheckedStatement::Outcome::cited ? " (" + claimed.citation + ")" : "") + ".", 0);
         if (found.outcome == CheckedStatement::Outcome::cited) continue;
-        for (const std::string& line : found.judgement.argument) page += wrapped(line, 3);
+        const std::vector<std::string>& argument = found.judgement.argument;
+        std::size_t first = 0;
+        while (first + 1 < argument.size() && said.contains(argument[first])) ++first;
+        for (std::size_t line = first; line < argument.size(); ++line) page += wrapped(argument[line], 3);
+        said.insert(argument.begin(), argument.end());
     }
     return page;
 }

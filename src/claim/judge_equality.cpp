@@ -10,6 +10,7 @@
 #include "claim/judge_membership.hpp"
 #include "claim/judge_system.hpp"
 #include "claim/known_value.hpp"
+#include "claim/sentences.hpp"
 #include "language/regular_induction.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
@@ -28,7 +29,9 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = LanguageTree::Kind;
 
-constexpr std::size_t most_tried = 600;        // words that are looked at for a difference
+constexpr std::size_t first_tried = 30;        // short words that are looked at before theorems are
+constexpr std::size_t most_tried = 600;        // short words that are looked at for a difference
+constexpr std::size_t longest_short = 30;      // letters of these
 constexpr std::size_t longest_tried = 60;      // letters of a word of a generation that is looked at
 constexpr std::uint64_t most_generations = 12;
 
@@ -50,6 +53,13 @@ public:
 
     /// Whether left <= right.
     Judgement included() {
+        if (auto found = decided_inclusion()) return *found;
+        if (auto found = difference(candidates(), true)) return *found;
+        return Judgement::undecided({"no word among the first ones is in " + text(left_) + " and not in " + text(right_) + ", and no theorem applies"});
+    }
+
+    /// The same where a theorem applies.
+    std::optional<Judgement> decided_inclusion() {
         if (is_identical()) return by("identical", true, {"Both sides are the same expression."});
         if (const auto known = finite_value(left_, alphabet_, budget_)) return finite_inclusion(*known);
         const auto regular_left = regular_value(left_, alphabet_, budget_);
@@ -59,11 +69,9 @@ public:
             return by("derivatives", true, {"Both are regular, and the minimal automaton of " + text(left_) + " without " + text(right_) + " accepts nothing."});
         }
         if (regular_right)
-            if (auto found = generated_in_regular(*regular_right)) return *found;
-        if (regular_left)
-            if (auto found = regular_in_generated(*regular_left)) return *found;
-        if (auto found = difference(true)) return *found;
-        return Judgement::undecided({"no word among the first ones is in " + text(left_) + " and not in " + text(right_) + ", and no theorem applies"});
+            if (auto found = generated_in_regular(*regular_right)) return found;
+        if (regular_left) return regular_in_generated(*regular_left);
+        return std::nullopt;
     }
 
     Judgement equal() {
@@ -74,18 +82,21 @@ public:
         const auto regular_right = regular_value(right_, alphabet_, budget_);
         if (regular_left && regular_right) {
             if (const auto word = first_difference(*regular_left, *regular_right, budget_)) return witness(*word);
-            return by("derivatives", true, {"Both are regular, and their minimal automata, with " + std::to_string(regular_left->automaton().states()) + " states, are the same."});
+            return by("derivatives", true, {"Both are regular, and their minimal automata, with " + counted(regular_left->automaton().states(), "state") + ", are the same."});
         }
         if (auto found = deterministic_equality()) return *found;
-        if (auto found = difference(false)) return *found;
-        Judgement there = included();
-        if (there.truth == Truth::refuted) return there;
-        Judgement back = Comparison(right_, left_, alphabet_, budget_).included();
-        if (back.truth == Truth::refuted) return back;
-        if (there.truth == Truth::proved && back.truth == Truth::proved)
-            return Judgement::proved(joined(there.argument, back.argument),
-                                     {{"by", "both"}, {"proofs", Json::array({*there.proof, *back.proof})}});
-        return there.truth == Truth::undecided ? there : back;
+        if (auto found = difference(short_words(first_tried), false)) return *found;
+        const auto there = decided_inclusion();
+        if (there && there->truth == Truth::refuted) return *there;
+        const auto back = Comparison(right_, left_, alphabet_, budget_).decided_inclusion();
+        if (back && back->truth == Truth::refuted) return *back;
+        if (there && back && there->truth == Truth::proved && back->truth == Truth::proved)
+            return Judgement::proved(joined(there->argument, back->argument),
+                                     {{"by", "both"}, {"proofs", Json::array({*there->proof, *back->proof})}});
+        if (auto found = difference(candidates(), false)) return *found;
+        const auto is_open = [](const auto& side) { return !side || side->truth == Truth::undecided; };
+        return Judgement::undecided({"no word among the first ones is in one of " + text(left_) + " and " + text(right_) + " only, and that " +
+                                     (is_open(there) ? text(left_) + " <= " + text(right_) : text(right_) + " <= " + text(left_)) + " was not shown"});
     }
 
 private:
@@ -108,8 +119,8 @@ private:
         const LanguageEquality found = equal_languages(as_d0l(*left_->system), as_d0l(*right_->system), budget_);
         if (found.equal) {
             const std::string line = found.sections.size() == 1 && found.words.empty()
-                                         ? "Both sequences have the same words in the same order: the overflows of the images by the two rules stay within " + std::to_string(found.sections.front().balance.bound) + " letters."
-                                         : "Generation by generation the words are paired by the numbers of their letters: " + std::to_string(found.words.size()) + " single words and " + std::to_string(found.sections.size()) + " sections of the sequences, and all that is paired is equal.";
+                                         ? "Both sequences have the same words in the same order: the overflows of the images by the two rules stay within " + counted(found.sections.front().balance.bound, "letter") + "."
+                                         : "Generation by generation the words are paired by the numbers of their letters: " + counted(found.words.size(), "single word") + " and " + counted(found.sections.size(), "section") + " of the sequences, and all that is paired is equal.";
             return Judgement::proved({line}, language_certificate(found, alphabet_));
         }
         if (found.difference->word) return witness(*found.difference->word);
@@ -133,13 +144,16 @@ private:
 
     Judgement finite_inclusion(const FiniteValue& left) const {
         std::vector<std::string> argument = left.argument;
+        std::optional<Judgement> open;
         for (const Word& word : left.words) {
-            const Judgement found = judge_membership(right_, word, alphabet_, budget_);
+            Judgement found = judge_membership(right_, word, alphabet_, budget_);
             if (found.truth == Truth::refuted) return witness(word);
-            if (found.truth == Truth::undecided) return found;
-            if (argument.size() < 40) argument = joined(argument, found.argument);
+            if (found.truth == Truth::undecided)
+                open = std::move(found);
+            else if (argument.size() < 40)
+                argument = joined(argument, found.argument);
         }
-        return by("values", true, std::move(argument));
+        return open ? *open : by("values", true, std::move(argument));
     }
 
     std::optional<Judgement> generated_in_regular(const RegularLanguage& right) const {
@@ -148,8 +162,8 @@ private:
         const Meeting meeting = first_outside(tables->system, right, budget_);
         if (meeting.derivation) return witness(meeting.derivation->words.back());
         const bool one = tables->system.tables.size() == 1;
-        const std::string line = "Every word of " + text(left_) + " is in " + text(right_) + ": what the letters derive in " + std::to_string(meeting.step) +
-                                 " steps does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before leaves it.";
+        const std::string line = "Every word of " + text(left_) + " is in " + text(right_) + ": what the letters derive in " + counted(meeting.step, "step") +
+                                 " does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before leaves it.";
         if (left_->kind == Kind::generated) return by("relations", true, {line});
         return Judgement::proved({tables->argument, line}, {{"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
     }
@@ -172,9 +186,9 @@ private:
         return Judgement::proved(std::move(argument), {{"by", "induction"}, {"base", base}});
     }
 
-    /// A word that is in one of the languages only, in the left one if `left_only`, among words worth a look.
-    std::optional<Judgement> difference(bool left_only) const {
-        for (const Word& word : candidates()) {
+    /// A word that is in one of the languages only, in the left one if `left_only`, among these.
+    std::optional<Judgement> difference(const std::vector<Word>& words, bool left_only) const {
+        for (const Word& word : words) {
             budget_.check();
             const Truth in_left = judge_membership(left_, word, alphabet_, budget_).truth;
             if (in_left == Truth::undecided || (left_only && in_left == Truth::refuted)) continue;
@@ -184,17 +198,23 @@ private:
         return std::nullopt;
     }
 
-    /// All short words, and the words of first generations of the systems that are not too long.
-    std::vector<Word> candidates() const {
+    /// The first words, shorter ones first.
+    std::vector<Word> short_words(std::size_t most) const {
         std::set<Symbol> letters;
         for (const Language& side : {left_, right_})
             for (const Symbol a : letters_of(side)) letters.insert(a);
         std::vector<Word> words{{}};
-        for (std::size_t i = 0; i < words.size() && words.size() < most_tried; ++i)
+        for (std::size_t i = 0; i < words.size() && words.size() < most && words[i].size() < longest_short; ++i)
             for (const Symbol a : letters) {
                 words.push_back(words[i]);
                 words.back().push_back(a);
             }
+        return words;
+    }
+
+    /// Short words, and the words of first generations of the systems that are not too long.
+    std::vector<Word> candidates() const {
+        std::vector<Word> words = short_words(most_tried);
         add_generations(*left_, words);
         add_generations(*right_, words);
         return words;

@@ -13,6 +13,7 @@
 #include "claim/judge_membership.hpp"
 #include "claim/judge_system.hpp"
 #include "claim/known_value.hpp"
+#include "claim/sentences.hpp"
 #include "language/system_form.hpp"
 #include "claim/table_value.hpp"
 #include "verify/obstruction_json.hpp"
@@ -54,7 +55,7 @@ public:
 
 private:
     Judgement by_form() const {
-        return Judgement::proved({name_ + " is given by a " + question_.family + " system."}, {{"by", "form"}});
+        return Judgement::proved({name_ + " is given by " + with_article(question_.family) + " system."}, {{"by", "form"}});
     }
 
     Judgement chomsky() const {
@@ -100,7 +101,7 @@ private:
         const FamilyAnswer answer = decide_family(words, *family, options, budget_);
         std::vector<std::string> argument = known.argument;
         if (answer.truth == Truth::proved) {
-            argument.push_back("The system " + to_string(*answer.witness) + " generates it.");
+            argument.push_back("The system with " + to_string(*answer.witness) + " generates it.");
             return Judgement::proved(std::move(argument), {{"by", "system"}, {"system", witness_json(*answer.witness)}});
         }
         if (answer.truth == Truth::undecided) return Judgement::undecided({answer.tried});
@@ -146,8 +147,7 @@ private:
         const Judgement part = judge_family(language_->parts[0], question_, alphabet_, budget_);
         if (part.truth == Truth::undecided) return std::nullopt;
         Judgement result = part;
-        result.argument.push_back("Axiom and successors written backwards generate the words backwards, so " + name_ + (part.truth == Truth::proved ? " is " : " is not ") + question_.family + " either.");
-        if (part.truth == Truth::proved) result.argument.back() = "Axiom and successors written backwards generate the words backwards, so " + name_ + " is " + question_.family + ".";
+        result.argument.push_back("Axiom and successors written backwards generate the words backwards, so " + name_ + (part.truth == Truth::proved ? " is " + question_.family + " too." : " is not " + question_.family + " either."));
         result.proof = std::make_shared<const Json>(Json{{"by", "reversal"}, {"proof", *part.proof}});
         return result;
     }

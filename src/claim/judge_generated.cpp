@@ -5,6 +5,7 @@
 
 #include "fold/interaction.hpp"
 #include "claim/certificate.hpp"
+#include "claim/sentences.hpp"
 #include "language/tables_membership.hpp"
 #include "word/spelling.hpp"
 #include "verify/obstruction_json.hpp"
@@ -16,8 +17,9 @@ namespace {
 constexpr std::size_t longest_shown = 240;          // characters of a derivation on one line
 constexpr std::uint64_t most_generations = 10'000;  // that a system with context is followed
 
-std::string count(std::uint64_t n, const std::string& what) {
-    return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
+/// "generation 0 is", "generations 0 to 3 are": those before a number that is not 0.
+std::string generations(std::uint64_t end) {
+    return end == 1 ? "generation 0 is" : "generations 0 to " + std::to_string(end - 1) + " are";
 }
 
 /// Why no generation has the word, as a sentence without its full stop.
@@ -33,19 +35,20 @@ std::string reason(const Membership& found, const std::string& name, const Word&
             return text + " is not in L(" + name + "): " + alphabet.name(word[found.position]) +
                    " is no terminal";
         case outgrown:
-            return text + " is not in L(" + name + "): no generation before " +
-                   std::to_string(found.step) + " is this word, and from then on all words are longer";
+            return text + " is not in L(" + name + "): " +
+                   (found.step == 0 ? "all its words are longer"
+                                    : generations(found.step) + " not this word, and from then on all words are longer");
         case periodic:
             return text + " is not in L(" + name + "): generation " + std::to_string(found.step) +
                    " is generation " + std::to_string(found.earlier) +
                    " again, and none before is this word";
         case exhausted:
             return text + " is not in L(" + name + "): what the letters derive within it by any " +
-                   count(found.step, "table") + " they derive by fewer, and none of the " +
+                   counted(found.step, "table") + " they derive by fewer, and none of the " +
                    std::to_string(found.states) + " families of factors has it";
         default:
             return text + " is not in L(" + name + "): the factors of it that the letters derive in " +
-                   count(found.step, "step") + " are those that they derive in " +
+                   counted(found.step, "step") + " are those that they derive in " +
                    std::to_string(found.earlier) + ", and no generation before has it";
     }
 }
@@ -92,8 +95,8 @@ std::string arrows(const Derivation& derivation, const Alphabet& alphabet) {
     std::string text;
     for (const Word& word : derivation.words) {
         if (text.size() > longest_shown)
-            return count(derivation.words.size() - 1, "step") + " of derivation, beginning " + text + " => ...";
-        text += (text.empty() ? "" : " => ") + (word.size() > longest_shown ? count(word.size(), "letter")
+            return counted(derivation.words.size() - 1, "step") + " of derivation, beginning " + text + " => ...";
+        text += (text.empty() ? "" : " => ") + (word.size() > longest_shown ? counted(word.size(), "letter")
                                                                             : spell(alphabet, word));
     }
     return text;

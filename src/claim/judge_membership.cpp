@@ -36,17 +36,19 @@ public:
             case Kind::generated:
                 return judge_generated(*tree.system, word, alphabet_, budget_);
             case Kind::united:
-                return either(judge(tree.parts[0], word), [&] { return judge(tree.parts[1], word); });
+                return concluded(language, word, either(judge(tree.parts[0], word), [&] { return judge(tree.parts[1], word); }));
             case Kind::intersected:
-                return opposite(either(opposite(judge(tree.parts[0], word)),
-                                       [&] { return opposite(judge(tree.parts[1], word)); }));
+                return concluded(language, word,
+                                 opposite(either(opposite(judge(tree.parts[0], word)),
+                                                 [&] { return opposite(judge(tree.parts[1], word)); })));
             case Kind::difference:
-                return opposite(either(opposite(judge(tree.parts[0], word)),
-                                       [&] { return judge(tree.parts[1], word); }));
+                return concluded(language, word,
+                                 opposite(either(opposite(judge(tree.parts[0], word)),
+                                                 [&] { return judge(tree.parts[1], word); })));
             case Kind::complement:
-                return complement(tree, word);
+                return concluded(language, word, complement(tree, word));
             case Kind::reversed:
-                return judge(tree.parts[0], Word(word.rbegin(), word.rend()));
+                return concluded(language, word, without_derivation(judge(tree.parts[0], Word(word.rbegin(), word.rend()))));
             case Kind::concatenated:
                 return concatenation(language, word);
             case Kind::star:
@@ -55,7 +57,7 @@ public:
             case Kind::image:
                 return image(language, word);
             case Kind::inverse_image:
-                return inverse_image(tree, word);
+                return concluded(language, word, inverse_image(tree, word));
         }
         return Judgement::undecided({});
     }
@@ -69,6 +71,14 @@ private:
         std::vector<std::string> argument{is_in(language, word, yes) + (because.empty() ? "." : ": " + because + ".")};
         return yes ? Judgement::proved(std::move(argument), decided())
                    : Judgement::refuted(std::move(argument), decided());
+    }
+
+    /// The judgement with what it comes to as its last sentence, where that is not plain from the others.
+    Judgement concluded(const Language& language, const Word& word, Judgement found) const {
+        const bool is_plain = language->kind == Kind::united || language->kind == Kind::intersected || language->kind == Kind::difference;
+        if (found.truth != Truth::undecided && !(is_plain && language->name.empty()))
+            found.argument.push_back("So " + is_in(language, word, found.truth == Truth::proved) + ".");
+        return found;
     }
 
     Judgement listed(const Language& language, const Word& word) const {
@@ -90,14 +100,14 @@ private:
 
     /// A derivation proves that a word is in L(G) itself, not in what is made of it.
     static Judgement without_derivation(Judgement judgement) {
-        judgement.proof = std::make_shared<const nlohmann::ordered_json>(decided());
+        if (judgement.truth != Truth::undecided) judgement.proof = std::make_shared<const nlohmann::ordered_json>(decided());
         return judgement;
     }
 
     Judgement complement(const LanguageTree& tree, const Word& word) {
         for (const Symbol a : word)
             if (!std::binary_search(tree.letters.begin(), tree.letters.end(), a))
-                return Judgement::refuted({alphabet_.name(a) + " is not among the letters that the complement is over."}, decided());
+                return Judgement::refuted({"The complement is over other letters than " + alphabet_.name(a) + "."}, decided());
         return without_derivation(opposite(judge(tree.parts[0], word)));
     }
 
@@ -140,7 +150,7 @@ private:
         const Language& base = language->parts[0];
         if (word.empty()) {
             if (language->kind == Kind::star) return answer(language, word, true, "");
-            return without_derivation(judge(base, word));
+            return concluded(language, word, without_derivation(judge(base, word)));
         }
         // back[i]: where the last factor of word[0, i) begins, if it is a product of words of the base.
         std::vector<std::optional<std::size_t>> back(word.size() + 1);
@@ -196,7 +206,7 @@ private:
 
     Judgement inverse_image(const LanguageTree& tree, const Word& word) {
         const std::optional<Word> mapped = image_of(word, tree.morphism);
-        if (!mapped) return Judgement::refuted({"a letter of " + spell(alphabet_, word) + " has no image."}, decided());
+        if (!mapped) return Judgement::refuted({"A letter of " + spell(alphabet_, word) + " has no image."}, decided());
         Judgement found = without_derivation(judge(tree.parts[0], *mapped));
         found.argument.insert(found.argument.begin(), "The image of " + spell(alphabet_, word) + " is " + spell(alphabet_, *mapped) + ".");
         return found;

@@ -9,6 +9,7 @@
 #include "claim/certificate.hpp"
 #include "claim/exponential_polynomial.hpp"
 #include "claim/judge_generated.hpp"
+#include "claim/sentences.hpp"
 #include "language/sequence_certificate.hpp"
 #include "language/sequence_equality.hpp"
 #include "language/tables_membership.hpp"
@@ -19,8 +20,6 @@ namespace algae {
 namespace {
 
 using Json = nlohmann::ordered_json;
-
-std::string steps_text(std::uint64_t n) { return std::to_string(n) + (n == 1 ? " step" : " steps"); }
 
 std::string derives(const SourceSystem& system, const Word& from, const Word& word, const Alphabet& alphabet) {
     return system.name + ": " + spell(alphabet, from) + " ==> " + spell(alphabet, word);
@@ -34,11 +33,29 @@ Judgement walked(const SourceSystem& system, const Word& from, const Word& word,
         walk.words.push_back(next_word(*system.interactive, walk.words.back()));
         if (walk.words.back().size() > budget.letters) throw BoundReached("a word of " + system.name + " has more letters than allowed");
     }
-    const std::string line = derives(system, from, walk.words.back(), alphabet) + " in " + steps_text(steps);
+    const std::string line = derives(system, from, walk.words.back(), alphabet) + " in " + counted(steps, "step");
     if (walk.words.back() == word)
         return Judgement::proved({line + ": " + arrows(walk, alphabet) + "."},
                                  {{"by", "derivation"}, {"words", derivation_json(walk, alphabet)["words"]}});
-    return Judgement::refuted({line + ", and to nothing else."}, {{"by", "exhausted"}});
+    return Judgement::refuted({line + ", and nothing else."}, {{"by", "exhausted"}});
+}
+
+/// Why an 0L system does not derive the word in so many steps: the word that it derives, if it is one and short.
+std::string derives_not(const OL& rules, const Word& word, std::uint64_t steps, const Alphabet& alphabet) {
+    constexpr std::size_t longest_shown = 60;
+    const std::string from = spell(alphabet, rules.axiom), in = " in " + counted(steps, "step");
+    Word reached = rules.axiom;
+    std::uint64_t n = 0;
+    for (bool one = true; n < steps && one && reached.size() <= longest_shown; n += one) {
+        Word next;
+        for (const Symbol a : reached) {
+            one = one && rules.successors[a].size() == 1;
+            next.insert(next.end(), rules.successors[a].front().begin(), rules.successors[a].front().end());
+        }
+        if (one) reached = std::move(next);
+    }
+    if (n == steps && reached.size() <= longest_shown) return from + " ==> " + spell(alphabet, reached) + in + ", and nothing else.";
+    return "No choice of rules makes " + spell(alphabet, word) + " of " + from + in + ": the factors of it that the letters derive in so many steps do not make it up.";
 }
 
 /// Whether an 0L system derives the word in exactly so many steps, with the derivation.
@@ -52,12 +69,12 @@ Judgement exact_steps(const SourceSystem& system, OL rules, const Word& word, st
     } catch (const Interrupted&) {
         throw;
     } catch (const Error&) {
-        return Judgement::refuted({spell(alphabet, rules.axiom) + " derives other words than " + spell(alphabet, word) + " in " + steps_text(steps) + "."},
+        return Judgement::refuted({derives_not(rules, word, steps, alphabet)},
                                   {{"by", "exhausted"}});
     }
     Json proof{{"by", "derivation"}};
     proof.update(derivation_json(*found, alphabet));
-    return Judgement::proved({derives(system, rules.axiom, word, alphabet) + " in " + steps_text(steps) + (steps > 0 ? ": " + arrows(*found, alphabet) : "") + "."}, proof);
+    return Judgement::proved({derives(system, rules.axiom, word, alphabet) + " in " + counted(steps, "step") + (steps > 0 ? ": " + arrows(*found, alphabet) : "") + "."}, proof);
 }
 
 /// The system with a copy of each letter for each of so many steps; copies for the last are the terminals.
@@ -94,14 +111,14 @@ Judgement exact_steps_of_tables(const SourceSystem& source, const ET0L& system, 
     for (Symbol& a : goal) a += static_cast<Symbol>(steps * letters);
     const Membership found = membership(counted, goal, budget);
     if (!found.member)
-        return Judgement::refuted({spell(alphabet, system.axiom) + " derives other words than " + spell(alphabet, word) + " in " + steps_text(steps) + "."},
+        return Judgement::refuted({"No choice of tables and rules makes " + spell(alphabet, word) + " of " + spell(alphabet, system.axiom) + " in " + counted(steps, "step") + ": the factors of it that the letters derive in so many steps do not make it up."},
                                   {{"by", "exhausted"}});
     Derivation witness = derivation(counted, goal, found, budget);
     for (Word& reached : witness.words)
         for (Symbol& a : reached) a %= static_cast<Symbol>(letters);
     Json proof{{"by", "derivation"}};
     proof.update(derivation_json(witness, alphabet));
-    return Judgement::proved({derives(source, system.axiom, word, alphabet) + " in " + steps_text(steps) + (steps > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
+    return Judgement::proved({derives(source, system.axiom, word, alphabet) + " in " + counted(steps, "step") + (steps > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
 }
 
 }  // namespace
@@ -148,14 +165,14 @@ Judgement judge_derivation(const SourceSystem& system, const Word& word, const s
     const Derivation witness = derivation(moved, word, found, budget);
     Json proof{{"by", "derivation"}};
     proof.update(derivation_json(witness, alphabet));
-    return Judgement::proved({derives(system, moved.axiom, word, alphabet) + " in " + steps_text(found.step) + (found.step > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
+    return Judgement::proved({derives(system, moved.axiom, word, alphabet) + " in " + counted(found.step, "step") + (found.step > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
 }
 
 Judgement judge_sequences(const SourceSystem& left, const SourceSystem& right, const Alphabet& alphabet, const Budget& budget) {
     const SequenceEquality found = equal_sequences(as_d0l(left), as_d0l(right), budget);
     if (found.equal)
         return Judgement::proved({"Generation by generation the words of " + left.name + " and " + right.name + " are the same: along each of them the images by the two rules get apart by at most " +
-                                  std::to_string(found.balance->bound) + " letters, and the " + std::to_string(found.balance->states.size()) + " overflows that occur suffice for all generations."},
+                                  counted(found.balance->bound, "letter") + ", and " + (found.balance->states.size() == 1 ? "the one overflow that occurs suffices" : "the " + std::to_string(found.balance->states.size()) + " overflows that occur suffice") + " for all generations."},
                                  balance_certificate(*found.balance, alphabet));
     const SequenceDifference& difference = *found.difference;
     return Judgement::refuted({"Generation " + std::to_string(difference.generation) + " is the first that differs: " + left.name + " has " + spell(alphabet, difference.left) + " and " + right.name + " has " + spell(alphabet, difference.right) +
@@ -166,7 +183,7 @@ Judgement judge_sequences(const SourceSystem& left, const SourceSystem& right, c
 Judgement judge_growth(const SourceSystem& left, const SourceSystem& right, const Budget& budget) {
     const GrowthComparison found = equal_growth(as_d0l(left), as_d0l(right), budget);
     if (found.equal)
-        return Judgement::proved({"The lengths of generations 0 to " + std::to_string(found.bound == 0 ? 0 : found.bound - 1) + " are the same, and as many as both systems have letters together decide."},
+        return Judgement::proved({"The lengths of generations 0 to " + std::to_string(found.bound == 0 ? 0 : found.bound - 1) + " are the same; both obey one recurrence whose order is the number of letters of both systems together, so all lengths are."},
                                  {{"by", "terms"}});
     return Judgement::refuted({"In generation " + std::to_string(found.difference->generation) + " the lengths are " + to_string(found.difference->left) + " and " + to_string(found.difference->right) + "."},
                               {{"by", "generation"}, {"generation", found.difference->generation}});

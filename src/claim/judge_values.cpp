@@ -4,8 +4,10 @@
 
 #include "claim/certificate.hpp"
 #include "language/finiteness.hpp"
+#include "claim/judge_equality.hpp"
 #include "claim/judge_generated.hpp"
 #include "claim/known_value.hpp"
+#include "claim/sentences.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
 #include "claim/table_value.hpp"
@@ -166,8 +168,8 @@ std::optional<Judgement> disjoint(const Language& language, const Alphabet& alph
                                       {{"by", "word"}, {"word", certificate_text(alphabet, word)}});
         }
         const bool one = part.system->tables->tables.size() == 1;
-        return Judgement::proved({"No word of L(" + part.system->name + ") is in " + to_string(language->parts[1 - i], alphabet) + ": what the letters derive in " + std::to_string(meeting.step) +
-                                  " steps does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before has such a word."},
+        return Judgement::proved({"No word of L(" + part.system->name + ") is in " + to_string(language->parts[1 - i], alphabet) + ": what the letters derive in " + counted(meeting.step, "step") +
+                                  " does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before has such a word."},
                                  {{"by", "relations"}});
     }
     return std::nullopt;
@@ -179,13 +181,11 @@ Judgement with(Truth truth, std::vector<std::string> argument, const std::string
     return truth == Truth::proved ? Judgement::proved(std::move(argument), proof) : Judgement::refuted(std::move(argument), proof);
 }
 
-std::string words(std::size_t n) { return std::to_string(n) + (n == 1 ? " word" : " words"); }
-
 }  // namespace
 
 Judgement judge_finite(const Language& language, const Alphabet& alphabet, const Budget& budget) {
     if (const auto known = finite_value(language, alphabet, budget))
-        return with(Truth::proved, known->argument, to_string(language, alphabet) + " has " + words(known->words.size()) + ".");
+        return with(Truth::proved, known->argument, to_string(language, alphabet) + " has " + counted(known->words.size(), "word") + ".");
     if (auto found = infinite(language, alphabet, budget)) return *found;
     if (const auto tables = table_value(language, alphabet, budget)) {
         const TablesFiniteness found = finiteness(tables->system, budget);
@@ -216,6 +216,8 @@ Judgement judge_empty(const Language& language, const Alphabet& alphabet, const 
         return Judgement::proved({tables->argument, "No sequence of tables makes terminals of all letters of its axiom."},
                                  {{"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
     }
+    Judgement compared = judge_equality(language, words_language({}), alphabet, budget);
+    if (compared.truth == Truth::refuted) return compared;
     return Judgement::undecided({"no word of it was found, and no reason why there is none"});
 }
 
@@ -223,11 +225,11 @@ Judgement judge_size(const Language& language, const Integer& size, const Alphab
     if (const auto known = finite_value(language, alphabet, budget)) {
         const bool right = Integer(static_cast<long>(known->words.size())) == size;
         return with(right ? Truth::proved : Truth::refuted, known->argument,
-                    to_string(language, alphabet) + " has " + words(known->words.size()) + ".");
+                    to_string(language, alphabet) + " has " + counted(known->words.size(), "word") + ".");
     }
     if (const auto regular = regular_value(language, alphabet, budget))
         if (const auto count = number_of_words(*regular))
-            return with(*count == size ? Truth::proved : Truth::refuted, {}, to_string(language, alphabet) + " has " + to_string(*count) + " words: so many its automaton accepts.");
+            return with(*count == size ? Truth::proved : Truth::refuted, {}, to_string(language, alphabet) + " has " + to_string(*count) + (*count == 1 ? " word" : " words") + ": so many its automaton accepts.");
     if (auto found = infinite(language, alphabet, budget)) {
         found->proof = std::make_shared<const Json>(Json{{"by", "infinite"}, {"proof", *found->proof}});
         return *found;

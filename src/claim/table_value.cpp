@@ -11,6 +11,7 @@
 #include "language/construct_reversal.hpp"
 #include "language/construct_tables.hpp"
 #include "claim/known_value.hpp"
+#include "claim/sentences.hpp"
 
 namespace algae {
 
@@ -161,8 +162,7 @@ std::optional<TableValue> table_value(const Language& language, const Alphabet& 
     std::string argument = "A system for " + to_string(language, alphabet);
     if (!steps.empty()) argument += " is constructed (" + steps + ")";
     else argument += " is at hand";
-    const std::size_t tables = system->tables.size();
-    argument += ": " + family_name(*system) + " with " + std::to_string(accessible_letters(*system).size()) + " letters and " + std::to_string(tables) + (tables == 1 ? " table." : " tables.");
+    argument += ": " + with_article(family_name(*system)) + " system with " + counted(accessible_letters(*system).size(), "letter") + " and " + counted(system->tables.size(), "table") + ".";
     return TableValue{std::move(*system), std::move(argument)};
 }
 

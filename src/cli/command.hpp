@@ -55,6 +55,7 @@ void add_finite(Verbs& verbs);
 void add_equal(Verbs& verbs);
 void add_is(Verbs& verbs);
 void add_check(Verbs& verbs);
+void add_closure(Verbs& verbs);
 void add_verify(Verbs& verbs);
 void add_draw(Verbs& verbs);
 void add_tree(Verbs& verbs);

@@ -70,6 +70,7 @@ int main(int argc, char** argv) {
     add_equal(verbs);
     add_is(verbs);
     add_check(verbs);
+    add_closure(verbs);
     add_verify(verbs);
     add_draw(verbs);
     add_tree(verbs);

@@ -34,31 +34,6 @@ std::string take_operation(ClaimScanner& scanner) {
 
 }  // namespace
 
-const std::vector<std::string>& closure_operations() {
-    static const std::vector<std::string> all{"union",
-                                              "concatenation",
-                                              "star",
-                                              "plus",
-                                              "intersection",
-                                              "intersection with regular",
-                                              "complement",
-                                              "homomorphism",
-                                              "non-erasing homomorphism",
-                                              "inverse homomorphism",
-                                              "reversal",
-                                              "finite substitution",
-                                              "substitution",
-                                              "gsm mapping"};
-    return all;
-}
-
-const std::vector<std::string>& closure_families() {
-    static const std::vector<std::string> all{"REG", "CF",   "D0L",   "PD0L", "0L",
-                                              "P0L", "DT0L", "PDT0L", "T0L",  "PT0L",
-                                              "E0L", "ET0L", "EDT0L", "IL"};
-    return all;
-}
-
 bool is_closure_fact(std::string_view text) {
     ClaimScanner scanner(text);
     scanner.take_word("not");

@@ -5,13 +5,10 @@
 #include <vector>
 
 #include "claim/claim.hpp"
+#include "claim/closure_table.hpp"
 #include "notation/claim_reading.hpp"
 
 namespace algae {
-
-/// The operations and the families of the table of closure.
-const std::vector<std::string>& closure_operations();
-const std::vector<std::string>& closure_families();
 
 /// Whether a clause says what a claim settles in the table: `closed under ...`, `not closed under ...`.
 bool is_closure_fact(std::string_view text);

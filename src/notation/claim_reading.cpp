@@ -141,7 +141,7 @@ std::shared_ptr<const SourceSystem> ClaimReading::add_system(const std::string& 
     Owned owned{std::make_shared<SourceSystem>(), {}};
     if (View<ET0L> tables = as_et0l(written)) {
         owned.own.tables = *tables;
-    } else if (View<IL> interactive = as_il(written)) {
+    } else if (View<IL> interactive = as_il(written); interactive && !interactive->brackets) {
         owned.own.interactive = *interactive;
     } else {
         const bool has_context = std::any_of(
@@ -149,7 +149,8 @@ std::shared_ptr<const SourceSystem> ClaimReading::add_system(const std::string& 
             [](const Production& rule) { return !rule.left.empty() || !rule.right.empty(); });
         throw SyntaxError{
             where, "expected a system without context or a deterministic one with context, but " +
-                       name + " is " + (has_context ? interactive.reason() : tables.reason())};
+                       name + " is " + (interactive ? "one with context whose words have brackets"
+                               : has_context ? interactive.reason() : tables.reason())};
     }
     owned.own.name = name;
     for (Symbol symbol = 0; symbol < written.alphabet.size(); ++symbol)

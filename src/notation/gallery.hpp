@@ -16,4 +16,7 @@ struct GalleryEntry {
 /// Built into the library, so nothing is read from disk.
 std::span<const GalleryEntry> gallery();
 
+/// The claims of the table of closure that come with algae, likewise.
+std::span<const GalleryEntry> closure_claims();
+
 }  // namespace algae

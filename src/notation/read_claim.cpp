@@ -17,9 +17,9 @@ namespace algae {
 namespace {
 
 const std::vector<std::string>& clause_words() {
-    static const std::vector<std::string> all{"claim",  "source",    "note",  "alphabet",
-                                              "let",    "show",      "lemma", "refute",
-                                              "closed", "not closed"};
+    static const std::vector<std::string> all{"claim", "source", "note",   "alphabet",
+                                              "allow", "let",    "show",   "lemma",
+                                              "refute", "closed", "not closed"};
     return all;
 }
 
@@ -43,6 +43,7 @@ private:
     void read_clause(const ClaimClause& clause);
     void read_text(const ClaimClause& clause);
     void read_claimed(const ClaimClause& clause, ClaimedStatement::Purpose purpose);
+    void read_allowance(const ClaimClause& clause);
 
     std::string_view text_;
     ClaimReading& reading_;
@@ -114,11 +115,21 @@ void ClaimReader::read_claimed(const ClaimClause& clause, ClaimedStatement::Purp
     claim_.statements.push_back(std::move(claimed));
 }
 
+void ClaimReader::read_allowance(const ClaimClause& clause) {
+    std::string said;
+    for (const std::string_view piece : pieces(clause.text))
+        said += (said.empty() ? "" : " ") + std::string(piece);
+    if (said != "allow empty axiom")
+        throw SyntaxError{clause.text.data(), "expected 'allow empty axiom', found " + quoted(clause.text)};
+    claim_.empty_axiom = true;
+}
+
 void ClaimReader::read_clause(const ClaimClause& clause) {
     using Purpose = ClaimedStatement::Purpose;
     const std::string_view word = clause.keyword;
     if (word == "claim" || word == "source" || word == "note") return read_text(clause);
     if (clause.unclosed) throw SyntaxError{clause.unclosed, "'{' is never closed"};
+    if (word == "allow") return read_allowance(clause);
     if (word == "show") return read_claimed(clause, Purpose::show);
     if (word == "lemma") return read_claimed(clause, Purpose::lemma);
     if (word == "refute") return read_claimed(clause, Purpose::refute);
@@ -129,7 +140,7 @@ void ClaimReader::read_clause(const ClaimClause& clause) {
     constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
     throw SyntaxError{
         clause.text.data(),
-        "expected claim, source, note, alphabet, let, show, lemma, refute or closed, found " +
+        "expected claim, source, note, alphabet, allow, let, show, lemma, refute or closed, found " +
             quoted(word) +
             (reading_.findings.count() < most ? did_you_mean(word, clause_words()) : "")};
 }

@@ -1,0 +1,95 @@
+// The claims of the folder theory: each is as it says, and what is proved of it is checked again.
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+
+#include "claim/check.hpp"
+#include "claim/closure_table.hpp"
+#include "notation/gallery.hpp"
+#include "notation/read.hpp"
+#include "notation/read_claim.hpp"
+#include "verify/certificate.hpp"
+#include "verify/check_certificate.hpp"
+
+using namespace algae;
+
+namespace {
+
+LSystem from_gallery(const std::string& name) {
+    for (const GalleryEntry& entry : gallery())
+        if (entry.name == name) return read_lsystem(entry.text, name);
+    throw Error("there is no " + name + " in the gallery");
+}
+
+std::vector<std::filesystem::path> files() {
+    std::vector<std::filesystem::path> found;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(ALGAE_SOURCE_DIR) + "/theory"))
+        if (entry.path().extension() == ".claim") found.push_back(entry.path());
+    std::sort(found.begin(), found.end());
+    return found;
+}
+
+Claim read(const std::filesystem::path& path) {
+    std::ifstream in(path);
+    std::stringstream text;
+    text << in.rdbuf();
+    return read_claim(text.str(), path.filename().string(), from_gallery);
+}
+
+const std::vector<CheckedClaim>& theory() {
+    static const std::vector<CheckedClaim> all = [] {
+        std::vector<CheckedClaim> checked;
+        for (const auto& path : files()) checked.push_back(check(read(path)));
+        return checked;
+    }();
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("every statement of the theory is as its claim says, or rests on a source that it names") {
+    REQUIRE(theory().size() >= 80);
+    for (const CheckedClaim& checked : theory())
+        for (std::size_t i = 0; i < checked.statements.size(); ++i) {
+            const auto outcome = checked.statements[i].outcome;
+            CHECK_MESSAGE((outcome == CheckedStatement::Outcome::stands || outcome == CheckedStatement::Outcome::cited),
+                          to_string(checked.claim.statements[i].statement.place), ": ",
+                          checked.claim.statements[i].statement.text);
+        }
+}
+
+TEST_CASE("more claims of the theory are proved than cited") {
+    const auto proved = std::count_if(theory().begin(), theory().end(), [](const CheckedClaim& checked) {
+        return checked.outcome() == CheckedStatement::Outcome::stands;
+    });
+    CHECK(proved >= 80);
+    CHECK(2 * static_cast<std::size_t>(proved) > theory().size());
+}
+
+TEST_CASE("certificates of the theory hold; finite refutations are checked to the last") {
+    using verify::Finding;
+    for (const CheckedClaim& checked : theory()) {
+        const auto certificate = verify::read_certificate(algae::certificate(checked).dump(1), checked.claim.name);
+        const auto findings = verify::check_certificate(*certificate);
+        REQUIRE(findings.size() == checked.statements.size());
+        for (std::size_t i = 0; i < findings.size(); ++i) {
+            CHECK_MESSAGE(findings[i].outcome != Finding::Outcome::wrong, checked.claim.name, ": ", findings[i].statement, ": ", findings[i].reason);
+            const auto& proof = checked.statements[i].judgement.proof;
+            if (proof && proof->at("by") == "cases") CHECK(findings[i].outcome == Finding::Outcome::checked);
+        }
+    }
+}
+
+TEST_CASE("every cell of the table of closure is settled by one claim") {
+    std::vector<Claim> claims;
+    for (const CheckedClaim& checked : theory()) claims.push_back(checked.claim);
+    const ClosureTable table(claims);
+    for (const std::string& operation : closure_operations())
+        for (const std::string& family : closure_families())
+            CHECK_MESSAGE(table.cell(family, operation), family, " under ", operation);
+}

@@ -8,6 +8,7 @@
 #include "cli/output.hpp"
 #include "fold/choices.hpp"
 #include "fold/derive.hpp"
+#include "fold/interaction.hpp"
 #include "growth/incidence.hpp"
 
 namespace algae::cli {
@@ -59,11 +60,10 @@ void print_words(const Options& options, const Alphabet& alphabet, const std::ve
     print(text);
 }
 
-void print_generations(const Options& options, const D0L& system, std::uint64_t first, std::uint64_t last,
-                       const Budget& budget) {
-    check_length(system, last, budget);
-    if (first != last)
-        for (std::uint64_t n = first; n < last; ++n) check_length(system, n, budget);
+/// Prints a line for each generation; write(n, sink) sends the word of generation n as derive_text
+/// does.
+template <class Write>
+void print_generations(const Options& options, std::uint64_t first, std::uint64_t last, Write write) {
     // Words may be larger than memory: the JSON around them is written by hand.
     StandardOutput output;
     JsonString json(output);
@@ -71,10 +71,33 @@ void print_generations(const Options& options, const D0L& system, std::uint64_t 
     if (options.json) print("{\n  \"words\": [\n");
     for (std::uint64_t n = first; n <= last; ++n) {
         if (options.json) print("    \"");
-        if (!derive_text(system, n, sink, budget)) print("ε");
+        if (!write(n, sink)) print("ε");
         print(options.json ? (n < last ? "\",\n" : "\"\n") : "\n");
     }
     if (options.json) print("  ]\n}\n");
+}
+
+void print_generations(const Options& options, const D0L& system, std::uint64_t first, std::uint64_t last,
+                       const Budget& budget) {
+    check_length(system, last, budget);
+    if (first != last)
+        for (std::uint64_t n = first; n < last; ++n) check_length(system, n, budget);
+    print_generations(options, first, last, [&](std::uint64_t n, TextSink& sink) {
+        return derive_text(system, n, sink, budget);
+    });
+}
+
+void print_generations(const Options& options, const IL& system, std::uint64_t first, std::uint64_t last,
+                       const Budget& budget) {
+    Development development(system, budget);
+    development.steps(first);
+    print_generations(options, first, last, [&](std::uint64_t n, TextSink& sink) {
+        development.steps(n - development.generation());
+        if (development.length() == 0) return false;
+        sink.write(spell(*system.alphabet, development.word()));
+        sink.flush();
+        return true;
+    });
 }
 
 int derive_verb(const Options& options) {
@@ -108,8 +131,15 @@ int derive_verb(const Options& options) {
         print_words(options, system.alphabet, words);
         return success;
     }
+    if (!as_ol(system)) {
+        const View<IL> interactive = as_il(system);
+        if (!interactive)
+            throw Error("algae derives 0L systems and deterministic systems with context, and this is " +
+                        interactive.reason());
+        print_generations(options, *interactive, first, last, budget);
+        return success;
+    }
     const View<D0L> rules = as_d0l(system);
-    if (!as_ol(system)) throw Error("algae cannot derive this yet, only 0L systems: " + as_ol(system).reason());
     if (!rules)
         throw Error(rules.reason() + "; say --all-words for all words, or --seed S for one picked at random");
     print_generations(options, *rules, first, last, budget);
@@ -121,7 +151,8 @@ int derive_verb(const Options& options) {
 void add_derive(Verbs& verbs) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = add_verb(verbs, "derive", "The word of a generation",
-                              "  algae derive koch -n 3\n  algae derive my.lsys -n 4 --all-words --longest 10", options,
+                              "  algae derive koch -n 3\n  algae derive signal.lsys -n 0..5\n"
+                              "  algae derive my.lsys -n 4 --all-words --longest 10", options,
                               derive_verb);
     verb.add_option("FILE", options->file, file_help)->required();
     verb.add_option("-n", options->generation, "the generation, or a range such as 0..6")->type_name("N");

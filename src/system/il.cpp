@@ -31,10 +31,47 @@ std::string beyond_il(const LSystem& system) {
     if (!system.axiom.arguments.empty()) return "the axiom has parameters";
     if (!system.tables.empty()) return "it has tables";
     if (!system.terminals.empty()) return "it has terminals";
-    if (system.alphabet.find("[")) return "its words have brackets";
     for (const Production& rule : system.rules)
         if (std::string reason = beyond_il(rule); !reason.empty()) return reason;
     return {};
+}
+
+/// The brackets that make trees of words: none where both are ignored.
+std::optional<Brackets> fences(const LSystem& system) {
+    const std::optional<Brackets> brackets = brackets_of(system.alphabet);
+    if (!brackets) return std::nullopt;
+    const auto is_ignored = [&](Symbol a) {
+        return std::find(system.ignored.begin(), system.ignored.end(), a) != system.ignored.end();
+    };
+    return is_ignored(brackets->open) && is_ignored(brackets->close) ? std::nullopt : brackets;
+}
+
+/// Why the brackets cannot be those of trees, or nothing.
+std::string beyond_trees(const LSystem& system, const Brackets& brackets) {
+    for (const Symbol a : system.ignored)
+        if (a == brackets.open || a == brackets.close)
+            return "it ignores one bracket and not the other";
+    for (const Production& rule : system.rules) {
+        for (const ModulePattern& module : rule.left)
+            if (module.symbol == brackets.open || module.symbol == brackets.close)
+                return at(rule.place) +
+                       " has a bracket in its left context, which is a path and has no branches";
+        std::size_t depth = 0;
+        for (const ModulePattern& module : rule.right) {
+            if (module.symbol == brackets.open) ++depth;
+            if (module.symbol == brackets.close && depth-- == 0)
+                return at(rule.place) + " has an unmatched ']' in its right context";
+        }
+        if (depth > 0) return at(rule.place) + " has an unmatched '[' in its right context";
+    }
+    return {};
+}
+
+std::size_t letters_in(const IL::Rule& rule, const std::optional<Brackets>& brackets) {
+    std::size_t count = rule.left.size() + rule.right.size();
+    if (brackets)
+        for (const Symbol a : rule.right) count -= a == brackets->open || a == brackets->close;
+    return count;
 }
 
 }  // namespace
@@ -43,6 +80,10 @@ View<IL> as_il(const LSystem& system) {
     if (std::string reason = beyond_il(system); !reason.empty())
         return View<IL>::refused("not a deterministic IL system: " + reason);
     IL il;
+    il.brackets = fences(system);
+    if (il.brackets)
+        if (std::string reason = beyond_trees(system, *il.brackets); !reason.empty())
+            return View<IL>::refused("not a deterministic IL system: " + reason);
     il.alphabet = std::make_shared<const Alphabet>(system.alphabet);
     il.axiom = system.axiom.letters;
     il.name = system.name;
@@ -59,8 +100,8 @@ View<IL> as_il(const LSystem& system) {
         known.push_back(std::move(fresh));
     }
     for (auto& known : il.rules)
-        std::stable_sort(known.begin(), known.end(), [](const IL::Rule& left, const IL::Rule& right) {
-            return left.left.size() + left.right.size() > right.left.size() + right.right.size();
+        std::stable_sort(known.begin(), known.end(), [&](const IL::Rule& left, const IL::Rule& right) {
+            return letters_in(left, il.brackets) > letters_in(right, il.brackets);
         });
     return il;
 }
@@ -77,6 +118,8 @@ IL over(const IL& system, std::shared_ptr<const Alphabet> alphabet) {
         return word;
     };
     IL moved{alphabet, renamed(system.axiom), {}, std::vector<char>(alphabet->size(), 0), system.name};
+    if (system.brackets)
+        moved.brackets = Brackets{numbers[system.brackets->open], numbers[system.brackets->close]};
     moved.rules.resize(alphabet->size());
     for (Symbol a = 0; a < numbers.size(); ++a) {
         moved.ignored[numbers[a]] = system.ignored[a];

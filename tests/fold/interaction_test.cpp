@@ -55,7 +55,6 @@ TEST_CASE("ignored letters are not seen") {
 TEST_CASE("what is no deterministic IL system says why") {
     const auto reason = [](const std::string& text) { return as_il(read_lsystem(text, "w.lsys")).reason(); };
     CHECK(reason("axiom a; b < a -> x; b < a -> y") == "not a deterministic IL system: a has two rules with the same contexts");
-    CHECK(reason("axiom a[b]; a < b -> c") == "not a deterministic IL system: its words have brackets");
     CHECK(reason("axiom A(1); A(x) -> A(x+1)") == "not a deterministic IL system: the axiom has parameters");
 }
 

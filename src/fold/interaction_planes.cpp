@@ -1,0 +1,264 @@
+#include "fold/interaction_planes.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <string>
+#include <utility>
+
+namespace algae {
+
+namespace {
+
+using Operation = WindowProgram::Operation;
+using Bits = std::uint64_t;
+
+constexpr std::size_t most_inputs = 12;         // bits of a window: 4096 windows
+constexpr std::size_t most_instructions = 300;  // more take longer than a table
+constexpr std::size_t run_words = 64;           // that each instruction is done for at a time
+constexpr std::size_t steps_between_checks = std::size_t{1} << 14;
+
+/// Part of a truth table: 0, 1, or anything.
+constexpr char any = 2;
+using Values = std::string;
+
+bool may_all_be(const Values& values, char value) {
+    return std::all_of(values.begin(), values.end(),
+                       [&](char v) { return v == value || v == any; });
+}
+
+/// Values that are those of both, where one function can be; `flipped` takes the other's negation.
+std::optional<Values> united(const Values& one, const Values& other, bool flipped) {
+    Values both = one;
+    for (std::size_t i = 0; i < both.size(); ++i) {
+        const char wanted = other[i] == any ? any : static_cast<char>(other[i] ^ (flipped ? 1 : 0));
+        if (both[i] == any)
+            both[i] = wanted;
+        else if (wanted != any && wanted != both[i])
+            return std::nullopt;
+    }
+    return both;
+}
+
+}  // namespace
+
+/// Writes the instructions for functions given by their values, which are in the order of the bits
+/// that they are split on.
+class ProgramWriter {
+public:
+    ProgramWriter(std::size_t inputs, std::vector<std::uint32_t> order) : order_(std::move(order)) {
+        program_.slots_ = inputs;
+    }
+
+    void add_result(const Values& values) { program_.results_.push_back(slot_of(values)); }
+    WindowProgram take() { return std::move(program_); }
+    std::size_t size() const { return program_.instructions_.size(); }
+
+private:
+    std::uint32_t slot_of(const Values& values) {
+        if (may_all_be(values, 0)) return put(Operation::zero, 0, 0, 0);
+        if (may_all_be(values, 1)) return put(Operation::one, 0, 0, 0);
+        if (const auto known = known_.find(values); known != known_.end()) return known->second;
+        const std::uint32_t slot = split(values);
+        known_.emplace(values, slot);
+        return slot;
+    }
+
+    std::uint32_t split(const Values& values) {
+        std::size_t depth = order_.size();
+        for (std::size_t size = values.size(); size > 1; size /= 2) --depth;
+        const std::uint32_t bit = order_[depth];
+        const Values unset = values.substr(0, values.size() / 2),
+                     set = values.substr(values.size() / 2);
+        if (const auto both = united(unset, set, false)) return slot_of(*both);
+        if (may_all_be(unset, 0) && may_all_be(set, 1)) return bit;
+        if (may_all_be(unset, 1) && may_all_be(set, 0)) return put(Operation::negate, bit, 0, 0);
+        if (const auto both = united(unset, set, true))
+            return put(Operation::differs, bit, slot_of(*both), 0);
+        if (may_all_be(unset, 0)) return put(Operation::both, bit, slot_of(set), 0);
+        if (may_all_be(set, 0)) return put(Operation::other_only, bit, slot_of(unset), 0);
+        if (may_all_be(set, 1)) return put(Operation::either, bit, slot_of(unset), 0);
+        if (may_all_be(unset, 1)) return put(Operation::other_unless, bit, slot_of(set), 0);
+        const std::uint32_t when_set = slot_of(set), when_unset = slot_of(unset);
+        return put(Operation::select, bit, when_set, when_unset);
+    }
+
+    std::uint32_t put(Operation operation, std::uint32_t bit, std::uint32_t a, std::uint32_t b) {
+        const auto [known, is_new] = written_.emplace(
+            std::array<std::uint32_t, 4>{static_cast<std::uint32_t>(operation), bit, a, b},
+            static_cast<std::uint32_t>(program_.slots_));
+        if (is_new) {
+            program_.instructions_.push_back({operation, known->second, bit, a, b});
+            ++program_.slots_;
+        }
+        return known->second;
+    }
+
+    std::vector<std::uint32_t> order_;
+    WindowProgram program_;
+    std::map<Values, std::uint32_t> known_;
+    std::map<std::array<std::uint32_t, 4>, std::uint32_t> written_;
+};
+
+WindowProgram::WindowProgram(const Windows& windows,
+                             const std::vector<std::optional<std::vector<std::uint8_t>>>& table) {
+    const std::size_t bits = windows.bits(), inputs = bits * windows.width();
+    const auto written = [&](const std::vector<std::uint32_t>& order) {
+        ProgramWriter writer(inputs, order);
+        for (std::size_t plane = 0; plane < bits; ++plane) {
+            Values values(table.size(), any);
+            for (std::size_t place = 0; place < values.size(); ++place) {
+                std::size_t window = 0;  // the first bit of the order is the highest of the place
+                for (std::size_t i = 0; i < inputs; ++i)
+                    window |= (place >> (inputs - 1 - i) & 1) << order[i];
+                if (table[window])
+                    values[place] = static_cast<char>(table[window]->front() >> plane & 1);
+            }
+            writer.add_result(values);
+        }
+        return writer;
+    };
+    // Which bit is split first decides how long the program is: letters are tried in every order
+    // where there are few.
+    std::vector<std::size_t> letters(windows.width());
+    for (std::size_t i = 0; i < letters.size(); ++i) letters[i] = i;
+    bool first = true;
+    do {
+        std::vector<std::uint32_t> order;
+        for (const std::size_t letter : letters)
+            for (std::size_t plane = bits; plane-- > 0;)
+                order.push_back(static_cast<std::uint32_t>(letter * bits + plane));
+        ProgramWriter writer = written(order);
+        if (first || writer.size() < instructions_.size()) *this = writer.take();
+        first = false;
+    } while (inputs <= 8 && letters.size() <= 4 &&
+             std::next_permutation(letters.begin(), letters.end()));
+}
+
+std::optional<CellPlanes> CellPlanes::of(const IL& system, const Windows& windows) {
+    if (!windows.keeps_length || windows.bits() * windows.width() > most_inputs)
+        return std::nullopt;
+    WindowProgram program(windows, window_table(system, windows));
+    if (program.instructions().size() > most_instructions) return std::nullopt;
+    return CellPlanes(system, windows, std::move(program));
+}
+
+CellPlanes::CellPlanes(const IL& system, const Windows& windows, WindowProgram program)
+    : system_(&system), windows_(windows), program_(std::move(program)) {
+    scratch_.resize(program_.slots() * run_words);
+    at_.resize(program_.slots());
+}
+
+void CellPlanes::read(const Word& word) {
+    length_ = word.size();
+    const std::size_t runs = (length_ + 64 * run_words - 1) / (64 * run_words);
+    planes_.assign(windows_.bits(), std::vector<Bits>(runs * run_words + 2));
+    next_ = planes_;
+    for (std::size_t i = 0; i < length_; ++i) put(i, word[i]);
+    std::swap(planes_, next_);
+}
+
+void CellPlanes::put(std::size_t place, Symbol letter) {
+    const std::uint8_t number = windows_.numbers[letter];
+    for (std::size_t plane = 0; plane < next_.size(); ++plane) {
+        Bits& bits = next_[plane][place / 64 + 1];
+        bits = (bits & ~(Bits{1} << place % 64)) | Bits{number >> plane & 1u} << place % 64;
+    }
+}
+
+Symbol CellPlanes::letter_at(std::size_t place) const {
+    std::size_t number = 0;
+    for (std::size_t plane = 0; plane < planes_.size(); ++plane)
+        number |= (planes_[plane][place / 64 + 1] >> place % 64 & 1) << plane;
+    return windows_.letters[number];
+}
+
+void CellPlanes::write(Word& word) const {
+    word.resize(length_);
+    for (std::size_t i = 0; i < length_; ++i) word[i] = letter_at(i);
+}
+
+namespace {
+
+template <class Function>
+void each(Bits* __restrict to, Function function) {
+    for (std::size_t i = 0; i < run_words; ++i) to[i] = function(i);
+}
+
+void perform(Operation operation, Bits* to, const Bits* bit, const Bits* a, const Bits* b) {
+    switch (operation) {
+        case Operation::zero:
+            return each(to, [](std::size_t) { return Bits{0}; });
+        case Operation::one:
+            return each(to, [](std::size_t) { return ~Bits{0}; });
+        case Operation::negate:
+            return each(to, [=](std::size_t i) { return ~bit[i]; });
+        case Operation::both:
+            return each(to, [=](std::size_t i) { return bit[i] & a[i]; });
+        case Operation::other_only:
+            return each(to, [=](std::size_t i) { return ~bit[i] & a[i]; });
+        case Operation::either:
+            return each(to, [=](std::size_t i) { return bit[i] | a[i]; });
+        case Operation::other_unless:
+            return each(to, [=](std::size_t i) { return ~bit[i] | a[i]; });
+        case Operation::differs:
+            return each(to, [=](std::size_t i) { return bit[i] ^ a[i]; });
+        case Operation::select:
+            return each(to, [=](std::size_t i) { return b[i] ^ (bit[i] & (a[i] ^ b[i])); });
+    }
+}
+
+}  // namespace
+
+/// Rewrites run_words * 64 letters from the first on.
+void CellPlanes::run(std::size_t first) {
+    const std::size_t bits = planes_.size();
+    for (std::size_t slot = 0; slot < program_.slots(); ++slot)
+        at_[slot] = &scratch_[slot * run_words];
+    for (std::size_t slot = 0; slot < bits * windows_.width(); ++slot) {
+        Bits* here = &planes_[slot % bits][first + 1];
+        const std::size_t letter = slot / bits;
+        if (letter == windows_.left) {
+            at_[slot] = here;
+        } else if (letter < windows_.left) {
+            const std::size_t by = windows_.left - letter;
+            each(at_[slot],
+                 [=](std::size_t i) { return here[i] << by | *(here + i - 1) >> (64 - by); });
+        } else {
+            const std::size_t by = letter - windows_.left;
+            each(at_[slot],
+                 [=](std::size_t i) { return here[i] >> by | here[i + 1] << (64 - by); });
+        }
+    }
+    for (const WindowProgram::Instruction& one : program_.instructions())
+        perform(one.operation, at_[one.to], at_[one.bit], at_[one.a], at_[one.b]);
+    for (std::size_t plane = 0; plane < bits; ++plane)
+        std::copy_n(at_[program_.results()[plane]], run_words, &next_[plane][first + 1]);
+}
+
+/// Rewrites the letters whose windows reach beyond the ends.
+void CellPlanes::step_ends() {
+    const auto rewrite = [&](std::size_t place) {
+        const std::size_t from = place - std::min(place, windows_.left);
+        Word window;
+        for (std::size_t i = from; i < std::min(length_, place + windows_.right + 1); ++i)
+            window.push_back(letter_at(i));
+        put(place, *successor_at(*system_, window, place - from).begin);
+    };
+    const std::size_t left = std::min(length_, windows_.left);
+    for (std::size_t i = 0; i < left; ++i) rewrite(i);
+    for (std::size_t i = std::max(left, length_ - std::min(length_, windows_.right)); i < length_;
+         ++i)
+        rewrite(i);
+}
+
+void CellPlanes::step(const Budget& budget) {
+    for (std::size_t first = 0; first + 2 < planes_.front().size(); first += run_words) {
+        if (first % steps_between_checks == 0) budget.check();
+        run(first);
+    }
+    step_ends();
+    std::swap(planes_, next_);
+}
+
+}  // namespace algae

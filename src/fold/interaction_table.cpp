@@ -1,0 +1,154 @@
+#include "fold/interaction_table.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <utility>
+
+namespace algae {
+
+namespace {
+
+constexpr std::size_t most_bits = 12;  // of the index of a table for several letters at a time
+constexpr std::size_t most_width = 8;  // letters that are read at a time
+constexpr std::size_t spare = 32;      // bytes behind words
+constexpr std::size_t letters_between_checks = std::size_t{1} << 14;
+
+/// The numbers of letters, `bits` bits each, side by side, the first letter lowest: of eight letters,
+/// or of three where bits are so many that no table is wider.
+template <std::size_t bits>
+std::uint64_t packed(std::uint64_t bytes) {
+    if constexpr (bits > 4) {
+        constexpr std::uint64_t one = (std::uint64_t{1} << bits) - 1;
+        return (bytes & one) | (bytes >> (8 - bits) & one << bits) |
+               (bytes >> 2 * (8 - bits) & one << 2 * bits);
+    } else {
+        constexpr std::uint64_t two = (std::uint64_t{1} << 2 * bits) - 1,
+                                four = (std::uint64_t{1} << 4 * bits) - 1;
+        bytes = (bytes | bytes >> (8 - bits)) & (two * 0x0001'0001'0001'0001);
+        bytes = (bytes | bytes >> (16 - 2 * bits)) & (four * 0x0000'0001'0000'0001);
+        return bytes | bytes >> (32 - 4 * bits);
+    }
+}
+
+}  // namespace
+
+std::optional<WindowTable> WindowTable::of(const IL& system, const Windows& windows) {
+    const std::size_t bits = windows.bits(), width = windows.width();
+    if (bits > 7 || width > most_width) return std::nullopt;
+    WindowTable table(system, windows);
+    const auto single = window_table(system, windows);
+    std::size_t middle = 1;
+    while (width + middle <= most_width && bits * (width + middle) <= most_bits) ++middle;
+    for (; middle > 0; --middle)
+        if (table.build(single, middle)) return table;
+    return std::nullopt;
+}
+
+/// The table for this many letters at a time, from the one for one letter; false if they become
+/// too long.
+bool WindowTable::build(const std::vector<std::optional<std::vector<std::uint8_t>>>& single,
+                        std::size_t middle) {
+    const std::size_t bits = windows_.bits();
+    middle_ = middle;
+    table_.assign(std::size_t{1} << bits * (windows_.width() + middle - 1), {});
+    for (std::size_t window = 0; window < table_.size(); ++window) {
+        Entry& entry = table_[window];
+        for (std::size_t i = 0; i < middle; ++i) {
+            const auto& successor = single[window >> bits * i & (single.size() - 1)];
+            if (!successor) continue;  // a window that never occurs
+            if (entry.count + successor->size() > most_letters) return false;
+            std::copy(successor->begin(), successor->end(), entry.letters.begin() + entry.count);
+            entry.count = static_cast<std::uint8_t>(entry.count + successor->size());
+        }
+    }
+    return true;
+}
+
+void WindowTable::read(const Word& word) {
+    length_ = word.size();
+    word_.assign(length_ + spare, 0);
+    std::transform(word.begin(), word.end(), word_.begin(),
+                   [&](Symbol a) { return windows_.numbers[a]; });
+}
+
+void WindowTable::write(Word& word) const {
+    word.resize(length_);
+    std::transform(word_.begin(), word_.begin() + static_cast<std::ptrdiff_t>(length_),
+                   word.begin(), [&](std::uint8_t number) { return windows_.letters[number]; });
+}
+
+void WindowTable::make_room(std::size_t letters) {
+    if (next_.size() < next_length_ + letters + spare)
+        next_.resize(std::max(next_length_ + letters + spare, next_.size() * 3 / 2));
+}
+
+void WindowTable::rewrite_alone(std::size_t place) {
+    const std::size_t from = place - std::min(place, windows_.left);
+    Word window;
+    for (std::size_t i = from; i < std::min(length_, place + windows_.right + 1); ++i)
+        window.push_back(windows_.letters[word_[i]]);
+    const Letters successor = successor_at(*system_, window, place - from);
+    make_room(successor.size);
+    for (std::size_t i = 0; i < successor.size; ++i)
+        next_[next_length_++] = windows_.numbers[successor.begin[i]];
+}
+
+/// Rewrites letters from `at` on, several at a time, while all of them stand before `end`.
+template <std::size_t bits>
+bool WindowTable::step_middle(const Budget& budget, std::size_t& at, std::size_t end) {
+    const std::uint64_t mask = table_.size() - 1;
+    const std::size_t middle = middle_;
+    while (at + middle <= end) {
+        budget.check();
+        const std::size_t times = std::min((end - at) / middle, letters_between_checks);
+        make_room(times * most_letters);
+        const std::uint8_t* from = word_.data() + at - windows_.left;
+        std::uint8_t* to = next_.data() + next_length_;
+        for (std::size_t i = 0; i < times; ++i, from += middle) {
+            std::uint64_t bytes = 0;
+            std::memcpy(&bytes, from, sizeof bytes);
+            const Entry& entry = table_[packed<bits>(bytes) & mask];
+            std::memcpy(to, &entry, sizeof entry);
+            to += entry.count;
+        }
+        at += times * middle;
+        next_length_ = static_cast<std::size_t>(to - next_.data());
+        if (next_length_ > budget.letters) return false;
+    }
+    return true;
+}
+
+bool WindowTable::step(const Budget& budget) {
+    next_length_ = 0;
+    const std::size_t left = std::min(windows_.left, length_);
+    const std::size_t end = std::max(left, length_ - std::min(windows_.right, length_));
+    std::size_t at = 0;
+    while (at < left) rewrite_alone(at++);
+    const bool fits = [&] {
+        switch (windows_.bits()) {
+            case 1:
+                return step_middle<1>(budget, at, end);
+            case 2:
+                return step_middle<2>(budget, at, end);
+            case 3:
+                return step_middle<3>(budget, at, end);
+            case 4:
+                return step_middle<4>(budget, at, end);
+            case 5:
+                return step_middle<5>(budget, at, end);
+            case 6:
+                return step_middle<6>(budget, at, end);
+            default:
+                return step_middle<7>(budget, at, end);
+        }
+    }();
+    if (!fits) return false;
+    while (at < length_) rewrite_alone(at++);
+    if (next_length_ > budget.letters) return false;
+    make_room(0);
+    std::swap(word_, next_);
+    length_ = next_length_;
+    return true;
+}
+
+}  // namespace algae

@@ -67,7 +67,7 @@ TEST_CASE("what the engine cannot run yet is refused by name") {
         CHECK(run_of.status == 2);
         return run_of.err;
     };
-    CHECK(refused("axiom ba; b < a -> b; b -> a").find("has a context") != std::string::npos);
+    CHECK(refused("axiom ba; b < a -> b; b < a -> a").find("a has two rules with the same contexts") != std::string::npos);
     CHECK(refused("axiom A(1); A(x) -> A(x+1)").find("the axiom has parameters") != std::string::npos);
     CHECK(refused("axiom F; F -(0.5)-> F; F -(0.5)-> FF").find("has a probability") != std::string::npos);
     CHECK(refused("table one; axiom a; a -> b; table two; a -> c").find("it has tables") != std::string::npos);
@@ -100,4 +100,19 @@ TEST_CASE("a word written in pieces is the word written at once") {
     const Run big = run("derive koch -n 9");
     CHECK(big.out.size() == 611669);
     CHECK(run("derive koch -n 9 --json").out.find(big.out.substr(0, big.out.size() - 1)) != std::string::npos);
+}
+
+TEST_CASE("derive with contexts: words, ranges, JSON, trees, bounds") {
+    const std::string signal = "printf 'axiom baaa; b < a -> b; b -> a' |";
+    CHECK(run("derive - -n 2", signal).out == "aaba\n");
+    CHECK(run("derive - -n 4 --all", signal).out == "baaa\nabaa\naaba\naaab\naaaa\n");
+    CHECK(nlohmann::json::parse(run("derive - -n 1..2 --json", signal).out)["words"] ==
+          nlohmann::json({"abaa", "aaba"}));
+    CHECK(run("derive - -n 1", "printf 'axiom ABC[DE][SG[HI[JK]L]MNO]; BC < S > G[H]M -> X' |").out ==
+          "ABC[DE][XG[HI[JK]L]MNO]\n");
+    CHECK(run("derive - -n 2 --all", "printf 'axiom ab; a < b -> ; a -> ' |").out == "ab\nε\nε\n");
+    const Run bounded = run("derive - -n 100 --max-letters 1000", "printf 'axiom ab; a < b -> bb; b -> bb' |");
+    CHECK(bounded.status == 3);
+    CHECK(bounded.out.empty());
+    CHECK(bounded.err == "algae: generation 10 has more than 1000 letters, the bound set by --max-letters\n");
 }

@@ -16,23 +16,6 @@ struct RoundRule {
     Word successor;
 };
 
-/// The letters from which some derivation goes on for ever without becoming empty.
-std::set<Symbol> lasting(const System::Successors& table) {
-    std::set<Symbol> letters;
-    for (Symbol a = 0; a < table.size(); ++a) letters.insert(a);
-    for (std::size_t before = 0; before != letters.size();) {
-        before = letters.size();
-        const std::set<Symbol> known = letters;
-        for (const Symbol a : known)
-            if (std::none_of(table[a].begin(), table[a].end(), [&](const Word& word) {
-                    return std::any_of(word.begin(), word.end(),
-                                       [&](Symbol b) { return known.contains(b); });
-                }))
-                letters.erase(a);
-    }
-    return letters;
-}
-
 /// Each rule of the round has the letter of the next one, the last has that of the first; the first has
 /// another letter besides that lasts. So there are words with any number of lasting letters.
 void check_round(const Checking& with, const Language& language, const Field& proof) {
@@ -68,7 +51,7 @@ void check_round(const Checking& with, const Language& language, const Field& pr
     const Word& first = rules[0].successor;
     if (std::count(first.begin(), first.end(), other) < (other == next ? 2 : 1))
         proof.at("other").refuse("the first rule has no such letter besides that of the next rule");
-    if (!lasting(table).contains(other))
+    if (!lasting_letters(table).contains(other))
         proof.at("other").refuse("the letter is gone after some steps, whatever it becomes");
 }
 

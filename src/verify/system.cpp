@@ -52,6 +52,39 @@ bool is_d0l(const System& system) {
            has_only_terminals(system);
 }
 
+std::set<Symbol> lasting_letters(const System::Successors& table) {
+    std::set<Symbol> letters;
+    for (Symbol a = 0; a < table.size(); ++a) letters.insert(a);
+    for (std::size_t before = 0; before != letters.size();) {
+        before = letters.size();
+        const std::set<Symbol> known = letters;
+        for (const Symbol a : known)
+            if (std::none_of(table[a].begin(), table[a].end(), [&](const Word& word) {
+                    return std::any_of(word.begin(), word.end(),
+                                       [&](Symbol b) { return known.contains(b); });
+                }))
+                letters.erase(a);
+    }
+    return letters;
+}
+
+bool is_endless(const System& system) {
+    if (system.context || system.tables.size() != 1 || !has_only_terminals(system)) return false;
+    const auto& table = system.tables.front();
+    const std::set<Symbol> lasting = lasting_letters(table);
+    for (const Symbol a : accessible_letters(system, system.axiom))
+        for (const Word& successor : table[a])
+            for (std::size_t i = 0; i < successor.size(); ++i) {
+                const auto others = [&](std::size_t at) { return at != i && lasting.contains(successor[at]); };
+                bool beside = false;
+                for (std::size_t at = 0; at < successor.size(); ++at) beside = beside || others(at);
+                if (!beside) continue;
+                const auto derived = accessible_letters(system, {successor[i]});
+                if (std::find(derived.begin(), derived.end(), a) != derived.end()) return true;
+            }
+    return false;
+}
+
 std::optional<std::string> beyond_form(const System& system, const std::string& family,
                                        bool empty_axiom) {
     const bool interactive = family == "IL";

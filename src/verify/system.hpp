@@ -40,6 +40,13 @@ bool has_only_terminals(const System& system);
 /// letter that is no terminal.
 bool is_d0l(const System& system);
 
+/// The letters from which some derivation by this table goes on for ever without becoming empty.
+std::set<Symbol> lasting_letters(const System::Successors& table);
+
+/// Whether an 0L system derives words without end: some letter derives a word with itself in it, where the first
+/// rule has a lasting letter besides. Only systems with one table and terminals only are said to.
+bool is_endless(const System& system);
+
 /// What keeps the system from having the form of a family, in words; nothing if it has it. The families are
 /// 0L, T0L, E0L and ET0L with P and D before, and IL. `empty_axiom`: whether the empty word may be
 /// the axiom.

@@ -250,6 +250,7 @@ std::optional<std::set<Word>> finite_values(const Language& language, const Alph
 
 std::vector<Word> finite_values_of_leaf(const Tree& leaf, const Budget& budget) {
     if (leaf.kind == Tree::Kind::words) return leaf.words;
+    if (is_endless(*leaf.system)) throw BoundReached("the words of the system have no end");
     std::vector<Word> words;
     for (const Word& word : derived(*leaf.system, budget))
         if (is_terminal(*leaf.system, word)) words.push_back(word);

@@ -41,7 +41,7 @@ public:
             check_length(
                 automaton_.choose(word_, "generation " + std::to_string(generation), budget_),
                 generation + 1);
-            automaton_.write(word_, next_);
+            automaton_.write(next_);
             std::swap(word_, next_);
         }
         is_word_written_ = !planes_ && !table_;
@@ -112,7 +112,7 @@ Word next_word(const IL& system, const Word& word) {
     ContextAutomaton automaton(system);
     automaton.choose(word, "the word", {});
     Word next;
-    automaton.write(word, next);
+    automaton.write(next);
     return next;
 }
 

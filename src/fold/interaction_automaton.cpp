@@ -1,5 +1,7 @@
 #include "fold/interaction_automaton.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 
 namespace algae {
@@ -36,11 +38,12 @@ ContextAutomaton::ContextAutomaton(const IL& system)
       brackets_(system.brackets),
       ignored_(system.ignored),
       rules_(system.rules.size()) {
+    for (Symbol a = 0; a < letters_; ++a) add_successor({a});
     for (Symbol a = 0; a < system.rules.size(); ++a)
         for (const IL::Rule& rule : system.rules[a]) {
             rules_[a].push_back({left_place(rule.left), right_place(rule.right, brackets_),
                                  static_cast<std::uint32_t>(successors_.size())});
-            successors_.push_back(rule.successor);
+            add_successor(rule.successor);
         }
     left_start_ = left_.number_of(empty_set(left_letters_.size()), letters_);
     Set ends = empty_set(right_letters_.size());
@@ -89,6 +92,7 @@ ContextAutomaton::Place ContextAutomaton::right_place(const Word& context,
 ContextAutomaton::State ContextAutomaton::after_left(State state, Symbol letter) {
     const State known = left_.after[state * letters_ + letter];
     if (known != unknown) return known;
+    if (ignored_[letter]) return left_.after[state * letters_ + letter] = state;
     Set next = empty_set(left_letters_.size());
     for (std::size_t bit = 0; bit + 1 < left_letters_.size(); ++bit)
         if (has(left_.sets[state], bit) && left_letters_[bit + 1] == letter) put(next, bit + 1);
@@ -102,6 +106,7 @@ ContextAutomaton::State ContextAutomaton::after_left(State state, Symbol letter)
 ContextAutomaton::State ContextAutomaton::before_right(State state, Symbol letter) {
     const State known = right_.after[state * letters_ + letter];
     if (known != unknown) return known;
+    if (ignored_[letter]) return right_.after[state * letters_ + letter] = state;
     Set next = right_.sets[right_end_];
     for (std::size_t bit = 0; bit + 1 < right_letters_.size(); ++bit)
         if (right_letters_[bit] == letter && has(right_.sets[state], bit + 1)) put(next, bit);
@@ -131,7 +136,7 @@ std::uint32_t ContextAutomaton::chosen(State left, Symbol letter, State right) {
         choices.resize(right_.sets.size(), unknown);
     }
     if (choices[right] != unknown) return choices[right];
-    std::uint32_t successor = same;
+    std::uint32_t successor = letter;
     for (const Rule& rule : rules_[letter])
         if (rule.left.in(left_.sets[left]) && rule.right.in(right_.sets[right])) {
             successor = rule.successor;
@@ -158,7 +163,7 @@ void ContextAutomaton::read_right_contexts(const Word& word, const std::string& 
                             std::to_string(i + 1));
             state = before_branch(state, open_.back());
             open_.pop_back();
-        } else if (!ignored_[a]) {
+        } else {
             state = before_right(state, a);
         }
     }
@@ -176,13 +181,13 @@ std::uint64_t ContextAutomaton::choose(const Word& word, const std::string& name
         if (i % steps_between_checks == 0) budget.check();
         const Symbol a = word[i];
         const std::uint32_t rule = chosen_[i] = chosen(state, a, chosen_[i]);
-        length += rule == same ? 1 : successors_[rule].size();
+        length += successors_[rule].size;
         if (brackets_ && a == brackets_->open) {
             open_.push_back(state);
         } else if (brackets_ && a == brackets_->close) {
             state = open_.back();
             open_.pop_back();
-        } else if (!ignored_[a]) {
+        } else {
             state = after_left(state, a);
         }
     }
@@ -198,15 +203,24 @@ std::uint64_t ContextAutomaton::memory() const {
            48 * joined_.size() + 4 * choices_made_ + 24 * choices_.size();
 }
 
-void ContextAutomaton::write(const Word& word, Word& next) const {
-    next.clear();
-    for (std::size_t i = 0; i < word.size(); ++i) {
-        if (chosen_[i] == same) {
-            next.push_back(word[i]);
-        } else {
-            const Word& successor = successors_[chosen_[i]];
-            next.insert(next.end(), successor.begin(), successor.end());
-        }
+void ContextAutomaton::add_successor(const Word& successor) {
+    successors_.push_back({texts_.size(), successor.size()});
+    texts_.insert(texts_.end(), successor.begin(), successor.end());
+}
+
+void ContextAutomaton::write(Word& next) const {
+    std::size_t length = 0;
+    for (const std::uint32_t rule : chosen_) length += successors_[rule].size;
+    next.resize(length);
+    Symbol* to = next.data();
+    for (const std::uint32_t rule : chosen_) {
+        const Successor successor = successors_[rule];
+        const Symbol* from = texts_.data() + successor.begin;
+        if (successor.size == 1)
+            *to = *from;
+        else
+            std::copy_n(from, successor.size, to);
+        to += successor.size;
     }
 }
 

@@ -27,13 +27,12 @@ public:
     std::uint64_t choose(const Word& word, const std::string& name, const Budget& budget);
 
     /// The next word of the one that rules were chosen for.
-    void write(const Word& word, Word& next) const;
+    void write(Word& next) const;
 
 private:
     using State = std::uint32_t;
     using Set = std::vector<std::uint64_t>;  // of places in contexts, a bit each
     static constexpr State unknown = UINT32_MAX;
-    static constexpr std::uint32_t same = UINT32_MAX - 1;  // the rule of letters that stay
 
     /// The states reached so far and where letters lead from them.
     struct States {
@@ -56,6 +55,7 @@ private:
         Place at, inside, behind;
     };
 
+    void add_successor(const Word& successor);
     Place left_place(const Word& context);
     Place right_place(const Word& context, const std::optional<Brackets>& brackets);
     State after_left(State state, Symbol letter);
@@ -69,7 +69,11 @@ private:
     std::optional<Brackets> brackets_;
     std::vector<char> ignored_;
     std::vector<std::vector<Rule>> rules_;  // by letter, in the order in which they are tried
-    std::vector<Word> successors_;
+    struct Successor {
+        std::size_t begin, size;  // in texts_
+    };
+    std::vector<Successor> successors_;  // first of letters that stay, by letter, then of rules
+    Word texts_;
 
     std::map<Word, Place> known_left_, known_right_;
     std::vector<Symbol> left_letters_;      // by bit: the letter that is wanted

@@ -147,6 +147,10 @@ CellPlanes::CellPlanes(const IL& system, const Windows& windows, WindowProgram p
     : system_(&system), windows_(windows), program_(std::move(program)) {
     scratch_.resize(program_.slots() * run_words);
     at_.resize(program_.slots());
+    is_read_.resize(program_.slots());
+    for (const WindowProgram::Instruction& one : program_.instructions())
+        is_read_[one.bit] = is_read_[one.a] = is_read_[one.b] = 1;
+    for (const std::uint32_t slot : program_.results()) is_read_[slot] = 1;
 }
 
 void CellPlanes::read(const Word& word) {
@@ -180,11 +184,20 @@ void CellPlanes::write(Word& word) const {
 
 namespace {
 
+// Compiled for several machines, of which the best is taken when the program starts.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && \
+    !defined(__SANITIZE_ADDRESS__)
+#define ALGAE_WIDEST_VECTORS [[gnu::target_clones("arch=x86-64-v4", "arch=x86-64-v3", "default")]]
+#else
+#define ALGAE_WIDEST_VECTORS
+#endif
+
 template <class Function>
-void each(Bits* __restrict to, Function function) {
+[[gnu::always_inline]] inline void each(Bits* __restrict to, Function function) {
     for (std::size_t i = 0; i < run_words; ++i) to[i] = function(i);
 }
 
+ALGAE_WIDEST_VECTORS
 void perform(Operation operation, Bits* to, const Bits* bit, const Bits* a, const Bits* b) {
     switch (operation) {
         case Operation::zero:
@@ -208,27 +221,31 @@ void perform(Operation operation, Bits* to, const Bits* bit, const Bits* a, cons
     }
 }
 
+/// The bits of the letters that stand `by` places before, or behind.
+ALGAE_WIDEST_VECTORS
+void read_before(Bits* to, const Bits* here, std::size_t by) {
+    each(to, [=](std::size_t i) { return here[i] << by | *(here + i - 1) >> (64 - by); });
+}
+
+ALGAE_WIDEST_VECTORS
+void read_behind(Bits* to, const Bits* here, std::size_t by) {
+    each(to, [=](std::size_t i) { return here[i] >> by | here[i + 1] << (64 - by); });
+}
+
 }  // namespace
 
 /// Rewrites run_words * 64 letters from the first on.
 void CellPlanes::run(std::size_t first) {
     const std::size_t bits = planes_.size();
-    for (std::size_t slot = 0; slot < program_.slots(); ++slot)
-        at_[slot] = &scratch_[slot * run_words];
     for (std::size_t slot = 0; slot < bits * windows_.width(); ++slot) {
         Bits* here = &planes_[slot % bits][first + 1];
         const std::size_t letter = slot / bits;
-        if (letter == windows_.left) {
+        if (letter == windows_.left)
             at_[slot] = here;
-        } else if (letter < windows_.left) {
-            const std::size_t by = windows_.left - letter;
-            each(at_[slot],
-                 [=](std::size_t i) { return here[i] << by | *(here + i - 1) >> (64 - by); });
-        } else {
-            const std::size_t by = letter - windows_.left;
-            each(at_[slot],
-                 [=](std::size_t i) { return here[i] >> by | here[i + 1] << (64 - by); });
-        }
+        else if (is_read_[slot] && letter < windows_.left)
+            read_before(at_[slot], here, windows_.left - letter);
+        else if (is_read_[slot])
+            read_behind(at_[slot], here, letter - windows_.left);
     }
     for (const WindowProgram::Instruction& one : program_.instructions())
         perform(one.operation, at_[one.to], at_[one.bit], at_[one.a], at_[one.b]);
@@ -253,6 +270,7 @@ void CellPlanes::step_ends() {
 }
 
 void CellPlanes::step(const Budget& budget) {
+    for (std::size_t slot = 0; slot < at_.size(); ++slot) at_[slot] = &scratch_[slot * run_words];
     for (std::size_t first = 0; first + 2 < planes_.front().size(); first += run_words) {
         if (first % steps_between_checks == 0) budget.check();
         run(first);

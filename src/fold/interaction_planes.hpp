@@ -77,8 +77,9 @@ private:
     WindowProgram program_;
     std::size_t length_ = 0;
     std::vector<std::vector<std::uint64_t>> planes_, next_;  // with a word of nothing at either end
-    std::vector<std::uint64_t> scratch_;
-    std::vector<std::uint64_t*> at_;  // by slot, for the words of one run
+    std::vector<char> is_read_;                              // by slot
+    std::vector<std::uint64_t> scratch_;                     // of one run, by slot
+    std::vector<std::uint64_t*> at_;                         // by slot, for one run
 };
 
 }  // namespace algae

@@ -83,7 +83,7 @@ Word by_automaton(const IL& system, unsigned n) {
     Word word = system.axiom, next;
     for (unsigned i = 0; i < n; ++i) {
         automaton.choose(word, "the word", {});
-        automaton.write(word, next);
+        automaton.write(next);
         std::swap(word, next);
     }
     return word;

@@ -50,7 +50,7 @@ public:
             if (auto found = by_reversal()) return *found;
         if (form->extended)
             if (auto found = by_construction(*form)) return *found;
-        return Judgement::undecided({name_ + " is infinite, and none of the systems of the claim was seen to generate it; that no " + question_.family + " system does is decided for finite languages only"});
+        return Judgement::undecided({name_ + " was not found to be finite" + (question_.systems.empty() ? "" : ", and none of the systems of the claim was seen to generate it") + "; that no " + question_.family + " system does is decided for finite languages only"});
     }
 
 private:

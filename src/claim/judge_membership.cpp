@@ -48,7 +48,7 @@ public:
             case Kind::complement:
                 return concluded(language, word, complement(tree, word));
             case Kind::reversed:
-                return concluded(language, word, without_derivation(judge(tree.parts[0], Word(word.rbegin(), word.rend()))));
+                return concluded(language, word, reversed(tree, word));
             case Kind::concatenated:
                 return concatenation(language, word);
             case Kind::star:
@@ -102,6 +102,12 @@ private:
     static Judgement without_derivation(Judgement judgement) {
         if (judgement.truth != Truth::undecided) judgement.proof = std::make_shared<const nlohmann::ordered_json>(decided());
         return judgement;
+    }
+
+    /// A derivation shows what is written backwards too, a word with this image does not.
+    Judgement reversed(const LanguageTree& tree, const Word& word) {
+        Judgement found = judge(tree.parts[0], Word(word.rbegin(), word.rend()));
+        return found.proof && found.proof->contains("preimage") ? without_derivation(std::move(found)) : found;
     }
 
     Judgement complement(const LanguageTree& tree, const Word& word) {

@@ -106,14 +106,14 @@ Judgement exact_steps_of_tables(const SourceSystem& source, const ET0L& system, 
                                 const Alphabet& alphabet, const Budget& budget) {
     const std::size_t letters = system.terminal.size();
     if (steps > 1000) return Judgement::undecided({"with several tables at most 1000 steps are followed"});
-    const ET0L counted = counting(system, steps);
+    const ET0L copies = counting(system, steps);
     Word goal = word;
     for (Symbol& a : goal) a += static_cast<Symbol>(steps * letters);
-    const Membership found = membership(counted, goal, budget);
+    const Membership found = membership(copies, goal, budget);
     if (!found.member)
         return Judgement::refuted({"No choice of tables and rules makes " + spell(alphabet, word) + " of " + spell(alphabet, system.axiom) + " in " + counted(steps, "step") + ": the factors of it that the letters derive in so many steps do not make it up."},
                                   {{"by", "exhausted"}});
-    Derivation witness = derivation(counted, goal, found, budget);
+    Derivation witness = derivation(copies, goal, found, budget);
     for (Word& reached : witness.words)
         for (Symbol& a : reached) a %= static_cast<Symbol>(letters);
     Json proof{{"by", "derivation"}};

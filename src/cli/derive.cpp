@@ -94,7 +94,8 @@ void print_generations(const Options& options, const IL& system, std::uint64_t f
     print_generations(options, first, last, [&](std::uint64_t n, TextSink& sink) {
         development.steps(n - development.generation());
         if (development.length() == 0) return false;
-        sink.write(spell(*system.alphabet, development.word()));
+        const std::string text = spell(*system.alphabet, development.word());  // until flush
+        sink.write(text);
         sink.flush();
         return true;
     });

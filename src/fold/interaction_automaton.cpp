@@ -151,7 +151,7 @@ void ContextAutomaton::read_right_contexts(const Word& word, const std::string& 
     open_.clear();
     State state = right_end_;
     for (std::size_t i = word.size(); i-- > 0;) {
-        if (i % steps_between_checks == 0) budget.check();
+        if (i % steps_between_checks == 0) check(budget);
         const Symbol a = word[i];
         chosen_[i] = state;
         if (brackets_ && a == brackets_->close) {
@@ -178,7 +178,7 @@ std::uint64_t ContextAutomaton::choose(const Word& word, const std::string& name
     State state = left_start_;
     std::uint64_t length = 0;
     for (std::size_t i = 0; i < word.size(); ++i) {
-        if (i % steps_between_checks == 0) budget.check();
+        if (i % steps_between_checks == 0) check(budget);
         const Symbol a = word[i];
         const std::uint32_t rule = chosen_[i] = chosen(state, a, chosen_[i]);
         length += successors_[rule].size;
@@ -191,8 +191,13 @@ std::uint64_t ContextAutomaton::choose(const Word& word, const std::string& name
             state = after_left(state, a);
         }
     }
-    budget.check_memory(memory(), "the states that contexts are read with");
+    check(budget);
     return length;
+}
+
+void ContextAutomaton::check(const Budget& budget) const {
+    budget.check();
+    budget.check_memory(memory(), "the states that contexts are read with");
 }
 
 std::uint64_t ContextAutomaton::memory() const {

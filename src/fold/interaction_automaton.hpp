@@ -41,7 +41,7 @@ private:
         std::vector<State> after;  // by state and letter
         State number_of(const Set& set, std::size_t letters);
     };
-    /// What one context needs to be seen in a state: `place` is a bit of it, or there is no context.
+    /// What one context needs to match in a state: a bit of its set, or nothing if it is empty.
     struct Place {
         bool anywhere = true;
         std::size_t bit = 0;
@@ -62,7 +62,8 @@ private:
     State before_right(State state, Symbol letter);
     State before_branch(State inside, State behind);
     std::uint32_t chosen(State left, Symbol letter, State right);
-    std::uint64_t memory() const;
+    std::uint64_t memory() const;  // bytes
+    void check(const Budget& budget) const;
     void read_right_contexts(const Word& word, const std::string& name, const Budget& budget);
 
     std::size_t letters_;

@@ -115,4 +115,6 @@ TEST_CASE("derive with contexts: words, ranges, JSON, trees, bounds") {
     CHECK(bounded.status == 3);
     CHECK(bounded.out.empty());
     CHECK(bounded.err == "algae: generation 10 has more than 1000 letters, the bound set by --max-letters\n");
+    // Long words come out whole.
+    CHECK(run("derive - -n 7 | wc -c", "{ printf 'axiom '; head -c 300000 /dev/zero | tr '\\0' a; printf '; a < a -> b'; } |").out == "300001\n");
 }

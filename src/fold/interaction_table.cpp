@@ -98,20 +98,26 @@ template <std::size_t bits>
 bool WindowTable::step_middle(const Budget& budget, std::size_t& at, std::size_t end) {
     const std::uint64_t mask = table_.size() - 1;
     const std::size_t middle = middle_;
-    while (at + middle <= end) {
+    // As many windows as lie in the letters that are read at a time.
+    const std::size_t lookups = bits > 4 ? 1 : (most_width - (windows_.width() - 1)) / middle;
+    while (at + lookups * middle <= end) {
         budget.check();
-        const std::size_t times = std::min((end - at) / middle, letters_between_checks);
-        make_room(times * most_letters);
+        const std::size_t times =
+            std::min((end - at) / (lookups * middle), letters_between_checks / lookups);
+        make_room(times * lookups * most_letters);
         const std::uint8_t* from = word_.data() + at - windows_.left;
         std::uint8_t* to = next_.data() + next_length_;
-        for (std::size_t i = 0; i < times; ++i, from += middle) {
+        for (std::size_t i = 0; i < times; ++i, from += lookups * middle) {
             std::uint64_t bytes = 0;
             std::memcpy(&bytes, from, sizeof bytes);
-            const Entry& entry = table_[packed<bits>(bytes) & mask];
-            std::memcpy(to, &entry, sizeof entry);
-            to += entry.count;
+            std::uint64_t window = packed<bits>(bytes);
+            for (std::size_t j = 0; j < lookups; ++j, window >>= bits * middle) {
+                const Entry& entry = table_[window & mask];
+                std::memcpy(to, &entry, sizeof entry);
+                to += entry.count;
+            }
         }
-        at += times * middle;
+        at += times * lookups * middle;
         next_length_ = static_cast<std::size_t>(to - next_.data());
         if (next_length_ > budget.letters) return false;
     }

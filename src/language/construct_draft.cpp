@@ -205,12 +205,6 @@ ET0L Draft::system(const Word& axiom, std::string name) const {
     return result;
 }
 
-Word replaced(const Word& word, const std::vector<Symbol>& letters) {
-    Word found;
-    for (const Symbol a : word) found.push_back(letters.at(a));
-    return found;
-}
-
 bool is_terminal_word(const ET0L& system, const Word& word) {
     return all_marked(word, system.terminal);
 }

@@ -7,6 +7,7 @@
 
 #include "base/budget.hpp"
 #include "system/et0l.hpp"
+#include "word/renaming.hpp"
 
 namespace algae {
 
@@ -80,11 +81,6 @@ private:
     std::vector<std::string> table_names_;
     std::size_t size_ = 0;
 };
-
-/// The word with each letter replaced.
-///
-/// Example: replaced({1, 0}, {5, 6}) == Word{6, 5}
-Word replaced(const Word& word, const std::vector<Symbol>& letters);
 
 /// Whether the word has terminals only.
 bool is_terminal_word(const ET0L& system, const Word& word);

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
+#include "system/accessible.hpp"
+#include "word/renaming.hpp"
 
 namespace algae {
 
@@ -76,20 +77,10 @@ bool is_propagating(const ET0L& system) {
 }
 
 std::vector<Symbol> accessible_letters(const ET0L& system) {
-    std::vector<char> seen(system.terminal.size(), 0);
-    std::vector<Symbol> found;
-    const auto see = [&](const Word& word) {
-        for (const Symbol a : word)
-            if (!seen[a]) {
-                seen[a] = 1;
-                found.push_back(a);
-            }
-    };
-    see(system.axiom);
-    for (std::size_t i = 0; i < found.size(); ++i)
+    return accessible(system.axiom, system.terminal.size(), [&](Symbol a, auto see) {
         for (const Table& table : system.tables)
-            for (const Word& successor : table[found[i]]) see(successor);
-    return found;
+            for (const Word& successor : table[a]) see(successor);
+    });
 }
 
 std::string family_name(const ET0L& system) {
@@ -102,25 +93,16 @@ std::string family_name(const ET0L& system) {
 }
 
 ET0L over(const ET0L& system, std::shared_ptr<const Alphabet> alphabet) {
-    std::vector<Symbol> numbers;
-    for (Symbol a = 0; a < system.alphabet->size(); ++a) {
-        const std::optional<Symbol> number = alphabet->find(system.alphabet->name(a));
-        if (!number) throw Error("the symbol " + system.alphabet->name(a) + " is not in the alphabet");
-        numbers.push_back(*number);
-    }
-    const auto renamed = [&](Word word) {
-        for (Symbol& a : word) a = numbers[a];
-        return word;
-    };
-    ET0L moved{alphabet, renamed(system.axiom), {}, std::vector<char>(alphabet->size(), 0),
+    const std::vector<Symbol> letters = renaming(*system.alphabet, *alphabet);
+    ET0L moved{alphabet, replaced(system.axiom, letters), {}, std::vector<char>(alphabet->size(), 0),
                system.table_names, system.name};
     for (const Table& table : system.tables) {
         Table& target = moved.tables.emplace_back(alphabet->size());
         for (Symbol a = 0; a < table.size(); ++a)
-            for (const Word& successor : table[a]) target[numbers[a]].push_back(renamed(successor));
+            for (const Word& successor : table[a]) target[letters[a]].push_back(replaced(successor, letters));
         complete(target, alphabet->size());
     }
-    for (Symbol a = 0; a < numbers.size(); ++a) moved.terminal[numbers[a]] = system.terminal[a];
+    for (Symbol a = 0; a < letters.size(); ++a) moved.terminal[letters[a]] = system.terminal[a];
     return moved;
 }
 

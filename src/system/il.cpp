@@ -1,4 +1,5 @@
 #include "system/il.hpp"
+#include "word/renaming.hpp"
 
 #include <algorithm>
 
@@ -107,24 +108,15 @@ View<IL> as_il(const LSystem& system) {
 }
 
 IL over(const IL& system, std::shared_ptr<const Alphabet> alphabet) {
-    std::vector<Symbol> numbers;
-    for (Symbol a = 0; a < system.alphabet->size(); ++a) {
-        const std::optional<Symbol> number = alphabet->find(system.alphabet->name(a));
-        if (!number) throw Error("the symbol " + system.alphabet->name(a) + " is not in the alphabet");
-        numbers.push_back(*number);
-    }
-    const auto renamed = [&](Word word) {
-        for (Symbol& a : word) a = numbers[a];
-        return word;
-    };
-    IL moved{alphabet, renamed(system.axiom), {}, std::vector<char>(alphabet->size(), 0), system.name};
+    const std::vector<Symbol> letters = renaming(*system.alphabet, *alphabet);
+    IL moved{alphabet, replaced(system.axiom, letters), {}, std::vector<char>(alphabet->size(), 0), system.name};
     if (system.brackets)
-        moved.brackets = Brackets{numbers[system.brackets->open], numbers[system.brackets->close]};
+        moved.brackets = Brackets{letters[system.brackets->open], letters[system.brackets->close]};
     moved.rules.resize(alphabet->size());
-    for (Symbol a = 0; a < numbers.size(); ++a) {
-        moved.ignored[numbers[a]] = system.ignored[a];
+    for (Symbol a = 0; a < letters.size(); ++a) {
+        moved.ignored[letters[a]] = system.ignored[a];
         for (const IL::Rule& rule : system.rules[a])
-            moved.rules[numbers[a]].push_back({renamed(rule.left), renamed(rule.right), renamed(rule.successor)});
+            moved.rules[letters[a]].push_back({replaced(rule.left, letters), replaced(rule.right, letters), replaced(rule.successor, letters)});
     }
     return moved;
 }

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "system/accessible.hpp"
 #include "system/d0l.hpp"
 #include "system/ol.hpp"
 
@@ -21,23 +22,6 @@ std::string beyond_ol(const Production& rule, bool probabilities) {
     if (probabilities && rule.probability && *rule.probability != Rational(1))
         return at(rule.place) + " has a probability";
     return {};
-}
-
-/// The letters that occur in some word derived from `axiom`.
-template <class Successors>
-std::vector<Symbol> accessible(const Word& axiom, std::size_t size, Successors successors) {
-    std::vector<char> seen(size, 0);
-    std::vector<Symbol> found;
-    const auto see = [&](const Word& word) {
-        for (const Symbol a : word)
-            if (!seen[a]) {
-                seen[a] = 1;
-                found.push_back(a);
-            }
-    };
-    see(axiom);
-    for (std::size_t i = 0; i < found.size(); ++i) successors(found[i], see);
-    return found;
 }
 
 bool is_balanced(const Word& word, const Brackets& brackets) {

@@ -1,0 +1,278 @@
+#include "rewrite/program.hpp"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "rewrite/operations.hpp"
+
+namespace algae {
+
+namespace {
+
+using Operation = Program::Operation;
+
+Operation operation_of(const Expression& expression) {
+    using enum Program::Operation;
+    static const std::vector<std::pair<std::string, Operation>> binary{
+        {"+", add}, {"-", subtract}, {"*", multiply}, {"/", divide}, {"^", power}, {"<", less},
+        {"<=", less_equal}, {">", greater}, {">=", greater_equal}, {"=", equal}, {"!=", unequal},
+        {"&", both}, {"|", either}};
+    static const std::vector<std::pair<std::string, Operation>> called{
+        {"abs", abs}, {"floor", floor}, {"ceil", ceil}, {"sin", sin}, {"cos", cos}, {"tan", tan},
+        {"asin", asin}, {"acos", acos}, {"atan", atan}, {"sqrt", sqrt}, {"exp", exp}, {"log", log},
+        {"min", minimum}, {"max", maximum}};
+    if (expression.kind == Expression::Kind::unary) return expression.name == "!" ? invert : negate;
+    const auto& table = expression.kind == Expression::Kind::binary ? binary : called;
+    return std::find_if(table.begin(), table.end(), [&](const auto& entry) {
+               return entry.first == expression.name;
+           })->second;
+}
+
+/// Why an operation has no value, in the words of `evaluate`.
+std::string reason(Operation operation, double x, double y, const Expression& at) {
+    using enum Program::Operation;
+    const std::string text = "'" + to_text(at) + "'";
+    if (operation == divide && y == 0) return "division by 0 in " + text;
+    if (operation == power && x == 0 && y < 0) return "a negative power of 0 in " + text;
+    if (operation == power && x < 0 && y != std::floor(y))
+        return "a power of a negative number that is not whole in " + text;
+    if (operation == sqrt && x < 0) return "the square root of a negative number in " + text;
+    if (operation == log && x <= 0)
+        return "the logarithm of a number that is not positive in " + text;
+    if (operation == asin || operation == acos) return text + " needs a number from -1 to 1";
+    if (operation == tan) return text + " has no value";
+    return "the value of " + text + " is too large";
+}
+
+}  // namespace
+
+bool has_parameters(const Expression& expression, const Program::Numbering& parameters) {
+    if (expression.kind == Expression::Kind::name) return parameters(expression.name).has_value();
+    return std::any_of(expression.operands.begin(), expression.operands.end(),
+                       [&](const Expression& part) { return has_parameters(part, parameters); });
+}
+
+class Program::Compiler {
+public:
+    Compiler(Program& program, const Numbering& parameters, const Names& constants)
+        : program_(program), parameters_(parameters), constants_(constants) {}
+
+    void compile(const Expression& expression) {
+        if (!has_parameters(expression, parameters_)) {
+            add({Operation::number, 0, evaluate(expression, constants_).value, &expression}, 1);
+            return;
+        }
+        if (expression.kind == Expression::Kind::name) {
+            const auto index = static_cast<std::uint32_t>(*parameters_(expression.name));
+            add({Operation::parameter, index, 0, &expression}, 1);
+            return;
+        }
+        const Operation operation = operation_of(expression);
+        if (operation == Operation::both || operation == Operation::either) {
+            compile_decided(expression, operation);
+            return;
+        }
+        compile(expression.operands.front());
+        if (expression.operands.size() == 1) add({operation, 0, 0, &expression}, 0);
+        for (std::size_t i = 1; i < expression.operands.size(); ++i) {
+            compile(expression.operands[i]);
+            add({operation, 0, 0, &expression}, -1);
+        }
+    }
+
+private:
+    void add(Instruction instruction, int growth) {
+        program_.instructions_.push_back(instruction);
+        height_ = static_cast<std::size_t>(static_cast<int>(height_) + growth);
+        program_.depth_ = std::max(program_.depth_, height_);
+    }
+
+    void compile_decided(const Expression& expression, Operation operation) {
+        const bool both = operation == Operation::both;
+        compile(expression.operands[0]);
+        const std::size_t skip = program_.instructions_.size();
+        add({both ? Operation::skip_if_false : Operation::skip_if_true, 0, 0, &expression}, 0);
+        compile(expression.operands[1]);
+        add({operation, 0, 0, &expression}, -1);
+        program_.instructions_[skip].index =
+            static_cast<std::uint32_t>(program_.instructions_.size());
+    }
+
+    Program& program_;
+    const Numbering& parameters_;
+    const Names& constants_;
+    std::size_t height_ = 0;
+};
+
+Program::Program(const Expression& expression, const Numbering& parameters,
+                 const Names& constants) {
+    Compiler(*this, parameters, constants).compile(expression);
+}
+
+namespace {
+
+struct OneValue {
+    double* top;  // one past the topmost number
+    template <Operation operation>
+    double one() const {
+        return unary<operation>(top[-1]);
+    }
+    template <Operation operation>
+    double two() const {
+        return binary<operation>(top[-2], top[-1]);
+    }
+};
+
+constexpr bool is_unary(Operation operation) {
+    return operation >= Operation::negate && operation <= Operation::log;
+}
+
+}  // namespace
+
+double Program::run(const double* parameters) const {
+    std::array<double, 16> few;
+    std::vector<double> many;
+    double* stack = few.data();
+    if (depth_ > few.size()) {
+        many.resize(depth_);
+        stack = many.data();
+    }
+    double* top = stack;
+    for (std::size_t i = 0; i < instructions_.size(); ++i) {
+        const Instruction& next = instructions_[i];
+        switch (next.operation) {
+            case Operation::number:
+                *top++ = next.number;
+                break;
+            case Operation::parameter:
+                *top++ = parameters[next.index];
+                break;
+            case Operation::skip_if_false:
+            case Operation::skip_if_true:
+                if ((top[-1] != 0) == (next.operation == Operation::skip_if_true)) {
+                    top[-1] = top[-1] != 0 ? 1 : 0;
+                    i = next.index - 1;
+                }
+                break;
+            default: {
+                const double value = dispatch(next.operation, OneValue{top});
+                if (!std::isfinite(value)) {
+                    const bool one = is_unary(next.operation);
+                    throw Undefined{next.at, reason(next.operation, one ? top[-1] : top[-2], top[-1], *next.at)};
+                }
+                if (!is_unary(next.operation)) --top;
+                top[-1] = value;
+            }
+        }
+    }
+    return top[-1];
+}
+
+namespace {
+
+/// A column of numbers, or one number that stands for a whole column.
+struct Operand {
+    const double* column;
+    double number;
+};
+
+/// One operation on whole columns; false if a value is not finite.
+struct ManyValues {
+    const Operand& left;
+    const Operand& right;
+    std::size_t count;
+    double* out;
+
+    template <class Value>
+    bool each(Value value) const {
+        bool finite = true;
+        for (std::size_t i = 0; i < count; ++i) {
+            const double result = value(i);
+            out[i] = result;
+            finite &= result - result == 0;
+        }
+        return finite;
+    }
+    template <Operation operation>
+    bool one() const {
+        const double* x = right.column;
+        return each([x](std::size_t i) { return unary<operation>(x[i]); });
+    }
+    template <Operation operation>
+    bool two() const {
+        const double *x = left.column, *y = right.column;
+        if (!x && !y) return each([this](std::size_t) { return binary<operation>(left.number, right.number); });
+        if (!x) return each([a = left.number, y](std::size_t i) { return binary<operation>(a, y[i]); });
+        if (!y) return each([x, b = right.number](std::size_t i) { return binary<operation>(x[i], b); });
+        return each([x, y](std::size_t i) { return binary<operation>(x[i], y[i]); });
+    }
+};
+
+}  // namespace
+
+bool Program::run_many(const std::vector<const double*>& parameters, std::size_t count, double* out,
+                       Columns& room) const {
+    if (room.size() < depth_) room.resize(depth_);
+    for (auto& column : room)
+        if (column.size() < count) column.resize(count);
+    std::vector<Operand> stack;
+    stack.reserve(depth_);
+    const Operand none{nullptr, 0};
+    for (std::size_t i = 0; i < instructions_.size(); ++i) {
+        const Instruction& next = instructions_[i];
+        switch (next.operation) {
+            case Operation::number:
+                stack.push_back({nullptr, next.number});
+                break;
+            case Operation::parameter:
+                stack.push_back({parameters[next.index], 0});
+                break;
+            case Operation::skip_if_false:
+            case Operation::skip_if_true:
+                break;  // both sides are worked out where all of it has a value
+            default: {
+                const Operand right = stack.back();
+                stack.pop_back();
+                Operand left = none;
+                if (!is_unary(next.operation)) {
+                    left = stack.back();
+                    stack.pop_back();
+                }
+                double* to = i + 1 == instructions_.size() ? out : room[stack.size()].data();
+                if (!dispatch(next.operation, ManyValues{left, right, count, to})) return false;
+                stack.push_back({to, 0});
+            }
+        }
+    }
+    const Operand& value = stack.back();
+    if (!value.column)
+        std::fill_n(out, count, value.number);
+    else if (value.column != out)
+        std::copy_n(value.column, count, out);
+    return true;
+}
+
+std::optional<double> Program::constant() const {
+    if (instructions_.size() != 1 || instructions_[0].operation != Operation::number)
+        return std::nullopt;
+    return instructions_[0].number;
+}
+
+std::vector<std::size_t> Program::reads() const {
+    std::vector<std::size_t> found;
+    for (const Instruction& instruction : instructions_)
+        if (instruction.operation == Operation::parameter) found.push_back(instruction.index);
+    std::sort(found.begin(), found.end());
+    found.erase(std::unique(found.begin(), found.end()), found.end());
+    return found;
+}
+
+bool Program::operator==(const Program& other) const {
+    return std::equal(instructions_.begin(), instructions_.end(), other.instructions_.begin(),
+                      other.instructions_.end(), [](const Instruction& a, const Instruction& b) {
+                          return a.operation == b.operation && a.index == b.index && a.number == b.number;
+                      });
+}
+
+}  // namespace algae

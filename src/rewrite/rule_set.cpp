@@ -1,0 +1,220 @@
+#include "rewrite/rule_set.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace algae {
+
+namespace {
+
+/// A probability as a part of 2^64, rounded down; all bits for 1.
+std::uint64_t threshold(const Rational& sum) {
+    if (sum >= 1) return ~std::uint64_t{0};
+    return floor(sum * Rational(power(Integer(2), 64))).to_uint64();
+}
+
+/// The conjuncts of a condition, from left to right.
+void split(const Expression& condition, std::vector<const Expression*>& parts) {
+    if (condition.kind == Expression::Kind::binary && condition.name == "&")
+        for (const Expression& part : condition.operands) split(part, parts);
+    else
+        parts.push_back(&condition);
+}
+
+class RuleCompiler {
+public:
+    RuleCompiler(CompiledRules& rules, const Production& rule) : rules_(rules), rule_(rule) {
+        add_names(rule.predecessor);
+        for (const Pattern* pattern : {&rule.left, &rule.right, &rule.elsewhere})
+            for (const ModulePattern& module : *pattern) {
+                add_names(module);
+                if (pattern == &rule.elsewhere) known_.push_back(names_.size());
+            }
+    }
+
+    Alternatives left_side() {
+        Alternatives side;
+        side.left = kinds(rule_.left);
+        side.right = kinds(rule_.right);
+        side.elsewhere = kinds(rule_.elsewhere);
+        for (const auto* pattern : {&side.left, &side.right, &side.elsewhere})
+            for (const ModuleKind kind : *pattern) side.context += !is_bracket(kind);
+        side.parameters = names_.size();
+        if (rule_.condition) side.condition = program(*rule_.condition);
+        if (rule_.condition && !rule_.elsewhere.empty()) {
+            std::vector<const Expression*> parts;
+            split(*rule_.condition, parts);
+            for (const Expression* part : parts) {
+                Program holds = program(*part);
+                side.conjuncts.push_back({items_needed(holds), std::move(holds)});
+            }
+            std::stable_sort(side.conjuncts.begin(), side.conjuncts.end(),
+                             [](const auto& a, const auto& b) { return a.elsewhere < b.elsewhere; });
+        }
+        return side;
+    }
+
+    Successor successor() {
+        Successor out;
+        out.rule = &rule_;
+        auto arguments = rule_.successor.arguments.begin();
+        for (std::size_t i = 0; i < rule_.successor.letters.size(); ++i) {
+            const bool bare = arguments == rule_.successor.arguments.end() || arguments->first != i;
+            const std::size_t arity = bare ? 0 : arguments->second.size();
+            out.kinds.push_back(rules_.kinds.kind(rule_.successor.letters[i], arity));
+            if (bare) continue;
+            for (const Expression& argument : arguments->second) add_value(argument, out);
+            ++arguments;
+        }
+        return out;
+    }
+
+private:
+    void add_names(const ModulePattern& module) {
+        names_.insert(names_.end(), module.parameters.begin(), module.parameters.end());
+    }
+
+    bool is_bracket(ModuleKind kind) const {
+        const std::string& name = rules_.system->alphabet.name(rules_.kinds.letter(kind));
+        return name == "[" || name == "]";
+    }
+
+    std::vector<ModuleKind> kinds(const Pattern& pattern) {
+        std::vector<ModuleKind> out;
+        for (const ModulePattern& module : pattern)
+            out.push_back(rules_.kinds.kind(module.symbol, module.parameters.size()));
+        return out;
+    }
+
+    Program program(const Expression& expression) const {
+        return Program(
+            expression,
+            [&](const std::string& name) -> std::optional<std::size_t> {
+                const auto found = std::find(names_.begin(), names_.end(), name);
+                if (found == names_.end()) return std::nullopt;
+                return static_cast<std::size_t>(found - names_.begin());
+            },
+            [&](const std::string& name) -> const Quantity* {
+                for (const auto& [constant, value] : rules_.system->constants)
+                    if (constant == name) return &value;
+                return nullptr;
+            });
+    }
+
+    void add_value(const Expression& argument, Successor& out) const {
+        Program value = program(argument);
+        const auto constant = value.constant();
+        if (!constant)
+            out.slots.push_back({static_cast<std::uint32_t>(out.values.size()), std::move(value)});
+        out.values.push_back(constant.value_or(0));
+    }
+
+    /// How many of the modules elsewhere must be known before it can be worked out.
+    std::size_t items_needed(const Program& holds) const {
+        const auto reads = holds.reads();
+        const std::size_t names = reads.empty() ? 0 : reads.back() + 1;
+        std::size_t items = 0;
+        const std::size_t before = known_.front() - rule_.elsewhere.front().parameters.size();
+        if (names > before)
+            while (known_[items++] < names) {
+            }
+        return items;
+    }
+
+    CompiledRules& rules_;
+    const Production& rule_;
+    std::vector<std::string> names_;
+    std::vector<std::size_t> known_;  // after each module elsewhere, how many names there are
+};
+
+void add_rule(CompiledRules& rules, const Production& rule) {
+    if (rule.shape)
+        throw Error(to_string(rule.place) + ": the rule is a shape rule, which divides shapes and not words");
+    RuleCompiler compiler(rules, rule);
+    Alternatives side = compiler.left_side();
+    Successor successor = compiler.successor();
+    for (const ModulePattern& module : rule.left)
+        if (const std::string& name = rules.system->alphabet.name(module.symbol); name == "[" || name == "]")
+            throw Error(to_string(rule.place) + ": expected a left context without brackets, a path to the root, "
+                        "found '" + name + "'");
+    RuleSet& set = rules.tables.at(rule.table);
+    const ModuleKind kind = rules.kinds.kind(rule.predecessor.symbol, rule.predecessor.parameters.size());
+    if (set.of.size() <= kind) set.of.resize(kind + std::size_t{1});
+    auto& known = set.of[kind];
+    auto same = std::find_if(known.begin(), known.end(), [&](const Alternatives& other) {
+        return other.has_same_context(side) && other.condition == side.condition;
+    });
+    if (same == known.end()) same = known.insert(known.end(), std::move(side));
+    if (!rule.probability)
+        for (const std::uint32_t other : same->successors)
+            if (rules.successors[other].same_as(successor)) return;  // the rule stands there twice
+    same->successors.push_back(static_cast<std::uint32_t>(rules.successors.size()));
+    if (rule.probability) same->probabilities.push_back(*rule.probability);
+    set.has_contexts = set.has_contexts || same->context > 0;
+    set.has_conditions = set.has_conditions || same->condition;
+    set.has_probabilities = set.has_probabilities || rule.probability;
+    rules.successors.push_back(std::move(successor));
+}
+
+void finish(CompiledRules& rules, RuleSet& set) {
+    set.of.resize(rules.kinds.size());
+    for (auto& known : set.of) {
+        std::stable_sort(known.begin(), known.end(),
+                         [](const Alternatives& a, const Alternatives& b) { return a.context > b.context; });
+        for (Alternatives& alternatives : known) {
+            for (const ModuleKind kind : alternatives.elsewhere) rules.sought[kind] = 1;
+            Rational sum;
+            for (const Rational& probability : alternatives.probabilities)
+                alternatives.thresholds.push_back(threshold(sum += probability));
+        }
+    }
+}
+
+ModuleString axiom_of(const LSystem& system, CompiledRules& rules) {
+    ModuleString out;
+    auto arguments = system.axiom.arguments.begin();
+    for (std::size_t i = 0; i < system.axiom.letters.size(); ++i) {
+        const bool bare = arguments == system.axiom.arguments.end() || arguments->first != i;
+        out.kinds.push_back(rules.kinds.kind(system.axiom.letters[i], bare ? 0 : arguments->second.size()));
+        if (bare) continue;
+        for (const Expression& argument : (arguments++)->second)
+            out.values.push_back(evaluate(argument, [&](const std::string& name) -> const Quantity* {
+                                     for (const auto& [constant, value] : system.constants)
+                                         if (constant == name) return &value;
+                                     return nullptr;
+                                 }).value);
+    }
+    return out;
+}
+
+}  // namespace
+
+bool Successor::same_as(const Successor& other) const {
+    return kinds == other.kinds && values == other.values &&
+           std::equal(slots.begin(), slots.end(), other.slots.begin(), other.slots.end(),
+                      [](const Slot& a, const Slot& b) { return a.at == b.at && a.value == b.value; });
+}
+
+CompiledRules compiled_rules(const LSystem& system) {
+    CompiledRules rules;
+    rules.system = std::make_shared<const LSystem>(system);
+    rules.successors.emplace_back();
+    rules.tables.resize(std::max<std::size_t>(1, system.tables.size()));
+    rules.axiom = axiom_of(*rules.system, rules);
+    for (const Production& rule : rules.system->rules) add_rule(rules, rule);
+    rules.sought.assign(rules.kinds.size(), 0);
+    for (RuleSet& set : rules.tables) finish(rules, set);
+    rules.ignored.assign(rules.kinds.size(), 0);
+    rules.opens = rules.closes = rules.ignored;
+    for (std::size_t i = 0; i < rules.kinds.size(); ++i) {
+        const Symbol letter = rules.kinds.letter(static_cast<ModuleKind>(i));
+        rules.ignored[i] = std::count(system.ignored.begin(), system.ignored.end(), letter) > 0;
+        rules.opens[i] = system.alphabet.name(letter) == "[";
+        rules.closes[i] = system.alphabet.name(letter) == "]";
+    }
+    return rules;
+}
+
+}  // namespace algae

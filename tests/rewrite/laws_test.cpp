@@ -1,0 +1,194 @@
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include "fold/derive.hpp"
+#include "oracle/modules.hpp"
+#include "oracle/random_systems.hpp"
+#include "rewrite/words.hpp"
+
+using namespace algae;
+
+namespace {
+
+std::string any(const std::vector<std::string>& texts) { return *rc::gen::elementOf(texts); }
+
+int below(int bound) { return *rc::gen::inRange(0, bound); }
+
+/// An expression over these names, with few that have no value.
+std::string any_expression(const std::vector<std::string>& names, int depth) {
+    if (depth == 0 || below(4) == 0) {
+        if (!names.empty() && below(3) > 0) return any(names);
+        return any({"0", "1", "2", "3", "0.5", "0.1", "90", "k"});
+    }
+    const auto part = [&] { return any_expression(names, depth - 1); };
+    switch (below(9)) {
+        case 0: return "(-" + part() + ")";
+        case 1: return any({"abs", "floor", "ceil", "sin", "cos", "tan", "atan"}) + "(" + part() + ")";
+        case 2: return any({"sqrt", "log", "exp", "asin", "acos"}) + "(" + part() + "/3)";
+        case 3: return any({"min", "max"}) + "(" + part() + "," + part() + "," + part() + ")";
+        case 4: return "(" + part() + any({"/", "^"}) + part() + ")";
+        default: return "(" + part() + any({"+", "-", "*", "+", "-"}) + part() + ")";
+    }
+}
+
+std::string any_condition(const std::vector<std::string>& names, int depth) {
+    if (depth > 0 && below(3) == 0)
+        return "(" + any_condition(names, depth - 1) + any({"&", "|"}) + any_condition(names, depth - 1) + ")";
+    if (below(8) == 0) return "!(" + any_condition(names, 0) + ")";
+    return "(" + any_expression(names, 1) + any({" < ", " <= ", " > ", " >= ", " = ", " != "}) + any_expression(names, 1) + ")";
+}
+
+/// A word of A, B(x), C(x,y) and brackets, with these names in its arguments.
+std::string any_modules(const std::vector<std::string>& names, int most, bool brackets, int depth = 2) {
+    std::string out;
+    for (int i = below(most + 1); i > 0; --i) {
+        switch (below(brackets ? 6 : 5)) {
+            case 0: out += "A"; break;
+            case 1: out += "+"; break;
+            case 2: case 3: out += "B(" + any_expression(names, depth) + ")"; break;
+            case 4: out += "C(" + any_expression(names, depth) + "," + any_expression(names, depth) + ")"; break;
+            default: out += "[" + any_modules(names, 2, false, depth) + "]";
+        }
+    }
+    return out;
+}
+
+/// A module of a left side; its parameters are new names.
+std::string any_pattern(std::vector<std::string>& names) {
+    const auto name = [&] {
+        names.push_back(std::string(1, static_cast<char>('p' + names.size())));
+        return names.back();
+    };
+    switch (below(3)) {
+        case 0: return "A";
+        case 1: return "B(" + name() + ")";
+        default: {
+            const std::string first = name();
+            return "C(" + first + "," + name() + ")";
+        }
+    }
+}
+
+std::string any_rule(bool contexts) {
+    std::vector<std::string> names;
+    std::string rule = any_pattern(names);
+    if (contexts) {
+        std::string left, right;
+        for (int i = below(3); i > 0; --i) left += any_pattern(names);
+        for (int i = below(2); i > 0; --i) right += below(2) ? any_pattern(names) : "[" + any_pattern(names) + "]";
+        if (!left.empty()) rule = left + " < " + rule;
+        if (!right.empty()) rule += " > " + right;
+    }
+    if (below(3) > 0) rule += " : " + any_condition(names, 1);
+    return rule + " -> " + any_modules(names, 4, contexts);
+}
+
+std::string any_system(bool contexts) {
+    std::string text = "let k = 7/3; axiom A" + any_modules({}, 6, contexts, 1) + "B(1)C(2,3)";
+    for (int i = 1 + below(6); i > 0; --i) text += "; " + any_rule(contexts) + "D(" + std::to_string(i) + ")";
+    if (contexts && below(2)) text += "; ignore +";
+    return text;
+}
+
+/// Whether the engine derives what the slow route derives, and refuses what it refuses.
+void check_as_slow_route(const std::string& text, unsigned n) {
+    const LSystem system = read_lsystem(text, "random.lsys");
+    RC_LOG() << text << "\n";
+    std::optional<Rewriting> compiled;
+    try {
+        compiled.emplace(system, RewritingChoices{.threads = 3});
+    } catch (const Diagnostics&) {
+        return;  // a part without parameters has no value
+    }
+    const Rewriting& rewriting = *compiled;
+    std::optional<std::vector<oracle::Modules>> slow;
+    for (; n > 0; --n) {  // words must not be too long for the slow route
+        slow = oracle::module_words(system, n);
+        if (!slow || slow->back().size() < 300) break;
+    }
+    std::optional<ModuleString> fast;
+    try {
+        fast = derive(rewriting, n);
+    } catch (const Error&) {
+    }
+    RC_ASSERT(fast.has_value() == (n == 0 || slow.has_value()));
+    if (!slow || n == 0) return;
+    std::size_t value = 0;
+    oracle::Modules found;
+    for (const ModuleKind kind : fast->kinds) {
+        found.push_back({system.alphabet.name(rewriting.rules().kinds.letter(kind)), {}});
+        for (std::uint32_t i = 0; i < rewriting.rules().kinds.arity(kind); ++i)
+            found.back().values.push_back(fast->values[value++]);
+    }
+    RC_ASSERT(found == slow->back());
+}
+
+}  // namespace
+
+TEST_CASE("parametric words are those of a walk through the expressions") {
+    CHECK(rc::check([] { check_as_slow_route(any_system(false), 4); }));
+}
+
+TEST_CASE("so they are with contexts, brackets and ignored letters") {
+    CHECK(rc::check([] { check_as_slow_route(any_system(true), 3); }));
+}
+
+TEST_CASE("so they are with conditions on modules elsewhere") {
+    CHECK(rc::check([] {
+        std::string text = "let k = 7/3; axiom B(1)" + any_modules({}, 5, true, 1) + "C(2,3)A";
+        for (int i = 1 + below(3); i > 0; --i) {
+            const std::string condition = "x" + any({"+", "*", "-"}) + "y" + any({" < ", " >= ", " = "}) + "z" + any({"", "+1", "*x"}) +
+                                          any({"", " & y < 3", " & y < z & x != 2", " | y > 2"});
+            text += "; B(x) ? B(y), C(z,w) : " + condition + " -> " + any_modules({"x", "y", "z"}, 3, false, 1) + "D" + std::to_string(i);
+            text += "; A > B(x) ? C(y,z), B(w) : " + condition + " & w > 1 -> A" + any_modules({"x", "w"}, 2, false, 1) + "E" + std::to_string(i);
+        }
+        check_as_slow_route(text, 2);
+    }));
+}
+
+TEST_CASE("a D0L system without parameters has its words") {
+    CHECK(rc::check([] {
+        const auto written = *oracle::any_d0l();
+        const unsigned n = oracle::last_generation_within(written, 5000, 8);
+        const Rewriting rewriting(oracle::lsystem_of(written));
+        const ModuleText text(rewriting.rules().system->alphabet, rewriting.rules().kinds);
+        const std::string word = oracle::rewritten(written, n);
+        RC_ASSERT(text.text(derive(rewriting, n)) == (word.empty() ? "ε" : word));
+    }));
+}
+
+TEST_CASE("read as stochastic with probability 1 it has the same words, whatever the seed") {
+    CHECK(rc::check([](std::uint64_t seed) {
+        const auto written = *oracle::any_d0l();
+        const unsigned n = oracle::last_generation_within(written, 5000, 8);
+        LSystem system = oracle::lsystem_of(written);
+        for (Production& rule : system.rules) rule.probability = Rational(1);
+        const Rewriting rewriting(system, {.seed = seed});
+        const ModuleText text(rewriting.rules().system->alphabet, rewriting.rules().kinds);
+        const std::string word = oracle::rewritten(written, n);
+        RC_ASSERT(text.text(derive(rewriting, n)) == (word.empty() ? "ε" : word));
+    }));
+}
+
+TEST_CASE("with the same parameter everywhere it has the same letters") {
+    CHECK(rc::check([] {
+        const auto written = *oracle::any_d0l();
+        const unsigned n = oracle::last_generation_within(written, 5000, 8);
+        LSystem system = oracle::lsystem_of(written);
+        const auto dress = [](ModuleWord& word, Expression value) {
+            for (std::size_t i = 0; i < word.letters.size(); ++i) word.arguments[i] = {value};
+        };
+        dress(system.axiom, read_expression("3"));
+        for (Production& rule : system.rules) {
+            rule.predecessor.parameters = {"x"};
+            dress(rule.successor, read_expression("x"));
+        }
+        const Rewriting rewriting(system);
+        const ModuleString word = derive(rewriting, n);
+        std::string letters;
+        for (const ModuleKind kind : word.kinds) letters += system.alphabet.name(rewriting.rules().kinds.letter(kind));
+        RC_ASSERT(letters == oracle::rewritten(written, n));
+        RC_ASSERT(word.values.size() == word.kinds.size());
+        for (const double value : word.values) RC_ASSERT(value == 3);
+    }));
+}

@@ -123,6 +123,17 @@ private:
 
     bool one_table(const ET0L& system) const { return !deterministic_ && system.tables.size() == 1; }
 
+    /// The image; words with a letter that has none are left out first.
+    ET0L mapped(const LanguageTree& tree, const ET0L& part, bool one) const {
+        std::map<Symbol, Word> images = tree.morphism;
+        for (const Symbol a : letters_of(tree.parts[0])) images.try_emplace(a);
+        if (images.size() == tree.morphism.size())
+            return one ? e0l_image(part, substitution(images), budget_) : table_image(part, substitution(images));
+        const RegularLanguage with_images = all_words(domain_of(tree.morphism));
+        const ET0L kept = one ? e0l_intersection(part, with_images, budget_) : table_intersection(part, with_images, budget_);
+        return one_table(kept) ? e0l_image(kept, substitution(images), budget_) : table_image(kept, substitution(images));
+    }
+
     std::optional<ET0L> constructed(const LanguageTree& tree, const std::vector<ET0L>& parts) const {
         const bool one = std::all_of(parts.begin(), parts.end(), [&](const ET0L& part) { return one_table(part); });
         switch (tree.kind) {
@@ -137,7 +148,7 @@ private:
             case Kind::reversed:
                 return reversed(parts[0]);
             case Kind::image:
-                return one ? e0l_image(parts[0], substitution(tree.morphism), budget_) : table_image(parts[0], substitution(tree.morphism));
+                return mapped(tree, parts[0], one);
             case Kind::inverse_image:
                 return table_inverse_image(parts[0], tree.morphism, budget_);
             default:

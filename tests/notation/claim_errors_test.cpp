@@ -32,9 +32,11 @@ TEST_CASE("titles and texts") {
     CHECK(said("claim A\nclaim B") == "'claim' is given twice, first in line 1");
     CHECK(said("claim A\nsource B;source C") == "'source' is given twice, first in line 2");
     CHECK(said("claim A\nshwo A") ==
-          "expected claim, source, note, alphabet, let, show, lemma, refute or closed, found "
+          "expected claim, source, note, alphabet, allow, let, show, lemma, refute or closed, found "
           "'shwo'; did you "
           "mean 'show'?");
+    CHECK(said("claim A\nallow empty axioms") == "expected 'allow empty axiom', found 'allow empty axioms'");
+    CHECK(said("claim A\nallow") == "expected 'allow empty axiom', found 'allow'");
     CHECK(said("claim \xFF") == "expected UTF-8, found the byte 0xFF");
 }
 
@@ -170,4 +172,10 @@ TEST_CASE("statements") {
           "2:25: the family D0L stands there twice");
     CHECK(claim_messages("closed under union: XL")
               .starts_with("2:21: expected a family of the table (REG, "));
+}
+
+TEST_CASE("a claim allows the empty axiom or does not") {
+    CHECK(!claim("show {ε} is 0L").empty_axiom);
+    CHECK(claim("allow empty axiom\nshow {ε} is 0L").empty_axiom);
+    CHECK(claim("show {ε} is 0L; allow  empty\taxiom  # as some books do").empty_axiom);
 }

@@ -1,0 +1,110 @@
+#include "claim/judge_membership.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <nlohmann/json.hpp>
+
+#include "certified.hpp"
+#include "notation/read_claim.hpp"
+#include "oracle/language_words.hpp"
+
+using namespace algae;
+
+namespace {
+
+std::vector<Word> all_words(std::size_t longest) {
+    std::vector<Word> words{{}};
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (words[i].size() < longest)
+            for (const Symbol a : {0u, 1u}) {
+                words.push_back(words[i]);
+                words.back().push_back(a);
+            }
+    return words;
+}
+
+/// The set of short words, of the greatest length for which the oracle knows it.
+std::pair<std::size_t, std::set<Word>> short_words(const Language& language) {
+    for (const std::size_t longest : {5u, 3u})
+        if (auto words = oracle::language_words(language, longest)) return {longest, *words};
+    RC_DISCARD("no oracle");
+}
+
+}  // namespace
+
+TEST_CASE("membership of all short words in random expressions is that of the definitions") {
+    CHECK(rc::check([] {
+        const random::Languages made = *random::any_language();
+        const Language& language = made.all.front();
+        const auto [longest, words] = short_words(language);
+        for (const Word& word : all_words(longest)) {
+            const Judgement found = judge_membership(language, word, *random::letters());
+            RC_LOG() << spell(*random::letters(), word) << '\n';
+            RC_ASSERT(found.truth == Truth::undecided || (found.truth == Truth::proved) == words.contains(word));
+            RC_ASSERT(found.argument.size() > 0u);
+        }
+    }));
+}
+
+TEST_CASE("membership of short words in random expressions has certificates that verify checks") {
+    CHECK(rc::check([] {
+        const random::Languages made = *random::any_language();
+        Statement statement;
+        statement.kind = Statement::Kind::member;
+        statement.languages = made.all;
+        statement.word = random::word_of(*oracle::any_word("ab", 4));
+        statement.negated = *rc::gen::arbitrary<bool>();
+        const random::Certified found = random::sound(random::claim_of(statement, made.systems));
+        RC_TAG(found.rule() + ": " + verify::to_string(found.finding.outcome));
+    }));
+}
+
+namespace {
+
+random::Certified member(const std::string& text) {
+    return random::certified(read_claim("claim T; " + text, "t.claim", {}));
+}
+
+}  // namespace
+
+TEST_CASE("a word of a reversal is shown by the derivation of the reversed word, but by no word with this image") {
+    const std::string system = "let G = D0L { axiom ab; a -> aab }; let h = { a -> ba; b -> a }; ";
+    const random::Certified derived = member(system + "show bbaa in L(G)^R");
+    CHECK(derived.judgement.truth == Truth::proved);
+    CHECK(derived.judgement.proof->contains("derivation"));
+    CHECK_MESSAGE(derived.is_checked(), derived.finding.reason);
+    const random::Certified image = member(system + "show aab in h(L(G))^R");
+    CHECK(image.judgement.truth == Truth::proved);
+    CHECK(!image.judgement.proof->contains("preimage"));
+    CHECK_MESSAGE(image.is_checked(), image.finding.reason);
+}
+
+TEST_CASE("the axiom of a system with several tables is in its language by a derivation of no steps") {
+    const random::Certified found = member("let T = T0L { axiom a; table p; a -> aa; table q; a -> b }; show a in L(T)");
+    CHECK(found.judgement.truth == Truth::proved);
+    CHECK_MESSAGE(found.is_checked(), found.finding.reason);
+}
+
+TEST_CASE("what is undecided of a part is undecided of its complement, reversal and image back, without a proof") {
+    const std::string system = "let G = 1L { axiom ab; a > b -> aa; b -> bb }; let h = { a -> a; b -> b }; ";
+    for (const char* language : {"L(G)", "~L(G)", "L(G)^R", "h^-1(L(G))", "L(G)+", "L(G) | {a}", "h(L(G))"}) {
+        CAPTURE(language);
+        const random::Certified found = member(system + "show bb in " + language);
+        if (found.judgement.truth != Truth::undecided) continue;  // as soon as more is known of such systems
+        CHECK(found.judgement.proof == nullptr);
+        CHECK(found.is_sound());
+    }
+}
+
+TEST_CASE("arguments about operations end with what they come to") {
+    const auto argument = [](const std::string& text) { return member(text).judgement.argument; };
+    using Lines = std::vector<std::string>;
+    CHECK(argument("let N = ~/a*b/; show aa in N") == Lines{"aa is not in {a}* . {b}: no way to cut it in two has the parts in the two languages.", "So aa is in N."});
+    CHECK(argument("let A = {aa, aaa}; refute ε in A+") == Lines{"ε is not in A.", "So ε is not in A+."});
+    CHECK(argument("let A = {ab} | {b}; show ab in A") == Lines{"ab is in {ab}.", "So ab is in A."});
+    CHECK(argument("show ab in {ba}^R") == Lines{"ba is in {ba}.", "So ab is in {ba}^R."});
+    CHECK(argument("let h = { a -> b }; show a in h^-1({b})") == Lines{"The image of a is b.", "b is in {b}.", "So a is in { a -> b }^-1({b})."});
+    CHECK(argument("let G = D0L { axiom aa; a -> aa }; show ε not in L(G)") == Lines{"ε is not in L(G): all its words are longer."});
+    CHECK(argument("let G = D0L { axiom a; a -> aa }; show aaa not in L(G)") == Lines{"aaa is not in L(G): generations 0 to 1 are not this word, and from then on all words are longer."});
+}

@@ -102,6 +102,7 @@ bool WindowTable::step_middle(const Budget& budget, std::size_t& at, std::size_t
     const std::size_t lookups = bits > 4 ? 1 : (most_width - (windows_.width() - 1)) / middle;
     while (at + lookups * middle <= end) {
         budget.check();
+        budget.check_memory(word_.size() + next_.size(), "the words");
         const std::size_t times =
             std::min((end - at) / (lookups * middle), letters_between_checks / lookups);
         make_room(times * lookups * most_letters);

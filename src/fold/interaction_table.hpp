@@ -22,7 +22,8 @@ public:
     void read(const Word& word);
     void write(Word& word) const;
     /// The next word; false, and no step, if it has more than budget.letters letters. O(length of
-    /// the two words / letters at a time).
+    /// the two words / letters at a time). Throws BoundReached if the words take more than
+    /// budget.memory.
     bool step(const Budget& budget);
     std::size_t length() const { return length_; }
 

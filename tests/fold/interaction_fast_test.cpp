@@ -166,4 +166,9 @@ TEST_CASE("bounds hold for tables too") {
     CHECK_THROWS_WITH_AS(
         derive(written("axiom ab; a -> aa; a < b -> bb"), 50, budget),
         "generation 17 has more than 100000 letters, the bound set by --max-letters", BoundReached);
+    Budget small;
+    small.memory = 1'000'000;
+    Development development(written("axiom ab; a -> aa; a < b -> bb"), small);
+    CHECK_THROWS_AS(development.steps(50), BoundReached);
+    CHECK(development.length() > 100'000);
 }

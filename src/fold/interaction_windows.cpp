@@ -3,31 +3,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "system/accessible.hpp"
+
 namespace algae {
-
-namespace {
-
-/// Whether each letter can occur: letters of the axiom, and of successors of letters that can.
-std::vector<char> occurring(const IL& system) {
-    std::vector<char> occurs(system.alphabet->size(), 0);
-    Word waiting;
-    const auto add = [&](const Word& word) {
-        for (const Symbol a : word)
-            if (!occurs[a]) {
-                occurs[a] = 1;
-                waiting.push_back(a);
-            }
-    };
-    add(system.axiom);
-    while (!waiting.empty()) {
-        const Symbol a = waiting.back();
-        waiting.pop_back();
-        for (const IL::Rule& rule : system.rules[a]) add(rule.successor);
-    }
-    return occurs;
-}
-
-}  // namespace
 
 std::size_t Windows::bits() const {
     return std::max<std::size_t>(1, static_cast<std::size_t>(std::bit_width(letters.size() - 1)));
@@ -35,14 +13,16 @@ std::size_t Windows::bits() const {
 
 std::optional<Windows> windows(const IL& system) {
     if (system.brackets) return std::nullopt;
-    const std::vector<char> occurs = occurring(system);
     Windows found;
-    found.numbers.resize(occurs.size());
-    for (Symbol a = 0; a < occurs.size(); ++a) {
-        if (!occurs[a]) continue;
-        if (system.ignored[a] || found.letters.size() == 128) return std::nullopt;
-        found.numbers[a] = static_cast<std::uint8_t>(found.letters.size());
-        found.letters.push_back(a);
+    found.letters = accessible(system.axiom, system.alphabet->size(), [&](Symbol a, auto see) {
+        for (const IL::Rule& rule : system.rules[a]) see(rule.successor);
+    });
+    if (found.letters.size() > 128) return std::nullopt;
+    found.numbers.resize(system.alphabet->size());
+    for (std::size_t i = 0; i < found.letters.size(); ++i) {
+        const Symbol a = found.letters[i];
+        if (system.ignored[a]) return std::nullopt;
+        found.numbers[a] = static_cast<std::uint8_t>(i);
         for (const IL::Rule& rule : system.rules[a]) {
             found.left = std::max(found.left, rule.left.size());
             found.right = std::max(found.right, rule.right.size());

@@ -12,7 +12,7 @@ namespace algae {
 /// that occurs is ignored, so that what becomes of a letter is a function of a window of letters
 /// around it. The letters that occur are numbered from 0 on.
 struct Windows {
-    std::vector<Symbol> letters;        // by number
+    std::vector<Symbol> letters;        // by number, in order of first access
     std::vector<std::uint8_t> numbers;  // by symbol; 0 too for letters that do not occur
     std::size_t left = 0, right = 0;    // letters of the window on either side
     bool keeps_length = true;           // every letter becomes one letter

@@ -41,7 +41,7 @@ TEST_CASE("a seed picks the same word every time") {
     CHECK(first.status == 0);
     CHECK(first.out == run("derive - -n 5 --seed 7", system).out);
     CHECK(first.out != run("derive - -n 5 --seed 8", system).out);
-    CHECK(run("derive - -n 2 --seed 7", system).out == "F[+F]F[-F[+F]F]F[+F]F\n");
+    CHECK(run("derive - -n 2 --seed 7", system).out == "F[+F]F[-F[+F]F]F[-F]F\n");
 }
 
 TEST_CASE("a system with choices says what to do instead") {
@@ -61,17 +61,54 @@ TEST_CASE("a generation that is too long is answered at once with its length") {
     CHECK(run("derive koch -n 1000000000000").status == 3);
 }
 
-TEST_CASE("what the engine cannot run yet is refused by name") {
+TEST_CASE("parameters, conditions and modules elsewhere") {
+    CHECK(run("derive - -n 2 --all", "printf 'axiom A(1); let k = 0.5; A(x) : x < 2 -> A(x+1)B(k*x)' |").out ==
+          "A(1)\nA(2)B(0.5)\nA(2)B(0.5)\n");
+    CHECK(run("derive - -n 1", "printf 'axiom C(3,8)D(-1)B(5)A(1); A(x) ? B(y), C(r,z) : x < y + r -> D(x)E(y+r)' |").out ==
+          "C(3,8)D(-1)B(5)D(1)E(8)\n");
+    CHECK(nlohmann::json::parse(run("derive - -n 1 --json", "printf 'axiom A(1); A(x) -> A(x/3)' |").out)["words"][0] ==
+          "A(0.3333333333333333)");
+    const Run failed = run("derive - -n 5", "printf 'axiom A(2)\nA(x) -> A(x-1)B(1/x)' |");
+    CHECK(failed.status == 2);
+    CHECK(failed.err == "algae: standard input:2:1: the rule for A(0) at position 0 of generation 2: division by 0 in '1/x'\n");
+    CHECK(run("derive - -n 30 --max-letters 1000", "printf 'axiom A(2); A(x) -> A(x)A(x)' |").status == 3);
+}
+
+TEST_CASE("probabilities: a seed, a panel of seeds, all words, expected numbers") {
+    const std::string system = "printf 'axiom F; F -(1/3)-> FF; F -(2/3)-> F' |";
+    CHECK(run("derive - -n 4", system).out == run("derive - -n 4 --seed 1", system).out);
+    const std::string panel = run("derive - -n 4 --seeds 1..3", system).out;
+    CHECK(panel == run("derive - -n 4 --seed 1", system).out + run("derive - -n 4 --seed 2", system).out +
+                       run("derive - -n 4 --seed 3", system).out);
+    CHECK(run("derive - -n 2 --distribution", system).out == "4/9  F\n10/27  FF\n4/27  FFF\n1/27  FFFF\n");
+    CHECK(nlohmann::json::parse(run("derive - -n 1 --distribution --json", system).out)["words"][1]["probability"] == "1/3");
+    CHECK(run("derive - -n 2 --expected", system).out == "F  16/9  1.777778\nlength  16/9  1.777778\n");
+    CHECK(nlohmann::json::parse(run("derive - -n 2 --expected --json", system).out)["letters"]["F"] == "16/9");
+}
+
+TEST_CASE("tables and terminals") {
+    const std::string tables = "printf 'axiom a; table light; a -> ab; table dark; a -> b; b -> aa' |";
+    CHECK(run("derive - --tables light,dark", tables).out == "baa\n");
+    CHECK(run("derive - --tables 12 --all", tables).out == "a\nab\nbaa\n");
+    CHECK(run("derive - -n 3 --seed 2", tables).status == 0);
+    CHECK(run("derive - -n 3", tables).err ==
+          "algae: it has 2 tables; say --tables SEQUENCE, or --seed S for random ones\n");
+    CHECK(run("derive - -n 3 --tables 12", tables).err ==
+          "algae: --tables: expected a table for each of 3 steps, found 2\n");
+    CHECK(run("derive - -n 2 --language", tables).out == "a\nb\naa\nab\nabb\nbaa\n");
+    CHECK(run("derive - -n 3 --language", "printf 'axiom S; S -> aSb; S -> ab; terminals a b' |").out == "ab\naabb\naaabbb\n");
+    CHECK(run("derive - -n 1", "printf 'axiom S; S -> a; terminals a' |").out == "a\n");
+}
+
+TEST_CASE("what derive does not decide by itself is refused by name") {
     const auto refused = [](const std::string& system) {
         const Run run_of = run("derive - -n 1", "printf '" + system + "' |");
         CHECK(run_of.status == 2);
         return run_of.err;
     };
-    CHECK(refused("axiom ba; b < a -> b; b < a -> a").find("a has two rules with the same contexts") != std::string::npos);
-    CHECK(refused("axiom A(1); A(x) -> A(x+1)").find("the axiom has parameters") != std::string::npos);
-    CHECK(refused("axiom F; F -(0.5)-> F; F -(0.5)-> FF").find("has a probability") != std::string::npos);
-    CHECK(refused("table one; axiom a; a -> b; table two; a -> c").find("it has tables") != std::string::npos);
-    CHECK(refused("axiom S; S -> a; terminals a").find("it has terminals") != std::string::npos);
+    CHECK(refused("axiom ba; b < a -> b; b < a -> a").find("neither has a probability") != std::string::npos);
+    CHECK(refused("axiom A(1); A(x) : x > 0 -> B; A(x) : x < 2 -> C").find("matches too") != std::string::npos);
+    CHECK(refused("axiom A?E(0); A -> AA").find("communication modules") != std::string::npos);
 }
 
 TEST_CASE("numbers out of range are refused with what was expected") {

@@ -31,7 +31,8 @@ void refuse_open(const LSystem& system) {
 
 std::uint64_t one_generation(const DeriveOptions& options, const std::string& option) {
     if (options.generation.empty()) throw Error("-n is missing: which generation?");
-    if (options.all || options.generation.find("..") != std::string::npos) throw Error(option + " needs one generation");
+    if (options.all || options.generation.find("..") != std::string::npos)
+        throw Error(option + " needs one generation");
     return natural("-n", options.generation);
 }
 
@@ -48,8 +49,8 @@ std::vector<std::size_t> tables(const DeriveOptions& options, const LSystem& sys
 /// The word of one generation after the other.
 class Generations {
 public:
-    Generations(const LSystem& system, const RewritingChoices& choices, std::vector<std::size_t> sequence,
-                const Budget& budget)
+    Generations(const LSystem& system, const RewritingChoices& choices,
+                std::vector<std::size_t> sequence, const Budget& budget)
         : rewriting_(system, choices),
           text_(rewriting_.rules().system->alphabet, rewriting_.rules().kinds),
           sequence_(std::move(sequence)),
@@ -59,8 +60,8 @@ public:
     bool write(std::uint64_t n, TextSink& sink) {
         for (; generation_ < n; ++generation_) {
             budget_.check();
-            const std::size_t table =
-                sequence_.empty() ? rewriting_.random_table(generation_) : sequence_.at(generation_);
+            const std::size_t table = sequence_.empty() ? rewriting_.random_table(generation_)
+                                                        : sequence_.at(generation_);
             word_ = rewriting_.next(word_, generation_, table, budget_);
         }
         return text_.write(word_, sink, budget_);
@@ -77,8 +78,8 @@ private:
 
 void check_long_enough(const std::vector<std::size_t>& sequence, std::uint64_t n) {
     if (!sequence.empty() && sequence.size() < n)
-        throw Error("--tables: expected a table for each of " + std::to_string(n) + " steps, found " +
-                    std::to_string(sequence.size()));
+        throw Error("--tables: expected a table for each of " + std::to_string(n) +
+                    " steps, found " + std::to_string(sequence.size()));
 }
 
 }  // namespace
@@ -97,7 +98,8 @@ void derive_modules(const DeriveOptions& options, const LSystem& system, const B
         });
         return;
     }
-    const auto [from, last] = options.generation.empty() ? std::pair<std::uint64_t, std::uint64_t>(sequence.size(), sequence.size())
+    const auto [from, last] = options.generation.empty() ? std::pair<std::uint64_t, std::uint64_t>(
+                                                               sequence.size(), sequence.size())
                                                          : range("-n", options.generation);
     check_long_enough(sequence, last);
     Generations generations(system, choices(options, system), sequence, budget);
@@ -105,19 +107,24 @@ void derive_modules(const DeriveOptions& options, const LSystem& system, const B
                 [&](std::uint64_t n, TextSink& sink) { return generations.write(n, sink); });
 }
 
-void derive_distribution(const DeriveOptions& options, const LSystem& system, const Budget& budget) {
+void derive_distribution(const DeriveOptions& options, const LSystem& system,
+                         const Budget& budget) {
     refuse_open(system);
     const std::uint64_t n = one_generation(options, "--distribution");
-    if (system.tables.size() > 1 && options.tables.empty()) throw Error("it has tables; say --tables SEQUENCE");
+    if (system.tables.size() > 1 && options.tables.empty())
+        throw Error("it has tables; say --tables SEQUENCE");
     const auto sequence = tables(options, system);
     check_long_enough(sequence, n);
     const Rewriting rewriting(system, choices(options, system));
     const ModuleText text(rewriting.rules().system->alphabet, rewriting.rules().kinds);
     nlohmann::json words = nlohmann::json::array();
     for (const LikelyWord& likely : distribution(rewriting, n, sequence, budget)) {
-        const std::string word = text.text(likely.word), probability = to_string(likely.probability);
-        if (options.json) words.push_back({{"word", word}, {"probability", probability}});
-        else print(probability + "  " + word + '\n');
+        const std::string word = text.text(likely.word),
+                          probability = to_string(likely.probability);
+        if (options.json)
+            words.push_back({{"word", word}, {"probability", probability}});
+        else
+            print(probability + "  " + word + '\n');
     }
     if (options.json) print(nlohmann::json({{"words", words}}).dump(2) + "\n");
 }
@@ -132,7 +139,8 @@ void derive_expected(const DeriveOptions& options, const LSystem& system, const 
     for (Symbol a = 0; a < counts.size(); ++a) {
         length += counts[a];
         letters[system.alphabet.name(a)] = to_string(counts[a]);
-        text += system.alphabet.name(a) + "  " + to_string(counts[a]) + "  " + decimal(counts[a], 6) + '\n';
+        text += system.alphabet.name(a) + "  " + to_string(counts[a]) + "  " +
+                decimal(counts[a], 6) + '\n';
     }
     if (options.json)
         print(nlohmann::json({{"letters", letters}, {"length", to_string(length)}}).dump(2) + "\n");
@@ -142,9 +150,11 @@ void derive_expected(const DeriveOptions& options, const LSystem& system, const 
 
 void derive_language(const DeriveOptions& options, const LSystem& system, const Budget& budget) {
     const std::uint64_t n = one_generation(options, "--language");
-    const auto longest = options.longest.empty() ? std::nullopt
-                                                 : std::optional<std::size_t>(natural("--longest", options.longest));
-    print_words(options.json, system.alphabet, terminal_words(*as_et0l(system), n, longest, budget));
+    const auto longest = options.longest.empty()
+                             ? std::nullopt
+                             : std::optional<std::size_t>(natural("--longest", options.longest));
+    print_words(options.json, system.alphabet,
+                terminal_words(*as_et0l(system), n, longest, budget));
 }
 
 }  // namespace algae::cli

@@ -12,7 +12,8 @@ namespace algae::cli {
 
 struct DeriveOptions {
     std::string file, generation, seed, seeds, tables, longest;
-    bool all = false, all_words = false, language = false, distribution = false, expected = false, json = false;
+    bool all = false, all_words = false, language = false, distribution = false, expected = false,
+         json = false;
     Bounds bounds;
 };
 

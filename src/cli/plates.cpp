@@ -1,11 +1,25 @@
 #include "cli/plates.hpp"
 
-#include <random>
-
 #include "base/error.hpp"
-#include "fold/choices.hpp"
+#include "rewrite/rewriting.hpp"
+#include "system/d0l.hpp"
+#include "system/ol.hpp"
+#include "system/s0l.hpp"
 
 namespace algae::cli {
+
+namespace {
+
+/// The word that `algae derive` picks for this seed.
+Word picked_word(const LSystem& system, std::uint64_t n, std::optional<std::uint64_t> seed, const Budget& budget) {
+    RewritingChoices choices;
+    choices.evenly = bool(as_ol(system));
+    if (seed) choices.seed = *seed;
+    const Rewriting rewriting(system, choices);
+    return letters(rewriting.rules().kinds, derive(rewriting, n, {}, budget));
+}
+
+}  // namespace
 
 FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::uint64_t> generations,
                            std::optional<std::uint64_t> seed, const Budget& budget)
@@ -14,6 +28,8 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
         const auto decimal = angle->exact ? exact_decimal(*angle->exact) : std::nullopt;
         angle_ = (decimal ? *decimal : to_text(angle->expression)) + "°";
     }
+    const bool stochastic = !as_ol(system) && as_s0l(system);
+    if (seed && !stochastic && !as_ol(system)) as_ol(system).value();  // says why not
     if (!seed && as_ol(system))
         if (const View<D0L> rules = as_d0l(system); !rules)
             throw Error(rules.reason() + "; say --seed S to draw one word picked at random");
@@ -21,9 +37,8 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
         FigurePlate& plate = figures.emplace_back();
         plate.generation = n;
         plate.name = "generation " + std::to_string(n) + " of " + system.name;
-        if (seed) {
-            std::mt19937_64 generator(*seed);
-            plate.figure = figure(system, random_word(*as_ol(system), n, generator, budget), n, budget);
+        if (seed || stochastic) {
+            plate.figure = figure(system, picked_word(system, n, seed, budget), n, budget);
         } else {
             plate.figure = figure(system, n, budget);
         }

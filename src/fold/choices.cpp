@@ -65,39 +65,4 @@ std::vector<Word> words_up_to(const OL& system, std::size_t longest, const Budge
     return by_name(std::move(found), *system.alphabet);
 }
 
-std::uint64_t below(std::mt19937_64& generator, std::uint64_t bound) {
-    const std::uint64_t skip = (0 - bound) % bound;  // 2^64 mod bound values would be one too many
-    std::uint64_t value;
-    do value = generator();
-    while (value < skip);
-    return value % bound;
-}
-
-Word random_word(const OL& system, std::uint64_t n, std::mt19937_64& generator, const Budget& budget) {
-    Word word = system.axiom;
-    for (std::uint64_t step = 1; step <= n; ++step) {
-        budget.check();
-        Word next;
-        std::uint64_t visits = 0;
-        for (const Symbol a : word) {
-            if (++visits % 65536 == 0) {
-                budget.check();
-                budget.check_memory((word.capacity() + next.capacity()) * sizeof(Symbol), "the word");
-            }
-            const auto& choices = system.successors[a];
-            const Word& successor = choices.size() == 1 ? choices.front() : choices[below(generator, choices.size())];
-            if (next.size() + successor.size() > budget.letters)
-                throw BoundReached("generation " + std::to_string(step) + " has more than " +
-                                   std::to_string(budget.letters) + " letters, the bound set by --max-letters");
-            next.insert(next.end(), successor.begin(), successor.end());
-        }
-        if (next == word && std::all_of(word.begin(), word.end(), [&](Symbol a) {
-                return system.successors[a].size() == 1;
-            }))
-            break;  // nothing will ever change
-        word = std::move(next);
-    }
-    return word;
-}
-
 }  // namespace algae

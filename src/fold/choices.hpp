@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <optional>
-#include <random>
 #include <vector>
 
 #include "algebra/semiring.hpp"
@@ -50,14 +49,5 @@ std::vector<Word> words_of_generation(const OL& system, std::uint64_t n,
 ///
 /// Example: words_up_to(ol("a", {{'a', "a"}, {'a', "aa"}}), 5).size() == 5
 std::vector<Word> words_up_to(const OL& system, std::size_t longest, const Budget& budget = {});
-
-/// A number below `bound`, the same on every machine: the standard fixes what mt19937_64 yields for
-/// a seed, but leaves uniform_int_distribution to the library.
-std::uint64_t below(std::mt19937_64& generator, std::uint64_t bound);
-
-/// One word of generation n: every letter, from left to right, generation by generation, takes one
-/// of its successors, each as likely as the others. A letter with one successor uses no number.
-/// Throws BoundReached if a generation has more than budget.letters letters.
-Word random_word(const OL& system, std::uint64_t n, std::mt19937_64& generator, const Budget& budget = {});
 
 }  // namespace algae

@@ -33,7 +33,8 @@ public:
     explicit Likely(const Budget& budget) : budget_(&budget) {}
 
     void add(ModuleString word, const Rational& probability) {
-        const std::size_t bytes = word.kinds.size() * sizeof(ModuleKind) + word.values.size() * sizeof(double) + 200;
+        const std::size_t bytes =
+            word.kinds.size() * sizeof(ModuleKind) + word.values.size() * sizeof(double) + 200;
         const auto [found, fresh] = words_.try_emplace(std::move(word));
         found->second += probability;
         if (!fresh) return;
@@ -50,8 +51,8 @@ private:
 };
 
 /// What one word becomes in a step.
-Likely successors(const Rewriting& rewriting, const ModuleString& word, std::uint64_t generation, std::size_t table,
-                  const Budget& budget) {
+Likely successors(const Rewriting& rewriting, const ModuleString& word, std::uint64_t generation,
+                  std::size_t table, const Budget& budget) {
     const auto outcomes = rewriting.outcomes(word, generation, table, budget);
     Likely all(budget);
     all.add({}, Rational(1));
@@ -93,9 +94,11 @@ std::vector<LikelyWord> distribution(const Rewriting& rewriting, std::uint64_t n
     std::stable_sort(out.begin(), out.end(), [&](const LikelyWord& left, const LikelyWord& right) {
         const auto &a = left.word.kinds, &b = right.word.kinds;
         if (a.size() != b.size()) return a.size() < b.size();
-        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(), [&](ModuleKind x, ModuleKind y) {
-            return std::pair(ranks[kinds.letter(x)], kinds.arity(x)) < std::pair(ranks[kinds.letter(y)], kinds.arity(y));
-        });
+        return std::lexicographical_compare(
+            a.begin(), a.end(), b.begin(), b.end(), [&](ModuleKind x, ModuleKind y) {
+                return std::pair(ranks[kinds.letter(x)], kinds.arity(x)) <
+                       std::pair(ranks[kinds.letter(y)], kinds.arity(y));
+            });
     });
     return out;
 }

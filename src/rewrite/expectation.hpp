@@ -16,7 +16,8 @@ namespace algae {
 /// vector with the rules; numbers grow by O(1) digits a step.
 ///
 /// Example: expected_counts(*as_s0l(read_lsystem("axiom F; F -(1/2)-> FF; F -(1/2)-> F", "")), 2)[0] == Rational(9, 4)
-std::vector<Rational> expected_counts(const S0L& system, std::uint64_t n, const Budget& budget = {});
+std::vector<Rational> expected_counts(const S0L& system, std::uint64_t n,
+                                      const Budget& budget = {});
 
 /// A word and how likely it is.
 struct LikelyWord {
@@ -33,6 +34,7 @@ struct LikelyWord {
 ///
 /// Example: distribution(Rewriting(read_lsystem("axiom F; F -(1/3)-> FF; F -(2/3)-> F", "")), 1)[1].probability == Rational(1, 3)
 std::vector<LikelyWord> distribution(const Rewriting& rewriting, std::uint64_t n,
-                                     const std::vector<std::size_t>& tables = {}, const Budget& budget = {});
+                                     const std::vector<std::size_t>& tables = {},
+                                     const Budget& budget = {});
 
 }  // namespace algae

@@ -13,12 +13,12 @@ namespace algae {
 
 /// What a thread works with, kept from part to part.
 struct FreeStep::Room {
-    std::vector<std::vector<Row>> rows;              // by kind, or by outcome
-    std::vector<std::vector<double>> gathered;       // columns of parameters
-    std::vector<const double*> columns;              // the same, for programs
-    std::vector<char> is_gathered;                   // by parameter
-    std::vector<double> values;                      // what a program gives
-    std::vector<std::uint32_t> found;                // by row: the rules that match, counted from 1
+    std::vector<std::vector<Row>> rows;         // by kind, or by outcome
+    std::vector<std::vector<double>> gathered;  // columns of parameters
+    std::vector<const double*> columns;         // the same, for programs
+    std::vector<char> is_gathered;              // by parameter
+    std::vector<double> values;                 // what a program gives
+    std::vector<std::uint32_t> found;           // by row: the rules that match, counted from 1
     Program::Columns programs;
 };
 
@@ -46,9 +46,10 @@ void FreeStep::add_outcomes() {
     std::size_t letters = 0;
     for (const Successor& successor : rules_.successors) letters += successor.kinds.size();
     padded_.reserve(letters + kinds + count * near);
-    const auto add = [&](std::uint32_t successor, const ModuleKind* from, std::size_t size, std::size_t values,
-                         std::uint32_t arity) {
-        outcomes_.push_back({successor, static_cast<std::uint32_t>(size), static_cast<std::uint32_t>(values), arity,
+    const auto add = [&](std::uint32_t successor, const ModuleKind* from, std::size_t size,
+                         std::size_t values, std::uint32_t arity) {
+        outcomes_.push_back({successor, static_cast<std::uint32_t>(size),
+                             static_cast<std::uint32_t>(values), arity,
                              padded_.data() + padded_.size()});
         padded_.insert(padded_.end(), from, from + size);
         padded_.insert(padded_.end(), near, 0);
@@ -68,7 +69,8 @@ void FreeStep::add_outcomes() {
             for (const std::uint32_t successor : alternatives.successors) {
                 number_of_[successor] = static_cast<Number>(outcomes_.size());
                 const Successor& to = rules_.successors[successor];
-                add(successor, to.kinds.data(), to.kinds.size(), to.values.size(), rules_.kinds.arity(kind));
+                add(successor, to.kinds.data(), to.kinds.size(), to.values.size(),
+                    rules_.kinds.arity(kind));
             }
         if (set_.of[k].empty()) continue;
         const Alternatives& first = set_.of[k].front();
@@ -90,7 +92,8 @@ void FreeStep::cut() {
     for (std::size_t begin = 0; begin < size; begin += part_size) {
         parts_.push_back({begin, std::min(begin + part_size, size), values});
         if (!word_.values.empty())
-            for (std::size_t i = begin; i < parts_.back().end; ++i) values += rules_.kinds.arity(word_.kinds[i]);
+            for (std::size_t i = begin; i < parts_.back().end; ++i)
+                values += rules_.kinds.arity(word_.kinds[i]);
     }
 }
 
@@ -115,8 +118,9 @@ void FreeStep::each_part(const std::function<void(Part&, Room&)>& work) {
         }
     };
     constexpr std::size_t parts_for_a_thread = 16;
-    const std::size_t wanted = rewriting_.choices_.threads > 0 ? rewriting_.choices_.threads
-                                                               : std::max(1u, std::thread::hardware_concurrency());
+    const std::size_t wanted = rewriting_.choices_.threads > 0
+                                   ? rewriting_.choices_.threads
+                                   : std::max(1u, std::thread::hardware_concurrency());
     const std::size_t threads = std::min(wanted, parts_.size() / parts_for_a_thread);
     std::vector<std::thread> others;
     for (std::size_t i = 1; i < threads; ++i) others.emplace_back(run);
@@ -126,8 +130,10 @@ void FreeStep::each_part(const std::function<void(Part&, Room&)>& work) {
         if (error) std::rethrow_exception(error);
 }
 
-FreeStep::Number FreeStep::outcome_of(const Alternatives& alternatives, ModuleKind kind, const Row& row) const {
-    rewriting_.check_choice(alternatives, kind, word_.values.data() + row.values, row.position, generation_);
+FreeStep::Number FreeStep::outcome_of(const Alternatives& alternatives, ModuleKind kind,
+                                      const Row& row) const {
+    rewriting_.check_choice(alternatives, kind, word_.values.data() + row.values, row.position,
+                            generation_);
     const std::uint64_t number = alternatives.successors.size() > 1 ? draws_.at(row.position) : 0;
     return number_of_[rewriting_.pick(alternatives, number)];
 }
@@ -143,8 +149,7 @@ void FreeStep::look_at(ModuleKind kind, const Row& row) {
         } catch (const Undefined& undefined) {
             rewriting_.refuse(undefined.reason, rule, kind, values, row.position, generation_);
         }
-        if (found)
-            rewriting_.refuse_both(*found, next, kind, values, row.position, generation_);
+        if (found) rewriting_.refuse_both(*found, next, kind, values, row.position, generation_);
         found = &next;
     }
     chosen_[row.position] = found ? outcome_of(*found, kind, row) : kind;
@@ -176,7 +181,8 @@ bool FreeStep::look_at_all(ModuleKind kind, const std::vector<Row>& rows, Room& 
     for (std::uint32_t rule = 0; rule < rules.size(); ++rule) {
         if (rules[rule].condition) {
             gather(*rules[rule].condition, rows, room);
-            if (!rules[rule].condition->run_many(room.columns, rows.size(), room.values.data(), room.programs))
+            if (!rules[rule].condition->run_many(room.columns, rows.size(), room.values.data(),
+                                                 room.programs))
                 return false;
         } else {
             std::fill_n(room.values.begin(), rows.size(), 1.0);
@@ -215,7 +221,8 @@ void FreeStep::choose(Part& part, Room& room) {
             chosen_[i] = way.outcomes[steps];
         }
     } else {
-        for (std::size_t i = part.begin; i < part.end; ++i) chosen_[i] = ways_[word_.kinds[i]].outcomes[0];
+        for (std::size_t i = part.begin; i < part.end; ++i)
+            chosen_[i] = ways_[word_.kinds[i]].outcomes[0];
     }
     if (std::find(closer_.begin(), closer_.end(), 1) != closer_.end()) {
         room.rows.resize(closer_.size());
@@ -254,8 +261,8 @@ void FreeStep::compute(const Outcome& outcome, const std::vector<Row>& rows, Roo
             try {
                 out[row.out] = slot.value.run(values);
             } catch (const Undefined& undefined) {
-                rewriting_.refuse(undefined.reason, *successor.rule, word_.kinds[row.position], values, row.position,
-                                  generation_);
+                rewriting_.refuse(undefined.reason, *successor.rule, word_.kinds[row.position],
+                                  values, row.position, generation_);
             }
         }
     }
@@ -285,8 +292,9 @@ void FreeStep::write(const Part& part, Room& room) {
             const Successor& successor = rules_.successors[outcome.successor];
             source = successor.values.data();
             if (!successor.slots.empty())
-                room.rows[chosen_[i]].push_back({i, static_cast<std::uint64_t>(from - word_.values.data()),
-                                                 static_cast<std::uint64_t>(to - out_.values.data())});
+                room.rows[chosen_[i]].push_back(
+                    {i, static_cast<std::uint64_t>(from - word_.values.data()),
+                     static_cast<std::uint64_t>(to - out_.values.data())});
         }
         for (std::uint32_t k = 0; k < outcome.values; ++k) to[k] = source[k];
         to += outcome.values;
@@ -305,8 +313,9 @@ ModuleString FreeStep::next() {
         values += std::exchange(part.values_out, values);
     }
     if (letters > budget_.letters)
-        throw BoundReached("generation " + std::to_string(generation_ + 1) + " has " + std::to_string(letters) +
-                           " letters, more than the " + std::to_string(budget_.letters) + " that --max-letters allows");
+        throw BoundReached("generation " + std::to_string(generation_ + 1) + " has " +
+                           std::to_string(letters) + " letters, more than the " +
+                           std::to_string(budget_.letters) + " that --max-letters allows");
     budget_.check_memory(letters * sizeof(ModuleKind) + values * sizeof(double), "a word");
     out_.kinds.resize(letters);
     out_.values.resize(values);

@@ -15,8 +15,8 @@ namespace algae {
 /// once, so an instruction is looked at once for many modules.
 class FreeStep {
 public:
-    FreeStep(const Rewriting& rewriting, const RuleSet& set, const ModuleString& word, std::uint64_t generation,
-             const Budget& budget);
+    FreeStep(const Rewriting& rewriting, const RuleSet& set, const ModuleString& word,
+             std::uint64_t generation, const Budget& budget);
 
     /// The next word. Throws as Rewriting::next does.
     ModuleString next();
@@ -26,10 +26,10 @@ private:
     struct Outcome {
         std::uint32_t successor = 0;  // 0: the module itself
         std::uint32_t letters = 1, values = 0;
-        std::uint32_t arity = 0;      // of the module that is rewritten
+        std::uint32_t arity = 0;  // of the module that is rewritten
         const ModuleKind* kinds = nullptr;
     };
-    using Number = std::uint16_t;  // of an outcome
+    using Number = std::uint16_t;            // of an outcome
     static constexpr std::size_t near = 16;  // successors as long as this are copied in one go
 
     /// How a kind of modules finds its outcome: by comparing a random number with up to three
@@ -39,9 +39,10 @@ private:
         std::array<Number, 4> outcomes{};
     };
     struct Part {
-        std::size_t begin, end;            // positions in the word
-        std::uint64_t values;              // where its parameters begin
-        std::uint64_t letters_out = 0, values_out = 0;  // how many come of it, then where they begin
+        std::size_t begin, end;  // positions in the word
+        std::uint64_t values;    // where its parameters begin
+        std::uint64_t letters_out = 0,
+                      values_out = 0;  // how many come of it, then where they begin
     };
     /// A module that programs run for.
     struct Row {
@@ -71,10 +72,10 @@ private:
     Draws draws_;
     bool random_ = false;  // some way has thresholds
     std::vector<Outcome> outcomes_;
-    std::vector<ModuleKind> padded_;      // the letters of all outcomes, each with `near` to spare
-    std::vector<Way> ways_;               // by kind
-    std::vector<char> closer_;            // by kind: has conditions, or choices to be checked
-    std::vector<Number> number_of_;       // by successor: its outcome
+    std::vector<ModuleKind> padded_;  // the letters of all outcomes, each with `near` to spare
+    std::vector<Way> ways_;           // by kind
+    std::vector<char> closer_;        // by kind: has conditions, or choices to be checked
+    std::vector<Number> number_of_;   // by successor: its outcome
     std::vector<Part> parts_;
     std::vector<Number, Uncleared<Number>> chosen_;  // by position
     ModuleString out_;

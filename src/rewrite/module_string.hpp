@@ -71,4 +71,7 @@ struct ModuleString {
     }
 };
 
+/// The letters of a word, without their parameters.
+Word letters(const ModuleKinds& kinds, const ModuleString& word);
+
 }  // namespace algae

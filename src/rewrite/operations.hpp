@@ -83,23 +83,26 @@ double binary(double x, double y) {
     if constexpr (operation == either) return x != 0 || y != 0 ? 1 : 0;
 }
 
-#define ALGAE_CASE(name, shape) \
-    case Program::Operation::name: return visit.template shape<Program::Operation::name>();
+#define ALGAE_CASE(name, shape)    \
+    case Program::Operation::name: \
+        return visit.template shape<Program::Operation::name>();
 
 /// visit.one<operation>() or visit.two<operation>(), for an operation on one or two numbers.
 template <class Visit>
 decltype(auto) dispatch(Program::Operation operation, Visit&& visit) {
     switch (operation) {
-        ALGAE_CASE(negate, one) ALGAE_CASE(invert, one) ALGAE_CASE(truth, one) ALGAE_CASE(abs, one)
-        ALGAE_CASE(floor, one) ALGAE_CASE(ceil, one) ALGAE_CASE(sin, one) ALGAE_CASE(cos, one)
-        ALGAE_CASE(tan, one) ALGAE_CASE(asin, one) ALGAE_CASE(acos, one) ALGAE_CASE(atan, one)
-        ALGAE_CASE(sqrt, one) ALGAE_CASE(exp, one) ALGAE_CASE(log, one) ALGAE_CASE(add, two)
-        ALGAE_CASE(subtract, two) ALGAE_CASE(multiply, two) ALGAE_CASE(divide, two)
-        ALGAE_CASE(power, two) ALGAE_CASE(minimum, two) ALGAE_CASE(maximum, two)
-        ALGAE_CASE(less, two) ALGAE_CASE(less_equal, two) ALGAE_CASE(greater, two)
-        ALGAE_CASE(greater_equal, two) ALGAE_CASE(equal, two) ALGAE_CASE(unequal, two)
-        ALGAE_CASE(both, two)
-        default: return visit.template two<Program::Operation::either>();
+        ALGAE_CASE(negate, one)
+        ALGAE_CASE(invert, one) ALGAE_CASE(truth, one) ALGAE_CASE(abs, one) ALGAE_CASE(floor, one)
+            ALGAE_CASE(ceil, one) ALGAE_CASE(sin, one) ALGAE_CASE(cos, one) ALGAE_CASE(tan, one)
+                ALGAE_CASE(asin, one) ALGAE_CASE(acos, one) ALGAE_CASE(atan, one)
+                    ALGAE_CASE(sqrt, one) ALGAE_CASE(exp, one) ALGAE_CASE(log, one)
+                        ALGAE_CASE(add, two) ALGAE_CASE(subtract, two) ALGAE_CASE(multiply, two)
+                            ALGAE_CASE(divide, two) ALGAE_CASE(power, two) ALGAE_CASE(minimum, two)
+                                ALGAE_CASE(maximum, two) ALGAE_CASE(less, two)
+                                    ALGAE_CASE(less_equal, two) ALGAE_CASE(greater, two)
+                                        ALGAE_CASE(greater_equal, two) ALGAE_CASE(equal, two)
+                                            ALGAE_CASE(unequal, two) ALGAE_CASE(both, two) default
+            : return visit.template two<Program::Operation::either>();
     }
 }
 

@@ -15,18 +15,18 @@ using Operation = Program::Operation;
 Operation operation_of(const Expression& expression) {
     using enum Program::Operation;
     static const std::vector<std::pair<std::string, Operation>> binary{
-        {"+", add}, {"-", subtract}, {"*", multiply}, {"/", divide}, {"^", power}, {"<", less},
-        {"<=", less_equal}, {">", greater}, {">=", greater_equal}, {"=", equal}, {"!=", unequal},
-        {"&", both}, {"|", either}};
+        {"+", add},      {"-", subtract},    {"*", multiply}, {"/", divide},         {"^", power},
+        {"<", less},     {"<=", less_equal}, {">", greater},  {">=", greater_equal}, {"=", equal},
+        {"!=", unequal}, {"&", both},        {"|", either}};
     static const std::vector<std::pair<std::string, Operation>> called{
-        {"abs", abs}, {"floor", floor}, {"ceil", ceil}, {"sin", sin}, {"cos", cos}, {"tan", tan},
-        {"asin", asin}, {"acos", acos}, {"atan", atan}, {"sqrt", sqrt}, {"exp", exp}, {"log", log},
-        {"min", minimum}, {"max", maximum}};
+        {"abs", abs}, {"floor", floor}, {"ceil", ceil},   {"sin", sin},    {"cos", cos},
+        {"tan", tan}, {"asin", asin},   {"acos", acos},   {"atan", atan},  {"sqrt", sqrt},
+        {"exp", exp}, {"log", log},     {"min", minimum}, {"max", maximum}};
     if (expression.kind == Expression::Kind::unary) return expression.name == "!" ? invert : negate;
     const auto& table = expression.kind == Expression::Kind::binary ? binary : called;
-    return std::find_if(table.begin(), table.end(), [&](const auto& entry) {
-               return entry.first == expression.name;
-           })->second;
+    return std::find_if(table.begin(), table.end(),
+                        [&](const auto& entry) { return entry.first == expression.name; })
+        ->second;
 }
 
 /// Why an operation has no value, in the words of `evaluate`.
@@ -159,7 +159,8 @@ double Program::run(const double* parameters) const {
                 const double value = dispatch(next.operation, OneValue{top});
                 if (!std::isfinite(value)) {
                     const bool one = is_unary(next.operation);
-                    throw Undefined{next.at, reason(next.operation, one ? top[-1] : top[-2], top[-1], *next.at)};
+                    throw Undefined{next.at, reason(next.operation, one ? top[-1] : top[-2],
+                                                    top[-1], *next.at)};
                 }
                 if (!is_unary(next.operation)) --top;
                 top[-1] = value;
@@ -202,9 +203,14 @@ struct ManyValues {
     template <Operation operation>
     bool two() const {
         const double *x = left.column, *y = right.column;
-        if (!x && !y) return each([this](std::size_t) { return binary<operation>(left.number, right.number); });
-        if (!x) return each([a = left.number, y](std::size_t i) { return binary<operation>(a, y[i]); });
-        if (!y) return each([x, b = right.number](std::size_t i) { return binary<operation>(x[i], b); });
+        if (!x && !y)
+            return each(
+                [this](std::size_t) { return binary<operation>(left.number, right.number); });
+        if (!x)
+            return each([a = left.number, y](std::size_t i) { return binary<operation>(a, y[i]); });
+        if (!y)
+            return each(
+                [x, b = right.number](std::size_t i) { return binary<operation>(x[i], b); });
         return each([x, y](std::size_t i) { return binary<operation>(x[i], y[i]); });
     }
 };
@@ -271,7 +277,8 @@ std::vector<std::size_t> Program::reads() const {
 bool Program::operator==(const Program& other) const {
     return std::equal(instructions_.begin(), instructions_.end(), other.instructions_.begin(),
                       other.instructions_.end(), [](const Instruction& a, const Instruction& b) {
-                          return a.operation == b.operation && a.index == b.index && a.number == b.number;
+                          return a.operation == b.operation && a.index == b.index &&
+                                 a.number == b.number;
                       });
 }
 

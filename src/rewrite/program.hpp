@@ -51,9 +51,40 @@ public:
     bool operator==(const Program& other) const;
 
     enum class Operation : std::uint8_t {
-        number, parameter, negate, invert, truth, abs, floor, ceil, sin, cos, tan, asin, acos, atan,
-        sqrt, exp, log, add, subtract, multiply, divide, power, minimum, maximum, less, less_equal,
-        greater, greater_equal, equal, unequal, both, either, skip_if_false, skip_if_true
+        number,
+        parameter,
+        negate,
+        invert,
+        truth,
+        abs,
+        floor,
+        ceil,
+        sin,
+        cos,
+        tan,
+        asin,
+        acos,
+        atan,
+        sqrt,
+        exp,
+        log,
+        add,
+        subtract,
+        multiply,
+        divide,
+        power,
+        minimum,
+        maximum,
+        less,
+        less_equal,
+        greater,
+        greater_equal,
+        equal,
+        unequal,
+        both,
+        either,
+        skip_if_false,
+        skip_if_true
     };
 
 private:

@@ -25,14 +25,17 @@ std::string Rewriting::name_of(std::uint64_t generation) const {
     return "the word of generation " + std::to_string(generation);
 }
 
-void Rewriting::refuse(const std::string& what, const Production& rule, ModuleKind kind, const double* values,
-                       std::size_t position, std::uint64_t generation) const {
-    throw Error(at(rule) + ": the rule for " + ModuleText(rules_.system->alphabet, rules_.kinds).text(kind, values) +
-                " at position " + std::to_string(position) + " of generation " + std::to_string(generation) + ": " + what);
+void Rewriting::refuse(const std::string& what, const Production& rule, ModuleKind kind,
+                       const double* values, std::size_t position, std::uint64_t generation) const {
+    throw Error(at(rule) + ": the rule for " +
+                ModuleText(rules_.system->alphabet, rules_.kinds).text(kind, values) +
+                " at position " + std::to_string(position) + " of generation " +
+                std::to_string(generation) + ": " + what);
 }
 
 void Rewriting::refuse_both(const Alternatives& first, const Alternatives& second, ModuleKind kind,
-                            const double* values, std::size_t position, std::uint64_t generation) const {
+                            const double* values, std::size_t position,
+                            std::uint64_t generation) const {
     const Production& other = *rules_.successors[second.successors.front()].rule;
     refuse("the rule at " + to_string(other.place) + " matches too, and " +
                (first.probabilities.empty() || second.probabilities.empty()
@@ -41,13 +44,16 @@ void Rewriting::refuse_both(const Alternatives& first, const Alternatives& secon
            *rules_.successors[first.successors.front()].rule, kind, values, position, generation);
 }
 
-void Rewriting::check_choice(const Alternatives& alternatives, ModuleKind kind, const double* values,
-                             std::size_t position, std::uint64_t generation) const {
-    if (alternatives.successors.size() == 1 || choices_.evenly || !alternatives.probabilities.empty()) return;
+void Rewriting::check_choice(const Alternatives& alternatives, ModuleKind kind,
+                             const double* values, std::size_t position,
+                             std::uint64_t generation) const {
+    if (alternatives.successors.size() == 1 || choices_.evenly ||
+        !alternatives.probabilities.empty())
+        return;
     const Production& first = *rules_.successors[alternatives.successors[0]].rule;
     const Production& second = *rules_.successors[alternatives.successors[1]].rule;
-    refuse("the rule at " + to_string(second.place) + " matches too, and neither has a probability", first, kind,
-           values, position, generation);
+    refuse("the rule at " + to_string(second.place) + " matches too, and neither has a probability",
+           first, kind, values, position, generation);
 }
 
 std::uint32_t Rewriting::pick(const Alternatives& alternatives, std::uint64_t number) const {
@@ -60,9 +66,10 @@ std::uint32_t Rewriting::pick(const Alternatives& alternatives, std::uint64_t nu
     return alternatives.successors[i];
 }
 
-const Alternatives* Rewriting::matching(const RuleSet& set, const Surroundings& around, ModuleKind kind,
-                                        std::size_t position, std::uint64_t generation,
-                                        std::vector<double>& parameters, std::vector<double>& others) const {
+const Alternatives* Rewriting::matching(const RuleSet& set, const Surroundings& around,
+                                        ModuleKind kind, std::size_t position,
+                                        std::uint64_t generation, std::vector<double>& parameters,
+                                        std::vector<double>& others) const {
     const Alternatives* found = nullptr;
     const auto rule_of = [&](const Alternatives& alternatives) -> const Production& {
         return *rules_.successors[alternatives.successors.front()].rule;
@@ -73,17 +80,19 @@ const Alternatives* Rewriting::matching(const RuleSet& set, const Surroundings& 
         try {
             if (!around.match(next, position, found ? others : parameters)) continue;
         } catch (const Undefined& undefined) {
-            refuse(undefined.reason, rule_of(next), kind, around.values_at(position), position, generation);
+            refuse(undefined.reason, rule_of(next), kind, around.values_at(position), position,
+                   generation);
         }
-        if (found) refuse_both(*found, next, kind, around.values_at(position), position, generation);
+        if (found)
+            refuse_both(*found, next, kind, around.values_at(position), position, generation);
         found = &next;
     }
     if (found) check_choice(*found, kind, around.values_at(position), position, generation);
     return found;
 }
 
-void Rewriting::append(const Outcome& outcome, const ModuleString& from, std::size_t position, std::size_t offset,
-                       std::uint64_t generation, ModuleString& to) const {
+void Rewriting::append(const Outcome& outcome, const ModuleString& from, std::size_t position,
+                       std::size_t offset, std::uint64_t generation, ModuleString& to) const {
     const ModuleKind kind = from.kinds[position];
     if (outcome.successor == 0) {
         to.kinds.push_back(kind);
@@ -99,35 +108,40 @@ void Rewriting::append(const Outcome& outcome, const ModuleString& from, std::si
         for (const Successor::Slot& slot : successor.slots)
             to.values[start + slot.at] = slot.value.run(outcome.parameters.data());
     } catch (const Undefined& undefined) {
-        refuse(undefined.reason, *successor.rule, kind, from.values.data() + offset, position, generation);
+        refuse(undefined.reason, *successor.rule, kind, from.values.data() + offset, position,
+               generation);
     }
 }
 
-std::vector<std::vector<Rewriting::Outcome>> Rewriting::outcomes(const ModuleString& word, std::uint64_t generation,
-                                                                 std::size_t table, const Budget& budget) const {
+std::vector<std::vector<Rewriting::Outcome>> Rewriting::outcomes(const ModuleString& word,
+                                                                 std::uint64_t generation,
+                                                                 std::size_t table,
+                                                                 const Budget& budget) const {
     const RuleSet& set = rules_.tables.at(table);
     const std::string name = name_of(generation);
     const Surroundings around(rules_, word, name, budget);
     std::vector<std::vector<Outcome>> all(word.kinds.size());
     std::vector<double> parameters, others;
     for (std::size_t i = 0; i < word.kinds.size(); ++i) {
-        const Alternatives* found = matching(set, around, word.kinds[i], i, generation, parameters, others);
+        const Alternatives* found =
+            matching(set, around, word.kinds[i], i, generation, parameters, others);
         if (!found) {
             all[i].push_back({0, Rational(1), {}});
             continue;
         }
         for (std::size_t k = 0; k < found->successors.size(); ++k) {
-            const Rational probability = found->probabilities.empty()
-                                             ? Rational(1, static_cast<long>(found->successors.size()))
-                                             : found->probabilities[k];
+            const Rational probability =
+                found->probabilities.empty()
+                    ? Rational(1, static_cast<long>(found->successors.size()))
+                    : found->probabilities[k];
             all[i].push_back({found->successors[k], probability, parameters});
         }
     }
     return all;
 }
 
-ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& word, std::uint64_t generation,
-                                        const Budget& budget) const {
+ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& word,
+                                        std::uint64_t generation, const Budget& budget) const {
     const std::string name = name_of(generation);
     const Surroundings around(rules_, word, name, budget);
     const Draws draws(choices_.seed, generation);
@@ -141,16 +155,19 @@ ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& 
         if (i % 4096 == 0) budget.check();
         const ModuleKind kind = word.kinds[i];
         const Alternatives* found =
-            set.of[kind].empty() ? nullptr
-                                 : matching(set, around, kind, i, generation, outcome.parameters, others);
+            set.of[kind].empty()
+                ? nullptr
+                : matching(set, around, kind, i, generation, outcome.parameters, others);
         outcome.successor = found ? pick(*found, draws.at(i)) : 0;
         append(outcome, word, i, offset, generation, out);
         offset += rules_.kinds.arity(kind);
         if (out.kinds.size() > budget.letters)
             throw BoundReached("generation " + std::to_string(generation + 1) + " has more than " +
-                               std::to_string(budget.letters) + " letters, the bound set by --max-letters");
-        budget.check_memory(out.kinds.capacity() * sizeof(ModuleKind) + out.values.capacity() * sizeof(double),
-                            "a word");
+                               std::to_string(budget.letters) +
+                               " letters, the bound set by --max-letters");
+        budget.check_memory(
+            out.kinds.capacity() * sizeof(ModuleKind) + out.values.capacity() * sizeof(double),
+            "a word");
     }
     return out;
 }
@@ -166,12 +183,13 @@ std::size_t Rewriting::random_table(std::uint64_t generation) const {
     return Draws::scaled(Draws(choices_.seed, generation).of_table(), rules_.tables.size());
 }
 
-ModuleString derive(const Rewriting& rewriting, std::uint64_t n, const std::vector<std::size_t>& tables,
-                    const Budget& budget) {
+ModuleString derive(const Rewriting& rewriting, std::uint64_t n,
+                    const std::vector<std::size_t>& tables, const Budget& budget) {
     ModuleString word = rewriting.axiom();
     for (std::uint64_t generation = 0; generation < n; ++generation) {
         budget.check();
-        const std::size_t table = tables.empty() ? rewriting.random_table(generation) : tables.at(generation);
+        const std::size_t table =
+            tables.empty() ? rewriting.random_table(generation) : tables.at(generation);
         word = rewriting.next(word, generation, table, budget);
     }
     return word;

@@ -57,7 +57,8 @@ public:
     };
     /// By position, what may become of each module of the word. Throws as `next` does.
     std::vector<std::vector<Outcome>> outcomes(const ModuleString& word, std::uint64_t generation,
-                                               std::size_t table = 0, const Budget& budget = {}) const;
+                                               std::size_t table = 0,
+                                               const Budget& budget = {}) const;
     /// Writes the modules of an outcome behind a word. Throws as `next` does.
     void append(const Outcome& outcome, const ModuleString& from, std::size_t position,
                 std::size_t offset, std::uint64_t generation, ModuleString& to) const;
@@ -66,17 +67,20 @@ private:
     /// The word of a generation: `name` is how messages call it.
     std::string name_of(std::uint64_t generation) const;
     [[noreturn]] void refuse(const std::string& what, const Production& rule, ModuleKind kind,
-                             const double* values, std::size_t position, std::uint64_t generation) const;
-    [[noreturn]] void refuse_both(const Alternatives& first, const Alternatives& second, ModuleKind kind,
-                                  const double* values, std::size_t position, std::uint64_t generation) const;
-    const Alternatives* matching(const RuleSet& set, const class Surroundings& around, ModuleKind kind,
-                                 std::size_t position, std::uint64_t generation,
-                                 std::vector<double>& parameters, std::vector<double>& others) const;
+                             const double* values, std::size_t position,
+                             std::uint64_t generation) const;
+    [[noreturn]] void refuse_both(const Alternatives& first, const Alternatives& second,
+                                  ModuleKind kind, const double* values, std::size_t position,
+                                  std::uint64_t generation) const;
+    const Alternatives* matching(const RuleSet& set, const class Surroundings& around,
+                                 ModuleKind kind, std::size_t position, std::uint64_t generation,
+                                 std::vector<double>& parameters,
+                                 std::vector<double>& others) const;
     std::uint32_t pick(const Alternatives& alternatives, std::uint64_t number) const;
     void check_choice(const Alternatives& alternatives, ModuleKind kind, const double* values,
                       std::size_t position, std::uint64_t generation) const;
-    ModuleString next_in_context(const RuleSet& set, const ModuleString& word, std::uint64_t generation,
-                                 const Budget& budget) const;
+    ModuleString next_in_context(const RuleSet& set, const ModuleString& word,
+                                 std::uint64_t generation, const Budget& budget) const;
 
     friend class FreeStep;
 
@@ -88,7 +92,7 @@ private:
 /// random ones where there are none. Throws as Rewriting::next does.
 ///
 /// Example: derive(Rewriting(read_lsystem("axiom A(1); A(x) -> A(x*2)A(x)", "")), 3).kinds.size() == 8
-ModuleString derive(const Rewriting& rewriting, std::uint64_t n, const std::vector<std::size_t>& tables = {},
-                    const Budget& budget = {});
+ModuleString derive(const Rewriting& rewriting, std::uint64_t n,
+                    const std::vector<std::size_t>& tables = {}, const Budget& budget = {});
 
 }  // namespace algae

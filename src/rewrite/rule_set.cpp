@@ -50,8 +50,9 @@ public:
                 Program holds = program(*part);
                 side.conjuncts.push_back({items_needed(holds), std::move(holds)});
             }
-            std::stable_sort(side.conjuncts.begin(), side.conjuncts.end(),
-                             [](const auto& a, const auto& b) { return a.elsewhere < b.elsewhere; });
+            std::stable_sort(
+                side.conjuncts.begin(), side.conjuncts.end(),
+                [](const auto& a, const auto& b) { return a.elsewhere < b.elsewhere; });
         }
         return side;
     }
@@ -131,16 +132,21 @@ private:
 
 void add_rule(CompiledRules& rules, const Production& rule) {
     if (rule.shape)
-        throw Error(to_string(rule.place) + ": the rule is a shape rule, which divides shapes and not words");
+        throw Error(to_string(rule.place) +
+                    ": the rule is a shape rule, which divides shapes and not words");
     RuleCompiler compiler(rules, rule);
     Alternatives side = compiler.left_side();
     Successor successor = compiler.successor();
     for (const ModulePattern& module : rule.left)
-        if (const std::string& name = rules.system->alphabet.name(module.symbol); name == "[" || name == "]")
-            throw Error(to_string(rule.place) + ": expected a left context without brackets, a path to the root, "
-                        "found '" + name + "'");
+        if (const std::string& name = rules.system->alphabet.name(module.symbol);
+            name == "[" || name == "]")
+            throw Error(to_string(rule.place) +
+                        ": expected a left context without brackets, a path to the root, "
+                        "found '" +
+                        name + "'");
     RuleSet& set = rules.tables.at(rule.table);
-    const ModuleKind kind = rules.kinds.kind(rule.predecessor.symbol, rule.predecessor.parameters.size());
+    const ModuleKind kind =
+        rules.kinds.kind(rule.predecessor.symbol, rule.predecessor.parameters.size());
     if (set.of.size() <= kind) set.of.resize(kind + std::size_t{1});
     auto& known = set.of[kind];
     auto same = std::find_if(known.begin(), known.end(), [&](const Alternatives& other) {
@@ -161,8 +167,9 @@ void add_rule(CompiledRules& rules, const Production& rule) {
 void finish(CompiledRules& rules, RuleSet& set) {
     set.of.resize(rules.kinds.size());
     for (auto& known : set.of) {
-        std::stable_sort(known.begin(), known.end(),
-                         [](const Alternatives& a, const Alternatives& b) { return a.context > b.context; });
+        std::stable_sort(
+            known.begin(), known.end(),
+            [](const Alternatives& a, const Alternatives& b) { return a.context > b.context; });
         for (Alternatives& alternatives : known) {
             for (const ModuleKind kind : alternatives.elsewhere) rules.sought[kind] = 1;
             Rational sum;
@@ -177,14 +184,16 @@ ModuleString axiom_of(const LSystem& system, CompiledRules& rules) {
     auto arguments = system.axiom.arguments.begin();
     for (std::size_t i = 0; i < system.axiom.letters.size(); ++i) {
         const bool bare = arguments == system.axiom.arguments.end() || arguments->first != i;
-        out.kinds.push_back(rules.kinds.kind(system.axiom.letters[i], bare ? 0 : arguments->second.size()));
+        out.kinds.push_back(
+            rules.kinds.kind(system.axiom.letters[i], bare ? 0 : arguments->second.size()));
         if (bare) continue;
         for (const Expression& argument : (arguments++)->second)
-            out.values.push_back(evaluate(argument, [&](const std::string& name) -> const Quantity* {
-                                     for (const auto& [constant, value] : system.constants)
-                                         if (constant == name) return &value;
-                                     return nullptr;
-                                 }).value);
+            out.values.push_back(
+                evaluate(argument, [&](const std::string& name) -> const Quantity* {
+                    for (const auto& [constant, value] : system.constants)
+                        if (constant == name) return &value;
+                    return nullptr;
+                }).value);
     }
     return out;
 }
@@ -193,8 +202,9 @@ ModuleString axiom_of(const LSystem& system, CompiledRules& rules) {
 
 bool Successor::same_as(const Successor& other) const {
     return kinds == other.kinds && values == other.values &&
-           std::equal(slots.begin(), slots.end(), other.slots.begin(), other.slots.end(),
-                      [](const Slot& a, const Slot& b) { return a.at == b.at && a.value == b.value; });
+           std::equal(
+               slots.begin(), slots.end(), other.slots.begin(), other.slots.end(),
+               [](const Slot& a, const Slot& b) { return a.at == b.at && a.value == b.value; });
 }
 
 CompiledRules compiled_rules(const LSystem& system) {

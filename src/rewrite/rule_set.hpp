@@ -38,13 +38,13 @@ struct Alternatives {
         Program holds;
     };
     std::vector<ModuleKind> left, right, elsewhere;
-    std::size_t context = 0;            // modules in all three; brackets do not count
-    std::size_t parameters = 0;         // of the predecessor and all three
-    std::optional<Program> condition;   // over the parameters of all
-    std::vector<Conjunct> conjuncts;    // the condition where there are modules elsewhere
-    std::vector<std::uint32_t> successors;    // numbers of successors
-    std::vector<Rational> probabilities;      // as many, or none
-    std::vector<std::uint64_t> thresholds;    // see Draws; as many as probabilities
+    std::size_t context = 0;                // modules in all three; brackets do not count
+    std::size_t parameters = 0;             // of the predecessor and all three
+    std::optional<Program> condition;       // over the parameters of all
+    std::vector<Conjunct> conjuncts;        // the condition where there are modules elsewhere
+    std::vector<std::uint32_t> successors;  // numbers of successors
+    std::vector<Rational> probabilities;    // as many, or none
+    std::vector<std::uint64_t> thresholds;  // see Draws; as many as probabilities
 
     bool has_same_context(const Alternatives& other) const {
         return left == other.left && right == other.right && elsewhere == other.elsewhere;
@@ -64,11 +64,11 @@ struct RuleSet {
 struct CompiledRules {
     std::shared_ptr<const LSystem> system;  // the expressions that programs point into
     ModuleKinds kinds;
-    std::vector<Successor> successors;      // number 0 is no successor: the module stays
-    std::vector<RuleSet> tables;            // one where the system has no tables
-    std::vector<char> ignored;              // by kind
-    std::vector<char> opens, closes;        // by kind: [ and ]
-    std::vector<char> sought;               // by kind: some rule looks for it elsewhere
+    std::vector<Successor> successors;  // number 0 is no successor: the module stays
+    std::vector<RuleSet> tables;        // one where the system has no tables
+    std::vector<char> ignored;          // by kind
+    std::vector<char> opens, closes;    // by kind: [ and ]
+    std::vector<char> sought;           // by kind: some rule looks for it elsewhere
     ModuleString axiom;
 };
 

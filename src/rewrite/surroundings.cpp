@@ -14,7 +14,9 @@ Surroundings::Surroundings(const CompiledRules& rules, const ModuleString& word,
     budget.check_memory(size * 4 * sizeof(std::size_t), "what contexts see of a word");
     const auto brackets = brackets_of(rules.system->alphabet);
     const auto& ignored = rules.system->ignored;
-    const auto is_ignored = [&](Symbol a) { return std::find(ignored.begin(), ignored.end(), a) != ignored.end(); };
+    const auto is_ignored = [&](Symbol a) {
+        return std::find(ignored.begin(), ignored.end(), a) != ignored.end();
+    };
     trees_ = brackets && !(is_ignored(brackets->open) && is_ignored(brackets->close));
     if (!word.values.empty()) {
         offsets_.resize(size);
@@ -44,7 +46,9 @@ void Surroundings::find_left() {
         if (trees_ && rules_.opens[kind]) {
             open.emplace_back(i, last);
         } else if (trees_ && rules_.closes[kind]) {
-            if (open.empty()) throw Error(name_ + ": the ']' at position " + std::to_string(i) + " closes nothing");
+            if (open.empty())
+                throw Error(name_ + ": the ']' at position " + std::to_string(i) +
+                            " closes nothing");
             closes_[open.back().first] = i;
             last = open.back().second;
             open.pop_back();
@@ -53,7 +57,8 @@ void Surroundings::find_left() {
         }
     }
     if (!open.empty())
-        throw Error(name_ + ": the '[' at position " + std::to_string(open.back().first) + " is not closed");
+        throw Error(name_ + ": the '[' at position " + std::to_string(open.back().first) +
+                    " is not closed");
 }
 
 void Surroundings::find_right() {
@@ -71,9 +76,11 @@ void Surroundings::find_right() {
     }
 }
 
-void Surroundings::bind(std::size_t position, std::vector<double>& parameters, std::size_t& filled) const {
+void Surroundings::bind(std::size_t position, std::vector<double>& parameters,
+                        std::size_t& filled) const {
     const std::uint32_t arity = rules_.kinds.arity(word_.kinds[position]);
-    std::copy_n(values_at(position), arity, parameters.begin() + static_cast<std::ptrdiff_t>(filled));
+    std::copy_n(values_at(position), arity,
+                parameters.begin() + static_cast<std::ptrdiff_t>(filled));
     filled += arity;
 }
 
@@ -88,8 +95,10 @@ struct Surroundings::Search {
 
     bool match(std::size_t item, std::size_t from, std::size_t filled) {
         const auto& context = rules.right;
-        if (item == context.size()) return around.match_elsewhere(rules, position, 0, filled, parameters);
-        if (around.trees_ && around.rules_.opens[context[item]]) return match_branch(item, from, filled);
+        if (item == context.size())
+            return around.match_elsewhere(rules, position, 0, filled, parameters);
+        if (around.trees_ && around.rules_.opens[context[item]])
+            return match_branch(item, from, filled);
         if (around.trees_ && around.rules_.closes[context[item]]) {
             const std::size_t close = inside.back();
             inside.pop_back();
@@ -135,9 +144,11 @@ bool Surroundings::match_left(const Alternatives& rules, std::size_t position,
     return true;
 }
 
-bool Surroundings::match_elsewhere(const Alternatives& rules, std::size_t position, std::size_t item,
-                                   std::size_t filled, std::vector<double>& parameters) const {
-    if (rules.elsewhere.empty()) return !rules.condition || rules.condition->run(parameters.data()) != 0;
+bool Surroundings::match_elsewhere(const Alternatives& rules, std::size_t position,
+                                   std::size_t item, std::size_t filled,
+                                   std::vector<double>& parameters) const {
+    if (rules.elsewhere.empty())
+        return !rules.condition || rules.condition->run(parameters.data()) != 0;
     for (const auto& conjunct : rules.conjuncts)
         if (conjunct.elsewhere == item && conjunct.holds.run(parameters.data()) == 0) return false;
     if (item == rules.elsewhere.size()) return true;

@@ -24,7 +24,8 @@ public:
     /// combinations of modules that make the condition true the first, where each module is sought
     /// from left to right and that of the last item moves on first. One module may stand for two
     /// items; the rewritten one itself stands for none. Throws `Undefined`.
-    bool match(const Alternatives& rules, std::size_t position, std::vector<double>& parameters) const;
+    bool match(const Alternatives& rules, std::size_t position,
+               std::vector<double>& parameters) const;
 
     /// The first parameter of the module at this position.
     const double* values_at(std::size_t position) const {
@@ -38,8 +39,8 @@ private:
     void find_left();
     void find_right();
     void bind(std::size_t position, std::vector<double>& parameters, std::size_t& filled) const;
-    bool match_left(const Alternatives& rules, std::size_t position, std::vector<double>& parameters,
-                    std::size_t& filled) const;
+    bool match_left(const Alternatives& rules, std::size_t position,
+                    std::vector<double>& parameters, std::size_t& filled) const;
     bool match_elsewhere(const Alternatives& rules, std::size_t position, std::size_t item,
                          std::size_t filled, std::vector<double>& parameters) const;
 
@@ -48,11 +49,11 @@ private:
     const std::string& name_;
     const Budget& budget_;
     bool trees_ = false;
-    std::vector<std::uint64_t> offsets_;         // of parameters, by position; empty if there are none
-    std::vector<std::size_t> left_, axis_;       // the neighbour on the left; the first module that is
-                                                 // seen from a position on to the right
-    std::vector<std::size_t> closes_;            // by position of [: its ]
-    std::vector<std::vector<std::size_t>> at_;   // by kind that is sought elsewhere: its positions
+    std::vector<std::uint64_t> offsets_;    // of parameters, by position; empty if there are none
+    std::vector<std::size_t> left_, axis_;  // the neighbour on the left; the first module that is
+                                            // seen from a position on to the right
+    std::vector<std::size_t> closes_;       // by position of [: its ]
+    std::vector<std::vector<std::size_t>> at_;  // by kind that is sought elsewhere: its positions
 };
 
 }  // namespace algae

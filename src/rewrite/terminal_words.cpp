@@ -25,7 +25,8 @@ struct WordSet {
 };
 
 /// All words that a table makes of one.
-void add_successors(const Table& table, const Word& word, std::size_t longest, const Budget& budget, WordSet& to) {
+void add_successors(const Table& table, const Word& word, std::size_t longest, const Budget& budget,
+                    WordSet& to) {
     WordSet beginnings;
     beginnings.add({}, budget);
     for (const Symbol a : word) {
@@ -48,24 +49,27 @@ std::size_t table_of(const std::vector<std::string>& tables, const std::string& 
     if (found != tables.end()) return static_cast<std::size_t>(found - tables.begin());
     std::size_t number = 0;
     const auto [end, error] = std::from_chars(name.data(), name.data() + name.size(), number);
-    if (error == std::errc() && end == name.data() + name.size() && number >= 1 && number <= tables.size()) return number - 1;
+    if (error == std::errc() && end == name.data() + name.size() && number >= 1 &&
+        number <= tables.size())
+        return number - 1;
     std::string known;
     for (const std::string& table : tables) known += (known.empty() ? "" : ", ") + table;
-    throw Error("expected a table (" + known + ", or a number from 1 to " + std::to_string(tables.size()) + "), found \"" +
-                name + '"');
+    throw Error("expected a table (" + known + ", or a number from 1 to " +
+                std::to_string(tables.size()) + "), found \"" + name + '"');
 }
 
 }  // namespace
 
-std::vector<Word> terminal_words(const ET0L& system, std::uint64_t n, std::optional<std::size_t> longest,
-                                 const Budget& budget) {
+std::vector<Word> terminal_words(const ET0L& system, std::uint64_t n,
+                                 std::optional<std::size_t> longest, const Budget& budget) {
     const std::size_t bound = longest && is_propagating(system) ? *longest : ~std::size_t{0} / 2;
     WordSet here, found;
     if (system.axiom.size() <= bound) here.add(system.axiom, budget);
     for (std::uint64_t k = 0;; ++k) {
         for (const Word& word : here.words)
             if ((!longest || word.size() <= *longest) &&
-                std::all_of(word.begin(), word.end(), [&](Symbol a) { return system.terminal[a] != 0; }))
+                std::all_of(word.begin(), word.end(),
+                            [&](Symbol a) { return system.terminal[a] != 0; }))
                 found.add(word, budget);
         if (k == n) break;
         WordSet next;
@@ -78,16 +82,19 @@ std::vector<Word> terminal_words(const ET0L& system, std::uint64_t n, std::optio
     const auto ranks = system.alphabet->ranks();
     std::sort(out.begin(), out.end(), [&](const Word& a, const Word& b) {
         if (a.size() != b.size()) return a.size() < b.size();
-        return std::lexicographical_compare(a.begin(), a.end(), b.begin(), b.end(),
-                                            [&](Symbol x, Symbol y) { return ranks[x] < ranks[y]; });
+        return std::lexicographical_compare(
+            a.begin(), a.end(), b.begin(), b.end(),
+            [&](Symbol x, Symbol y) { return ranks[x] < ranks[y]; });
     });
     return out;
 }
 
-std::vector<std::size_t> table_sequence(const std::vector<std::string>& tables, const std::string& text) {
+std::vector<std::size_t> table_sequence(const std::vector<std::string>& tables,
+                                        const std::string& text) {
     if (tables.empty()) throw Error("the system has no tables to choose from");
     std::vector<std::size_t> out;
-    if (text.find(',') != std::string::npos || std::find(tables.begin(), tables.end(), text) != tables.end()) {
+    if (text.find(',') != std::string::npos ||
+        std::find(tables.begin(), tables.end(), text) != tables.end()) {
         for (std::size_t from = 0; from <= text.size();) {
             const std::size_t comma = std::min(text.find(',', from), text.size());
             out.push_back(table_of(tables, text.substr(from, comma - from)));
@@ -97,7 +104,9 @@ std::vector<std::size_t> table_sequence(const std::vector<std::string>& tables, 
     }
     for (std::size_t from = 0; from < text.size();) {
         std::size_t size = 1;  // bytes of the character
-        while (from + size < text.size() && (static_cast<unsigned char>(text[from + size]) & 0xC0) == 0x80) ++size;
+        while (from + size < text.size() &&
+               (static_cast<unsigned char>(text[from + size]) & 0xC0) == 0x80)
+            ++size;
         out.push_back(table_of(tables, text.substr(from, size)));
         from += size;
     }

@@ -15,12 +15,14 @@ namespace algae {
 /// shorten them, long ones too. Throws BoundReached if they take more than budget.memory.
 ///
 /// Example: terminal_words(et0l("S", {{{'S', "aS"}, {'S', "b"}}}, "ab"), 3).size() == 3
-std::vector<Word> terminal_words(const ET0L& system, std::uint64_t n, std::optional<std::size_t> longest = std::nullopt,
+std::vector<Word> terminal_words(const ET0L& system, std::uint64_t n,
+                                 std::optional<std::size_t> longest = std::nullopt,
                                  const Budget& budget = {});
 
 /// The names of the tables in a text, as their numbers: names or numbers from 1 on with commas
 /// between, or, where each is one character, without: "light,dark", "1,2", "abab", "1212". Throws
 /// Error if one is no table.
-std::vector<std::size_t> table_sequence(const std::vector<std::string>& tables, const std::string& text);
+std::vector<std::size_t> table_sequence(const std::vector<std::string>& tables,
+                                        const std::string& text);
 
 }  // namespace algae

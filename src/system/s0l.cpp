@@ -18,7 +18,8 @@ View<S0L> as_s0l(const LSystem& system) {
         auto& known = out.alternatives[rule.predecessor.symbol];
         if (!rule.probability && !known.empty()) {
             if (known.size() == 1 && known.front().first == rule.successor.letters) continue;
-            return refused(system.alphabet.name(rule.predecessor.symbol) + " has several rules without probabilities");
+            return refused(system.alphabet.name(rule.predecessor.symbol) +
+                           " has several rules without probabilities");
         }
         known.emplace_back(rule.successor.letters, rule.probability.value_or(Rational(1)));
     }
@@ -28,7 +29,8 @@ View<S0L> as_s0l(const LSystem& system) {
         Rational sum;
         for (const auto& [word, probability] : known) sum += probability;
         if (sum != 1)
-            return refused("the probabilities of " + system.alphabet.name(a) + " add up to " + to_string(sum) + ", expected 1");
+            return refused("the probabilities of " + system.alphabet.name(a) + " add up to " +
+                           to_string(sum) + ", expected 1");
     }
     return out;
 }

@@ -33,7 +33,8 @@ int main(int argc, char** argv) {
         for (int round = std::atoi(argv[1]); round >= 0; --round) {  // the first one to warm up
             const std::clock_t begun = std::clock();
             const auto start = std::chrono::steady_clock::now();
-            modules = algae::derive(rewriting, static_cast<std::uint64_t>(std::atoi(argv[3]))).kinds.size();
+            modules = algae::derive(rewriting, static_cast<std::uint64_t>(std::atoi(argv[3])))
+                          .kinds.size();
             const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
             seconds.push_back(taken.count());
             processor.push_back(static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC);
@@ -41,9 +42,10 @@ int main(int argc, char** argv) {
         seconds.erase(seconds.begin());
         std::sort(seconds.begin(), seconds.end());
         const double million = static_cast<double>(modules) / 1e6;
-        std::printf("  %zu modules: best %.1f, median %.1f million a second; by processor time %.1f\n", modules,
-                    million / seconds.front(), million / seconds[seconds.size() / 2],
-                    million / *std::min_element(processor.begin(), processor.end()));
+        std::printf(
+            "  %zu modules: best %.1f, median %.1f million a second; by processor time %.1f\n",
+            modules, million / seconds.front(), million / seconds[seconds.size() / 2],
+            million / *std::min_element(processor.begin(), processor.end()));
     } catch (const std::exception& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return 1;

@@ -20,28 +20,33 @@ double finite(double value) {
 /// Goes down the tree of the expression for every value.
 class Evaluation {
 public:
-    Evaluation(const LSystem& system, const Bindings& bindings) : system_(system), bindings_(bindings) {}
+    Evaluation(const LSystem& system, const Bindings& bindings)
+        : system_(system), bindings_(bindings) {}
 
     double value(const Expression& expression) const {
         if (!mentions_parameter(expression))  // exact as far as it goes
-            return evaluate(expression, [&](const std::string& name) -> const Quantity* {
-                       for (const auto& [constant, quantity] : system_.constants)
-                           if (constant == name) return &quantity;
-                       return nullptr;
-                   }).value;
+            return evaluate(expression,
+                            [&](const std::string& name) -> const Quantity* {
+                                for (const auto& [constant, quantity] : system_.constants)
+                                    if (constant == name) return &quantity;
+                                return nullptr;
+                            })
+                .value;
         if (expression.kind == Expression::Kind::name) return bindings_.at(expression.name);
         const std::string& name = expression.name;
         const double first = value(expression.operands[0]);
         if (name == "&" && first == 0) return 0;
         if (name == "|" && first != 0) return 1;
         std::vector<double> values{first};
-        for (std::size_t i = 1; i < expression.operands.size(); ++i) values.push_back(value(expression.operands[i]));
+        for (std::size_t i = 1; i < expression.operands.size(); ++i)
+            values.push_back(value(expression.operands[i]));
         return finite(operation(expression, values));
     }
 
 private:
     bool mentions_parameter(const Expression& expression) const {
-        if (expression.kind == Expression::Kind::name && bindings_.count(expression.name)) return true;
+        if (expression.kind == Expression::Kind::name && bindings_.count(expression.name))
+            return true;
         for (const Expression& operand : expression.operands)
             if (mentions_parameter(operand)) return true;
         return false;
@@ -52,16 +57,28 @@ private:
     static double sine(double x) {
         x = std::fmod(x, 360);
         x = x < 0 ? x + 360 : x;
-        for (const auto& [angle, sine] : std::map<double, double>{
-                 {0, 0}, {30, 0.5}, {90, 1}, {150, 0.5}, {180, 0}, {210, -0.5}, {270, -1}, {330, -0.5}})
+        for (const auto& [angle, sine] : std::map<double, double>{{0, 0},
+                                                                  {30, 0.5},
+                                                                  {90, 1},
+                                                                  {150, 0.5},
+                                                                  {180, 0},
+                                                                  {210, -0.5},
+                                                                  {270, -1},
+                                                                  {330, -0.5}})
             if (x == angle) return sine;
         return std::sin(x * std::numbers::pi / 180);
     }
     static double cosine(double x) {
         x = std::fmod(x, 360);
         x = x < 0 ? x + 360 : x;
-        for (const auto& [angle, cosine] : std::map<double, double>{
-                 {0, 1}, {60, 0.5}, {90, 0}, {120, -0.5}, {180, -1}, {240, -0.5}, {270, 0}, {300, 0.5}})
+        for (const auto& [angle, cosine] : std::map<double, double>{{0, 1},
+                                                                    {60, 0.5},
+                                                                    {90, 0},
+                                                                    {120, -0.5},
+                                                                    {180, -1},
+                                                                    {240, -0.5},
+                                                                    {270, 0},
+                                                                    {300, 0.5}})
             if (x == angle) return cosine;
         return std::cos(x * std::numbers::pi / 180);
     }
@@ -122,11 +139,15 @@ public:
     }
 
 private:
-    std::string name(const ModulePattern& pattern) const { return system_.alphabet.name(pattern.symbol); }
+    std::string name(const ModulePattern& pattern) const {
+        return system_.alphabet.name(pattern.symbol);
+    }
 
     bool binds(const ModulePattern& pattern, const Module& module, Bindings& found) const {
-        if (name(pattern) != module.letter || pattern.parameters.size() != module.values.size()) return false;
-        for (std::size_t i = 0; i < module.values.size(); ++i) found[pattern.parameters[i]] = module.values[i];
+        if (name(pattern) != module.letter || pattern.parameters.size() != module.values.size())
+            return false;
+        for (std::size_t i = 0; i < module.values.size(); ++i)
+            found[pattern.parameters[i]] = module.values[i];
         return true;
     }
 
@@ -187,9 +208,11 @@ private:
         return right(rule, item + 1, at + 1, ends, found);
     }
 
-    std::optional<Bindings> elsewhere(const Production& rule, std::size_t item, const Bindings& found) const {
+    std::optional<Bindings> elsewhere(const Production& rule, std::size_t item,
+                                      const Bindings& found) const {
         if (item == rule.elsewhere.size()) {
-            if (rule.condition && Evaluation(system_, found).value(*rule.condition) == 0) return std::nullopt;
+            if (rule.condition && Evaluation(system_, found).value(*rule.condition) == 0)
+                return std::nullopt;
             return found;
         }
         for (std::size_t i = 0; i < word_.size(); ++i) {
@@ -214,7 +237,8 @@ std::size_t context(const LSystem& system, const Production& rule) {
     return size;
 }
 
-std::vector<std::pair<std::string, std::size_t>> shape(const LSystem& system, const Production& rule) {
+std::vector<std::pair<std::string, std::size_t>> shape(const LSystem& system,
+                                                       const Production& rule) {
     std::vector<std::pair<std::string, std::size_t>> all;
     for (const Pattern* pattern : {&rule.left, &rule.right, &rule.elsewhere}) {
         for (const ModulePattern& module : *pattern)

@@ -22,32 +22,52 @@ std::string any_expression(const std::vector<std::string>& names, int depth) {
     }
     const auto part = [&] { return any_expression(names, depth - 1); };
     switch (below(9)) {
-        case 0: return "(-" + part() + ")";
-        case 1: return any({"abs", "floor", "ceil", "sin", "cos", "tan", "atan"}) + "(" + part() + ")";
-        case 2: return any({"sqrt", "log", "exp", "asin", "acos"}) + "(" + part() + "/3)";
-        case 3: return any({"min", "max"}) + "(" + part() + "," + part() + "," + part() + ")";
-        case 4: return "(" + part() + any({"/", "^"}) + part() + ")";
-        default: return "(" + part() + any({"+", "-", "*", "+", "-"}) + part() + ")";
+        case 0:
+            return "(-" + part() + ")";
+        case 1:
+            return any({"abs", "floor", "ceil", "sin", "cos", "tan", "atan"}) + "(" + part() + ")";
+        case 2:
+            return any({"sqrt", "log", "exp", "asin", "acos"}) + "(" + part() + "/3)";
+        case 3:
+            return any({"min", "max"}) + "(" + part() + "," + part() + "," + part() + ")";
+        case 4:
+            return "(" + part() + any({"/", "^"}) + part() + ")";
+        default:
+            return "(" + part() + any({"+", "-", "*", "+", "-"}) + part() + ")";
     }
 }
 
 std::string any_condition(const std::vector<std::string>& names, int depth) {
     if (depth > 0 && below(3) == 0)
-        return "(" + any_condition(names, depth - 1) + any({"&", "|"}) + any_condition(names, depth - 1) + ")";
+        return "(" + any_condition(names, depth - 1) + any({"&", "|"}) +
+               any_condition(names, depth - 1) + ")";
     if (below(8) == 0) return "!(" + any_condition(names, 0) + ")";
-    return "(" + any_expression(names, 1) + any({" < ", " <= ", " > ", " >= ", " = ", " != "}) + any_expression(names, 1) + ")";
+    return "(" + any_expression(names, 1) + any({" < ", " <= ", " > ", " >= ", " = ", " != "}) +
+           any_expression(names, 1) + ")";
 }
 
 /// A word of A, B(x), C(x,y) and brackets, with these names in its arguments.
-std::string any_modules(const std::vector<std::string>& names, int most, bool brackets, int depth = 2) {
+std::string any_modules(const std::vector<std::string>& names, int most, bool brackets,
+                        int depth = 2) {
     std::string out;
     for (int i = below(most + 1); i > 0; --i) {
         switch (below(brackets ? 6 : 5)) {
-            case 0: out += "A"; break;
-            case 1: out += "+"; break;
-            case 2: case 3: out += "B(" + any_expression(names, depth) + ")"; break;
-            case 4: out += "C(" + any_expression(names, depth) + "," + any_expression(names, depth) + ")"; break;
-            default: out += "[" + any_modules(names, 2, false, depth) + "]";
+            case 0:
+                out += "A";
+                break;
+            case 1:
+                out += "+";
+                break;
+            case 2:
+            case 3:
+                out += "B(" + any_expression(names, depth) + ")";
+                break;
+            case 4:
+                out +=
+                    "C(" + any_expression(names, depth) + "," + any_expression(names, depth) + ")";
+                break;
+            default:
+                out += "[" + any_modules(names, 2, false, depth) + "]";
         }
     }
     return out;
@@ -60,8 +80,10 @@ std::string any_pattern(std::vector<std::string>& names) {
         return names.back();
     };
     switch (below(3)) {
-        case 0: return "A";
-        case 1: return "B(" + name() + ")";
+        case 0:
+            return "A";
+        case 1:
+            return "B(" + name() + ")";
         default: {
             const std::string first = name();
             return "C(" + first + "," + name() + ")";
@@ -75,7 +97,8 @@ std::string any_rule(bool contexts) {
     if (contexts) {
         std::string left, right;
         for (int i = below(3); i > 0; --i) left += any_pattern(names);
-        for (int i = below(2); i > 0; --i) right += below(2) ? any_pattern(names) : "[" + any_pattern(names) + "]";
+        for (int i = below(2); i > 0; --i)
+            right += below(2) ? any_pattern(names) : "[" + any_pattern(names) + "]";
         if (!left.empty()) rule = left + " < " + rule;
         if (!right.empty()) rule += " > " + right;
     }
@@ -85,7 +108,8 @@ std::string any_rule(bool contexts) {
 
 std::string any_system(bool contexts) {
     std::string text = "let k = 7/3; axiom A" + any_modules({}, 6, contexts, 1) + "B(1)C(2,3)";
-    for (int i = 1 + below(6); i > 0; --i) text += "; " + any_rule(contexts) + "D(" + std::to_string(i) + ")";
+    for (int i = 1 + below(6); i > 0; --i)
+        text += "; " + any_rule(contexts) + "D(" + std::to_string(i) + ")";
     if (contexts && below(2)) text += "; ignore +";
     return text;
 }
@@ -137,10 +161,13 @@ TEST_CASE("so they are with conditions on modules elsewhere") {
     CHECK(rc::check([] {
         std::string text = "let k = 7/3; axiom B(1)" + any_modules({}, 5, true, 1) + "C(2,3)A";
         for (int i = 1 + below(3); i > 0; --i) {
-            const std::string condition = "x" + any({"+", "*", "-"}) + "y" + any({" < ", " >= ", " = "}) + "z" + any({"", "+1", "*x"}) +
-                                          any({"", " & y < 3", " & y < z & x != 2", " | y > 2"});
-            text += "; B(x) ? B(y), C(z,w) : " + condition + " -> " + any_modules({"x", "y", "z"}, 3, false, 1) + "D" + std::to_string(i);
-            text += "; A > B(x) ? C(y,z), B(w) : " + condition + " & w > 1 -> A" + any_modules({"x", "w"}, 2, false, 1) + "E" + std::to_string(i);
+            const std::string condition =
+                "x" + any({"+", "*", "-"}) + "y" + any({" < ", " >= ", " = "}) + "z" +
+                any({"", "+1", "*x"}) + any({"", " & y < 3", " & y < z & x != 2", " | y > 2"});
+            text += "; B(x) ? B(y), C(z,w) : " + condition + " -> " +
+                    any_modules({"x", "y", "z"}, 3, false, 1) + "D" + std::to_string(i);
+            text += "; A > B(x) ? C(y,z), B(w) : " + condition + " & w > 1 -> A" +
+                    any_modules({"x", "w"}, 2, false, 1) + "E" + std::to_string(i);
         }
         check_as_slow_route(text, 2);
     }));
@@ -186,7 +213,8 @@ TEST_CASE("with the same parameter everywhere it has the same letters") {
         const Rewriting rewriting(system);
         const ModuleString word = derive(rewriting, n);
         std::string letters;
-        for (const ModuleKind kind : word.kinds) letters += system.alphabet.name(rewriting.rules().kinds.letter(kind));
+        for (const ModuleKind kind : word.kinds)
+            letters += system.alphabet.name(rewriting.rules().kinds.letter(kind));
         RC_ASSERT(letters == oracle::rewritten(written, n));
         RC_ASSERT(word.values.size() == word.kinds.size());
         for (const double value : word.values) RC_ASSERT(value == 3);

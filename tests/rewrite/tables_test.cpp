@@ -15,7 +15,8 @@ const std::string two_tables = "axiom a; table light; a -> ab; b -> b; table dar
 
 std::string by_tables(const std::string& sequence) {
     const Rewriting rewriting(read_lsystem(two_tables, "t.lsys"));
-    const std::vector<std::size_t> tables = table_sequence(rewriting.rules().system->tables, sequence);
+    const std::vector<std::size_t> tables =
+        table_sequence(rewriting.rules().system->tables, sequence);
     return ModuleText(rewriting.rules().system->alphabet, rewriting.rules().kinds)
         .text(derive(rewriting, tables.size(), tables));
 }
@@ -34,8 +35,10 @@ TEST_CASE("tables by names of one character") {
     CHECK(table_sequence({"p", "q"}, "pqqp") == std::vector<std::size_t>{0, 1, 1, 0});
     CHECK(table_sequence({"ž", "q"}, "žqž") == std::vector<std::size_t>{0, 1, 0});
     CHECK(table_sequence({"ab"}, "ab") == std::vector<std::size_t>{0});
-    CHECK_THROWS_WITH(table_sequence({"p", "q"}, "pr"), "expected a table (p, q, or a number from 1 to 2), found \"r\"");
-    CHECK_THROWS_WITH(table_sequence({"p", "q"}, "3"), "expected a table (p, q, or a number from 1 to 2), found \"3\"");
+    CHECK_THROWS_WITH(table_sequence({"p", "q"}, "pr"),
+                      "expected a table (p, q, or a number from 1 to 2), found \"r\"");
+    CHECK_THROWS_WITH(table_sequence({"p", "q"}, "3"),
+                      "expected a table (p, q, or a number from 1 to 2), found \"3\"");
     CHECK_THROWS_AS(table_sequence({}, "1"), Error);
 }
 

@@ -10,7 +10,8 @@
 namespace algae {
 
 /// The words of generations 0 to n as text, by the rules of the table where there are several.
-inline std::vector<std::string> words(const std::string& system, std::uint64_t n, const RewritingChoices& choices = {}) {
+inline std::vector<std::string> words(const std::string& system, std::uint64_t n,
+                                      const RewritingChoices& choices = {}) {
     const Rewriting rewriting(read_lsystem(system, "test.lsys"), choices);
     const ModuleText text(rewriting.rules().system->alphabet, rewriting.rules().kinds);
     std::vector<std::string> out;
@@ -23,7 +24,8 @@ inline std::vector<std::string> words(const std::string& system, std::uint64_t n
 }
 
 /// The last of them.
-inline std::string word_of(const std::string& system, std::uint64_t n, const RewritingChoices& choices = {}) {
+inline std::string word_of(const std::string& system, std::uint64_t n,
+                           const RewritingChoices& choices = {}) {
     return words(system, n, choices).back();
 }
 

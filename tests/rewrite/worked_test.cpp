@@ -11,8 +11,8 @@ TEST_CASE("a parametric system with two modules") {
     const std::string system =
         "axiom B(2)A(4,4)\nA(x,y) : y <= 3 -> A(x*2,x+y)\nA(x,y) : y > 3 -> B(x)A(x/y,0)\n"
         "B(x) : x < 1 -> C\nB(x) : x >= 1 -> B(x-1)";
-    CHECK(words(system, 5) == List{"B(2)A(4,4)", "B(1)B(4)A(1,0)", "B(0)B(3)A(2,1)", "CB(2)A(4,3)", "CB(1)A(8,7)",
-                                   "CB(0)B(8)A(" + number_text(8.0 / 7) + ",0)"});
+    CHECK(words(system, 5) == List{"B(2)A(4,4)", "B(1)B(4)A(1,0)", "B(0)B(3)A(2,1)", "CB(2)A(4,3)",
+                                   "CB(1)A(8,7)", "CB(0)B(8)A(" + number_text(8.0 / 7) + ",0)"});
 }
 
 TEST_CASE("a rule matches by letter, number of parameters and condition") {
@@ -38,7 +38,8 @@ TEST_CASE("Honda's tree grows by 2^n - 1 segments of the lengths that the ratios
     CHECK(words(honda, 1)[1] == "^(90)!(0.04)F(1)[&(45)B(0.8,0.02828)]/(137.5)A(0.9,0.02828)");
     const Rewriting rewriting(read_lsystem(honda, "honda.lsys"));
     const std::vector<std::size_t> counts{2, 9, 23, 51, 107, 219, 443};
-    for (std::uint64_t n = 0; n < counts.size(); ++n) CHECK(derive(rewriting, n).kinds.size() == counts[n]);
+    for (std::uint64_t n = 0; n < counts.size(); ++n)
+        CHECK(derive(rewriting, n).kinds.size() == counts[n]);
     const ModuleString tree = derive(rewriting, 8);
     CHECK(tree.kinds.size() == 1787);
     double total = 0, thinnest = 1;
@@ -64,19 +65,24 @@ TEST_CASE("numbers of modules in rows of trees and in a branching pattern") {
         return sizes;
     };
     using Sizes = std::vector<std::size_t>;
-    CHECK(counts("axiom F(1); F(x) -> F(x*0.3)+(86)F(x*0.21^0.5)-(172)F(x*0.21^0.5)+(86)F(x*0.7)", 6) ==
-          Sizes{1, 7, 31, 127, 511, 2047, 8191});
-    CHECK(counts("axiom F(1,0)\nF(x,t) : t = 0 -> F(x*0.3,2)+(86)F(x*0.21^0.5,1)-(172)F(x*0.21^0.5,1)+(86)F(x*0.7,0)\n"
-                 "F(x,t) : t > 0 -> F(x,t-1)", 9) == Sizes{1, 7, 13, 31, 67, 145, 313, 673, 1447, 3109});
-    CHECK(counts("axiom X\nX -> F(1)[+(86)X][-(86)X]\nF(x) -> F(x*1.456)", 6) == Sizes{1, 9, 25, 57, 121, 249, 505});
-    CHECK(counts("axiom F(1)-(120)F(1)-(120)F(1); F(x) -> F(x/3)+(60)F(x/3)-(120)F(x/3)+(60)F(x/3)", 6) ==
-          Sizes{5, 23, 95, 383, 1535, 6143, 24575});
-    CHECK(counts("axiom F(1); let p = 0.7; let q = 0.3; let h = sqrt(p*q); F(x) -> F(p*x)+F(h*x)--F(h*x)+F(q*x)", 6) ==
-          Sizes{1, 8, 36, 148, 596, 2388, 9556});
+    CHECK(counts("axiom F(1); F(x) -> F(x*0.3)+(86)F(x*0.21^0.5)-(172)F(x*0.21^0.5)+(86)F(x*0.7)",
+                 6) == Sizes{1, 7, 31, 127, 511, 2047, 8191});
+    CHECK(counts("axiom F(1,0)\nF(x,t) : t = 0 -> "
+                 "F(x*0.3,2)+(86)F(x*0.21^0.5,1)-(172)F(x*0.21^0.5,1)+(86)F(x*0.7,0)\n"
+                 "F(x,t) : t > 0 -> F(x,t-1)",
+                 9) == Sizes{1, 7, 13, 31, 67, 145, 313, 673, 1447, 3109});
+    CHECK(counts("axiom X\nX -> F(1)[+(86)X][-(86)X]\nF(x) -> F(x*1.456)", 6) ==
+          Sizes{1, 9, 25, 57, 121, 249, 505});
+    CHECK(counts("axiom F(1)-(120)F(1)-(120)F(1); F(x) -> F(x/3)+(60)F(x/3)-(120)F(x/3)+(60)F(x/3)",
+                 6) == Sizes{5, 23, 95, 383, 1535, 6143, 24575});
+    CHECK(counts("axiom F(1); let p = 0.7; let q = 0.3; let h = sqrt(p*q); F(x) -> "
+                 "F(p*x)+F(h*x)--F(h*x)+F(q*x)",
+                 6) == Sizes{1, 8, 36, 148, 596, 2388, 9556});
 }
 
 TEST_CASE("a signal, with context") {
-    CHECK(words("axiom baaa; b < a -> b; b -> a", 4) == List{"baaa", "abaa", "aaba", "aaab", "aaaa"});
+    CHECK(words("axiom baaa; b < a -> b; b -> a", 4) ==
+          List{"baaa", "abaa", "aaba", "aaab", "aaaa"});
 }
 
 TEST_CASE("context in a word of brackets") {
@@ -94,7 +100,8 @@ TEST_CASE("parametric context") {
 
 TEST_CASE("a condition on modules elsewhere") {
     const std::string rule = "; A(x) ? B(y), C(r,z) : x < y + r -> D(x)E(y+r)";
-    CHECK(word_of("axiom C(3,8)D(-1)B(5)H(0,0)A(1)F(3)" + rule, 1) == "C(3,8)D(-1)B(5)H(0,0)D(1)E(8)F(3)");
+    CHECK(word_of("axiom C(3,8)D(-1)B(5)H(0,0)A(1)F(3)" + rule, 1) ==
+          "C(3,8)D(-1)B(5)H(0,0)D(1)E(8)F(3)");
     CHECK(word_of("axiom C(3,8)B(5)A(8)" + rule, 1) == "C(3,8)B(5)A(8)");
     CHECK(word_of("axiom B(5)A(1)" + rule, 1) == "B(5)A(1)");
     // Of several the first: the last item moves on first.

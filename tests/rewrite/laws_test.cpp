@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "fold/derive.hpp"
+#include "fold/interaction.hpp"
 #include "oracle/modules.hpp"
 #include "oracle/random_systems.hpp"
 #include "rewrite/words.hpp"
@@ -218,5 +218,35 @@ TEST_CASE("with the same parameter everywhere it has the same letters") {
         RC_ASSERT(letters == oracle::rewritten(written, n));
         RC_ASSERT(word.values.size() == word.kinds.size());
         for (const double value : word.values) RC_ASSERT(value == 3);
+    }));
+}
+
+TEST_CASE(
+    "systems with context over plain letters have the words that the engine for these derives") {
+    CHECK(rc::check([] {
+        const auto letters = [](int most) {
+            std::string out;
+            for (int i = below(most + 1); i > 0; --i) out += any({"a", "b", "c"});
+            return out;
+        };
+        std::string text = "axiom ab[" + letters(3) + "]" + letters(2) + "[b[" + letters(2) +
+                           "]c]" + letters(4) + "a";
+        for (int i = 2 + below(5); i > 0; --i) {
+            const std::string left = letters(2);
+            const std::string right =
+                any({"", "", "a", "b", "[a]b", "[b]", "a[c]", "[a][b]", "[]"});
+            text += "; " + (left.empty() ? "" : left + " < ") + any({"a", "b", "c"}) +
+                    (right.empty() ? "" : " > " + right) + " -> " + letters(2) +
+                    any({"", "", "[" + letters(2) + "]"});
+        }
+        if (below(2)) text += "; ignore c";
+        const LSystem system = read_lsystem(text, "random.lsys");
+        RC_LOG() << text << "\n";
+        const View<IL> plain = as_il(system);
+        RC_PRE(bool(plain));
+        const Rewriting rewriting(system);
+        for (std::uint64_t n = 0; n <= 4; ++n)
+            RC_ASSERT(algae::letters(rewriting.rules().kinds, derive(rewriting, n)) ==
+                      derive(*plain, n));
     }));
 }

@@ -2,6 +2,7 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/derive_boxes.hpp"
 #include "cli/derive_options.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
@@ -10,6 +11,7 @@
 #include "fold/derive.hpp"
 #include "fold/interaction.hpp"
 #include "growth/incidence.hpp"
+#include "system/classes.hpp"
 
 namespace algae::cli {
 
@@ -95,6 +97,15 @@ void print_generations(const DeriveOptions& options, const IL& system, std::uint
     });
 }
 
+void derive_shapes(const DeriveOptions& options, const LSystem& system, const Budget& budget) {
+    const bool words = options.all_words || options.language || options.distribution || options.expected ||
+                       !options.seed.empty() || !options.seeds.empty() || !options.tables.empty() || !options.longest.empty();
+    if (words) throw Error("a system of shape rules derives boxes; derive takes -n, --all and --json for it");
+    if (options.generation.empty()) throw Error("-n is missing: which generation?");
+    const auto [first, last] = range("-n", options.generation);
+    derive_boxes(system, options.all ? 0 : first, last, options.json, budget);
+}
+
 void derive_all_words(const DeriveOptions& options, const LSystem& system, const Budget& budget) {
     const auto longest = options.longest.empty() ? std::nullopt
                                                  : std::optional<std::size_t>(natural("--longest", options.longest));
@@ -110,6 +121,10 @@ void derive_all_words(const DeriveOptions& options, const LSystem& system, const
 int derive_verb(const DeriveOptions& options) {
     const Budget budget = options.bounds.budget();
     const LSystem system = open_system(options.file, budget);
+    if (class_of(system).shape) {
+        derive_shapes(options, system, budget);
+        return success;
+    }
     if (!options.longest.empty() && !options.all_words && !options.language)
         throw Error("--longest goes with --all-words or --language");
     if (options.all_words) derive_all_words(options, system, budget);
@@ -138,7 +153,7 @@ int derive_verb(const DeriveOptions& options) {
 
 void add_derive(Verbs& verbs) {
     auto options = std::make_shared<DeriveOptions>();
-    CLI::App& verb = add_verb(verbs, "derive", "The word of a generation",
+    CLI::App& verb = add_verb(verbs, "derive", "The word of a generation, or its boxes",
                               "  algae derive koch -n 3\n  algae derive signal.lsys -n 0..5\n"
                               "  algae derive my.lsys -n 4 --all-words --longest 10\n"
                               "  algae derive stochastic.lsys -n 6 --seeds 1..9", options,

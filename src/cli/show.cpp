@@ -2,10 +2,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include "cli/axes.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "notation/print.hpp"
+#include "base/error.hpp"
 #include "system/classes.hpp"
 
 namespace algae::cli {
@@ -13,8 +16,8 @@ namespace algae::cli {
 namespace {
 
 struct Options {
-    std::string file;
-    bool json = false;
+    std::string file, generation;
+    bool axes = false, json = false;
     Bounds bounds;
 };
 
@@ -98,7 +101,13 @@ std::string as_text(const LSystem& system, const Class& kind) {
 }
 
 int show(const Options& options) {
-    const LSystem system = open_system(options.file, options.bounds.budget());
+    const Budget budget = options.bounds.budget();
+    const LSystem system = open_system(options.file, budget);
+    if (options.axes != !options.generation.empty()) throw Error("--axes and -n go together");
+    if (options.axes) {
+        print_axes(system, natural("-n", options.generation), options.json, budget);
+        return success;
+    }
     const Class kind = class_of(system);
     print(options.json ? as_json(system, kind).dump(2) + "\n" : as_text(system, kind));
     return success;
@@ -109,8 +118,10 @@ int show(const Options& options) {
 void add_show(Verbs& verbs) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = add_verb(verbs, "show", "Class, alphabet, rules and properties of a system",
-                              "  algae show koch\n  algae show my.lsys --json", options, show);
+                              "  algae show koch\n  algae show my.lsys --json\n  algae show plant-a --axes -n 4", options, show);
     verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_flag("--axes", options->axes, "the axes of the tree that the word of generation N describes, by order");
+    verb.add_option("-n", options->generation, "with --axes: the generation")->type_name("N");
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

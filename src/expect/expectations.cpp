@@ -10,6 +10,8 @@
 #include "fold/derive.hpp"
 #include "fold/interaction.hpp"
 #include "growth/incidence.hpp"
+#include "shape/boxes.hpp"
+#include "system/classes.hpp"
 #include "turtle/figure.hpp"
 #include "turtle/trace.hpp"
 
@@ -84,11 +86,18 @@ private:
     }
     /// Lengths and words of systems with interactions are derived.
     bool interacts() const { return !ol_ && il_; }
+    bool divides() const { return class_of(system_).shape; }
+    Word symbols(std::uint64_t n) {
+        const View<ShapeSystem> shapes = as_shape(system_);
+        return symbols_of(boxes_after(*shapes, shapes->axiom, n, budget_));
+    }
     std::string length_of(std::uint64_t n) {
+        if (divides()) return std::to_string(symbols(n).size());
         if (interacts()) return std::to_string(derived_lengths(*il_, n, budget_).back());
         return to_string(length(*d0l_, n, budget_));
     }
     std::string word(std::uint64_t n) {
+        if (divides()) return spell(system_.alphabet, symbols(n));
         if (interacts()) return spell(system_.alphabet, derive(*il_, n, budget_));
         const std::string text = derived_text(*d0l_, n, budget_);
         return text.empty() ? "ε" : text;

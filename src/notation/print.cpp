@@ -1,5 +1,6 @@
 #include "notation/print.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "notation/canonical.hpp"
@@ -75,7 +76,11 @@ std::string Printer::pattern(const Pattern& pattern, const char* separator) cons
 std::string Printer::shape(const ShapeSuccessor& shape) const {
     if (shape.operation == "I") return "I(" + apart(shape.parts) + ')';
     std::string out = shape.operation + '(' + shape.axis;
-    for (const ShapeSuccessor::Size& size : shape.sizes) out += ", " + print_size(size);
+    if (shape.axis.size() > 1) out.erase(std::unique(out.begin() + 4, out.end()), out.end());
+    for (std::size_t i = 0; i < shape.sizes.size(); ++i) {
+        const bool turns = i > 0 && shape.axis.size() > 1 && shape.axis[i] != shape.axis[i - 1];
+        out += (turns ? " : " : ", ") + print_size(shape.sizes[i]);
+    }
     return out + "){ " + apart(shape.parts) + " }";
 }
 
@@ -90,7 +95,7 @@ std::string Printer::rule(const Production& rule) const {
         out += " -(" + to_text(quantity(*rule.probability).expression) + ")-> ";
     else
         out += " -> ";
-    out += rule.shape ? shape(*rule.shape) : guarded(word(rule.successor), {"div(", "repeat("});
+    out += rule.shape ? shape(*rule.shape) : guarded(word(rule.successor), {"div(", "repeat(", "Split("});
     // A left context may spell a setting whose value may contain arrows.
     return guarded(std::move(out), {"title ", "source ", "interpret "});
 }

@@ -71,9 +71,11 @@ Json body(const Statement& statement, const Alphabet& alphabet) {
 
 }  // namespace
 
-Json to_json(const ET0L& system, const Alphabet& alphabet) {
+Json to_json(const ET0L& system, const Alphabet& alphabet, const Word& other) {
     Json tables = Json::array();
-    const std::vector<Symbol> letters = accessible_letters(system);
+    ET0L begun = system;
+    begun.axiom.insert(begun.axiom.end(), other.begin(), other.end());
+    const std::vector<Symbol> letters = accessible_letters(begun);
     bool all = true;
     Word terminals;
     for (const Table& table : system.tables) {
@@ -93,8 +95,8 @@ Json to_json(const ET0L& system, const Alphabet& alphabet) {
     return result;
 }
 
-Json to_json(const SourceSystem& system, const Alphabet& alphabet) {
-    if (system.tables) return to_json(*system.tables, alphabet);
+Json to_json(const SourceSystem& system, const Alphabet& alphabet, const Word& other) {
+    if (system.tables) return to_json(*system.tables, alphabet, other);
     const IL& source = *system.interactive;
     Json rules = Json::array();
     Word ignored;

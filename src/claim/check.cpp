@@ -31,6 +31,15 @@ Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& che
     return result;
 }
 
+/// The words that statements let the system begin from.
+Word begun_from(const Claim& claim, const SourceSystem& system) {
+    Word letters;
+    for (const ClaimedStatement& claimed : claim.statements)
+        if (claimed.statement.from && claimed.statement.systems.front()->name == system.name)
+            letters.insert(letters.end(), claimed.statement.from->begin(), claimed.statement.from->end());
+    return letters;
+}
+
 }  // namespace
 
 CheckedStatement::Outcome CheckedClaim::outcome() const {
@@ -69,7 +78,7 @@ nlohmann::ordered_json certificate(const CheckedClaim& checked) {
     const Claim& claim = checked.claim;
     Json letters = Json::array(), systems = Json::object(), statements = Json::array();
     for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
-    for (const auto& system : claim.systems) systems[system->name] = to_json(*system, *claim.alphabet);
+    for (const auto& system : claim.systems) systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
     for (std::size_t i = 0; i < checked.statements.size(); ++i)
         statements.push_back(statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
     Json result{{"format", "algae certificate 1"}, {"claim", claim.title}, {"source", claim.source}};

@@ -164,7 +164,7 @@ private:
         const bool one = tables->system.tables.size() == 1;
         const std::string line = "Every word of " + text(left_) + " is in " + text(right_) + ": what the letters derive in " + counted(meeting.step, "step") +
                                  " does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before leaves it.";
-        if (left_->kind == Kind::generated) return by("relations", true, {line});
+        if (left_->kind == Kind::generated && !has_system(right_)) return by("relations", true, {line});
         return Judgement::proved({tables->argument, line}, {{"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
     }
 

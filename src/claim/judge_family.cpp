@@ -59,6 +59,11 @@ private:
     }
 
     Judgement chomsky() const {
+        if (const auto known = finite_value(language_, alphabet_, budget_)) {
+            std::vector<std::string> argument = known->argument;
+            argument.push_back("It is finite, and finite languages are " + std::string(question_.family == "CF" ? "context-free." : "regular."));
+            return Judgement::proved(std::move(argument), {{"by", "finite"}});
+        }
         if (regular_value(language_, alphabet_, budget_))
             return Judgement::proved({name_ + " is made of finite languages by operations under which the regular languages are closed" + (question_.family == "CF" ? ", and regular languages are context-free." : ".")},
                                      {{"by", "regular"}});

@@ -114,6 +114,7 @@ Judgement exact_steps_of_tables(const SourceSystem& source, const ET0L& system, 
         return Judgement::refuted({"No choice of tables and rules makes " + spell(alphabet, word) + " of " + spell(alphabet, system.axiom) + " in " + counted(steps, "step") + ": the factors of it that the letters derive in so many steps do not make it up."},
                                   {{"by", "exhausted"}});
     Derivation witness = derivation(copies, goal, found, budget);
+    for (; witness.words.size() <= steps; witness.tables.push_back(0)) witness.words.emplace_back();  // ε stays ε
     for (Word& reached : witness.words)
         for (Symbol& a : reached) a %= static_cast<Symbol>(letters);
     Json proof{{"by", "derivation"}};

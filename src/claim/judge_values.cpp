@@ -158,6 +158,7 @@ std::optional<Judgement> disjoint(const Language& language, const Alphabet& alph
     for (const std::size_t i : {0u, 1u}) {
         const LanguageTree& part = *language->parts[i];
         if (part.kind != Kind::generated || !part.system->tables) continue;
+        if (has_system(language->parts[1 - i])) continue;  // then it is worked out otherwise
         const auto regular = regular_value(language->parts[1 - i], alphabet, budget);
         if (!regular) continue;
         const Meeting meeting = first_meeting(*part.system->tables, *regular, budget);
@@ -209,7 +210,10 @@ Judgement judge_empty(const Language& language, const Alphabet& alphabet, const 
         if (!known->words.empty()) return has(known->words.front(), "");
         return with(Truth::proved, known->argument, to_string(language, alphabet) + " has no word.");
     }
-    if (const auto regular = regular_value(language, alphabet, budget)) return has(*shortest_word(*regular), "");
+    if (const auto regular = regular_value(language, alphabet, budget)) {
+        if (const auto word = shortest_word(*regular)) return has(*word, "");
+        return with(Truth::proved, {}, to_string(language, alphabet) + " is regular, and its minimal automaton accepts no word.");
+    }
     if (const auto tables = table_value(language, alphabet, budget)) {
         const Meeting meeting = first_word(tables->system, budget);
         if (meeting.derivation) return has(meeting.derivation->words.back(), "");

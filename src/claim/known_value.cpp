@@ -78,6 +78,7 @@ private:
                     return words;
                 });
             case Kind::concatenated:
+                if (auto words = without_parts(tree)) return words;
                 return both(tree, [](const auto& left, const auto& right) {
                     std::vector<Word> words;
                     for (const Word& u : left)
@@ -94,6 +95,19 @@ private:
             default:
                 return as_a_whole(tree);
         }
+    }
+
+    /// Of a concatenation of which a part is infinite: it is finite if the other is empty.
+    std::optional<std::vector<Word>> without_parts(const LanguageTree& tree) {
+        for (const Language& part : tree.parts)
+            if (const auto words = finite_part(part); words && words->empty()) return words;
+        return std::nullopt;
+    }
+
+    /// The words of a part without its argument.
+    std::optional<std::vector<Word>> finite_part(const Language& part) {
+        auto known = finite_value(part, alphabet_, budget_);
+        return known ? std::optional(std::move(known->words)) : std::nullopt;
     }
 
     void say(const Language& language, const std::vector<Word>& words) {
@@ -189,6 +203,10 @@ private:
 std::optional<FiniteValue> finite_value(const Language& language, const Alphabet& alphabet,
                                         const Budget& budget) {
     return Finite(alphabet, budget).value(language);
+}
+
+bool has_system(const Language& language) {
+    return language->kind == Kind::generated || std::any_of(language->parts.begin(), language->parts.end(), has_system);
 }
 
 std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& morphism) {

@@ -28,6 +28,9 @@ std::optional<FiniteValue> finite_value(const Language& language, const Alphabet
 std::optional<RegularLanguage> regular_value(const Language& language, const Alphabet& alphabet,
                                              const Budget& budget = {});
 
+/// Whether a system occurs in the expression.
+bool has_system(const Language& language);
+
 /// The image of a word; nothing if one of its letters has none.
 std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& morphism);
 

@@ -16,6 +16,13 @@ using Kind = Statement::Kind;
 void check_values(const Checking& with, const Statement& statement, bool holds,
                   const Field& proof) {
     const auto left = finite_values(statement.languages[0], with.alphabet(), with.budget);
+    if (statement.kind == Kind::included && holds) {
+        if (!left) proof.refuse("the left language is infinite");
+        for (const Word& word : *left)
+            if (!contains(statement.languages[1], word, with.alphabet(), with.budget))
+                proof.refuse("a word is in the left language only");
+        return;
+    }
     const auto right = finite_values(statement.languages[1], with.alphabet(), with.budget);
     if (!left || !right) proof.refuse("one of the languages is infinite");
     const bool found = statement.kind == Kind::equal ? *left == *right

@@ -143,7 +143,7 @@ void check_family(const Checking& with, const Statement& statement, bool holds, 
     } else if (by == "regular") {
         proof.only({"by"});
         if (statement.family != "REG" && statement.family != "CF") wrong_kind(proof, by);
-        if (!is_regular(language)) proof.refuse("a system occurs in the expression");
+        check_regular(with, language, proof);
     } else {
         wrong_kind(proof, by);
     }

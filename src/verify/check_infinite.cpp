@@ -57,7 +57,7 @@ void check_round(const Checking& with, const Language& language, const Field& pr
 
 void check_pumping(const Checking& with, const Language& language, const Field& proof) {
     proof.only({"by", "prefix", "middle", "suffix"});
-    if (!is_regular(language)) proof.refuse("a system occurs in the expression");
+    check_regular(with, language, proof);
     const Word prefix = with.reader.word(proof.at("prefix"));
     const Word middle = with.reader.word(proof.at("middle"));
     const Word suffix = with.reader.word(proof.at("suffix"));

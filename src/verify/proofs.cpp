@@ -1,11 +1,19 @@
 #include "verify/proofs.hpp"
 
+#include "verify/values.hpp"
+
 #include "base/error.hpp"
 
 namespace algae::verify {
 
 void wrong_kind(const Field& proof, const std::string& by) {
     proof.at("by").refuse("no proof by '" + by + "' shows this");
+}
+
+void check_regular(const Checking& with, const Language& language, const Field& proof) {
+    if (language->kind == Tree::Kind::generated && !finite_values(language, with.alphabet(), with.budget))
+        proof.refuse("a system occurs in the expression whose language is not finite");
+    for (const Language& part : language->parts) check_regular(with, part, proof);
 }
 
 void check_proof(const Checking& with, const Statement& statement, bool holds, const Field& proof) {

@@ -52,6 +52,9 @@ void check_balance(const Checking& with, const System& left, const System& right
 /// Checks that two D0L systems generate the same language, by the sections of their sequences in the proof.
 void check_sections(const Checking& with, const System& left, const System& right,
                     const Field& proof);
+/// Throws Flaw if a system occurs in the expression whose language is not finite.
+void check_regular(const Checking& with, const Language& language, const Field& proof);
+
 /// Checks by induction on the length that a regular language is within that of a system.
 void check_induction(const Checking& with, const Language& left, const Language& right,
                      const Field& proof);

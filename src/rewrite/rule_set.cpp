@@ -158,7 +158,8 @@ void add_rule(CompiledRules& rules, const Production& rule) {
             if (rules.successors[other].same_as(successor)) return;  // the rule stands there twice
     same->successors.push_back(static_cast<std::uint32_t>(rules.successors.size()));
     if (rule.probability) same->probabilities.push_back(*rule.probability);
-    set.has_contexts = set.has_contexts || same->context > 0;
+    set.has_contexts = set.has_contexts || !same->left.empty() || !same->right.empty() ||
+                       !same->elsewhere.empty();  // brackets alone count as no module
     set.has_conditions = set.has_conditions || same->condition;
     set.has_probabilities = set.has_probabilities || rule.probability;
     rules.successors.push_back(std::move(successor));

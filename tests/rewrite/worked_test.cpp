@@ -128,4 +128,5 @@ TEST_CASE("contexts do not see what is ignored, nor beyond the word") {
     CHECK(word_of("axiom F[+a][-a]b; ignore + -; F > [a][a]b -> x", 1) == "x[+a][-a]b");
     CHECK(word_of("axiom F[+a][-c]b; ignore + -; F > [a][a]b -> x", 1) == "F[+a][-c]b");
     CHECK(word_of("axiom F[a(1)][a(2)]b; F > [a(x)]b : x > 1 -> G(x)", 1) == "G(2)[a(1)][a(2)]b");
+    CHECK(word_of("axiom ab[]a[]; a > [] -> x", 1) == "ab[]x[]");  // any branch
 }

@@ -64,15 +64,16 @@ ShapeSuccessor parse_division(std::string_view text, Reading& reading) {
         shape.operation.assign(x3::_attr(c).begin(), x3::_attr(c).end());
         if (shape.operation == "Split") shape.operation = "div";
     };
-    const auto on_axis = [&](auto& c) {
-        if (shape.axis.empty()) axes = x3::_where(c).begin();
-        shape.axis += x3::_attr(c);
+    const auto on_axes = [&](auto& c) {
+        axes = x3::_attr(c).begin();
+        shape.axis.assign(axes, x3::_attr(c).end());
     };
     const auto on_list = [&](auto&) { lists.push_back(shape.sizes.size()); };
     const auto on_part = [&](auto& c) { shape.parts.push_back(x3::_attr(c)); };
 
     const auto operation = x3::raw[x3::lit("div") | "repeat" | "Split"][on_operation];
-    const auto axis = wanted("an axis, X, Y or Z")[x3::char_("XYZ")[on_axis]] >> *x3::char_("XYZ")[on_axis];
+    const auto axis =
+        wanted("an axis, X, Y or Z")[x3::raw[x3::lexeme[+x3::char_("XYZ")]][on_axes]];
     const auto size = Size{{}, &shape.sizes, &reading.source};
     const auto list = (size % ',') >> x3::eps[on_list];
     const auto sizes = wanted("',' and a size")[x3::lit(',')] >> (list % ':') >>

@@ -121,7 +121,7 @@ inline std::string successor(const Options& options, const Strings& names) {
     const int kind = below(12);
     const std::string parts = "{ F wall+ X_1 G }";
     if (kind == 0)
-        return "div(Y, " + expression(names) + ", (" + expression(names) + ") r, 2r)" + parts;
+        return (chance(50) ? "div(Y, " : "div(ZX, 1r, 3 : ") + expression(names) + ", (" + expression(names) + ") r, 2r)" + parts;
     if (kind == 1) return "repeat(X, " + expression(names) + ")" + parts;
     if (kind == 2 && names.empty()) return "I( B )";
     return word(options, names, true);

@@ -143,7 +143,12 @@ TEST_CASE("shape rules") {
     CHECK(laid_open("A -> div(Y, 3, 1r, (c+1)r){ B C C }") ==
           "of <A>; div Y 3 1 relative c+1 relative of <B><C><C>");
     CHECK(laid_open("A -> repeat(Y, 0.3){C}") == "of <A>; repeat Y 0.3 of <C>");
+    CHECK(laid_open("A -> div(XZ, 1r, 2 : c){ B C }") ==
+          "of <A>; div XXZ 1 relative 2 c of <B><C>");
+    CHECK(laid_open("A -> Split(X, 2){ B }") == "of <A>; div X 2 of <B>");
     CHECK(laid_open("A -> I(B)") == "of <A>; I  of <B>");
+    CHECK(laid_open("A(x,y,z) : x > y -> I(B)") == "of <A(x,y,z)>; if x > y; I  of <B>");
+    CHECK(laid_open("A(x,y,z) -> I(x)") == "of <A(x,y,z)>; is <I(x)>");
     CHECK(laid_open("A -> I(c)") == "of <A>; is <I(c)>");
     CHECK(laid_open("A -> I(1)") == "of <A>; is <I(1)>");
     CHECK(laid_open("A(B) -> I(B)") == "of <A(B)>; is <I(B)>");

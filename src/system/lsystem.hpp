@@ -41,7 +41,7 @@ struct ShapeSuccessor {
         bool operator==(const Size&) const = default;
     };
     std::string operation;    // div, repeat or I
-    std::string axis;         // X, Y, Z; empty for I
+    std::string axis;         // X, Y, Z; of several, that of each size: XXZ; empty for I
     std::vector<Size> sizes;  // of div and repeat
     Word parts;               // between braces; for I the one symbol in its brackets
 

@@ -56,7 +56,8 @@ Refusal beyond_shape(const LSystem& system) {
         if (arguments.size() != 3 && arguments.size() != 6)
             return "the axiom's '" + system.alphabet.name(system.axiom.letters[position]) +
                    "' has " + std::to_string(arguments.size()) +
-                   " arguments, and a box has three, its sizes, or six, its origin "
+                   (arguments.size() == 1 ? " argument" : " arguments") +
+                   ", and a box has three, its sizes, or six, its origin "
                    "and its sizes";
     return {};
 }

@@ -47,7 +47,7 @@ TEST_CASE("rules that are none of boxes, each with its place") {
           "not a system of shape rules: the rule at test.lsys:2:1 has a relative size, and repeat "
           "takes a length");
     CHECK(refusal("axiom A(1)\nA -> I(B)") ==
-          "not a system of shape rules: the axiom's 'A' has 1 arguments, and a box has three, its "
+          "not a system of shape rules: the axiom's 'A' has 1 argument, and a box has three, its "
           "sizes, or six, its "
           "origin and its sizes");
 }

@@ -60,10 +60,10 @@ CheckedClaim check(Claim claim, const Budget& budget) {
     return checked;
 }
 
-std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked) {
-    switch (checked.outcome) {
+std::string to_string(CheckedStatement::Outcome outcome) {
+    switch (outcome) {
         case Outcome::stands:
-            return statement.purpose == ClaimedStatement::Purpose::refute ? "refuted" : "proved";
+            return "proved";
         case Outcome::cited:
             return "cited";
         case Outcome::undecided:
@@ -72,6 +72,11 @@ std::string verdict_text(const ClaimedStatement& statement, const CheckedStateme
             return "WRONG";
     }
     return {};
+}
+
+std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked) {
+    const bool refuted = statement.purpose == ClaimedStatement::Purpose::refute;
+    return checked.outcome == Outcome::stands && refuted ? "refuted" : to_string(checked.outcome);
 }
 
 nlohmann::ordered_json certificate(const CheckedClaim& checked) {

@@ -30,6 +30,9 @@ struct CheckedClaim {
 /// Decides all statements of a claim. Throws what `decide` throws.
 CheckedClaim check(Claim claim, const Budget& budget = {});
 
+/// "proved", "cited", "undecided" or "WRONG", as reports print it.
+std::string to_string(CheckedStatement::Outcome outcome);
+
 /// "proved", "refuted", "cited", "undecided" or "WRONG", as reports print it.
 std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked);
 

@@ -37,23 +37,9 @@ std::vector<std::string> claim_files(const std::string& path) {
     return files;
 }
 
-const char* word(Outcome outcome) {
-    switch (outcome) {
-        case Outcome::stands:
-            return "proved";
-        case Outcome::cited:
-            return "cited";
-        case Outcome::undecided:
-            return "undecided";
-        case Outcome::wrong:
-            return "WRONG";
-    }
-    return "";
-}
-
 /// One line for the claim, and one with the reasons for each statement that does not stand.
 std::string summary(const CheckedClaim& checked) {
-    std::string text = fmt::format("{:<9}  {}\n", word(checked.outcome()), checked.claim.title);
+    std::string text = fmt::format("{:<9}  {}\n", to_string(checked.outcome()), checked.claim.title);
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {
         const CheckedStatement& found = checked.statements[i];
         if (found.outcome != Outcome::wrong && found.outcome != Outcome::undecided) continue;
@@ -74,7 +60,7 @@ Json as_json(const CheckedClaim& checked) {
         entry["argument"] = found.judgement.argument;
         statements.push_back(std::move(entry));
     }
-    return {{"claim", checked.claim.title}, {"file", checked.claim.name}, {"verdict", word(checked.outcome())}, {"statements", statements}};
+    return {{"claim", checked.claim.title}, {"file", checked.claim.name}, {"verdict", to_string(checked.outcome())}, {"statements", statements}};
 }
 
 int check_paths(const Options& options) {

@@ -67,10 +67,6 @@ std::string sign(Theory& theory, const std::string& family, const std::string& o
     }
 }
 
-std::string status(Outcome outcome) {
-    return outcome == Outcome::stands ? "proved" : outcome == Outcome::cited ? "cited" : outcome == Outcome::wrong ? "wrong" : "undecided";
-}
-
 Json as_json(Theory& theory, const std::string& family, const std::string& operation) {
     const auto cell = theory.cell(family, operation);
     Json entry{{"family", family}, {"operation", operation}};
@@ -80,7 +76,7 @@ Json as_json(Theory& theory, const std::string& family, const std::string& opera
     }
     const CheckedClaim& checked = theory.checked(cell->claim);
     entry["closed"] = cell->closed;
-    entry["status"] = status(checked.outcome());
+    entry["status"] = to_string(checked.outcome());
     entry["claim"] = checked.claim.name;
     return entry;
 }
@@ -105,7 +101,7 @@ std::string cell_text(Theory& theory, const std::string& family, const std::stri
     if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
     const CheckedClaim& checked = theory.checked(cell->claim);
     const std::string name = family + " languages are " + (cell->closed ? "" : "not ") + "closed under " + operation;
-    return name + " (" + checked.claim.name + ", " + status(checked.outcome()) + ").\n\n" + explanation(checked, family);
+    return name + " (" + checked.claim.name + ", " + to_string(checked.outcome()) + ").\n\n" + explanation(checked, family);
 }
 
 std::string known(const std::string& written, const std::vector<std::string>& all, const std::string& what) {

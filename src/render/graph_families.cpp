@@ -35,7 +35,7 @@ const std::vector<std::pair<const char*, const char*>>& family_inclusions() {
         {"PD0L", "D0L"},  {"PD0L", "P0L"}, {"D0L", "0L"},     {"P0L", "0L"},  {"D0L", "DT0L"},
         {"0L", "T0L"},    {"DT0L", "T0L"}, {"0L", "E0L"},     {"0L", "IL"},   {"DT0L", "EDT0L"},
         {"T0L", "ET0L"},  {"E0L", "ET0L"}, {"EDT0L", "ET0L"}, {"FIN", "REG"}, {"REG", "CF"},
-        {"REG", "EDT0L"}, {"CF", "E0L"},   {"ET0L", "CS"},
+        {"REG", "EDT0L"}, {"REG", "IL"},    {"CF", "E0L"},     {"ET0L", "CS"},
     };
     return inclusions;
 }

@@ -56,10 +56,10 @@ TEST_CASE("check --json tells claims, statements, verdicts and arguments") {
     CHECK(claims.size() == 2);
     CHECK(claims[0]["claim"] == "powers of two");
     CHECK(claims[0]["verdict"] == "proved");
-    const json statements = json::parse(R"([
+    const json statements = json::parse(R"json([
         {"text": "aaaa in L(G)", "verdict": "proved", "argument": ["aaaa is in L(G): a => aa => aaaa."]},
         {"text": "aaa in L(G)", "verdict": "refuted", "argument":
-          ["aaa is not in L(G): generations 0 to 1 are not this word, and from then on all words are longer."]}])");
+          ["aaa is not in L(G): generations 0 to 1 are not this word, and from then on all words are longer."]}])json");
     CHECK(claims[0]["statements"] == statements);
     CHECK(claims[1]["verdict"] == "cited");
     CHECK(claims[1]["statements"][0]["verdict"] == "cited");

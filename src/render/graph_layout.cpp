@@ -59,7 +59,7 @@ std::string full_label(const Graph::Node& node) {
 /// so that equal graphs would not be equal texts.
 class Names {
 public:
-    static void* open(Agraph_t*, Agdisc_t*) { return new Names; }
+    static void* open(Agraph_t* graph, Agdisc_t*) { return new Names(graph); }
     static void close(void* names) { delete static_cast<Names*>(names); }
     static long map(void* names, int kind, char* name, IDTYPE* id, int create) {
         return static_cast<Names*>(names)->number(kind, name, *id, create != 0);
@@ -69,11 +69,13 @@ public:
     static char* print(void* names, int kind, IDTYPE id) {
         auto& known = static_cast<Names*>(names)->names_;
         const auto found = known.find({family(kind), id});
-        return found == known.end() ? nullptr : text(found->second);
+        return found == known.end() ? nullptr : found->second;
     }
     static void note(void*, int, void*) {}
 
 private:
+    explicit Names(Agraph_t* graph) : graph_(graph) {}
+
     // The two kinds of edges are one.
     static int family(int kind) { return kind == AGINEDGE ? AGOUTEDGE : kind; }
 
@@ -90,12 +92,14 @@ private:
         if (!create) return 0;
         id = 2 * (numbers_.size() + 1);
         numbers_.emplace(std::pair(family(kind), std::string(name)), id);
-        names_.emplace(std::pair(family(kind), id), name);
+        names_.emplace(std::pair(family(kind), id), agstrdup(graph_, text(name)));
         return 1;
     }
 
+    Agraph_t* graph_;
     std::map<std::pair<int, std::string>, IDTYPE> numbers_;
-    std::map<std::pair<int, IDTYPE>, std::string> names_;
+    // Graphviz's own strings, which end with the graph: it looks before a string whether it is HTML.
+    std::map<std::pair<int, IDTYPE>, char*> names_;
     IDTYPE unnamed_ = 0;
 };
 

@@ -71,7 +71,7 @@ TEST_CASE("tree draws the digraph of growth and the families") {
     CHECK(growth["edges"] == 5);
     const auto families = nlohmann::json::parse(run("tree --families --json -o /dev/null --format pdf").out);
     CHECK(families["nodes"] == 14);
-    CHECK(families["edges"] == 18);
+    CHECK(families["edges"] == 19);
     CHECK(run("tree koch --graph --max-nodes 2 -o /dev/null --format svg").err ==
           "algae: the digraph has 3 letters, more than the 2 of --max-nodes\n");
 }

@@ -98,6 +98,15 @@ TEST_CASE(
     }));
 }
 
+TEST_CASE("names in Graphviz's language are plain on every run, not sometimes in angle brackets") {
+    // Graphviz looks before a name's first byte whether it is HTML: names must be strings of its own.
+    for (int run = 0; run < 50; ++run) {
+        const std::string dot = dot_text(tree_graph(derivation_tree(d0l("a", {{'a', "ab"}}), 2)));
+        CHECK(dot.find("digraph algae {") == 0);
+        CHECK(dot.find("<row") == std::string::npos);
+    }
+}
+
 TEST_CASE("what a tree shows") {
     const D0L system = d0l("a", {{'a', "ab+"}, {'b', ""}});
     const Graph graph = tree_graph(derivation_tree(system, 2));

@@ -1,11 +1,11 @@
 #include "claim/judge_equality.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "fold/choices.hpp"
 #include "claim/certificate.hpp"
-#include "claim/judge_generated.hpp"
 #include "language/equivalence_language.hpp"
 #include "claim/judge_membership.hpp"
 #include "claim/judge_system.hpp"
@@ -129,17 +129,13 @@ private:
 
     Judgement finite_equality(const FiniteValue& left, const FiniteValue& right) const {
         if (left.words == right.words) return by("values", true, joined(left.argument, right.argument));
-        for (const Word& word : left.words)
-            if (std::find(right.words.begin(), right.words.end(), word) == right.words.end()) return listed_witness(word, left, right);
-        for (const Word& word : right.words)
-            if (std::find(left.words.begin(), left.words.end(), word) == left.words.end()) return listed_witness(word, left, right);
-        return witness({});
-    }
-
-    Judgement listed_witness(const Word& word, const FiniteValue& left, const FiniteValue& right) const {
+        std::vector<Word> alone;  // of the left side, or of the right one if there are none
+        std::set_difference(left.words.begin(), left.words.end(), right.words.begin(), right.words.end(), std::back_inserter(alone), shortlex_less);
+        if (alone.empty())
+            std::set_difference(right.words.begin(), right.words.end(), left.words.begin(), left.words.end(), std::back_inserter(alone), shortlex_less);
         std::vector<std::string> argument = joined(left.argument, right.argument);
-        argument.push_back(spell(alphabet_, word) + " is in one and not in the other.");
-        return Judgement::refuted(std::move(argument), {{"by", "word"}, {"word", certificate_text(alphabet_, word)}});
+        argument.push_back(spell(alphabet_, alone.front()) + " is in one and not in the other.");
+        return Judgement::refuted(std::move(argument), {{"by", "word"}, {"word", certificate_text(alphabet_, alone.front())}});
     }
 
     Judgement finite_inclusion(const FiniteValue& left) const {

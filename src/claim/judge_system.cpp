@@ -58,23 +58,26 @@ std::string derives_not(const OL& rules, const Word& word, std::uint64_t steps, 
     return "No choice of rules makes " + spell(alphabet, word) + " of " + from + in + ": the factors of it that the letters derive in so many steps do not make it up.";
 }
 
-/// Whether an 0L system derives the word in exactly so many steps, with the derivation.
-Judgement exact_steps(const SourceSystem& system, OL rules, const Word& word, std::uint64_t steps,
-                      const Alphabet& alphabet, const Budget& budget) {
-    std::optional<Derivation> found;
-    try {
-        found = derivation(rules, word, steps, budget);
-    } catch (const BoundReached&) {
-        throw;
-    } catch (const Interrupted&) {
-        throw;
-    } catch (const Error&) {
-        return Judgement::refuted({derives_not(rules, word, steps, alphabet)},
-                                  {{"by", "exhausted"}});
-    }
+/// The proof that a derivation is.
+Json derivation_proof(Json witness) {
     Json proof{{"by", "derivation"}};
-    proof.update(derivation_json(*found, alphabet));
-    return Judgement::proved({derives(system, rules.axiom, word, alphabet) + " in " + counted(steps, "step") + (steps > 0 ? ": " + arrows(*found, alphabet) : "") + "."}, proof);
+    proof.update(witness);
+    return proof;
+}
+
+/// That the axiom of a system without context derives the last word of the derivation.
+Judgement derived(const SourceSystem& system, const Derivation& witness, const Alphabet& alphabet) {
+    const std::size_t steps = witness.words.size() - 1;
+    return Judgement::proved({derives(system, witness.words.front(), witness.words.back(), alphabet) + " in " + counted(steps, "step") +
+                              (steps > 0 ? ": " + arrows(witness, alphabet) : "") + "."},
+                             derivation_proof(derivation_json(witness, alphabet)));
+}
+
+/// Whether an 0L system derives the word in exactly so many steps, with the derivation.
+Judgement exact_steps(const SourceSystem& system, const OL& rules, const Word& word, std::uint64_t steps,
+                      const Alphabet& alphabet, const Budget& budget) {
+    if (const auto found = find_derivation(rules, word, steps, budget)) return derived(system, *found, alphabet);
+    return Judgement::refuted({derives_not(rules, word, steps, alphabet)}, {{"by", "exhausted"}});
 }
 
 /// The system with a copy of each letter for each of so many steps; copies for the last are the terminals.
@@ -117,9 +120,7 @@ Judgement exact_steps_of_tables(const SourceSystem& source, const ET0L& system, 
     for (; witness.words.size() <= steps; witness.tables.push_back(0)) witness.words.emplace_back();  // ε stays ε
     for (Word& reached : witness.words)
         for (Symbol& a : reached) a %= static_cast<Symbol>(letters);
-    Json proof{{"by", "derivation"}};
-    proof.update(derivation_json(witness, alphabet));
-    return Judgement::proved({derives(source, system.axiom, word, alphabet) + " in " + counted(steps, "step") + (steps > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
+    return derived(source, witness, alphabet);
 }
 
 }  // namespace
@@ -145,11 +146,8 @@ Judgement judge_derivation(const SourceSystem& system, const Word& word, const s
         if (steps) return walked(moved, moved.interactive->axiom, word, *steps, alphabet, budget);
         Judgement found = judge_generated(moved, word, alphabet, budget);
         if (found.truth == Truth::refuted) found.proof = std::make_shared<const Json>(Json{{"by", "exhausted"}});
-        if (found.truth == Truth::proved) {
-            Json proof{{"by", "derivation"}};
-            proof.update(found.proof->at("derivation"));
-            found.proof = std::make_shared<const Json>(std::move(proof));
-        }
+        if (found.truth == Truth::proved)
+            found.proof = std::make_shared<const Json>(derivation_proof(found.proof->at("derivation")));
         return found;
     }
     ET0L moved = *system.tables;
@@ -163,10 +161,7 @@ Judgement judge_derivation(const SourceSystem& system, const Word& word, const s
     if (!found.member)
         return Judgement::refuted({spell(alphabet, moved.axiom) + " does not derive " + spell(alphabet, word) + " by " + system.name + " in any number of steps."},
                                   {{"by", "exhausted"}});
-    const Derivation witness = derivation(moved, word, found, budget);
-    Json proof{{"by", "derivation"}};
-    proof.update(derivation_json(witness, alphabet));
-    return Judgement::proved({derives(system, moved.axiom, word, alphabet) + " in " + counted(found.step, "step") + (found.step > 0 ? ": " + arrows(witness, alphabet) : "") + "."}, proof);
+    return derived(system, derivation(moved, word, found, budget), alphabet);
 }
 
 Judgement judge_sequences(const SourceSystem& left, const SourceSystem& right, const Alphabet& alphabet, const Budget& budget) {

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "word/spelling.hpp"
+#include "word/word_sets.hpp"
 
 namespace algae {
 
@@ -135,9 +136,7 @@ std::string text(const Language& language, const Alphabet& alphabet, Level least
 }  // namespace
 
 Language words_language(std::vector<Word> words) {
-    std::sort(words.begin(), words.end(), [](const Word& left, const Word& right) {
-        return left.size() != right.size() ? left.size() < right.size() : left < right;
-    });
+    std::sort(words.begin(), words.end(), shortlex_less);
     words.erase(std::unique(words.begin(), words.end()), words.end());
     LanguageTree tree;
     tree.words = std::move(words);

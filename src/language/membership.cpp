@@ -132,19 +132,17 @@ Membership membership(const OL& system, const Word& word, const Budget& budget) 
     }
 }
 
-Derivation derivation(const OL& system, const Word& word, std::uint64_t step, const Budget& budget) {
-    const auto none = [&] { return Error("the word is not in generation " + std::to_string(step)); };
-    if (foreign_letter(system, word)) throw none();
+std::optional<Derivation> find_derivation(const OL& system, const Word& word, std::uint64_t step, const Budget& budget) {
+    if (foreign_letter(system, word)) return std::nullopt;
     if (is_deterministic(system)) {
         Derivation only = deterministic_derivation(system, step, budget);
-        if (only.words.back() != word) throw none();
-        return only;
+        return only.words.back() == word ? std::optional(std::move(only)) : std::nullopt;
     }
     const FactorTables tables(system, word);
     const LetterFutures futures = letter_futures(system);
     TablesBackwards backwards(tables, step, budget);
     const auto stops = tables.split(backwards.of(step), system.axiom, 0, word.size());
-    if (!stops) throw none();
+    if (!stops) return std::nullopt;
     std::vector<Share> shares;
     for (std::size_t i = 0, from = 0; i < stops->size(); from = (*stops)[i++])
         shares.push_back({system.axiom[i], from, (*stops)[i]});
@@ -167,6 +165,12 @@ Derivation derivation(const OL& system, const Word& word, std::uint64_t step, co
         found.choices.push_back(std::move(choices));
     }
     return found;
+}
+
+Derivation derivation(const OL& system, const Word& word, std::uint64_t step, const Budget& budget) {
+    std::optional<Derivation> found = find_derivation(system, word, step, budget);
+    if (!found) throw Error("the word is not in generation " + std::to_string(step));
+    return *std::move(found);
 }
 
 }  // namespace algae

@@ -3,6 +3,7 @@
 // languages, families.
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "base/budget.hpp"
@@ -58,10 +59,15 @@ struct Membership {
 /// Example: membership(ol("a", {{'a', "a"}, {'a', "aa"}}), {0, 0, 0}).step == 2
 Membership membership(const OL& system, const Word& word, const Budget& budget = {});
 
-/// A derivation of the word in exactly `step` steps, with tables kept only here and there on the way
-/// and worked out again in between: O(sqrt(step)) tables. What is erased is erased as soon as the
-/// rules can. Throws Error if there is none, BoundReached if its words have more than budget.letters
-/// letters together.
+/// A derivation of the word in exactly `step` steps, if there is one, with tables kept only here and there on the
+/// way and worked out again in between: O(sqrt(step)) tables. What is erased is erased as soon as the
+/// rules can. Throws BoundReached if its words have more than budget.letters letters together.
+///
+/// Example: !find_derivation(ol("a", {{'a', "aa"}}), {0, 0, 0}, 2)
+std::optional<Derivation> find_derivation(const OL& system, const Word& word, std::uint64_t step,
+                                          const Budget& budget = {});
+
+/// The same of a word that has one. Throws Error if there is none.
 ///
 /// Example: derivation(ol("a", {{'a', "a"}, {'a', "aa"}}), {0, 0, 0}, 2).words.size() == 3
 Derivation derivation(const OL& system, const Word& word, std::uint64_t step, const Budget& budget = {});

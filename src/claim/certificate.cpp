@@ -20,7 +20,8 @@ Json words_json(const std::vector<Word>& words, const Alphabet& alphabet) {
 
 Json morphism_json(const std::map<Symbol, Word>& morphism, const Alphabet& alphabet) {
     Json result = Json::object();
-    for (const auto& [a, image] : morphism) result[alphabet.name(a)] = certificate_text(alphabet, image);
+    for (const auto& [a, image] : morphism)
+        result[alphabet.name(a)] = certificate_text(alphabet, image);
     return result;
 }
 
@@ -31,7 +32,9 @@ Json pair_json(const LanguageTree& tree, const Alphabet& alphabet) {
 Json number_json(const Integer& number) { return to_string(number); }
 
 Json body(const Statement& statement, const Alphabet& alphabet) {
-    const auto language = [&](std::size_t i) { return to_json(statement.languages.at(i), alphabet); };
+    const auto language = [&](std::size_t i) {
+        return to_json(statement.languages.at(i), alphabet);
+    };
     const auto system = [&](std::size_t i) { return Json(statement.systems.at(i)->name); };
     switch (statement.kind) {
         case Statement::Kind::family:
@@ -45,11 +48,13 @@ Json body(const Statement& statement, const Alphabet& alphabet) {
         case Statement::Kind::included:
             return {{"included", Json::array({language(0), language(1)})}};
         case Statement::Kind::member:
-            return {{"member", certificate_text(alphabet, statement.word)}, {"language", language(0)}};
+            return {{"member", certificate_text(alphabet, statement.word)},
+                    {"language", language(0)}};
         case Statement::Kind::size:
             return {{"size", number_json(*statement.size)}, {"language", language(0)}};
         case Statement::Kind::derives: {
-            Json result{{"derives", certificate_text(alphabet, statement.word)}, {"system", system(0)}};
+            Json result{{"derives", certificate_text(alphabet, statement.word)},
+                        {"system", system(0)}};
             if (statement.from) result["from"] = certificate_text(alphabet, *statement.from);
             if (statement.steps) result["steps"] = *statement.steps;
             return result;
@@ -81,7 +86,8 @@ Json to_json(const ET0L& system, const Alphabet& alphabet, const Word& other) {
     for (const Table& table : system.tables) {
         Json rules = Json::object();
         for (const Symbol a : letters)
-            if (table[a] != std::vector<Word>{Word{a}}) rules[alphabet.name(a)] = words_json(table[a], alphabet);
+            if (table[a] != std::vector<Word>{Word{a}})
+                rules[alphabet.name(a)] = words_json(table[a], alphabet);
         tables.push_back(std::move(rules));
     }
     for (const Symbol a : letters) {
@@ -135,11 +141,14 @@ Json to_json(const Language& language, const Alphabet& alphabet) {
         case Kind::reversed:
             return {{"reversal", to_json(tree.parts[0], alphabet)}};
         case Kind::complement:
-            return {{"complement", to_json(tree.parts[0], alphabet)}, {"letters", certificate_text(alphabet, tree.letters)}};
+            return {{"complement", to_json(tree.parts[0], alphabet)},
+                    {"letters", certificate_text(alphabet, tree.letters)}};
         case Kind::image:
-            return {{"image", to_json(tree.parts[0], alphabet)}, {"morphism", morphism_json(tree.morphism, alphabet)}};
+            return {{"image", to_json(tree.parts[0], alphabet)},
+                    {"morphism", morphism_json(tree.morphism, alphabet)}};
         case Kind::inverse_image:
-            return {{"inverse image", to_json(tree.parts[0], alphabet)}, {"morphism", morphism_json(tree.morphism, alphabet)}};
+            return {{"inverse image", to_json(tree.parts[0], alphabet)},
+                    {"morphism", morphism_json(tree.morphism, alphabet)}};
     }
     return {};
 }

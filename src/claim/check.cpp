@@ -14,13 +14,17 @@ using Outcome = CheckedStatement::Outcome;
 using Json = nlohmann::ordered_json;
 
 Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
-    if (truth == Truth::undecided) return claimed.citation.empty() ? Outcome::undecided : Outcome::cited;
-    const Truth expected = claimed.purpose == ClaimedStatement::Purpose::refute ? Truth::refuted : Truth::proved;
+    if (truth == Truth::undecided)
+        return claimed.citation.empty() ? Outcome::undecided : Outcome::cited;
+    const Truth expected =
+        claimed.purpose == ClaimedStatement::Purpose::refute ? Truth::refuted : Truth::proved;
     return truth == expected ? Outcome::stands : Outcome::wrong;
 }
 
-Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& checked, const Alphabet& alphabet) {
-    Json result{{"text", claimed.statement.text}, {"statement", to_json(claimed.statement, alphabet)}};
+Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& checked,
+                    const Alphabet& alphabet) {
+    Json result{{"text", claimed.statement.text},
+                {"statement", to_json(claimed.statement, alphabet)}};
     if (checked.outcome == Outcome::cited) {
         result["verdict"] = "cited";
         result["citation"] = claimed.citation;
@@ -36,7 +40,8 @@ Word begun_from(const Claim& claim, const SourceSystem& system) {
     Word letters;
     for (const ClaimedStatement& claimed : claim.statements)
         if (claimed.statement.from && claimed.statement.systems.front()->name == system.name)
-            letters.insert(letters.end(), claimed.statement.from->begin(), claimed.statement.from->end());
+            letters.insert(letters.end(), claimed.statement.from->begin(),
+                           claimed.statement.from->end());
     return letters;
 }
 
@@ -83,10 +88,13 @@ nlohmann::ordered_json certificate(const CheckedClaim& checked) {
     const Claim& claim = checked.claim;
     Json letters = Json::array(), systems = Json::object(), statements = Json::array();
     for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
-    for (const auto& system : claim.systems) systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
+    for (const auto& system : claim.systems)
+        systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
     for (std::size_t i = 0; i < checked.statements.size(); ++i)
-        statements.push_back(statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
-    Json result{{"format", "algae certificate 1"}, {"claim", claim.title}, {"source", claim.source}};
+        statements.push_back(
+            statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
+    Json result{
+        {"format", "algae certificate 1"}, {"claim", claim.title}, {"source", claim.source}};
     if (claim.empty_axiom) result["empty axiom"] = true;
     result["alphabet"] = std::move(letters);
     result["systems"] = std::move(systems);

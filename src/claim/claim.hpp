@@ -17,19 +17,19 @@ namespace algae {
 /// One thing that is said of languages and systems, true or false.
 struct Statement {
     enum class Kind {
-        family,           // languages[0] is of the family `family`
-        finite,           // languages[0] is a finite language
-        empty,            // languages[0] has no word
-        equal,            // languages[0] == languages[1]
-        included,         // languages[0] <= languages[1]
-        member,           // `word` is in languages[0]
-        size,             // languages[0] has exactly `size` words
-        derives,          // systems[0] derives `word` from `from` (or its axiom) in `steps` steps (or some number)
+        family,    // languages[0] is of the family `family`
+        finite,    // languages[0] is a finite language
+        empty,     // languages[0] has no word
+        equal,     // languages[0] == languages[1]
+        included,  // languages[0] <= languages[1]
+        member,    // `word` is in languages[0]
+        size,      // languages[0] has exactly `size` words
+        derives,  // systems[0] derives `word` from `from` (or its axiom) in `steps` steps (or some number)
         equal_sequences,  // systems[0] and systems[1], D0L: the same word in every generation
         equal_growth,     // the same length in every generation
-        growth_formula,   // the length of generation n of systems[0] is `formula`, an expression in n
-        growth_class,     // the growth of systems[0] is of class `family`: zero, bounded, polynomial, exponential;
-                          // polynomial of degree `size` if given
+        growth_formula,  // the length of generation n of systems[0] is `formula`, an expression in n
+        growth_class,  // the growth of systems[0] is of class `family`: zero, bounded, polynomial, exponential;
+                       // polynomial of degree `size` if given
     };
     Kind kind = Kind::family;
     bool negated = false;
@@ -68,7 +68,7 @@ struct Claim {
     bool empty_axiom = false;        // whether families of systems may have the empty word as axiom
     std::shared_ptr<const Alphabet> alphabet;
     std::vector<std::shared_ptr<const SourceSystem>> systems;  // defined by the claim, in order
-    std::vector<Language> languages;                           // defined by the claim, each with its name
+    std::vector<Language> languages;  // defined by the claim, each with its name
     std::vector<ClaimedStatement> statements;
     std::vector<ClosureFact> closure;
 };

@@ -37,13 +37,15 @@ ClosureTable::ClosureTable(const std::vector<Claim>& claims) {
                 const auto key = std::pair(family, fact.operation);
                 const auto [place, is_new] = places.emplace(key, fact.place);
                 if (!is_new)
-                    throw Error(to_string(fact.place) + ": whether " + family + " is closed under " + fact.operation +
-                                " is settled at " + to_string(place->second) + " already");
+                    throw Error(to_string(fact.place) + ": whether " + family +
+                                " is closed under " + fact.operation + " is settled at " +
+                                to_string(place->second) + " already");
                 cells_.emplace(key, Cell{fact.closed, i});
             }
 }
 
-std::optional<ClosureTable::Cell> ClosureTable::cell(std::string_view family, std::string_view operation) const {
+std::optional<ClosureTable::Cell> ClosureTable::cell(std::string_view family,
+                                                     std::string_view operation) const {
     const auto found = cells_.find(std::pair(std::string(family), std::string(operation)));
     return found == cells_.end() ? std::nullopt : std::optional(found->second);
 }

@@ -13,11 +13,16 @@ namespace {
 
 Judgement affirmed(const Statement& statement, const Claim& claim, const Budget& budget) {
     const Alphabet& alphabet = *claim.alphabet;
-    const auto language = [&](std::size_t i) -> const Language& { return statement.languages.at(i); };
-    const auto system = [&](std::size_t i) -> const SourceSystem& { return *statement.systems.at(i); };
+    const auto language = [&](std::size_t i) -> const Language& {
+        return statement.languages.at(i);
+    };
+    const auto system = [&](std::size_t i) -> const SourceSystem& {
+        return *statement.systems.at(i);
+    };
     switch (statement.kind) {
         case Statement::Kind::family:
-            return judge_family(language(0), {statement.family, claim.empty_axiom, claim.systems}, alphabet, budget);
+            return judge_family(language(0), {statement.family, claim.empty_axiom, claim.systems},
+                                alphabet, budget);
         case Statement::Kind::finite:
             return judge_finite(language(0), alphabet, budget);
         case Statement::Kind::empty:
@@ -31,7 +36,8 @@ Judgement affirmed(const Statement& statement, const Claim& claim, const Budget&
         case Statement::Kind::size:
             return judge_size(language(0), *statement.size, alphabet, budget);
         case Statement::Kind::derives:
-            return judge_derivation(system(0), statement.word, statement.from, statement.steps, alphabet, budget);
+            return judge_derivation(system(0), statement.word, statement.from, statement.steps,
+                                    alphabet, budget);
         case Statement::Kind::equal_sequences:
             return judge_sequences(system(0), system(1), alphabet, budget);
         case Statement::Kind::equal_growth:

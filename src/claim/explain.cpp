@@ -13,7 +13,8 @@ constexpr std::size_t width = 100;
 
 /// How many characters a text takes on a line: its code points.
 std::size_t columns(const std::string& text) {
-    return static_cast<std::size_t>(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
 }
 
 /// The text with a break and the indentation wherever a line would be too long. Blanks that a line begins with add to it.
@@ -39,12 +40,14 @@ std::string wrapped(const std::string& text, std::size_t indentation) {
     return result + '\n';
 }
 
-std::string rules_text(const Table& table, const std::vector<Symbol>& letters, const Alphabet& alphabet) {
+std::string rules_text(const Table& table, const std::vector<Symbol>& letters,
+                       const Alphabet& alphabet) {
     std::string text;
     for (const Symbol a : letters) {
         if (table[a] == std::vector<Word>{Word{a}}) continue;
         text += "; " + alphabet.name(a) + " -> ";
-        for (std::size_t i = 0; i < table[a].size(); ++i) text += (i > 0 ? " | " : "") + spell(alphabet, table[a][i]);
+        for (std::size_t i = 0; i < table[a].size(); ++i)
+            text += (i > 0 ? " | " : "") + spell(alphabet, table[a][i]);
     }
     return text;
 }
@@ -54,19 +57,23 @@ std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
         std::string text = "the system with axiom " + spell(alphabet, system.interactive->axiom);
         for (Symbol a = 0; a < system.interactive->rules.size(); ++a)
             for (const IL::Rule& rule : system.interactive->rules[a])
-                text += "; " + (rule.left.empty() ? "" : spell(alphabet, rule.left) + " < ") + alphabet.name(a) +
-                        (rule.right.empty() ? "" : " > " + spell(alphabet, rule.right)) + " -> " + spell(alphabet, rule.successor);
+                text += "; " + (rule.left.empty() ? "" : spell(alphabet, rule.left) + " < ") +
+                        alphabet.name(a) +
+                        (rule.right.empty() ? "" : " > " + spell(alphabet, rule.right)) + " -> " +
+                        spell(alphabet, rule.successor);
         return text;
     }
     const ET0L& tables = *system.tables;
     const std::vector<Symbol> letters = accessible_letters(tables);
-    std::string text = "the " + family_name(tables) + " system with axiom " + spell(alphabet, tables.axiom);
+    std::string text =
+        "the " + family_name(tables) + " system with axiom " + spell(alphabet, tables.axiom);
     for (std::size_t t = 0; t < tables.tables.size(); ++t) {
         const std::string rules = rules_text(tables.tables[t], letters, alphabet);
         if (tables.tables.size() == 1)
             text += rules;
         else
-            text += "; table " + tables.table_names[t] + " {" + (rules.empty() ? "" : rules.substr(1)) + " }";
+            text += "; table " + tables.table_names[t] + " {" +
+                    (rules.empty() ? "" : rules.substr(1)) + " }";
     }
     if (has_only_terminals(tables)) return text;
     text += "; terminals";
@@ -84,11 +91,14 @@ std::string unnamed_text(const Language& language, const Alphabet& alphabet) {
 /// Whether a statement says of another family what one of the claim says of this one.
 bool is_about_another(const Claim& claim, const Statement& statement, const std::string& family) {
     if (statement.kind != Statement::Kind::family || statement.family == family) return false;
-    return std::any_of(claim.statements.begin(), claim.statements.end(), [&](const ClaimedStatement& other) {
-        return other.statement.kind == Statement::Kind::family && other.statement.family == family &&
-               other.statement.negated == statement.negated &&
-               to_string(other.statement.languages[0], *claim.alphabet) == to_string(statement.languages[0], *claim.alphabet);
-    });
+    return std::any_of(claim.statements.begin(), claim.statements.end(),
+                       [&](const ClaimedStatement& other) {
+                           return other.statement.kind == Statement::Kind::family &&
+                                  other.statement.family == family &&
+                                  other.statement.negated == statement.negated &&
+                                  to_string(other.statement.languages[0], *claim.alphabet) ==
+                                      to_string(statement.languages[0], *claim.alphabet);
+                       });
 }
 
 }  // namespace
@@ -103,22 +113,30 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
     if (defines) page += '\n';
     if (claim.empty_axiom) page += wrapped("Systems may have the empty word as axiom.", 0);
     for (const auto& system : claim.systems)
-        page += wrapped("Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
+        page += wrapped(
+            "Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
     for (const Language& language : claim.languages)
-        page += wrapped("Let " + language->name + " = " + unnamed_text(language, *claim.alphabet) + ".", 0);
+        page += wrapped(
+            "Let " + language->name + " = " + unnamed_text(language, *claim.alphabet) + ".", 0);
     std::set<std::string> said;  // what a statement begins with is not repeated for the next one
     std::size_t number = 0;
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {
         const ClaimedStatement& claimed = claim.statements[i];
         const CheckedStatement& found = checked.statements[i];
         if (!family.empty() && is_about_another(claim, claimed.statement, family)) continue;
-        page += "\n" + wrapped(std::to_string(++number) + ". " + claimed.statement.text + ": " + verdict_text(claimed, found) +
-                                   (found.outcome == CheckedStatement::Outcome::cited ? " (" + claimed.citation + ")" : "") + ".", 0);
+        page += "\n" + wrapped(std::to_string(++number) + ". " + claimed.statement.text + ": " +
+                                   verdict_text(claimed, found) +
+                                   (found.outcome == CheckedStatement::Outcome::cited
+                                        ? " (" + claimed.citation + ")"
+                                        : "") +
+                                   ".",
+                               0);
         if (found.outcome == CheckedStatement::Outcome::cited) continue;
         const std::vector<std::string>& argument = found.judgement.argument;
         std::size_t first = 0;
         while (first + 1 < argument.size() && said.contains(argument[first])) ++first;
-        for (std::size_t line = first; line < argument.size(); ++line) page += wrapped(argument[line], 3);
+        for (std::size_t line = first; line < argument.size(); ++line)
+            page += wrapped(argument[line], 3);
         said.insert(argument.begin(), argument.end());
     }
     return page;

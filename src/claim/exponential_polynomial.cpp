@@ -44,8 +44,10 @@ Terms product(const Terms& left, const Terms& right, const Expression& part) {
             auto& target = result[base * other];
             target.resize(std::max(target.size(), coefficients.size() + factors.size() - 1));
             for (std::size_t i = 0; i < coefficients.size(); ++i)
-                for (std::size_t j = 0; j < factors.size(); ++j) target[i + j] += coefficients[i] * factors[j];
-            if (target.size() > highest_degree || result.size() > most_terms) fail(part, "a smaller formula");
+                for (std::size_t j = 0; j < factors.size(); ++j)
+                    target[i + j] += coefficients[i] * factors[j];
+            if (target.size() > highest_degree || result.size() > most_terms)
+                fail(part, "a smaller formula");
         }
     trim(result);
     return result;
@@ -60,7 +62,8 @@ Terms constant(const Rational& value) {
 /// The value of terms without n.
 std::optional<Rational> constant_of(const Terms& terms) {
     if (terms.empty()) return Rational(0);
-    if (terms.size() > 1 || terms.begin()->first != Rational(1) || terms.begin()->second.size() > 1) return std::nullopt;
+    if (terms.size() > 1 || terms.begin()->first != Rational(1) || terms.begin()->second.size() > 1)
+        return std::nullopt;
     return terms.begin()->second.front();
 }
 
@@ -83,10 +86,14 @@ Terms read_power(const Expression& expression) {
     }
     // r^(s n + t)
     const auto root = constant_of(base);
-    if (!root || root->is_zero()) fail(expression.operands[0], "a number that is not 0 as base of a power with n in its exponent");
-    const bool linear = exponent.size() == 1 && exponent.begin()->first == Rational(1) && exponent.begin()->second.size() == 2;
+    if (!root || root->is_zero())
+        fail(expression.operands[0],
+             "a number that is not 0 as base of a power with n in its exponent");
+    const bool linear = exponent.size() == 1 && exponent.begin()->first == Rational(1) &&
+                        exponent.begin()->second.size() == 2;
     if (!linear) fail(expression.operands[1], "an exponent like 2n+1");
-    const auto slope = small_integer(exponent.begin()->second[1]), start = small_integer(exponent.begin()->second[0]);
+    const auto slope = small_integer(exponent.begin()->second[1]),
+               start = small_integer(exponent.begin()->second[0]);
     if (!slope || !start) fail(expression.operands[1], "an exponent with whole numbers up to 1000");
     return {{power(*root, *slope), {power(*root, *start)}}};
 }
@@ -99,7 +106,8 @@ Terms read_binary(const Expression& expression) {
     if (expression.name == "*") return product(left, right, expression);
     if (expression.name == "/") {
         const auto divisor = constant_of(right);
-        if (!divisor || divisor->is_zero()) fail(expression.operands[1], "a number that is not 0 to divide by");
+        if (!divisor || divisor->is_zero())
+            fail(expression.operands[1], "a number that is not 0 to divide by");
         return sum({}, left, Rational(1) / *divisor);
     }
     fail(expression, "a formula in n made by + - * / ^");
@@ -141,6 +149,8 @@ std::size_t ExponentialPolynomial::order() const {
     return order;
 }
 
-ExponentialPolynomial exponential_polynomial(const Expression& expression) { return {read(expression)}; }
+ExponentialPolynomial exponential_polynomial(const Expression& expression) {
+    return {read(expression)};
+}
 
 }  // namespace algae

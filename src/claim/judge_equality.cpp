@@ -6,21 +6,21 @@
 #include <set>
 
 #include "claim/certificate.hpp"
-#include "language/equivalence_language.hpp"
 #include "claim/judge_membership.hpp"
 #include "claim/judge_system.hpp"
 #include "claim/known_value.hpp"
 #include "claim/sentences.hpp"
+#include "claim/table_value.hpp"
+#include "language/equivalence_language.hpp"
 #include "language/regular_induction.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
 #include "language/sequence_certificate.hpp"
 #include "language/system_form.hpp"
-#include "claim/table_value.hpp"
 #include "language/tables_membership.hpp"
+#include "verify/obstruction_json.hpp"
 #include "word/spelling.hpp"
 #include "word/word_sets.hpp"
-#include "verify/obstruction_json.hpp"
 
 namespace algae {
 
@@ -29,18 +29,20 @@ namespace {
 using Json = nlohmann::ordered_json;
 using Kind = LanguageTree::Kind;
 
-constexpr std::size_t first_tried = 30;        // short words that are looked at before theorems are
-constexpr std::size_t most_tried = 600;        // short words that are looked at for a difference
-constexpr std::size_t longest_short = 30;      // letters of these
-constexpr std::size_t longest_tried = 60;      // letters of a word of a generation that is looked at
+constexpr std::size_t first_tried = 30;    // short words that are looked at before theorems are
+constexpr std::size_t most_tried = 600;    // short words that are looked at for a difference
+constexpr std::size_t longest_short = 30;  // letters of these
+constexpr std::size_t longest_tried = 60;  // letters of a word of a generation that is looked at
 constexpr std::uint64_t most_generations = 12;
 
 Judgement by(const char* rule, bool holds, std::vector<std::string> argument) {
     const Json proof{{"by", rule}};
-    return holds ? Judgement::proved(std::move(argument), proof) : Judgement::refuted(std::move(argument), proof);
+    return holds ? Judgement::proved(std::move(argument), proof)
+                 : Judgement::refuted(std::move(argument), proof);
 }
 
-std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
+std::vector<std::string> joined(std::vector<std::string> first,
+                                const std::vector<std::string>& second) {
     for (const std::string& line : second)
         if (std::find(first.begin(), first.end(), line) == first.end()) first.push_back(line);
     return first;
@@ -48,25 +50,31 @@ std::vector<std::string> joined(std::vector<std::string> first, const std::vecto
 
 class Comparison {
 public:
-    Comparison(const Language& left, const Language& right, const Alphabet& alphabet, const Budget& budget)
+    Comparison(const Language& left, const Language& right, const Alphabet& alphabet,
+               const Budget& budget)
         : left_(left), right_(right), alphabet_(alphabet), budget_(budget) {}
 
     /// Whether left <= right.
     Judgement included() {
         if (auto found = decided_inclusion()) return *found;
         if (auto found = difference(candidates(), true)) return *found;
-        return Judgement::undecided({"no word among the first ones is in " + text(left_) + " and not in " + text(right_) + ", and no theorem applies"});
+        return Judgement::undecided({"no word among the first ones is in " + text(left_) +
+                                     " and not in " + text(right_) + ", and no theorem applies"});
     }
 
     /// The same where a theorem applies.
     std::optional<Judgement> decided_inclusion() {
         if (is_identical()) return by("identical", true, {"Both sides are the same expression."});
-        if (const auto known = finite_value(left_, alphabet_, budget_)) return finite_inclusion(*known);
+        if (const auto known = finite_value(left_, alphabet_, budget_))
+            return finite_inclusion(*known);
         const auto regular_left = regular_value(left_, alphabet_, budget_);
         const auto regular_right = regular_value(right_, alphabet_, budget_);
         if (regular_left && regular_right) {
-            if (const auto word = first_outside(*regular_left, *regular_right, budget_)) return witness(*word);
-            return by("derivatives", true, {"Both are regular, and the minimal automaton of " + text(left_) + " without " + text(right_) + " accepts nothing."});
+            if (const auto word = first_outside(*regular_left, *regular_right, budget_))
+                return witness(*word);
+            return by("derivatives", true,
+                      {"Both are regular, and the minimal automaton of " + text(left_) +
+                       " without " + text(right_) + " accepts nothing."});
         }
         if (regular_right)
             if (auto found = generated_in_regular(*regular_right)) return found;
@@ -76,13 +84,17 @@ public:
 
     Judgement equal() {
         if (is_identical()) return by("identical", true, {"Both sides are the same expression."});
-        const auto left = finite_value(left_, alphabet_, budget_), right = finite_value(right_, alphabet_, budget_);
+        const auto left = finite_value(left_, alphabet_, budget_),
+                   right = finite_value(right_, alphabet_, budget_);
         if (left && right) return finite_equality(*left, *right);
         const auto regular_left = regular_value(left_, alphabet_, budget_);
         const auto regular_right = regular_value(right_, alphabet_, budget_);
         if (regular_left && regular_right) {
-            if (const auto word = first_difference(*regular_left, *regular_right, budget_)) return witness(*word);
-            return by("derivatives", true, {"Both are regular, and their minimal automata, with " + counted(regular_left->automaton().states(), "state") + ", are the same."});
+            if (const auto word = first_difference(*regular_left, *regular_right, budget_))
+                return witness(*word);
+            return by("derivatives", true,
+                      {"Both are regular, and their minimal automata, with " +
+                       counted(regular_left->automaton().states(), "state") + ", are the same."});
         }
         if (auto found = deterministic_equality()) return *found;
         if (auto found = difference(short_words(first_tried), false)) return *found;
@@ -91,12 +103,18 @@ public:
         const auto back = Comparison(right_, left_, alphabet_, budget_).decided_inclusion();
         if (back && back->truth == Truth::refuted) return *back;
         if (there && back && there->truth == Truth::proved && back->truth == Truth::proved)
-            return Judgement::proved(joined(there->argument, back->argument),
-                                     {{"by", "both"}, {"proofs", Json::array({*there->proof, *back->proof})}});
+            return Judgement::proved(
+                joined(there->argument, back->argument),
+                {{"by", "both"}, {"proofs", Json::array({*there->proof, *back->proof})}});
         if (auto found = difference(candidates(), false)) return *found;
-        const auto is_open = [](const auto& side) { return !side || side->truth == Truth::undecided; };
-        return Judgement::undecided({"no word among the first ones is in one of " + text(left_) + " and " + text(right_) + " only, and that " +
-                                     (is_open(there) ? text(left_) + " <= " + text(right_) : text(right_) + " <= " + text(left_)) + " was not shown"});
+        const auto is_open = [](const auto& side) {
+            return !side || side->truth == Truth::undecided;
+        };
+        return Judgement::undecided({"no word among the first ones is in one of " + text(left_) +
+                                     " and " + text(right_) + " only, and that " +
+                                     (is_open(there) ? text(left_) + " <= " + text(right_)
+                                                     : text(right_) + " <= " + text(left_)) +
+                                     " was not shown"});
     }
 
 private:
@@ -107,7 +125,8 @@ private:
     Judgement witness(const Word& word) const {
         const Judgement in_left = judge_membership(left_, word, alphabet_, budget_);
         const Judgement in_right = judge_membership(right_, word, alphabet_, budget_);
-        return Judgement::refuted(joined(in_left.argument, in_right.argument), {{"by", "word"}, {"word", certificate_text(alphabet_, word)}});
+        return Judgement::refuted(joined(in_left.argument, in_right.argument),
+                                  {{"by", "word"}, {"word", certificate_text(alphabet_, word)}});
     }
 
     /// Of the languages of two D0L systems.
@@ -116,26 +135,41 @@ private:
             return tree.kind == Kind::generated && has_form(*tree.system, *system_form("D0L"));
         };
         if (!is_d0l(*left_) || !is_d0l(*right_)) return std::nullopt;
-        const LanguageEquality found = equal_languages(as_d0l(*left_->system), as_d0l(*right_->system), budget_);
+        const LanguageEquality found =
+            equal_languages(as_d0l(*left_->system), as_d0l(*right_->system), budget_);
         if (found.equal) {
-            const std::string line = found.sections.size() == 1 && found.words.empty()
-                                         ? "Both sequences have the same words in the same order: the overflows of the images by the two rules stay within " + counted(found.sections.front().balance.bound, "letter") + "."
-                                         : "Generation by generation the words are paired by the numbers of their letters: " + counted(found.words.size(), "single word") + " and " + counted(found.sections.size(), "section") + " of the sequences, and all that is paired is equal.";
+            const std::string line =
+                found.sections.size() == 1 && found.words.empty()
+                    ? "Both sequences have the same words in the same order: the overflows of the "
+                      "images by the two rules stay within " +
+                          counted(found.sections.front().balance.bound, "letter") + "."
+                    : "Generation by generation the words are paired by the numbers of their "
+                      "letters: " +
+                          counted(found.words.size(), "single word") + " and " +
+                          counted(found.sections.size(), "section") +
+                          " of the sequences, and all that is paired is equal.";
             return Judgement::proved({line}, language_certificate(found, alphabet_));
         }
         if (found.difference->word) return witness(*found.difference->word);
-        return Judgement::undecided({"the word of generation " + std::to_string(found.difference->generation) + " is in one language only, and too long to be written out"});
+        return Judgement::undecided({"the word of generation " +
+                                     std::to_string(found.difference->generation) +
+                                     " is in one language only, and too long to be written out"});
     }
 
     Judgement finite_equality(const FiniteValue& left, const FiniteValue& right) const {
-        if (left.words == right.words) return by("values", true, joined(left.argument, right.argument));
+        if (left.words == right.words)
+            return by("values", true, joined(left.argument, right.argument));
         std::vector<Word> alone;  // of the left side, or of the right one if there are none
-        std::set_difference(left.words.begin(), left.words.end(), right.words.begin(), right.words.end(), std::back_inserter(alone), shortlex_less);
+        std::set_difference(left.words.begin(), left.words.end(), right.words.begin(),
+                            right.words.end(), std::back_inserter(alone), shortlex_less);
         if (alone.empty())
-            std::set_difference(right.words.begin(), right.words.end(), left.words.begin(), left.words.end(), std::back_inserter(alone), shortlex_less);
+            std::set_difference(right.words.begin(), right.words.end(), left.words.begin(),
+                                left.words.end(), std::back_inserter(alone), shortlex_less);
         std::vector<std::string> argument = joined(left.argument, right.argument);
         argument.push_back(spell(alphabet_, alone.front()) + " is in one and not in the other.");
-        return Judgement::refuted(std::move(argument), {{"by", "word"}, {"word", certificate_text(alphabet_, alone.front())}});
+        return Judgement::refuted(
+            std::move(argument),
+            {{"by", "word"}, {"word", certificate_text(alphabet_, alone.front())}});
     }
 
     Judgement finite_inclusion(const FiniteValue& left) const {
@@ -158,10 +192,17 @@ private:
         const Meeting meeting = first_outside(tables->system, right, budget_);
         if (meeting.derivation) return witness(meeting.derivation->words.back());
         const bool one = tables->system.tables.size() == 1;
-        const std::string line = "Every word of " + text(left_) + " is in " + text(right_) + ": what the letters derive in " + counted(meeting.step, "step") +
-                                 " does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before leaves it.";
-        if (left_->kind == Kind::generated && !has_system(right_)) return by("relations", true, {line});
-        return Judgement::proved({tables->argument, line}, {{"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
+        const std::string line = "Every word of " + text(left_) + " is in " + text(right_) +
+                                 ": what the letters derive in " + counted(meeting.step, "step") +
+                                 " does to the states of its automaton " +
+                                 (one ? "what they derive in " + std::to_string(meeting.earlier)
+                                      : "what they derive in fewer") +
+                                 ", and no generation before leaves it.";
+        if (left_->kind == Kind::generated && !has_system(right_))
+            return by("relations", true, {line});
+        return Judgement::proved({tables->argument, line},
+                                 {{"by", "construction"},
+                                  {"system", to_json(tables->system, *tables->system.alphabet)}});
     }
 
     std::optional<Judgement> regular_in_generated(const RegularLanguage& left) const {
@@ -178,7 +219,10 @@ private:
             argument = joined(argument, member.argument);
             base.push_back(certificate_text(alphabet_, word));
         }
-        argument.push_back("Every other word of " + text(left_) + " comes in one step from a shorter word of it, by induction on the length: by successors that are not empty, one of them longer than one letter.");
+        argument.push_back(
+            "Every other word of " + text(left_) +
+            " comes in one step from a shorter word of it, by induction on the length: by "
+            "successors that are not empty, one of them longer than one letter.");
         return Judgement::proved(std::move(argument), {{"by", "induction"}, {"base", base}});
     }
 
@@ -200,7 +244,8 @@ private:
         for (const Language& side : {left_, right_})
             for (const Symbol a : letters_of(side)) letters.insert(a);
         std::vector<Word> words{{}};
-        for (std::size_t i = 0; i < words.size() && words.size() < most && words[i].size() < longest_short; ++i)
+        for (std::size_t i = 0;
+             i < words.size() && words.size() < most && words[i].size() < longest_short; ++i)
             for (const Symbol a : letters) {
                 words.push_back(words[i]);
                 words.back().push_back(a);
@@ -224,7 +269,8 @@ private:
             for (std::uint64_t n = 0; n < most_generations && word.size() <= longest_tried; ++n) {
                 words.push_back(word);
                 Word next;
-                for (const Symbol a : word) next.insert(next.end(), table[a].front().begin(), table[a].front().end());
+                for (const Symbol a : word)
+                    next.insert(next.end(), table[a].front().begin(), table[a].front().end());
                 word = std::move(next);
             }
         }
@@ -238,11 +284,13 @@ private:
 
 }  // namespace
 
-Judgement judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet, const Budget& budget) {
+Judgement judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet,
+                          const Budget& budget) {
     return Comparison(inner, outer, alphabet, budget).included();
 }
 
-Judgement judge_equality(const Language& left, const Language& right, const Alphabet& alphabet, const Budget& budget) {
+Judgement judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
+                         const Budget& budget) {
     return Comparison(left, right, alphabet, budget).equal();
 }
 

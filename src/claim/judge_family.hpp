@@ -12,7 +12,7 @@ namespace algae {
 
 /// What may be used besides the language itself.
 struct FamilyQuestion {
-    std::string family;     // REG, CF or a family of L-systems, as `system_form` reads it
+    std::string family;        // REG, CF or a family of L-systems, as `system_form` reads it
     bool empty_axiom = false;  // whether the empty word may be an axiom
     std::vector<std::shared_ptr<const SourceSystem>> systems;  // that may generate the language
 };
@@ -24,7 +24,7 @@ struct FamilyQuestion {
 /// D0L systems that are too sparse to be regular or context-free; otherwise it is undecided.
 ///
 /// Throws Error if the family has no such name, what budget.check throws, BoundReached where a table is too large.
-Judgement judge_family(const Language& language, const FamilyQuestion& question, const Alphabet& alphabet,
-                       const Budget& budget = {});
+Judgement judge_family(const Language& language, const FamilyQuestion& question,
+                       const Alphabet& alphabet, const Budget& budget = {});
 
 }  // namespace algae

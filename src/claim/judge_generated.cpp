@@ -3,12 +3,12 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "fold/interaction.hpp"
 #include "claim/certificate.hpp"
 #include "claim/sentences.hpp"
+#include "fold/interaction.hpp"
 #include "language/tables_membership.hpp"
-#include "word/spelling.hpp"
 #include "verify/obstruction_json.hpp"
+#include "word/spelling.hpp"
 
 namespace algae {
 
@@ -37,7 +37,8 @@ std::string reason(const Membership& found, const std::string& name, const Word&
         case outgrown:
             return text + " is not in L(" + name + "): " +
                    (found.step == 0 ? "all its words are longer"
-                                    : generations(found.step) + " not this word, and from then on all words are longer");
+                                    : generations(found.step) +
+                                          " not this word, and from then on all words are longer");
         case periodic:
             return text + " is not in L(" + name + "): generation " + std::to_string(found.step) +
                    " is generation " + std::to_string(found.earlier) +
@@ -47,7 +48,8 @@ std::string reason(const Membership& found, const std::string& name, const Word&
                    counted(found.step, "table") + " they derive by fewer, and none of the " +
                    std::to_string(found.states) + " families of factors has it";
         default:
-            return text + " is not in L(" + name + "): the factors of it that the letters derive in " +
+            return text + " is not in L(" + name +
+                   "): the factors of it that the letters derive in " +
                    counted(found.step, "step") + " are those that they derive in " +
                    std::to_string(found.earlier) + ", and no generation before has it";
     }
@@ -57,12 +59,14 @@ Judgement judge_tables(const SourceSystem& system, const Word& word, const Alpha
                        const Budget& budget) {
     const Membership found = membership(*system.tables, word, budget);
     if (!found.member)
-        return Judgement::refuted({reason(found, system.name, word, alphabet) + "."}, {{"by", "membership"}});
+        return Judgement::refuted({reason(found, system.name, word, alphabet) + "."},
+                                  {{"by", "membership"}});
     const Derivation witness = derivation(*system.tables, word, found, budget);
     const std::string steps =
         found.step == 0 ? ": it is the axiom." : ": " + arrows(witness, alphabet) + ".";
-    return Judgement::proved({spell(alphabet, word) + " is in L(" + system.name + ")" + steps},
-                             {{"by", "membership"}, {"derivation", derivation_json(witness, alphabet)}});
+    return Judgement::proved(
+        {spell(alphabet, word) + " is in L(" + system.name + ")" + steps},
+        {{"by", "membership"}, {"derivation", derivation_json(witness, alphabet)}});
 }
 
 Judgement judge_interactive(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
@@ -74,19 +78,22 @@ Judgement judge_interactive(const SourceSystem& system, const Word& word, const 
         budget.check();
         const Word& current = walk.words.back();
         if (current == word)
-            return Judgement::proved({text + " is in" + in + (n == 0 ? ": it is the axiom." : ": " + arrows(walk, alphabet) + ".")},
-                                     {{"by", "membership"}, {"derivation", derivation_json(walk, alphabet)}});
+            return Judgement::proved(
+                {text + " is in" + in +
+                 (n == 0 ? ": it is the axiom." : ": " + arrows(walk, alphabet) + ".")},
+                {{"by", "membership"}, {"derivation", derivation_json(walk, alphabet)}});
         if (const auto before = seen.find(current); before != seen.end())
-            return Judgement::refuted({text + " is not in" + in + ": generation " + std::to_string(n) +
-                                       " is generation " + std::to_string(before->second) +
-                                       " again, and none before is this word."},
-                                      {{"by", "membership"}});
+            return Judgement::refuted(
+                {text + " is not in" + in + ": generation " + std::to_string(n) +
+                 " is generation " + std::to_string(before->second) +
+                 " again, and none before is this word."},
+                {{"by", "membership"}});
         seen.emplace(current, n);
         if (seen.size() * (current.size() + 1) > budget.letters / 100) break;
         walk.words.push_back(next_word(*system.interactive, current));
     }
-    return Judgement::undecided({"the first " + std::to_string(walk.words.size()) + " words of" + in +
-                                 " are not " + text + ", and they do not repeat"});
+    return Judgement::undecided({"the first " + std::to_string(walk.words.size()) + " words of" +
+                                 in + " are not " + text + ", and they do not repeat"});
 }
 
 }  // namespace
@@ -95,9 +102,11 @@ std::string arrows(const Derivation& derivation, const Alphabet& alphabet) {
     std::string text;
     for (const Word& word : derivation.words) {
         if (text.size() > longest_shown)
-            return counted(derivation.words.size() - 1, "step") + " of derivation, beginning " + text + " => ...";
-        text += (text.empty() ? "" : " => ") + (word.size() > longest_shown ? counted(word.size(), "letter")
-                                                                            : spell(alphabet, word));
+            return counted(derivation.words.size() - 1, "step") + " of derivation, beginning " +
+                   text + " => ...";
+        text +=
+            (text.empty() ? "" : " => ") +
+            (word.size() > longest_shown ? counted(word.size(), "letter") : spell(alphabet, word));
     }
     return text;
 }

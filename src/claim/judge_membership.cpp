@@ -6,12 +6,12 @@
 #include "claim/certificate.hpp"
 #include "claim/judge_generated.hpp"
 #include "claim/known_value.hpp"
+#include "claim/table_value.hpp"
 #include "language/regular_images.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
-#include "claim/table_value.hpp"
-#include "word/spelling.hpp"
 #include "verify/obstruction_json.hpp"
+#include "word/spelling.hpp"
 
 namespace algae {
 
@@ -25,7 +25,8 @@ nlohmann::ordered_json decided() { return {{"by", "membership"}}; }
 
 class Members {
 public:
-    Members(const Alphabet& alphabet, const Budget& budget) : alphabet_(alphabet), budget_(budget) {}
+    Members(const Alphabet& alphabet, const Budget& budget)
+        : alphabet_(alphabet), budget_(budget) {}
 
     Judgement judge(const Language& language, const Word& word) {
         budget_.check();
@@ -36,11 +37,14 @@ public:
             case Kind::generated:
                 return judge_generated(*tree.system, word, alphabet_, budget_);
             case Kind::united:
-                return concluded(language, word, either(judge(tree.parts[0], word), [&] { return judge(tree.parts[1], word); }));
+                return concluded(language, word, either(judge(tree.parts[0], word), [&] {
+                                     return judge(tree.parts[1], word);
+                                 }));
             case Kind::intersected:
                 return concluded(language, word,
-                                 opposite(either(opposite(judge(tree.parts[0], word)),
-                                                 [&] { return opposite(judge(tree.parts[1], word)); })));
+                                 opposite(either(opposite(judge(tree.parts[0], word)), [&] {
+                                     return opposite(judge(tree.parts[1], word));
+                                 })));
             case Kind::difference:
                 return concluded(language, word,
                                  opposite(either(opposite(judge(tree.parts[0], word)),
@@ -64,26 +68,33 @@ public:
 
 private:
     std::string is_in(const Language& language, const Word& word, bool yes) const {
-        return spell(alphabet_, word) + (yes ? " is in " : " is not in ") + to_string(language, alphabet_);
+        return spell(alphabet_, word) + (yes ? " is in " : " is not in ") +
+               to_string(language, alphabet_);
     }
 
-    Judgement answer(const Language& language, const Word& word, bool yes, const std::string& because) const {
-        std::vector<std::string> argument{is_in(language, word, yes) + (because.empty() ? "." : ": " + because + ".")};
+    Judgement answer(const Language& language, const Word& word, bool yes,
+                     const std::string& because) const {
+        std::vector<std::string> argument{is_in(language, word, yes) +
+                                          (because.empty() ? "." : ": " + because + ".")};
         return yes ? Judgement::proved(std::move(argument), decided())
                    : Judgement::refuted(std::move(argument), decided());
     }
 
     /// The judgement with what it comes to as its last sentence, where that is not plain from the others.
     Judgement concluded(const Language& language, const Word& word, Judgement found) const {
-        const bool is_plain = language->kind == Kind::united || language->kind == Kind::intersected || language->kind == Kind::difference;
+        const bool is_plain = language->kind == Kind::united ||
+                              language->kind == Kind::intersected ||
+                              language->kind == Kind::difference;
         if (found.truth != Truth::undecided && !(is_plain && language->name.empty()))
-            found.argument.push_back("So " + is_in(language, word, found.truth == Truth::proved) + ".");
+            found.argument.push_back("So " + is_in(language, word, found.truth == Truth::proved) +
+                                     ".");
         return found;
     }
 
     Judgement listed(const Language& language, const Word& word) const {
         const auto& words = language->words;
-        return answer(language, word, std::find(words.begin(), words.end(), word) != words.end(), "");
+        return answer(language, word, std::find(words.begin(), words.end(), word) != words.end(),
+                      "");
     }
 
     /// Of a union: the first that is proved; both refuted; otherwise undecided.
@@ -100,26 +111,32 @@ private:
 
     /// A derivation proves that a word is in L(G) itself, not in what is made of it.
     static Judgement without_derivation(Judgement judgement) {
-        if (judgement.truth != Truth::undecided) judgement.proof = std::make_shared<const nlohmann::ordered_json>(decided());
+        if (judgement.truth != Truth::undecided)
+            judgement.proof = std::make_shared<const nlohmann::ordered_json>(decided());
         return judgement;
     }
 
     /// A derivation shows what is written backwards too, a word with this image does not.
     Judgement reversed(const LanguageTree& tree, const Word& word) {
         Judgement found = judge(tree.parts[0], Word(word.rbegin(), word.rend()));
-        return found.proof && found.proof->contains("preimage") ? without_derivation(std::move(found)) : found;
+        return found.proof && found.proof->contains("preimage")
+                   ? without_derivation(std::move(found))
+                   : found;
     }
 
     Judgement complement(const LanguageTree& tree, const Word& word) {
         for (const Symbol a : word)
             if (!std::binary_search(tree.letters.begin(), tree.letters.end(), a))
-                return Judgement::refuted({"The complement is over other letters than " + alphabet_.name(a) + "."}, decided());
+                return Judgement::refuted(
+                    {"The complement is over other letters than " + alphabet_.name(a) + "."},
+                    decided());
         return without_derivation(opposite(judge(tree.parts[0], word)));
     }
 
     /// Whether a factor is in a language; each is decided once.
     Truth factor(const Language& language, const Word& word, std::size_t from, std::size_t to) {
-        const Word part(word.begin() + static_cast<std::ptrdiff_t>(from), word.begin() + static_cast<std::ptrdiff_t>(to));
+        const Word part(word.begin() + static_cast<std::ptrdiff_t>(from),
+                        word.begin() + static_cast<std::ptrdiff_t>(to));
         const auto key = std::pair(language.get(), part);
         if (const auto known = known_.find(key); known != known_.end()) return known->second;
         const Truth truth = judge(language, part).truth;
@@ -131,7 +148,8 @@ private:
         std::string text;
         std::size_t from = 0;
         for (const std::size_t to : ends) {
-            const Word part(word.begin() + static_cast<std::ptrdiff_t>(from), word.begin() + static_cast<std::ptrdiff_t>(to));
+            const Word part(word.begin() + static_cast<std::ptrdiff_t>(from),
+                            word.begin() + static_cast<std::ptrdiff_t>(to));
             text += (text.empty() ? "" : " . ") + spell(alphabet_, part);
             from = to;
         }
@@ -148,8 +166,11 @@ private:
                 return answer(language, word, true, "it is " + cut(word, {at, word.size()}));
             unknown = unknown || right != Truth::refuted;
         }
-        if (unknown) return Judgement::undecided({"some factors of " + spell(alphabet_, word) + " could not be decided"});
-        return answer(language, word, false, "no way to cut it in two has the parts in the two languages");
+        if (unknown)
+            return Judgement::undecided(
+                {"some factors of " + spell(alphabet_, word) + " could not be decided"});
+        return answer(language, word, false,
+                      "no way to cut it in two has the parts in the two languages");
     }
 
     Judgement iteration(const Language& language, const Word& word) {
@@ -175,8 +196,11 @@ private:
             std::reverse(ends.begin(), ends.end());
             return answer(language, word, true, "it is " + cut(word, ends));
         }
-        if (unknown) return Judgement::undecided({"some factors of " + spell(alphabet_, word) + " could not be decided"});
-        return answer(language, word, false, "it cannot be cut into words of " + to_string(base, alphabet_));
+        if (unknown)
+            return Judgement::undecided(
+                {"some factors of " + spell(alphabet_, word) + " could not be decided"});
+        return answer(language, word, false,
+                      "it cannot be cut into words of " + to_string(base, alphabet_));
     }
 
     Judgement image(const Language& language, const Word& word) {
@@ -192,29 +216,40 @@ private:
                 if (truth == Truth::proved) return found_preimage(language, word, source);
                 unknown = unknown || truth == Truth::undecided;
             }
-            if (!unknown) return answer(language, word, false, "no word of " + to_string(part, alphabet_) + " has this image");
+            if (!unknown)
+                return answer(language, word, false,
+                              "no word of " + to_string(part, alphabet_) + " has this image");
         } else if (const auto regular = regular_value(part, alphabet_, budget_)) {
             const auto source = shortest_word(intersected(*regular, sources, budget_));
             if (source) return found_preimage(language, word, *source);
-            return answer(language, word, false, "no word of " + to_string(part, alphabet_) + " has this image");
+            return answer(language, word, false,
+                          "no word of " + to_string(part, alphabet_) + " has this image");
         } else if (const auto tables = table_value(part, alphabet_, budget_)) {
             const Meeting meeting = first_meeting(tables->system, sources, budget_);
-            if (meeting.derivation) return found_preimage(language, word, meeting.derivation->words.back());
-            return answer(language, word, false, "no word of " + to_string(part, alphabet_) + " has this image");
+            if (meeting.derivation)
+                return found_preimage(language, word, meeting.derivation->words.back());
+            return answer(language, word, false,
+                          "no word of " + to_string(part, alphabet_) + " has this image");
         }
-        return Judgement::undecided({"the words with the image " + spell(alphabet_, word) + " could not all be decided"});
+        return Judgement::undecided(
+            {"the words with the image " + spell(alphabet_, word) + " could not all be decided"});
     }
 
     Judgement found_preimage(const Language& language, const Word& word, const Word& source) const {
-        return Judgement::proved({is_in(language, word, true) + ": it is the image of " + spell(alphabet_, source) + "."},
-                                 {{"by", "membership"}, {"preimage", certificate_text(alphabet_, source)}});
+        return Judgement::proved(
+            {is_in(language, word, true) + ": it is the image of " + spell(alphabet_, source) +
+             "."},
+            {{"by", "membership"}, {"preimage", certificate_text(alphabet_, source)}});
     }
 
     Judgement inverse_image(const LanguageTree& tree, const Word& word) {
         const std::optional<Word> mapped = image_of(word, tree.morphism);
-        if (!mapped) return Judgement::refuted({"A letter of " + spell(alphabet_, word) + " has no image."}, decided());
+        if (!mapped)
+            return Judgement::refuted({"A letter of " + spell(alphabet_, word) + " has no image."},
+                                      decided());
         Judgement found = without_derivation(judge(tree.parts[0], *mapped));
-        found.argument.insert(found.argument.begin(), "The image of " + spell(alphabet_, word) + " is " + spell(alphabet_, *mapped) + ".");
+        found.argument.insert(found.argument.begin(), "The image of " + spell(alphabet_, word) +
+                                                          " is " + spell(alphabet_, *mapped) + ".");
         return found;
     }
 

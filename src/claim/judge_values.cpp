@@ -3,18 +3,18 @@
 #include <nlohmann/json.hpp>
 
 #include "claim/certificate.hpp"
-#include "language/finiteness.hpp"
 #include "claim/judge_equality.hpp"
 #include "claim/judge_generated.hpp"
 #include "claim/known_value.hpp"
 #include "claim/sentences.hpp"
+#include "claim/table_value.hpp"
+#include "language/finiteness.hpp"
 #include "language/regular_meeting.hpp"
 #include "language/regular_words.hpp"
-#include "claim/table_value.hpp"
 #include "language/tables_finiteness.hpp"
 #include "language/tables_membership.hpp"
-#include "word/spelling.hpp"
 #include "verify/obstruction_json.hpp"
+#include "word/spelling.hpp"
 
 namespace algae {
 
@@ -29,7 +29,8 @@ struct Pump {
 };
 
 /// A way from one state to another: the first in shortlex order, not empty if `moving`.
-std::optional<Word> way(const Dfa& automaton, std::size_t from, const std::vector<char>& goals, bool moving) {
+std::optional<Word> way(const Dfa& automaton, std::size_t from, const std::vector<char>& goals,
+                        bool moving) {
     if (!moving && goals[from]) return Word{};
     std::vector<std::optional<std::pair<std::size_t, Symbol>>> before(automaton.states());
     std::vector<std::size_t> open{from};
@@ -69,75 +70,99 @@ Judgement endless_round(const SourceSystem& source, const OL& system, const Alph
     std::string text;
     for (const RuleUse& use : found.round->rules) {
         const Word& successor = system.successors[use.letter][use.choice];
-        rules.push_back({{"letter", alphabet.name(use.letter)}, {"successor", certificate_text(alphabet, successor)}});
-        text += (text.empty() ? "" : ", ") + alphabet.name(use.letter) + " -> " + spell(alphabet, successor);
+        rules.push_back({{"letter", alphabet.name(use.letter)},
+                         {"successor", certificate_text(alphabet, successor)}});
+        text += (text.empty() ? "" : ", ") + alphabet.name(use.letter) + " -> " +
+                spell(alphabet, successor);
     }
     return Judgement::refuted(
-        {"L(" + source.name + ") is infinite: by " + text + " the letter " + alphabet.name(found.round->rules.front().letter) +
-         " comes back with " + alphabet.name(found.round->other) + " beside it, which never disappears; so n rounds give n letters and more."},
+        {"L(" + source.name + ") is infinite: by " + text + " the letter " +
+         alphabet.name(found.round->rules.front().letter) + " comes back with " +
+         alphabet.name(found.round->other) +
+         " beside it, which never disappears; so n rounds give n letters and more."},
         {{"by", "endless round"}, {"rules", rules}, {"other", alphabet.name(found.round->other)}});
 }
 
 Json course_json(const Course& course, const ET0L& system, const Alphabet& alphabet) {
     Json steps = Json::array();
     for (const TableUse& use : course)
-        steps.push_back({{"table", use.table},
-                         {"letter", alphabet.name(use.letter)},
-                         {"successor", certificate_text(alphabet, system.tables[use.table][use.letter][use.choice])},
-                         {"place", use.place}});
+        steps.push_back(
+            {{"table", use.table},
+             {"letter", alphabet.name(use.letter)},
+             {"successor",
+              certificate_text(alphabet, system.tables[use.table][use.letter][use.choice])},
+             {"place", use.place}});
     return steps;
 }
 
-Judgement endless_tables(const std::string& what, const ET0L& system, const EndlessTables& found, const Alphabet& alphabet,
-                         const std::string& system_name) {
-    Json proof{{"by", "endless tables"}, {"again", alphabet.name(found.again)}, {"other", alphabet.name(found.other)}};
+Judgement endless_tables(const std::string& what, const ET0L& system, const EndlessTables& found,
+                         const Alphabet& alphabet, const std::string& system_name) {
+    Json proof{{"by", "endless tables"},
+               {"again", alphabet.name(found.again)},
+               {"other", alphabet.name(found.other)}};
     proof["before"] = course_json(found.before, system, alphabet);
     proof["round"] = course_json(found.round, system, alphabet);
     proof["beside"] = course_json(found.beside, system, alphabet);
     proof["kept"] = course_json(found.kept, system, alphabet);
     proof["after"] = course_json(found.after, system, alphabet);
-    return Judgement::refuted({what + " is infinite: a derivation of " + system_name + " goes round from " + alphabet.name(found.again) + " to " +
-                               alphabet.name(found.again) + " and " + alphabet.name(found.other) + ", which lasts until it becomes a terminal; n rounds give n letters and more."},
-                              proof);
+    return Judgement::refuted(
+        {what + " is infinite: a derivation of " + system_name + " goes round from " +
+         alphabet.name(found.again) + " to " + alphabet.name(found.again) + " and " +
+         alphabet.name(found.other) +
+         ", which lasts until it becomes a terminal; n rounds give n letters and more."},
+        proof);
 }
 
-std::optional<Judgement> infinite_generated(const Language& language, const Alphabet& alphabet, const Budget& budget) {
+std::optional<Judgement> infinite_generated(const Language& language, const Alphabet& alphabet,
+                                            const Budget& budget) {
     const SourceSystem& source = *language->system;
     if (!source.tables) return std::nullopt;
     const TablesFiniteness found = finiteness(*source.tables, budget);
     if (found.finite) return std::nullopt;
     if (source.tables->tables.size() == 1 && has_only_terminals(*source.tables))
         return endless_round(source, without_terminals(*source.tables), alphabet);
-    return endless_tables("L(" + source.name + ")", *source.tables, *found.endless, alphabet, source.name);
+    return endless_tables("L(" + source.name + ")", *source.tables, *found.endless, alphabet,
+                          source.name);
 }
 
-Judgement part_is(const Language& whole, const Judgement& part, std::size_t i, const std::string& why, const Alphabet& alphabet) {
+Judgement part_is(const Language& whole, const Judgement& part, std::size_t i,
+                  const std::string& why, const Alphabet& alphabet) {
     Judgement result = part;
     result.argument.push_back("So " + to_string(whole, alphabet) + " is infinite" + why + ".");
-    result.proof = std::make_shared<const Json>(Json{{"by", "part"}, {"index", i}, {"proof", *part.proof}});
+    result.proof =
+        std::make_shared<const Json>(Json{{"by", "part"}, {"index", i}, {"proof", *part.proof}});
     return result;
 }
 
 /// A proof that the language is infinite, if one is found; then the judgement on finiteness is `refuted`.
-std::optional<Judgement> infinite(const Language& language, const Alphabet& alphabet, const Budget& budget) {
+std::optional<Judgement> infinite(const Language& language, const Alphabet& alphabet,
+                                  const Budget& budget) {
     budget.check();
     if (const auto regular = regular_value(language, alphabet, budget)) {
         const auto found = pump(regular->automaton());
         if (!found) return std::nullopt;
-        const std::string u = spell(alphabet, found->prefix), v = spell(alphabet, found->middle), w = spell(alphabet, found->suffix);
-        return Judgement::refuted({to_string(language, alphabet) + " is infinite: it has (" + u + ")(" + v + ")^n(" + w + ") for every n, since its automaton is in the same state before and after " + v + "."},
-                                  {{"by", "pumping"}, {"prefix", certificate_text(alphabet, found->prefix)}, {"middle", certificate_text(alphabet, found->middle)}, {"suffix", certificate_text(alphabet, found->suffix)}});
+        const std::string u = spell(alphabet, found->prefix), v = spell(alphabet, found->middle),
+                          w = spell(alphabet, found->suffix);
+        return Judgement::refuted(
+            {to_string(language, alphabet) + " is infinite: it has (" + u + ")(" + v + ")^n(" + w +
+             ") for every n, since its automaton is in the same state before and after " + v + "."},
+            {{"by", "pumping"},
+             {"prefix", certificate_text(alphabet, found->prefix)},
+             {"middle", certificate_text(alphabet, found->middle)},
+             {"suffix", certificate_text(alphabet, found->suffix)}});
     }
     if (language->kind == Kind::generated) return infinite_generated(language, alphabet, budget);
     const auto part = [&](std::size_t i) { return infinite(language->parts[i], alphabet, budget); };
     switch (language->kind) {
         case Kind::united:
             for (const std::size_t i : {0u, 1u})
-                if (const auto found = part(i)) return part_is(language, *found, i, ", as a part of it is", alphabet);
+                if (const auto found = part(i))
+                    return part_is(language, *found, i, ", as a part of it is", alphabet);
             return std::nullopt;
         case Kind::star:
         case Kind::plus:
-            if (const auto found = part(0)) return part_is(language, *found, 0, ", as a part of it is", alphabet);
+            if (const auto found = part(0))
+                return part_is(language, *found, 0, ", as a part of it is", alphabet);
             return std::nullopt;
         case Kind::reversed:
             if (const auto found = part(0)) return part_is(language, *found, 0, "", alphabet);
@@ -145,7 +170,9 @@ std::optional<Judgement> infinite(const Language& language, const Alphabet& alph
         case Kind::concatenated:
             for (const std::size_t i : {0u, 1u})
                 if (judge_empty(language->parts[1 - i], alphabet, budget).truth == Truth::refuted)
-                    if (const auto found = part(i)) return part_is(language, *found, i, ", as the other part has a word", alphabet);
+                    if (const auto found = part(i))
+                        return part_is(language, *found, i, ", as the other part has a word",
+                                       alphabet);
             return std::nullopt;
         default:
             return std::nullopt;
@@ -153,7 +180,8 @@ std::optional<Judgement> infinite(const Language& language, const Alphabet& alph
 }
 
 /// Whether L(G) meets a regular language, where the expression is an intersection of such.
-std::optional<Judgement> disjoint(const Language& language, const Alphabet& alphabet, const Budget& budget) {
+std::optional<Judgement> disjoint(const Language& language, const Alphabet& alphabet,
+                                  const Budget& budget) {
     if (language->kind != Kind::intersected) return std::nullopt;
     for (const std::size_t i : {0u, 1u}) {
         const LanguageTree& part = *language->parts[i];
@@ -165,13 +193,19 @@ std::optional<Judgement> disjoint(const Language& language, const Alphabet& alph
         const std::string name = to_string(language, alphabet);
         if (meeting.derivation) {
             const Word& word = meeting.derivation->words.back();
-            return Judgement::refuted({spell(alphabet, word) + " is a word of " + name + ": " + arrows(*meeting.derivation, alphabet) + "."},
+            return Judgement::refuted({spell(alphabet, word) + " is a word of " + name + ": " +
+                                       arrows(*meeting.derivation, alphabet) + "."},
                                       {{"by", "word"}, {"word", certificate_text(alphabet, word)}});
         }
         const bool one = part.system->tables->tables.size() == 1;
-        return Judgement::proved({"No word of L(" + part.system->name + ") is in " + to_string(language->parts[1 - i], alphabet) + ": what the letters derive in " + counted(meeting.step, "step") +
-                                  " does to the states of its automaton " + (one ? "what they derive in " + std::to_string(meeting.earlier) : "what they derive in fewer") + ", and no generation before has such a word."},
-                                 {{"by", "relations"}});
+        return Judgement::proved(
+            {"No word of L(" + part.system->name + ") is in " +
+             to_string(language->parts[1 - i], alphabet) + ": what the letters derive in " +
+             counted(meeting.step, "step") + " does to the states of its automaton " +
+             (one ? "what they derive in " + std::to_string(meeting.earlier)
+                  : "what they derive in fewer") +
+             ", and no generation before has such a word."},
+            {{"by", "relations"}});
     }
     return std::nullopt;
 }
@@ -179,63 +213,83 @@ std::optional<Judgement> disjoint(const Language& language, const Alphabet& alph
 Judgement with(Truth truth, std::vector<std::string> argument, const std::string& last) {
     argument.push_back(last);
     const Json proof{{"by", "values"}};
-    return truth == Truth::proved ? Judgement::proved(std::move(argument), proof) : Judgement::refuted(std::move(argument), proof);
+    return truth == Truth::proved ? Judgement::proved(std::move(argument), proof)
+                                  : Judgement::refuted(std::move(argument), proof);
 }
 
 }  // namespace
 
 Judgement judge_finite(const Language& language, const Alphabet& alphabet, const Budget& budget) {
     if (const auto known = finite_value(language, alphabet, budget))
-        return with(Truth::proved, known->argument, to_string(language, alphabet) + " has " + counted(known->words.size(), "word") + ".");
+        return with(
+            Truth::proved, known->argument,
+            to_string(language, alphabet) + " has " + counted(known->words.size(), "word") + ".");
     if (auto found = infinite(language, alphabet, budget)) return *found;
     if (const auto tables = table_value(language, alphabet, budget)) {
         const TablesFiniteness found = finiteness(tables->system, budget);
         if (found.finite)
-            return Judgement::proved({tables->argument, "The language of this system is finite."}, {{"by", "values"}});
-        Judgement result = endless_tables(to_string(language, alphabet), tables->system, *found.endless, *tables->system.alphabet, "it");
+            return Judgement::proved({tables->argument, "The language of this system is finite."},
+                                     {{"by", "values"}});
+        Judgement result = endless_tables(to_string(language, alphabet), tables->system,
+                                          *found.endless, *tables->system.alphabet, "it");
         result.argument.insert(result.argument.begin(), tables->argument);
-        result.proof = std::make_shared<const Json>(Json{{"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
+        result.proof = std::make_shared<const Json>(Json{
+            {"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
         return result;
     }
-    return Judgement::undecided({"no finite set was found for it, and nothing that makes it infinite"});
+    return Judgement::undecided(
+        {"no finite set was found for it, and nothing that makes it infinite"});
 }
 
 Judgement judge_empty(const Language& language, const Alphabet& alphabet, const Budget& budget) {
     const auto has = [&](const Word& word, const std::string& why) {
-        return Judgement::refuted({spell(alphabet, word) + " is a word of " + to_string(language, alphabet) + why + "."},
-                                  {{"by", "word"}, {"word", certificate_text(alphabet, word)}});
+        return Judgement::refuted(
+            {spell(alphabet, word) + " is a word of " + to_string(language, alphabet) + why + "."},
+            {{"by", "word"}, {"word", certificate_text(alphabet, word)}});
     };
     if (auto found = disjoint(language, alphabet, budget)) return *found;
     if (const auto known = finite_value(language, alphabet, budget)) {
         if (!known->words.empty()) return has(known->words.front(), "");
-        return with(Truth::proved, known->argument, to_string(language, alphabet) + " has no word.");
+        return with(Truth::proved, known->argument,
+                    to_string(language, alphabet) + " has no word.");
     }
     if (const auto regular = regular_value(language, alphabet, budget)) {
         if (const auto word = shortest_word(*regular)) return has(*word, "");
-        return with(Truth::proved, {}, to_string(language, alphabet) + " is regular, and its minimal automaton accepts no word.");
+        return with(Truth::proved, {},
+                    to_string(language, alphabet) +
+                        " is regular, and its minimal automaton accepts no word.");
     }
     if (const auto tables = table_value(language, alphabet, budget)) {
         const Meeting meeting = first_word(tables->system, budget);
         if (meeting.derivation) return has(meeting.derivation->words.back(), "");
-        return Judgement::proved({tables->argument, "No sequence of tables makes terminals of all letters of its axiom."},
-                                 {{"by", "construction"}, {"system", to_json(tables->system, *tables->system.alphabet)}});
+        return Judgement::proved(
+            {tables->argument,
+             "No sequence of tables makes terminals of all letters of its axiom."},
+            {{"by", "construction"},
+             {"system", to_json(tables->system, *tables->system.alphabet)}});
     }
     Judgement compared = judge_equality(language, words_language({}), alphabet, budget);
     if (compared.truth == Truth::refuted) return compared;
     return Judgement::undecided({"no word of it was found, and no reason why there is none"});
 }
 
-Judgement judge_size(const Language& language, const Integer& size, const Alphabet& alphabet, const Budget& budget) {
+Judgement judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
+                     const Budget& budget) {
     if (const auto known = finite_value(language, alphabet, budget)) {
         const bool right = Integer(static_cast<long>(known->words.size())) == size;
-        return with(right ? Truth::proved : Truth::refuted, known->argument,
-                    to_string(language, alphabet) + " has " + counted(known->words.size(), "word") + ".");
+        return with(
+            right ? Truth::proved : Truth::refuted, known->argument,
+            to_string(language, alphabet) + " has " + counted(known->words.size(), "word") + ".");
     }
     if (const auto regular = regular_value(language, alphabet, budget))
         if (const auto count = number_of_words(*regular))
-            return with(*count == size ? Truth::proved : Truth::refuted, {}, to_string(language, alphabet) + " has " + to_string(*count) + (*count == 1 ? " word" : " words") + ": so many its automaton accepts.");
+            return with(*count == size ? Truth::proved : Truth::refuted, {},
+                        to_string(language, alphabet) + " has " + to_string(*count) +
+                            (*count == 1 ? " word" : " words") +
+                            ": so many its automaton accepts.");
     if (auto found = infinite(language, alphabet, budget)) {
-        found->proof = std::make_shared<const Json>(Json{{"by", "infinite"}, {"proof", *found->proof}});
+        found->proof =
+            std::make_shared<const Json>(Json{{"by", "infinite"}, {"proof", *found->proof}});
         return *found;
     }
     return Judgement::undecided({"no finite set was found for it"});

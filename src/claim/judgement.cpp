@@ -6,17 +6,20 @@ namespace algae {
 
 namespace {
 
-Judgement judged(Truth truth, std::vector<std::string> argument, const nlohmann::ordered_json& proof) {
+Judgement judged(Truth truth, std::vector<std::string> argument,
+                 const nlohmann::ordered_json& proof) {
     return {truth, std::move(argument), std::make_shared<const nlohmann::ordered_json>(proof)};
 }
 
 }  // namespace
 
-Judgement Judgement::proved(std::vector<std::string> argument, const nlohmann::ordered_json& proof) {
+Judgement Judgement::proved(std::vector<std::string> argument,
+                            const nlohmann::ordered_json& proof) {
     return judged(Truth::proved, std::move(argument), proof);
 }
 
-Judgement Judgement::refuted(std::vector<std::string> argument, const nlohmann::ordered_json& proof) {
+Judgement Judgement::refuted(std::vector<std::string> argument,
+                             const nlohmann::ordered_json& proof) {
     return judged(Truth::refuted, std::move(argument), proof);
 }
 

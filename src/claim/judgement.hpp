@@ -14,11 +14,13 @@ namespace algae {
 /// proved and of its opposite where it is refuted; there is none where it is undecided.
 struct Judgement {
     Truth truth = Truth::undecided;
-    std::vector<std::string> argument;  // one sentence or line each; an indented line belongs to the one before
+    std::vector<std::string>
+        argument;  // one sentence or line each; an indented line belongs to the one before
     std::shared_ptr<const nlohmann::ordered_json> proof;
 
     static Judgement proved(std::vector<std::string> argument, const nlohmann::ordered_json& proof);
-    static Judgement refuted(std::vector<std::string> argument, const nlohmann::ordered_json& proof);
+    static Judgement refuted(std::vector<std::string> argument,
+                             const nlohmann::ordered_json& proof);
     static Judgement undecided(std::vector<std::string> tried);
 };
 

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 
+#include "claim/judge_membership.hpp"
+#include "claim/table_value.hpp"
 #include "exact/integer.hpp"
 #include "fold/interaction.hpp"
-#include "claim/judge_membership.hpp"
 #include "language/regular_images.hpp"
 #include "language/regular_words.hpp"
-#include "claim/table_value.hpp"
 #include "language/tables_finiteness.hpp"
 #include "language/tables_words.hpp"
 #include "word/spelling.hpp"
@@ -33,7 +33,9 @@ std::optional<std::vector<Word>> listed(const RegularLanguage& language, const B
     return words_up_to(language, language.automaton().states(), budget);
 }
 
-std::vector<Word> sorted(std::vector<Word> words) { return words_language(std::move(words))->words; }
+std::vector<Word> sorted(std::vector<Word> words) {
+    return words_language(std::move(words))->words;
+}
 
 class Finite {
 public:
@@ -89,9 +91,12 @@ private:
                     return words;
                 });
             case Kind::image:
-                return mapped(tree, [&](const Word& word) { return image_of(word, tree.morphism); });
+                return mapped(tree,
+                              [&](const Word& word) { return image_of(word, tree.morphism); });
             case Kind::reversed:
-                return mapped(tree, [](const Word& word) { return std::optional(Word(word.rbegin(), word.rend())); });
+                return mapped(tree, [](const Word& word) {
+                    return std::optional(Word(word.rbegin(), word.rend()));
+                });
             default:
                 return as_a_whole(tree);
         }
@@ -116,7 +121,8 @@ private:
             tree.name.clear();
             return tree;
         }();
-        const std::string inner = to_string(std::make_shared<const LanguageTree>(unnamed), alphabet_);
+        const std::string inner =
+            to_string(std::make_shared<const LanguageTree>(unnamed), alphabet_);
         std::string line = language->name.empty() ? "" : language->name + " = ";
         const std::string value = words_text(words, alphabet_);
         line += inner == value ? inner : inner + " = " + value;
@@ -136,7 +142,8 @@ private:
         if (!left) return std::nullopt;
         const auto right = part(tree, 1);
         if (!right) return std::nullopt;
-        if (tree.kind == Kind::concatenated && !left->empty() && right->size() > most_words / left->size())
+        if (tree.kind == Kind::concatenated && !left->empty() &&
+            right->size() > most_words / left->size())
             return std::nullopt;
         return sorted(combine(*left, *right));
     }
@@ -151,14 +158,16 @@ private:
         return sorted(std::move(results));
     }
 
-    std::optional<std::vector<Word>> filtered(const std::vector<Word>& words, const Language& by, bool keep) {
+    std::optional<std::vector<Word>> filtered(const std::vector<Word>& words, const Language& by,
+                                              bool keep) {
         std::vector<Word> kept;
         std::vector<std::string> lines;
         for (const Word& word : words) {
             const Judgement found = judge_membership(by, word, alphabet_, budget_);
             if (found.truth == Truth::undecided) return std::nullopt;
             if ((found.truth == Truth::proved) == keep) kept.push_back(word);
-            if (lines.size() < most_shown) lines.insert(lines.end(), found.argument.begin(), found.argument.end());
+            if (lines.size() < most_shown)
+                lines.insert(lines.end(), found.argument.begin(), found.argument.end());
         }
         if (by->kind != Kind::words) argument_.insert(argument_.end(), lines.begin(), lines.end());
         return kept;
@@ -178,7 +187,8 @@ private:
             budget_.check();
             Word next = next_word(system, words.back());
             letters += next.size();
-            if (std::find(words.begin(), words.end(), next) != words.end()) return sorted(std::move(words));
+            if (std::find(words.begin(), words.end(), next) != words.end())
+                return sorted(std::move(words));
             words.push_back(std::move(next));
         }
         return std::nullopt;
@@ -187,7 +197,8 @@ private:
     /// Of an expression of regular parts, or one for which a system is constructed.
     std::optional<std::vector<Word>> as_a_whole(const LanguageTree& tree) {
         const Language language = std::make_shared<const LanguageTree>(tree);
-        if (const auto known = regular_value(language, alphabet_, budget_)) return listed(*known, budget_);
+        if (const auto known = regular_value(language, alphabet_, budget_))
+            return listed(*known, budget_);
         const auto tables = table_value(language, alphabet_, budget_);
         if (!tables || !finiteness(tables->system, budget_).finite) return std::nullopt;
         return listed(finite_words(tables->system, budget_), budget_);
@@ -206,7 +217,8 @@ std::optional<FiniteValue> finite_value(const Language& language, const Alphabet
 }
 
 bool has_system(const Language& language) {
-    return language->kind == Kind::generated || std::any_of(language->parts.begin(), language->parts.end(), has_system);
+    return language->kind == Kind::generated ||
+           std::any_of(language->parts.begin(), language->parts.end(), has_system);
 }
 
 std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& morphism) {
@@ -247,7 +259,8 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
     for (const Language& part : tree.parts) {
         auto known = regular_value(part, alphabet, budget);
         if (!known) {
-            if (tree.kind != Kind::intersected && tree.kind != Kind::difference) return std::nullopt;
+            if (tree.kind != Kind::intersected && tree.kind != Kind::difference)
+                return std::nullopt;
             const auto words = Finite(alphabet, budget).left_of_finite(tree);
             return words ? std::optional(finite_set(*words)) : std::nullopt;
         }
@@ -274,7 +287,8 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
             return image(intersected(parts[0], all_words(domain_of(tree.morphism)), budget),
                          images_by_symbol(tree.morphism), budget);
         default:
-            return inverse_image(parts[0], images_by_symbol(tree.morphism), domain_of(tree.morphism));
+            return inverse_image(parts[0], images_by_symbol(tree.morphism),
+                                 domain_of(tree.morphism));
     }
 }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <vector>
 
+#include "claim/known_value.hpp"
+#include "claim/sentences.hpp"
 #include "language/construct_draft.hpp"
 #include "language/construct_e0l.hpp"
 #include "language/construct_gsm.hpp"
@@ -10,8 +12,6 @@
 #include "language/construct_inverse_image.hpp"
 #include "language/construct_reversal.hpp"
 #include "language/construct_tables.hpp"
-#include "claim/known_value.hpp"
-#include "claim/sentences.hpp"
 
 namespace algae {
 
@@ -50,11 +50,14 @@ public:
         budget_.check();
         const LanguageTree& tree = *language;
         if (tree.kind == Kind::generated) {
-            if (!tree.system->tables || (deterministic_ && !is_deterministic(*tree.system->tables))) return regular(language);
+            if (!tree.system->tables || (deterministic_ && !is_deterministic(*tree.system->tables)))
+                return regular(language);
             return tree.system->tables;
         }
         if (tree.kind == Kind::words) return finite(tree.words);
-        if (auto made = tree.kind == Kind::intersected || tree.kind == Kind::difference ? filtered(tree) : operated(tree)) {
+        if (auto made = tree.kind == Kind::intersected || tree.kind == Kind::difference
+                            ? filtered(tree)
+                            : operated(tree)) {
             used_.push_back(name_of(tree.kind));
             return made;
         }
@@ -95,10 +98,12 @@ private:
             if (tree.kind == Kind::difference && i == 1) break;
             auto filter = regular_value(tree.parts[1 - i], alphabet_, budget_);
             if (!filter) continue;
-            if (tree.kind == Kind::difference) filter = complement(*filter, letters_of(tree.parts[0]), budget_);
+            if (tree.kind == Kind::difference)
+                filter = complement(*filter, letters_of(tree.parts[0]), budget_);
             const auto system = of(tree.parts[i]);
             if (!system) continue;
-            return one_table(*system) ? e0l_intersection(*system, *filter, budget_) : table_intersection(*system, *filter, budget_);
+            return one_table(*system) ? e0l_intersection(*system, *filter, budget_)
+                                      : table_intersection(*system, *filter, budget_);
         }
         return std::nullopt;
     }
@@ -118,29 +123,38 @@ private:
         draft.add_rule(table, start, {});
         draft.keep_terminals();
         const ET0L all = draft.system({start}, {});
-        return one_table(all) ? e0l_intersection(all, *known, budget_) : table_intersection(all, *known, budget_);
+        return one_table(all) ? e0l_intersection(all, *known, budget_)
+                              : table_intersection(all, *known, budget_);
     }
 
-    bool one_table(const ET0L& system) const { return !deterministic_ && system.tables.size() == 1; }
+    bool one_table(const ET0L& system) const {
+        return !deterministic_ && system.tables.size() == 1;
+    }
 
     /// The image; words with a letter that has none are left out first.
     ET0L mapped(const LanguageTree& tree, const ET0L& part, bool one) const {
         std::map<Symbol, Word> images = tree.morphism;
         for (const Symbol a : letters_of(tree.parts[0])) images.try_emplace(a);
         if (images.size() == tree.morphism.size())
-            return one ? e0l_image(part, substitution(images), budget_) : table_image(part, substitution(images));
+            return one ? e0l_image(part, substitution(images), budget_)
+                       : table_image(part, substitution(images));
         const RegularLanguage with_images = all_words(domain_of(tree.morphism));
-        const ET0L kept = one ? e0l_intersection(part, with_images, budget_) : table_intersection(part, with_images, budget_);
-        return one_table(kept) ? e0l_image(kept, substitution(images), budget_) : table_image(kept, substitution(images));
+        const ET0L kept = one ? e0l_intersection(part, with_images, budget_)
+                              : table_intersection(part, with_images, budget_);
+        return one_table(kept) ? e0l_image(kept, substitution(images), budget_)
+                               : table_image(kept, substitution(images));
     }
 
-    std::optional<ET0L> constructed(const LanguageTree& tree, const std::vector<ET0L>& parts) const {
-        const bool one = std::all_of(parts.begin(), parts.end(), [&](const ET0L& part) { return one_table(part); });
+    std::optional<ET0L> constructed(const LanguageTree& tree,
+                                    const std::vector<ET0L>& parts) const {
+        const bool one = std::all_of(parts.begin(), parts.end(),
+                                     [&](const ET0L& part) { return one_table(part); });
         switch (tree.kind) {
             case Kind::united:
                 return one ? e0l_union(parts[0], parts[1]) : table_union(parts[0], parts[1]);
             case Kind::concatenated:
-                return one ? e0l_concatenation(parts[0], parts[1]) : table_concatenation(parts[0], parts[1]);
+                return one ? e0l_concatenation(parts[0], parts[1])
+                           : table_concatenation(parts[0], parts[1]);
             case Kind::plus:
                 return one ? e0l_plus(parts[0]) : table_plus(parts[0]);
             case Kind::star:
@@ -164,16 +178,21 @@ private:
 
 }  // namespace
 
-std::optional<TableValue> table_value(const Language& language, const Alphabet& alphabet, const Budget& budget, bool deterministic) {
+std::optional<TableValue> table_value(const Language& language, const Alphabet& alphabet,
+                                      const Budget& budget, bool deterministic) {
     Construction construction(alphabet, deterministic, budget);
     std::optional<ET0L> system = construction.of(language);
     if (!system) return std::nullopt;
     std::string steps;
     for (const std::string& step : construction.used()) steps += (steps.empty() ? "" : ", ") + step;
     std::string argument = "A system for " + to_string(language, alphabet);
-    if (!steps.empty()) argument += " is constructed (" + steps + ")";
-    else argument += " is at hand";
-    argument += ": " + with_article(family_name(*system)) + " system with " + counted(accessible_letters(*system).size(), "letter") + " and " + counted(system->tables.size(), "table") + ".";
+    if (!steps.empty())
+        argument += " is constructed (" + steps + ")";
+    else
+        argument += " is at hand";
+    argument += ": " + with_article(family_name(*system)) + " system with " +
+                counted(accessible_letters(*system).size(), "letter") + " and " +
+                counted(system->tables.size(), "table") + ".";
     return TableValue{std::move(*system), std::move(argument)};
 }
 

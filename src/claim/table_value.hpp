@@ -18,7 +18,7 @@ struct TableValue {
 /// closed, the system that the construction makes: with one table as long as the parts have one
 /// and the operation keeps it, or with deterministic tables if that is asked for. Nothing where some part is
 /// not known to be one. Throws what the constructions throw.
-std::optional<TableValue> table_value(const Language& language, const Alphabet& alphabet, const Budget& budget = {},
-                                      bool deterministic = false);
+std::optional<TableValue> table_value(const Language& language, const Alphabet& alphabet,
+                                      const Budget& budget = {}, bool deterministic = false);
 
 }  // namespace algae

@@ -1,5 +1,5 @@
-#include <algorithm>
 #include <fmt/format.h>
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
@@ -28,9 +28,11 @@ struct Options {
 /// The claims of the table, each checked when it is first asked for.
 class Theory {
 public:
-    explicit Theory(const Budget& budget) : budget_(budget), claims_(read(budget)), table_(claims_), checked_(claims_.size()) {}
+    explicit Theory(const Budget& budget)
+        : budget_(budget), claims_(read(budget)), table_(claims_), checked_(claims_.size()) {}
 
-    std::optional<ClosureTable::Cell> cell(const std::string& family, const std::string& operation) const {
+    std::optional<ClosureTable::Cell> cell(const std::string& family,
+                                           const std::string& operation) const {
         return table_.cell(family, operation);
     }
     const CheckedClaim& checked(std::size_t claim) {
@@ -42,7 +44,8 @@ private:
     static std::vector<Claim> read(const Budget& budget) {
         std::vector<Claim> claims;
         for (const GalleryEntry& entry : closure_claims())
-            claims.push_back(read_claim(entry.text, std::string(entry.path), systems_from(".", budget)));
+            claims.push_back(
+                read_claim(entry.text, std::string(entry.path), systems_from(".", budget)));
         return claims;
     }
 
@@ -81,7 +84,8 @@ Json as_json(Theory& theory, const std::string& family, const std::string& opera
     return entry;
 }
 
-std::string table_text(Theory& theory, const std::vector<std::string>& families, const std::vector<std::string>& operations) {
+std::string table_text(Theory& theory, const std::vector<std::string>& families,
+                       const std::vector<std::string>& operations) {
     std::size_t widest = 0;
     for (const std::string& operation : operations) widest = std::max(widest, operation.size());
     std::string text = fmt::format("{:<{}}", "", widest);
@@ -89,22 +93,29 @@ std::string table_text(Theory& theory, const std::vector<std::string>& families,
     text += '\n';
     for (const std::string& operation : operations) {
         std::string line = fmt::format("{:<{}}", operation, widest);
-        for (const std::string& family : families) line += fmt::format("  {:^5}", sign(theory, family, operation));
+        for (const std::string& family : families)
+            line += fmt::format("  {:^5}", sign(theory, family, operation));
         text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
     }
-    return text + "\n+ closed, by a construction or theorem whose instance is decided; - not closed, by a counterexample that is proved\n"
-                  "in brackets: some statement of the claim rests on a cited source. `algae closure 0L union` shows a cell.\n";
+    return text +
+           "\n+ closed, by a construction or theorem whose instance is decided; - not closed, by a "
+           "counterexample that is proved\n"
+           "in brackets: some statement of the claim rests on a cited source. `algae closure 0L "
+           "union` shows a cell.\n";
 }
 
 std::string cell_text(Theory& theory, const std::string& family, const std::string& operation) {
     const auto cell = theory.cell(family, operation);
     if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
     const CheckedClaim& checked = theory.checked(cell->claim);
-    const std::string name = family + " languages are " + (cell->closed ? "" : "not ") + "closed under " + operation;
-    return name + " (" + checked.claim.name + ", " + to_string(checked.outcome()) + ").\n\n" + explanation(checked, family);
+    const std::string name =
+        family + " languages are " + (cell->closed ? "" : "not ") + "closed under " + operation;
+    return name + " (" + checked.claim.name + ", " + to_string(checked.outcome()) + ").\n\n" +
+           explanation(checked, family);
 }
 
-std::string known(const std::string& written, const std::vector<std::string>& all, const std::string& what) {
+std::string known(const std::string& written, const std::vector<std::string>& all,
+                  const std::string& what) {
     std::string plain = written;
     std::replace(plain.begin(), plain.end(), '-', ' ');
     for (const std::string& name : all) {
@@ -114,7 +125,8 @@ std::string known(const std::string& written, const std::vector<std::string>& al
     }
     std::string listed;
     for (const std::string& name : all) listed += (listed.empty() ? "" : ", ") + name;
-    throw Error("expected " + what + " of the table (" + listed + "), found " + written + did_you_mean(written, all));
+    throw Error("expected " + what + " of the table (" + listed + "), found " + written +
+                did_you_mean(written, all));
 }
 
 int closure(const Options& options) {
@@ -124,14 +136,16 @@ int closure(const Options& options) {
     if (!options.family.empty()) families = {known(options.family, families, "a family")};
     if (!options.operation.empty()) {
         std::string operation;
-        for (const std::string& word : options.operation) operation += (operation.empty() ? "" : " ") + word;
+        for (const std::string& word : options.operation)
+            operation += (operation.empty() ? "" : " ") + word;
         operations = {known(operation, operations, "an operation")};
     }
     const bool one_cell = families.size() == 1 && operations.size() == 1;
     if (options.json) {
         Json entries = Json::array();
         for (const std::string& operation : operations)
-            for (const std::string& family : families) entries.push_back(as_json(theory, family, operation));
+            for (const std::string& family : families)
+                entries.push_back(as_json(theory, family, operation));
         if (!one_cell) {
             print(Json{{"table", entries}}.dump(2) + "\n");
             return success;
@@ -141,14 +155,22 @@ int closure(const Options& options) {
         if (cell)
             for (const CheckedStatement& statement : theory.checked(cell->claim).statements)
                 for (const std::string& line : statement.judgement.argument) proof.push_back(line);
-        print(Json{{"verdict", !cell ? "not settled" : cell->closed ? "closed" : "not closed"}, {"cell", entries[0]}, {"proof", proof}}.dump(2) + "\n");
+        print(Json{{"verdict", !cell          ? "not settled"
+                               : cell->closed ? "closed"
+                                              : "not closed"},
+                   {"cell", entries[0]},
+                   {"proof", proof}}
+                  .dump(2) +
+              "\n");
     } else if (one_cell) {
         print(cell_text(theory, families[0], operations[0]));
     } else if (options.explain) {
         std::string text;
         for (const std::string& operation : operations)
             for (const std::string& family : families)
-                if (theory.cell(family, operation)) text += (text.empty() ? "" : "\n" + std::string(100, '=') + "\n\n") + cell_text(theory, family, operation);
+                if (theory.cell(family, operation))
+                    text += (text.empty() ? "" : "\n" + std::string(100, '=') + "\n\n") +
+                            cell_text(theory, family, operation);
         print(text);
     } else {
         print(table_text(theory, families, operations));
@@ -162,10 +184,13 @@ int closure(const Options& options) {
 
 void add_closure(Verbs& verbs) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb = add_verb(verbs, "closure", "Which families of languages are closed under which operations, with proofs",
-                              "  algae closure\n  algae closure 0L union --explain", options, closure);
+    CLI::App& verb =
+        add_verb(verbs, "closure",
+                 "Which families of languages are closed under which operations, with proofs",
+                 "  algae closure\n  algae closure 0L union --explain", options, closure);
     verb.add_option("CLASS", options->family, "a family: 0L, D0L, ET0L, REG, ...");
-    verb.add_option("OP", options->operation, "an operation: union, star, intersection with regular, ...");
+    verb.add_option("OP", options->operation,
+                    "an operation: union, star, intersection with regular, ...");
     verb.add_flag("--explain", options->explain, "print the proof of every cell asked for");
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);

@@ -14,7 +14,9 @@ using Kind = LanguageTree::Kind;
 
 Language make(LanguageTree tree) { return std::make_shared<const LanguageTree>(std::move(tree)); }
 
-void add_letters(std::set<Symbol>& letters, const Word& word) { letters.insert(word.begin(), word.end()); }
+void add_letters(std::set<Symbol>& letters, const Word& word) {
+    letters.insert(word.begin(), word.end());
+}
 
 void add_letters(std::set<Symbol>& letters, const SourceSystem& system) {
     if (system.tables) {
@@ -51,7 +53,8 @@ void add_letters(std::set<Symbol>& letters, const LanguageTree& tree) {
             add_letters(letters, *tree.parts[0]);
             return;
         case Kind::intersected: {
-            const std::vector<Symbol> left = letters_of(tree.parts[0]), right = letters_of(tree.parts[1]);
+            const std::vector<Symbol> left = letters_of(tree.parts[0]),
+                                      right = letters_of(tree.parts[1]);
             std::set_intersection(left.begin(), left.end(), right.begin(), right.end(),
                                   std::inserter(letters, letters.end()));
             return;
@@ -85,19 +88,23 @@ std::string text(const Language& language, const Alphabet& alphabet, Level least
 
 std::string words_text(const std::vector<Word>& words, const Alphabet& alphabet) {
     std::string result = "{";
-    for (const Word& word : words) result += (result.size() > 1 ? ", " : "") + spell(alphabet, word);
+    for (const Word& word : words)
+        result += (result.size() > 1 ? ", " : "") + spell(alphabet, word);
     return result + "}";
 }
 
 std::string morphism_text(const std::map<Symbol, Word>& morphism, const Alphabet& alphabet) {
     std::string result = "{ ";
     for (const auto& [a, image] : morphism)
-        result += (result.size() > 2 ? "; " : "") + alphabet.name(a) + " -> " + spell(alphabet, image);
+        result +=
+            (result.size() > 2 ? "; " : "") + alphabet.name(a) + " -> " + spell(alphabet, image);
     return result + " }";
 }
 
 std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
-    const auto part = [&](std::size_t i, Level least) { return text(tree.parts[i], alphabet, least); };
+    const auto part = [&](std::size_t i, Level least) {
+        return text(tree.parts[i], alphabet, least);
+    };
     switch (tree.kind) {
         case Kind::words:
             return words_text(tree.words, alphabet);

@@ -28,26 +28,27 @@ using Language = std::shared_ptr<const LanguageTree>;
 /// union, concatenation, star and plus.
 struct LanguageTree {
     enum class Kind {
-        words,          // a finite set
-        generated,      // L(G)
-        united,         // the rest: of `parts`
+        words,      // a finite set
+        generated,  // L(G)
+        united,     // the rest: of `parts`
         intersected,
         difference,
         concatenated,
         star,
         plus,
-        complement,     // the words over `letters` that are not in the part
+        complement,  // the words over `letters` that are not in the part
         reversed,
         image,          // under `morphism`
         inverse_image,  // the words over the letters that have an image whose image is in the part
     };
     Kind kind = Kind::words;
-    std::vector<Word> words;                     // sorted: shorter ones first, then by symbol numbers
+    std::vector<Word> words;  // sorted: shorter ones first, then by symbol numbers
     std::shared_ptr<const SourceSystem> system;  // of L(G)
-    std::vector<Language> parts;                 // two of a union, intersection, difference, concatenation; otherwise one
+    std::vector<Language>
+        parts;  // two of a union, intersection, difference, concatenation; otherwise one
     std::map<Symbol, Word> morphism;
-    std::vector<Symbol> letters;                 // increasing
-    std::string name;                            // what the text calls it, where it has a name
+    std::vector<Symbol> letters;  // increasing
+    std::string name;             // what the text calls it, where it has a name
 };
 
 Language words_language(std::vector<Word> words);

@@ -57,22 +57,26 @@ View<ET0L> as_et0l(const LSystem& written) {
 }
 
 ET0L as_et0l(const OL& system) {
-    return {system.alphabet, system.axiom, {system.successors},
-            std::vector<char>(system.successors.size(), 1), {std::string()}, system.name};
+    return {system.alphabet,     system.axiom,
+            {system.successors}, std::vector<char>(system.successors.size(), 1),
+            {std::string()},     system.name};
 }
 
 bool has_only_terminals(const ET0L& system) {
     const std::vector<Symbol> letters = accessible_letters(system);
-    return std::all_of(letters.begin(), letters.end(), [&](Symbol a) { return system.terminal[a] != 0; });
+    return std::all_of(letters.begin(), letters.end(),
+                       [&](Symbol a) { return system.terminal[a] != 0; });
 }
 
 bool is_deterministic(const ET0L& system) {
-    return for_all_accessible(system, [](const std::vector<Word>& choices) { return choices.size() == 1; });
+    return for_all_accessible(system,
+                              [](const std::vector<Word>& choices) { return choices.size() == 1; });
 }
 
 bool is_propagating(const ET0L& system) {
     return for_all_accessible(system, [](const std::vector<Word>& choices) {
-        return std::none_of(choices.begin(), choices.end(), [](const Word& word) { return word.empty(); });
+        return std::none_of(choices.begin(), choices.end(),
+                            [](const Word& word) { return word.empty(); });
     });
 }
 
@@ -94,12 +98,17 @@ std::string family_name(const ET0L& system) {
 
 ET0L over(const ET0L& system, std::shared_ptr<const Alphabet> alphabet) {
     const std::vector<Symbol> letters = renaming(*system.alphabet, *alphabet);
-    ET0L moved{alphabet, replaced(system.axiom, letters), {}, std::vector<char>(alphabet->size(), 0),
-               system.table_names, system.name};
+    ET0L moved{alphabet,
+               replaced(system.axiom, letters),
+               {},
+               std::vector<char>(alphabet->size(), 0),
+               system.table_names,
+               system.name};
     for (const Table& table : system.tables) {
         Table& target = moved.tables.emplace_back(alphabet->size());
         for (Symbol a = 0; a < table.size(); ++a)
-            for (const Word& successor : table[a]) target[letters[a]].push_back(replaced(successor, letters));
+            for (const Word& successor : table[a])
+                target[letters[a]].push_back(replaced(successor, letters));
         complete(target, alphabet->size());
     }
     for (Symbol a = 0; a < letters.size(); ++a) moved.terminal[letters[a]] = system.terminal[a];

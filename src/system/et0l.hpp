@@ -55,7 +55,8 @@ ET0L over(const ET0L& system, std::shared_ptr<const Alphabet> alphabet);
 
 /// An ET0L system with one character a letter, for tests and examples: tables of rules, and the
 /// terminals; no terminals means all letters.
-ET0L et0l(const std::string& axiom, const std::vector<std::vector<std::pair<char, std::string>>>& tables,
+ET0L et0l(const std::string& axiom,
+          const std::vector<std::vector<std::pair<char, std::string>>>& tables,
           const std::string& terminals = "");
 
 }  // namespace algae

@@ -29,7 +29,8 @@ LSystem from_gallery(const std::string& name) {
 
 std::vector<std::filesystem::path> files() {
     std::vector<std::filesystem::path> found;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(ALGAE_SOURCE_DIR) + "/theory"))
+    for (const auto& entry :
+         std::filesystem::recursive_directory_iterator(std::string(ALGAE_SOURCE_DIR) + "/theory"))
         if (entry.path().extension() == ".claim") found.push_back(entry.path());
     std::sort(found.begin(), found.end());
     return found;
@@ -53,21 +54,24 @@ const std::vector<CheckedClaim>& theory() {
 
 }  // namespace
 
-TEST_CASE("every statement of the theory is as its claim says, or rests on a source that it names") {
+TEST_CASE(
+    "every statement of the theory is as its claim says, or rests on a source that it names") {
     REQUIRE(theory().size() >= 80);
     for (const CheckedClaim& checked : theory())
         for (std::size_t i = 0; i < checked.statements.size(); ++i) {
             const auto outcome = checked.statements[i].outcome;
-            CHECK_MESSAGE((outcome == CheckedStatement::Outcome::stands || outcome == CheckedStatement::Outcome::cited),
+            CHECK_MESSAGE((outcome == CheckedStatement::Outcome::stands ||
+                           outcome == CheckedStatement::Outcome::cited),
                           to_string(checked.claim.statements[i].statement.place), ": ",
                           checked.claim.statements[i].statement.text);
         }
 }
 
 TEST_CASE("more claims of the theory are proved than cited") {
-    const auto proved = std::count_if(theory().begin(), theory().end(), [](const CheckedClaim& checked) {
-        return checked.outcome() == CheckedStatement::Outcome::stands;
-    });
+    const auto proved =
+        std::count_if(theory().begin(), theory().end(), [](const CheckedClaim& checked) {
+            return checked.outcome() == CheckedStatement::Outcome::stands;
+        });
     CHECK(proved >= 80);
     CHECK(2 * static_cast<std::size_t>(proved) > theory().size());
 }
@@ -75,15 +79,18 @@ TEST_CASE("more claims of the theory are proved than cited") {
 TEST_CASE("certificates of the theory hold; finite refutations are checked to the last") {
     using verify::Finding;
     for (const CheckedClaim& checked : theory()) {
-        const auto certificate = verify::read_certificate(algae::certificate(checked).dump(1), checked.claim.name);
+        const auto certificate =
+            verify::read_certificate(algae::certificate(checked).dump(1), checked.claim.name);
         Budget budget;  // what takes longer is not checked, which no test here is about
         budget.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(3);
         const auto findings = verify::check_certificate(*certificate, budget);
         REQUIRE(findings.size() == checked.statements.size());
         for (std::size_t i = 0; i < findings.size(); ++i) {
-            CHECK_MESSAGE(findings[i].outcome != Finding::Outcome::wrong, checked.claim.name, ": ", findings[i].statement, ": ", findings[i].reason);
+            CHECK_MESSAGE(findings[i].outcome != Finding::Outcome::wrong, checked.claim.name, ": ",
+                          findings[i].statement, ": ", findings[i].reason);
             const auto& proof = checked.statements[i].judgement.proof;
-            if (proof && proof->at("by") == "cases") CHECK(findings[i].outcome == Finding::Outcome::checked);
+            if (proof && proof->at("by") == "cases")
+                CHECK(findings[i].outcome == Finding::Outcome::checked);
         }
     }
 }

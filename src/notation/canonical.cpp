@@ -42,13 +42,19 @@ void add_rules(const LSystem& system, const Printer& printer, Lines& lines) {
     open_tables(system.tables.size());
 }
 
+/// A number as one piece among several.
+std::string piece(const Quantity& number) {
+    const std::string text = to_text(number.expression);
+    return text.find(' ') == std::string::npos ? text : '(' + text + ')';
+}
+
 std::string print_start(const Settings::Start& start) {
-    std::vector<std::string> parts;
-    for (const Quantity* part : {&start.x, &start.y, &start.heading}) {
-        const std::string text = to_text(part->expression);
-        const bool has_blank = text.find(' ') != std::string::npos;
-        parts.push_back(has_blank ? '(' + text + ')' : text);
-    }
+    return joined({piece(start.x), piece(start.y), piece(start.heading)});
+}
+
+std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
+    std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
+    for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
     return joined(parts);
 }
 
@@ -86,6 +92,8 @@ std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
     lines.setting("terminals", printer.apart(system.terminals));
     for (const Production& rule : system.interpretation)
         lines.setting("interpret", printer.rule(rule));
+    for (const EnvironmentSetting& environment : system.environments)
+        lines.setting("environment", print_environment(system.alphabet, environment));
     add_settings(system.settings, lines);
     for (const Expectation& expectation : system.expectations)
         lines.setting("expect", expectation.kind + ' ' + std::to_string(expectation.generation) +

@@ -49,7 +49,7 @@ Stage stage(const Clause& clause) {
 }
 
 bool may_repeat(std::string_view name) {
-    for (const char* repeated : {"id", "alphabet", "let", "table", "interpret", "expect"})
+    for (const char* repeated : {"id", "alphabet", "let", "table", "interpret", "environment", "expect"})
         if (name == repeated) return true;
     return false;
 }

@@ -125,8 +125,8 @@ std::optional<Quantity>* number_of(std::string_view name, Settings& settings) {
 const std::vector<std::string>& setting_names() {
     static const std::vector<std::string> names{
         "title",     "source",    "id",     "alphabet", "let",        "axiom", "table", "ignore",
-        "terminals", "interpret", "angle",  "step",     "shrink",     "start", "spin",  "scale",
-        "narrow",    "width",     "colour", "turn",     "generation", "expect"};
+        "terminals", "interpret", "environment", "angle",  "step",     "shrink",     "start", "spin",
+        "scale",     "narrow",    "width",     "colour", "turn",     "generation", "expect"};
     return names;
 }
 
@@ -159,6 +159,8 @@ void read_setting(const Clause& clause, Reading& reading) {
         read_generations(value, reading);
     } else if (name == "expect") {
         read_expectation(clause, reading);
+    } else if (name == "environment") {
+        read_environment(clause, reading);
     } else if (name == "start") {
         read_start(value, reading);
     } else if (name == "colour") {

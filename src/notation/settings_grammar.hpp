@@ -19,6 +19,10 @@ void read_constant(const Clause& clause, Reading& reading);
 /// Reads names longer than the notation knows, `alphabet wall window`. Throws `SyntaxError`.
 void read_alphabet(const Clause& clause, Reading& reading);
 
+/// Reads what fills the communication modules of one name, `environment ?E clip 0 0 4 3`. Throws
+/// `SyntaxError`.
+void read_environment(const Clause& clause, Reading& reading);
+
 /// Reads any other setting whose value is no word. Throws `SyntaxError`.
 void read_setting(const Clause& clause, Reading& reading);
 

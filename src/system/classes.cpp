@@ -55,8 +55,7 @@ Class class_of(const LSystem& system) {
     kind.parametric = !system.axiom.arguments.empty();
     kind.deterministic = !has_choice(system);
     for (Symbol a = 0; a < system.alphabet.size(); ++a) {
-        const std::string& name = system.alphabet.name(a);
-        kind.open = kind.open || (name.size() > 1 && name[0] == '?');
+        kind.open = kind.open || is_communication(system.alphabet.name(a));
     }
     for (const Production& rule : system.rules) {
         kind.propagating = kind.propagating && (rule.shape || !rule.successor.letters.empty());

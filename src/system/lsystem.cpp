@@ -7,7 +7,8 @@ bool LSystem::operator==(const LSystem& other) const {
            alphabet == other.alphabet && declared == other.declared &&
            constants == other.constants && axiom == other.axiom && rules == other.rules &&
            tables == other.tables && ignored == other.ignored && terminals == other.terminals &&
-           interpretation == other.interpretation && settings == other.settings &&
+           interpretation == other.interpretation &&
+           environments == other.environments && settings == other.settings &&
            expectations == other.expectations;
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/place.hpp"
+#include "system/environment_setting.hpp"
 #include "system/expression.hpp"
 #include "system/settings.hpp"
 #include "word/alphabet.hpp"
@@ -98,6 +99,7 @@ struct LSystem {
     std::vector<Symbol> ignored;         // `ignore`: skipped when contexts are matched
     std::vector<Symbol> terminals;       // `terminals`: E0L
     std::vector<Production> interpretation;  // `interpret L -> F`
+    std::vector<EnvironmentSetting> environments;  // at most one for each module
     Settings settings;
     std::vector<Expectation> expectations;
 

@@ -33,6 +33,7 @@ TEST_CASE("the canonical text of one of everything") {
         canonical("expect length 3:148\ngeneration 2 .. 4; g -> a\nturn clockwise\n"
                   "colour  red   #ff8000\nwidth .50\nnarrow 1/2; scale 2e0; spin 45\n"
                   "start 0 1+1 (1 < 2)\nshrink (1/sqrt((2)));step 1;angle 25.70\n"
+                  "environment  ?E clip 0 (1) (1 < 2) 2.50; environment ?P  position\n"
                   "interpret L->F\nterminals ab\nignore +-\n"
                   "axiom F wallF F_lF_ 2X_1 2(1e0)[ A( x1 ) ]\nlet x1=0.30\nalphabet wall; id b\n"
                   "a<b>c? d,e(x):x>1->f\nid c\nF -(0.5)-> ; F-(1/2)->div( Y,3 ,1r ){ B C}\n"
@@ -44,6 +45,7 @@ TEST_CASE("the canonical text of one of everything") {
         "F -(0.5)-> ε\n"
         "F -(0.5)-> div(Y, 3, 1r){ B C }\n"
         "ignore + -\nterminals a b\ninterpret L -> F\n"
+        "environment ?E clip 0 1 (1 < 2) 2.5\nenvironment ?P position\n"
         "angle 25.7\nstep 1\nshrink 1/sqrt(2)\nstart 0 1+1 (1 < 2)\nspin 45\nscale 2\nnarrow 1/2\n"
         "width 0.5\ncolour red #ff8000\nturn clockwise\ngeneration 2..4\nexpect length 3: 148\n");
 }

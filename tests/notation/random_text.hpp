@@ -156,6 +156,8 @@ inline std::string system() {
     }
     if (chance(30)) out += "angle 360/7\nstep (2)\nshrink 1/sqrt(2)\nstart -1 ((1+1)) (1 < 2)\n";
     if (chance(30)) out += "spin 2*45;scale 2;narrow 0.5;width 0.25;colour red #0123Af along\n";
+    if (chance(20)) out += "environment ?E clip 0 (1 < 2) 1 2*3 ; environment ?X_2 light (.50)\n";
+    if (chance(20)) out += "environment ?P position\n";
     if (chance(20)) out += "turn clockwise\ngeneration 3..7\n";
     if (chance(20)) out += "expect length 3: 148\nexpect end 2: 1/2 0\n";
     const bool tables = chance(20);

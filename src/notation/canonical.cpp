@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "notation/print.hpp"
+#include "notation/settings_grammar.hpp"
 
 namespace algae {
 
@@ -58,7 +59,12 @@ std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting
     return joined(parts);
 }
 
-void add_settings(const Settings& settings, Lines& lines) {
+std::string print_range(const std::pair<std::uint64_t, std::uint64_t>& range) {
+    const auto [first, last] = range;
+    return std::to_string(first) + (last == first ? "" : ".." + std::to_string(last));
+}
+
+void add_settings(const Settings& settings, const Printer& printer, Lines& lines) {
     lines.number("angle", settings.angle);
     lines.number("step", settings.step);
     lines.number("shrink", settings.shrink);
@@ -66,13 +72,14 @@ void add_settings(const Settings& settings, Lines& lines) {
     lines.number("spin", settings.spin);
     lines.number("scale", settings.scale);
     lines.number("narrow", settings.narrow);
+    lines.setting("plot", printer.apart(settings.plotters));
+    for (const Settings::Stamp& stamp : settings.stamps)
+        lines.setting("stamp", printer.apart({stamp.symbol}) + ' ' + shape_name(stamp.shape));
     lines.number("width", settings.width);
     lines.setting("colour", joined(settings.colours));
     if (settings.clockwise) lines.setting("turn", "clockwise");
-    if (!settings.generations) return;
-    const auto [first, last] = *settings.generations;
-    lines.setting("generation",
-                  std::to_string(first) + (last == first ? "" : ".." + std::to_string(last)));
+    if (settings.generations) lines.setting("generation", print_range(*settings.generations));
+    if (settings.seeds) lines.setting("seed", print_range(*settings.seeds));
 }
 
 }  // namespace
@@ -94,7 +101,7 @@ std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
         lines.setting("interpret", printer.rule(rule));
     for (const EnvironmentSetting& environment : system.environments)
         lines.setting("environment", print_environment(system.alphabet, environment));
-    add_settings(system.settings, lines);
+    add_settings(system.settings, printer, lines);
     for (const Expectation& expectation : system.expectations)
         lines.setting("expect", expectation.kind + ' ' + std::to_string(expectation.generation) +
                                     ": " + expectation.value);

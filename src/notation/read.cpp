@@ -26,12 +26,15 @@ enum class Stage {
     ignore,
     terminals,
     interpretation,
+    plot,
+    stamp,
     other,
     unknown
 };
 constexpr Stage all_stages[] = {Stage::alphabet,       Stage::constant, Stage::axiom,
                                 Stage::rule,           Stage::ignore,   Stage::terminals,
-                                Stage::interpretation, Stage::other,    Stage::unknown};
+                                Stage::interpretation, Stage::plot,     Stage::stamp,
+                                Stage::other,          Stage::unknown};
 
 Stage stage(const Clause& clause) {
     if (is_rule(clause)) return Stage::rule;
@@ -43,13 +46,16 @@ Stage stage(const Clause& clause) {
     if (name == "ignore") return Stage::ignore;
     if (name == "terminals") return Stage::terminals;
     if (name == "interpret") return Stage::interpretation;
+    if (name == "plot") return Stage::plot;
+    if (name == "stamp") return Stage::stamp;
     const auto& names = setting_names();
     return std::find(names.begin(), names.end(), name) != names.end() ? Stage::other
                                                                       : Stage::unknown;
 }
 
 bool may_repeat(std::string_view name) {
-    for (const char* repeated : {"id", "alphabet", "let", "table", "interpret", "environment", "expect"})
+    for (const char* repeated :
+         {"id", "alphabet", "let", "table", "interpret", "environment", "stamp", "expect"})
         if (name == repeated) return true;
     return false;
 }
@@ -117,6 +123,10 @@ void read_clause(const Clause& clause, Stage at, Reading& reading) {
             return;
         case Stage::terminals:
             reading.system.terminals = without_repetitions(parse_symbols(value, reading.lexicon));
+            return;
+        case Stage::plot:
+            reading.system.settings.plotters =
+                without_repetitions(parse_symbols(value, reading.lexicon));
             return;
         case Stage::interpretation:
             return read_interpretation(clause, reading);

@@ -7,6 +7,7 @@
 #include "notation/expression_grammar.hpp"
 #include "notation/grammar.hpp"
 #include "notation/suggestion.hpp"
+#include "notation/word_grammar.hpp"
 #include "system/colour.hpp"
 
 namespace algae {
@@ -23,33 +24,35 @@ std::string_view text_of(const boost::iterator_range<const char*>& range) {
     return between(range.begin(), range.end());
 }
 
-/// A generation: below 2^63.
-std::uint64_t generation(std::string_view text) {
+/// A generation or a seed: below 2^63.
+std::uint64_t number_below(std::string_view text, const char* what) {
     constexpr std::size_t most_digits = 19;
     const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size());
     std::uint64_t value = 0;
     if (text.size() - zeros <= most_digits)
         for (const char digit : text) value = value * 10 + static_cast<std::uint64_t>(digit - '0');
     if (text.size() - zeros > most_digits || value >> 63 != 0)
-        throw SyntaxError{text.data(), "expected a generation below 2^63, found " + quoted(text)};
+        throw SyntaxError{text.data(), std::string("expected ") + what + " below 2^63, found " + quoted(text)};
     return value;
 }
 
-void read_generations(std::string_view value, Reading& reading) {
+using Range = std::pair<std::uint64_t, std::uint64_t>;
+
+/// One number or a range of them, 0..6; `what` is "a generation".
+Range range_of(std::string_view value, const char* what) {
     const char* here = value.data();
     const char* const end = here + value.size();
     std::string_view first, last;
     const auto on_first = [&](auto& c) { first = last = text_of(x3::_attr(c)); };
     const auto on_last = [&](auto& c) { last = text_of(x3::_attr(c)); };
-    const auto range = wanted("a generation")[digits[on_first]] >>
-                       -(".." >> wanted("a generation")[digits[on_last]]);
+    const auto range = wanted(what)[digits[on_first]] >> -(".." >> wanted(what)[digits[on_last]]);
     x3::phrase_parse(here, end, range, grammar::blank);
     if (here != end) throw unexpected("'..' or the end of the line", here);
-    const std::pair generations{generation(first), generation(last)};
-    if (generations.first > generations.second)
-        throw SyntaxError{last.data(), "expected a generation from " + std::string(first) +
-                                           " on, found " + std::string(last)};
-    reading.system.settings.generations = generations;
+    const Range found{number_below(first, what), number_below(last, what)};
+    if (found.first > found.second)
+        throw SyntaxError{last.data(), std::string("expected ") + what + " from " +
+                                           std::string(first) + " on, found " + std::string(last)};
+    return found;
 }
 
 void read_expectation(const Clause& clause, Reading& reading) {
@@ -71,7 +74,7 @@ void read_expectation(const Clause& clause, Reading& reading) {
                                            did_you_mean(kind, kinds)};
     }
     if (here == end) throw unexpected("a value", here);
-    reading.system.expectations.push_back({std::string(kind), generation(number),
+    reading.system.expectations.push_back({std::string(kind), number_below(number, "a generation"),
                                            std::string(between(here, end)),
                                            reading.source.place(clause.text.data())});
 }
@@ -88,6 +91,31 @@ void read_start(std::string_view value, Reading& reading) {
     if (parts.size() > 3)
         throw unexpected("the end of the line after x, y and heading", parts[3].data());
     reading.system.settings.start = std::move(start);
+}
+
+void read_stamp(std::string_view value, Reading& reading) {
+    const auto parts = pieces(value);
+    const char* const end = value.data() + value.size();
+    if (parts.size() < 2) throw unexpected("a symbol and a shape: square, circle or triangle", end);
+    const std::string_view shape = parts.back();
+    const Word symbols = parse_symbols(between(value.data(), shape.data()), reading.lexicon);
+    if (symbols.size() != 1)
+        throw SyntaxError{value.data(), "expected one symbol and a shape, found " +
+                                            std::to_string(symbols.size()) + " symbols"};
+    auto& stamps = reading.system.settings.stamps;
+    for (const Settings::Stamp& stamp : stamps)
+        if (stamp.symbol == symbols.front())
+            throw SyntaxError{value.data(), "the symbol " +
+                                                quoted(reading.system.alphabet.name(stamp.symbol)) +
+                                                " has a stamp already"};
+    for (const StampShape known : {StampShape::square, StampShape::circle, StampShape::triangle})
+        if (shape == shape_name(known)) {
+            stamps.push_back({symbols.front(), known});
+            return;
+        }
+    static const std::vector<std::string> shapes{"square", "circle", "triangle"};
+    throw SyntaxError{shape.data(), "expected square, circle or triangle, found " + quoted(shape) +
+                                        did_you_mean(shape, shapes)};
 }
 
 void read_colours(std::string_view value, Reading& reading) {
@@ -126,7 +154,8 @@ const std::vector<std::string>& setting_names() {
     static const std::vector<std::string> names{
         "title",     "source",    "id",     "alphabet", "let",        "axiom", "table", "ignore",
         "terminals", "interpret", "environment", "angle",  "step",     "shrink",     "start", "spin",
-        "scale",     "narrow",    "width",     "colour", "turn",     "generation", "expect"};
+        "scale",     "narrow",    "plot",      "stamp",  "width",     "colour", "turn",     "generation",
+        "seed",      "expect"};
     return names;
 }
 
@@ -134,6 +163,15 @@ const std::vector<std::string>& expectation_kinds() {
     static const std::vector<std::string> kinds{"length",   "lengths",  "word", "segments",
                                                 "distinct", "vertices", "end",  "box"};
     return kinds;
+}
+
+const char* shape_name(StampShape shape) {
+    switch (shape) {
+        case StampShape::square: return "square";
+        case StampShape::circle: return "circle";
+        case StampShape::triangle: return "triangle";
+    }
+    return "";
 }
 
 void read_setting(const Clause& clause, Reading& reading) {
@@ -156,7 +194,11 @@ void read_setting(const Clause& clause, Reading& reading) {
             throw unexpected("'clockwise' or 'counter-clockwise'", value.data());
         system.settings.clockwise = value == "clockwise";
     } else if (name == "generation") {
-        read_generations(value, reading);
+        system.settings.generations = range_of(value, "a generation");
+    } else if (name == "seed") {
+        system.settings.seeds = range_of(value, "a seed");
+    } else if (name == "stamp") {
+        read_stamp(value, reading);
     } else if (name == "expect") {
         read_expectation(clause, reading);
     } else if (name == "environment") {

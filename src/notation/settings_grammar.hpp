@@ -13,6 +13,11 @@ const std::vector<std::string>& setting_names();
 /// The kinds of expectations, in `expect length 3: 148`.
 const std::vector<std::string>& expectation_kinds();
 
+/// The shape of a stamp as it is written, in `stamp S square`.
+///
+/// Example: shape_name(StampShape::circle) == std::string("circle")
+const char* shape_name(StampShape shape);
+
 /// Reads `let NAME = EXPRESSION` into the system. Throws `SyntaxError`.
 void read_constant(const Clause& clause, Reading& reading);
 

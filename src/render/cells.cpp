@@ -18,7 +18,8 @@ CellCanvas::CellCanvas(cairo_t* context, const PixelRectangle& area, int cells, 
       budget_(budget),
       share_(share),
       along_(pen.palette->runs_along()),
-      mask_(area.width, area.height, cells, pen.width * cells) {
+      mask_(area.width, area.height, cells, pen.width * cells),
+      width_(pen.width * cells) {
     shade_ = pen_.palette->shade(0, 0);
 }
 
@@ -30,11 +31,11 @@ void CellCanvas::polygon(std::span<const Point> corners) {
     if ((++polygons_ & 0xfff) == 0) pause();
 }
 
-void CellCanvas::width(double factor) {
-    if (factor == factor_) return;
+void CellCanvas::set_width(double width) {
+    if (width == width_) return;
     paint();
-    factor_ = factor;
-    mask_.set_diameter(pen_.width * std::fabs(factor) * cells_);
+    width_ = width;
+    mask_.set_diameter(width);
 }
 
 void CellCanvas::colour(std::uint32_t index) {

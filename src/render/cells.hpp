@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 
 #include "base/budget.hpp"
@@ -33,7 +34,8 @@ public:
         if ((++lines_ & 0xffff) == 0) pause();
     }
     void polygon(std::span<const Point> corners) override;
-    void width(double factor) override;
+    void width(double factor) override { set_width(pen_.width * std::fabs(factor) * cells_); }
+    void width_as_length(double length) override { set_width(frame_.scale * length); }
     void colour(std::uint32_t index) override;
     void position(double fraction) override { position_ = fraction; }
     bool wants_position() const override { return along_ || static_cast<bool>(share_); }
@@ -45,6 +47,7 @@ public:
 
 private:
     void choose_shade();
+    void set_width(double width);  // in cells
     void paint();
     void pause() const;
 
@@ -57,7 +60,7 @@ private:
     Share share_;
     bool along_;
     Mask mask_;
-    double position_ = 0, factor_ = 1;
+    double position_ = 0, width_;
     std::uint32_t colour_ = 0, shade_ = 0;
     std::uint64_t lines_ = 0, polygons_ = 0, paintings_ = 0;
     std::vector<Point> corners_;

@@ -83,6 +83,7 @@ public:
     void line_to(Point) override { widest = std::max(widest, std::fabs(factor_)); }
     void polygon(std::span<const Point>) override {}
     void width(double factor) override { factor_ = factor; }
+    void width_as_length(double) override { factor_ = 0; }  // is part of the box
     void colour(std::uint32_t) override {}
     void position(double) override {}
     double widest = 1;
@@ -100,6 +101,16 @@ double widest_stroke(const Figure& figure, const Budget& budget) {
     const double extent = std::max(figure.box().breadth(), figure.box().height());
     figure.draw(measure, extent / 4000, budget);
     return measure.widest;
+}
+
+/// The box that a figure needs, with its strokes where their widths are lengths.
+Box room_for(const Figure& figure) {
+    Box box = figure.box();
+    const double half = figure.facts().widest / 2;
+    if (box.empty || !(half > 0)) return box;
+    box.add(Point{box.low.x - half, box.low.y - half});
+    box.add(Point{box.high.x + half, box.high.y + half});
+    return box;
 }
 
 /// The height of letters that suits a picture, smaller where several captions share its width.
@@ -141,7 +152,7 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
 
     LayoutWishes wishes;
     std::vector<Box> boxes;
-    for (const Plate& plate : plates) boxes.push_back(plate.figure->box());
+    for (const Plate& plate : plates) boxes.push_back(room_for(*plate.figure));
     if (arrangement == Arrangement::panels)
         wishes.columns = std::min(options.columns.value_or(panel_columns(boxes)), plates.size());
     const double unset = wishes.columns > 1 && format != PictureFormat::png ? panel_line_width : 1;

@@ -82,11 +82,15 @@ void StrokeCanvas::polygon(std::span<const Point> corners) {
     if (polygons_ % lines_per_path == 0) budget_.check();
 }
 
-void StrokeCanvas::width(double factor) {
+void StrokeCanvas::set_width(double width) {
     flush();
     goes_on_ = false;
-    cairo_set_line_width(context_, pen_.width * std::fabs(factor));
+    cairo_set_line_width(context_, width);
 }
+
+void StrokeCanvas::width(double factor) { set_width(pen_.width * std::fabs(factor)); }
+
+void StrokeCanvas::width_as_length(double length) { set_width(frame_.scale * length); }
 
 void StrokeCanvas::colour(std::uint32_t index) {
     colour_ = index;

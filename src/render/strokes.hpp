@@ -46,6 +46,7 @@ public:
     void line_to(Point point) override;
     void polygon(std::span<const Point> corners) override;
     void width(double factor) override;
+    void width_as_length(double length) override;
     void colour(std::uint32_t index) override;
     void position(double fraction) override { position_ = fraction; }
     bool wants_position() const override { return along_; }
@@ -57,6 +58,7 @@ public:
 
 private:
     void flush();
+    void set_width(double width);
     void choose_shade();
 
     cairo_t* context_;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "system/expression.hpp"
+#include "word/alphabet.hpp"
 
 namespace algae {
 
@@ -15,6 +16,9 @@ struct Colour {
     double red = 0, green = 0, blue = 0;
     bool operator==(const Colour&) const = default;
 };
+
+/// The shapes that a stamp may have.
+enum class StampShape : unsigned char { square, circle, triangle };
 
 /// How a system wants to be drawn. Whatever a file does not say is absent here and has the value
 /// given in the comment.
@@ -32,9 +36,17 @@ struct Settings {
     std::optional<Quantity> narrow;   // factor of the symbol ! on the line width; ! ignored
     std::optional<Quantity> width;    // line width, in points of the picture; 1
     bool clockwise = false;           // `turn clockwise`: + turns right
+    std::vector<Symbol> plotters;     // `plot F`: F(x,y) draws a line to the point (x,y)
+    struct Stamp {
+        Symbol symbol = 0;
+        StampShape shape = StampShape::square;
+        bool operator==(const Stamp&) const = default;
+    };
+    std::vector<Stamp> stamps;        // `stamp S square`: S leaves a filled shape where it stands
     std::vector<std::string> colours;  // `colour`: names or #rrggbb, the first for the start, the
                                        // symbol ' goes on to the next; `along`: hue by position
     std::optional<std::pair<std::uint64_t, std::uint64_t>> generations;  // `generation 0..6`
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;        // `seed 1..3`; 1
 
     bool operator==(const Settings&) const = default;
 };

@@ -55,6 +55,8 @@ public:
 
     /// The line width from here on, as a multiple of the figure's own line width.
     virtual void width(double factor) = 0;
+    /// The same as a length in the units of the file.
+    virtual void width_as_length(double length) = 0;
     /// The index of the colour in the figure's list, from here on.
     virtual void colour(std::uint32_t index) = 0;
     /// How far along the word the figure is, from 0 to 1: for a hue that runs with it, and for

@@ -104,9 +104,7 @@ private:
         }
         known_[a] = State::read;
         const std::string& name = system_.alphabet.name(a);
-        if (needs_space(name))
-            throw Error("the symbol " + name + " turns the turtle out of the plane: " + (system_.name.empty() ? "this" : system_.name) +
-                        " is a figure in space, and only plane figures can be drawn");
+        if (needs_space(name)) refuse_space(system_, a);
         if (const auto command = own_command(name, system_.settings)) commands_[a].push_back(*command);
     }
 
@@ -129,6 +127,12 @@ Commands::Commands(const LSystem& system, const std::vector<Symbol>& letters)
         commands_[a] = reader.of(a);
         for (const Command command : commands_[a]) used_[static_cast<std::size_t>(command)] = true;
     }
+}
+
+void refuse_space(const LSystem& system, Symbol symbol) {
+    throw Error("the symbol " + system.alphabet.name(symbol) + " turns the turtle out of the plane: " +
+                (system.name.empty() ? "this" : system.name) +
+                " is a figure in space, and only plane figures can be drawn");
 }
 
 }  // namespace algae

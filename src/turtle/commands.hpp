@@ -43,4 +43,7 @@ private:
     bool used_[16] = {};
 };
 
+/// Throws the Error that says that this symbol makes a figure in space of the system's.
+[[noreturn]] void refuse_space(const LSystem& system, Symbol symbol);
+
 }  // namespace algae

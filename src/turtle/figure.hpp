@@ -9,6 +9,7 @@
 
 #include "base/budget.hpp"
 #include "exact/integer.hpp"
+#include "rewrite/module_string.hpp"
 #include "system/lsystem.hpp"
 #include "turtle/canvas.hpp"
 #include "turtle/coordinate.hpp"
@@ -21,7 +22,9 @@ struct Facts {
     std::vector<Coordinate> end;        // where the turtle stops: x, y
     std::vector<Coordinate> low, high;  // the box around what is drawn; empty if nothing is
     bool exact = false;                 // whether the coordinates are exact numbers
-    double step = 1;                    // length of a segment, before any change of scale
+    double step = 1;                    // length of a segment, before any change of scale; of the
+                                        // shortest where lengths are parameters
+    double widest = 0;                  // of the strokes whose width is a length, that of the widest
 };
 
 /// A drawing of one generation of a system, ready to be sent to a canvas as often as one likes.
@@ -52,15 +55,29 @@ public:
     virtual void draw(Canvas& canvas, double resolution, const Budget& budget) const = 0;
 };
 
-/// The figure of generation `n` of a system, which must be a D0L system.
-///
-/// Throws Error if the system is not one that a turtle in the plane can draw (the message names
-/// the rule or symbol), BoundReached if the budget does not suffice. O(n * size of the rules)
-/// exact operations.
-std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Budget& budget);
+/// What is drawn where a system leaves a choice.
+struct FigureChoices {
+    std::optional<std::uint64_t> seed;  // none: 1 for systems with probabilities
+    std::vector<std::size_t> tables;    // one for each step; none: by the seed
+};
 
-/// The figure of one word of a system, drawn as its generation `n` is: for systems with choices.
+/// The figure of generation `n` of a system, derived as Rewriting says where it is no D0L system.
+/// Systems without parameters have exact figures wherever their angles and steps allow it.
+///
+/// Throws Error if the system is not one that a turtle in the plane can draw, or leaves a choice
+/// that nobody made (the message names the rule or symbol), BoundReached if the budget does not
+/// suffice. For D0L systems O(n * size of the rules) exact operations, for others the length of
+/// the words.
+std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Budget& budget,
+                               const FigureChoices& choices = {});
+
+/// The figure of one word of a system, drawn as its generation `n` is.
 std::unique_ptr<Figure> figure(const LSystem& system, const Word& word, std::uint64_t n,
                                const Budget& budget);
+
+/// The same of a word of modules over these kinds. The seed is for interpretations that have
+/// probabilities. Exact where nothing in the word or the system has parameters.
+std::unique_ptr<Figure> figure(const LSystem& system, const ModuleKinds& kinds, ModuleString word,
+                               std::uint64_t n, std::uint64_t seed, const Budget& budget);
 
 }  // namespace algae

@@ -138,18 +138,4 @@ Point PlaneFigure::draw_letters(Canvas& canvas, const Budget& budget) const {
     return walk_letters(rules_, fates_, steps_, commands_, Pen<FloatingPosition>(canvas, compass_, pen_), budget);
 }
 
-std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Budget& budget) {
-    const View<D0L> rules = as_d0l(system);
-    if (!rules) throw Error("cannot draw " + (system.name.empty() ? "the system" : system.name) + ": " + rules.reason());
-    return std::make_unique<PlaneFigure>(system, *rules, n, n, budget);
-}
-
-std::unique_ptr<Figure> figure(const LSystem& system, const Word& word, std::uint64_t n,
-                               const Budget& budget) {
-    std::vector<Word> images;
-    for (Symbol a = 0; a < system.alphabet.size(); ++a) images.push_back(Word{a});
-    D0L rules = make_d0l(std::make_shared<const Alphabet>(system.alphabet), word, std::move(images), system.name);
-    return std::make_unique<PlaneFigure>(system, std::move(rules), 0, n, budget);
-}
-
 }  // namespace algae

@@ -11,6 +11,8 @@
 
 namespace algae {
 
+class Surveyor;
+
 /// A generation of a D0L system in the plane. Facts come from folds where brackets and commands
 /// allow it, otherwise from one walk; drawing is always a walk.
 class PlaneFigure : public Figure {
@@ -27,8 +29,6 @@ public:
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
 private:
-    class Surveyor;
-
     /// Whether every letter leaves the stack as it found it, brackets apart: then folds apply.
     bool is_foldable() const;
     bool is_lattice() const;

@@ -5,6 +5,7 @@
 #include "turtle/command_product.hpp"
 #include "turtle/lattice_motions.hpp"
 #include "turtle/plane_figure.hpp"
+#include "turtle/surveyor.hpp"
 
 namespace algae {
 
@@ -15,29 +16,6 @@ constexpr double walked_letters = 3e7;  // words up to this long are measured le
 bool draws(Command command) { return command == Command::draw || command == Command::draw_unmarked; }
 
 }  // namespace
-
-/// Takes every point that is drawn.
-class PlaneFigure::Surveyor : public Canvas {
-public:
-    void move_to(Point point) override { from_ = point; }
-    void line_to(Point point) override {
-        ++lines;
-        box.add(from_);
-        box.add(point);
-        from_ = point;
-    }
-    void polygon(std::span<const Point> corners) override {
-        for (const Point corner : corners) box.add(corner);
-    }
-    void width(double) override {}
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
-    Box box;
-    std::uint64_t lines = 0;
-
-private:
-    Point from_;
-};
 
 void PlaneFigure::count_segments(const Budget& budget) {
     // Even where brackets cannot be folded, segments can: they do not care where they are drawn.

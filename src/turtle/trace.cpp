@@ -57,6 +57,7 @@ public:
     }
     void polygon(std::span<const Point>) override {}
     void width(double) override {}
+    void width_as_length(double) override {}
     void colour(std::uint32_t) override {}
     void position(double) override {}
 

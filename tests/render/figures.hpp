@@ -49,6 +49,7 @@ private:
             ++lines;
         }
         void width(double) override {}
+        void width_as_length(double) override {}
         void colour(std::uint32_t) override {}
         void position(double) override {}
         Box box;

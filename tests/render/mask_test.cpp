@@ -58,6 +58,7 @@ Pixels brute_force(const Figure& figure, const Pixels& like, double line_width) 
         }
         void polygon(std::span<const Point>) override {}
         void width(double) override {}
+        void width_as_length(double) override {}
         void colour(std::uint32_t) override {}
         void position(double) override {}
         cairo_t* context = nullptr;

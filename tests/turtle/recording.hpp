@@ -28,6 +28,7 @@ public:
         down_ = false;
     }
     void width(double factor) override { width_ = factor; }
+    void width_as_length(double length) override { lengths.push_back(length); }
     void colour(std::uint32_t index) override { colour_ = index; }
     void position(double fraction) override { positions.push_back(fraction); }
     bool wants_position() const override { return wanting; }
@@ -35,6 +36,7 @@ public:
     std::vector<oracle::Stroke> strokes;
     std::vector<std::vector<oracle::Spot>> polygons;
     std::vector<double> positions;
+    std::vector<double> lengths;  // widths that are lengths
     std::size_t moves = 0;
     bool lost = false;  // a stroke came before the pen was set down
     bool wanting = false;

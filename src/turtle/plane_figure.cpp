@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "fold/lifts.hpp"
+#include "turtle/lattice_blocks.hpp"
 
 namespace algae {
 
@@ -110,7 +111,8 @@ std::optional<std::uint64_t> PlaneFigure::strokes() const {
 void PlaneFigure::draw(Canvas& canvas, double resolution, const Budget& budget) const {
     if (resolution > 0 && is_foldable() && !has_polygons())
         draw_pieces(canvas, resolution, budget);
-    else
+    else if (!is_foldable() ||
+             !draw_lattice_blocks(rules_, fates_, steps_, commands_, compass_, pen_, canvas, budget))
         draw_letters(canvas, budget);
 }
 

@@ -169,3 +169,21 @@ TEST_CASE("a figure draws the same as often as one likes") {
     REQUIRE(first.strokes.size() == second.strokes.size());
     for (std::size_t i = 0; i < first.strokes.size(); ++i) CHECK(first.strokes[i].to == second.strokes[i].to);
 }
+
+TEST_CASE("blocks draw what single letters draw, stroke for stroke and digit for digit") {
+    CHECK(rc::check("blocks", [] {
+        const auto written = *oracle::any_bracketed();
+        const auto settings = *any_turtle();
+        const unsigned n = oracle::last_generation_within(written, 20'000, 12);
+        const auto figure = algae::figure(drawn_system(written, settings), n, Budget());
+        Recording blocks, letters;
+        letters.wanting = true;  // positions are told letter by letter
+        figure->draw(blocks, 0, Budget());
+        figure->draw(letters, 0, Budget());
+        RC_ASSERT(!blocks.lost);
+        RC_ASSERT(blocks.moves == letters.moves);
+        RC_ASSERT(blocks.strokes.size() == letters.strokes.size());
+        for (std::size_t i = 0; i < blocks.strokes.size(); ++i)
+            RC_ASSERT((blocks.strokes[i].from == letters.strokes[i].from && blocks.strokes[i].to == letters.strokes[i].to));
+    }));
+}

@@ -2,7 +2,6 @@
 
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <random>
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
@@ -10,15 +9,15 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/plates.hpp"
-#include "fold/choices.hpp"
 #include "render/picture.hpp"
+#include "rewrite/terminal_words.hpp"
 
 namespace algae::cli {
 
 namespace {
 
 struct Options {
-    std::string file, generation, output, format, seed;
+    std::string file, generation, output, format, seed, seeds, tables;
     std::string width, height, margin, line_width, background, font_size, columns, caption;
     std::string colours;
     bool panels = false, common_scale = false, captions = false, json = false;
@@ -60,11 +59,14 @@ nlohmann::ordered_json as_json(const FigurePlates& plates, const Drawn& drawn, c
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const FigurePlate& plate : plates.figures) {
         const Facts& facts = plate.figure->facts();
-        all.push_back({{"generation", plate.generation},
-                       {"segments", json_number(facts.segments)},
-                       {"bounding_box", {{"min", numbers(facts.low)}, {"max", numbers(facts.high)}}},
-                       {"end", numbers(facts.end)},
-                       {"exact", facts.exact}});
+        nlohmann::ordered_json one;
+        one["generation"] = plate.generation;
+        if (plate.seed) one["seed"] = *plate.seed;
+        one["segments"] = json_number(facts.segments);
+        one["bounding_box"] = {{"min", numbers(facts.low)}, {"max", numbers(facts.high)}};
+        one["end"] = numbers(facts.end);
+        one["exact"] = facts.exact;
+        all.push_back(std::move(one));
     }
     nlohmann::ordered_json out;
     if (all.size() == 1) out = all.front();
@@ -77,15 +79,25 @@ nlohmann::ordered_json as_json(const FigurePlates& plates, const Drawn& drawn, c
     return out;
 }
 
+PlateChoices choices(const Options& options, const LSystem& system) {
+    PlateChoices found;
+    if (!options.seed.empty() && !options.seeds.empty()) throw Error("--seed and --seeds: expected one of them");
+    if (!options.seed.empty()) {
+        const std::uint64_t seed = natural("--seed", options.seed);
+        found.seeds = {seed, seed};
+    }
+    if (!options.seeds.empty()) found.seeds = range("--seeds", options.seeds);
+    if (!options.tables.empty()) found.tables = table_sequence(system.tables, options.tables);
+    return found;
+}
+
 int draw(const Options& options) {
     const PictureFormat format = format_of(options);
     const PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
     const LSystem system = open_system(options.file, budget);
     const auto generations = options.generation.empty() ? shown_generations(system) : range("-n", options.generation);
-    std::optional<std::uint64_t> seed;
-    if (!options.seed.empty()) seed = natural("--seed", options.seed);
-    FigurePlates plates(system, generations, seed, budget);
+    FigurePlates plates(system, generations, choices(options, system), budget);
     if (!options.caption.empty()) plates.caption(options.caption);
     else if (options.captions) plates.caption_with_facts();
 
@@ -93,7 +105,9 @@ int draw(const Options& options) {
     const bool single = plates.figures.size() == 1;
     const bool pages = !single && !options.panels && (format == PictureFormat::pdf || format == PictureFormat::ps);
     // What a file says of its own figure is drawn as well as the format can.
-    const bool panels = options.panels || (options.generation.empty() && !single && !pages);
+    const bool of_seeds = generations.first == generations.second;  // the words of several seeds
+    const bool panels =
+        options.panels || ((options.generation.empty() || of_seeds) && !single && !pages);
     const auto draw_to = [&](auto& target) {
         if (single && !panels)
             return draw_picture(plates.plates().front(), target, format, picture, budget, &bar);
@@ -135,7 +149,9 @@ void add_draw(Verbs& verbs) {
     verb.add_flag("--captions", options->captions, "system, generation and angle underneath");
     verb.add_option("--caption", options->caption, "a text underneath")->type_name("TEXT");
     verb.add_option("--font-size", options->font_size, "of captions")->type_name("S");
-    verb.add_option("--seed", options->seed, "draw one word of a nondeterministic system, picked at random")->type_name("S");
+    verb.add_option("--seed", options->seed, "the word of a system with choices that this seed picks (what the file says; 1 for systems with probabilities)")->type_name("S");
+    verb.add_option("--seeds", options->seeds, "a figure for each of these seeds, such as 1..9, side by side")->type_name("A..B");
+    verb.add_option("--tables", options->tables, "the table of each step: light,dark or, of one character each, abab or 1212")->type_name("SEQUENCE");
     verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object; integers from 2^53 on are strings");
     options->bounds.add_to(verb);
 }

@@ -51,7 +51,7 @@ void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
         outcome.status = refuted;
     }
     if (options.check) return;
-    FigurePlates plates(system, shown_generations(system), std::nullopt, budget);
+    FigurePlates plates(system, shown_generations(system), {}, budget);
     if (options.captions) plates.caption_with_facts();
     const fs::path folder =
         (fs::path(options.out) / fs::relative(outcome.file.parent_path(), options.folder)).lexically_normal();

@@ -1,47 +1,39 @@
 #include "cli/plates.hpp"
 
 #include "base/error.hpp"
-#include "rewrite/rewriting.hpp"
 #include "system/d0l.hpp"
 #include "system/ol.hpp"
-#include "system/s0l.hpp"
 
 namespace algae::cli {
 
-namespace {
-
-/// The word that `algae derive` picks for this seed.
-Word picked_word(const LSystem& system, std::uint64_t n, std::optional<std::uint64_t> seed, const Budget& budget) {
-    RewritingChoices choices;
-    choices.evenly = bool(as_ol(system));
-    if (seed) choices.seed = *seed;
-    const Rewriting rewriting(system, choices);
-    return letters(rewriting.rules().kinds, derive(rewriting, n, {}, budget));
-}
-
-}  // namespace
-
 FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::uint64_t> generations,
-                           std::optional<std::uint64_t> seed, const Budget& budget)
+                           const PlateChoices& choices, const Budget& budget)
     : title_(system.title.empty() ? system.name : system.title) {
     if (const auto& angle = system.settings.angle) {
         const auto decimal = angle->exact ? exact_decimal(*angle->exact) : std::nullopt;
         angle_ = (decimal ? *decimal : to_text(angle->expression)) + "°";
     }
-    const bool stochastic = !as_ol(system) && as_s0l(system);
-    if (seed && !stochastic && !as_ol(system)) as_ol(system).value();  // says why not
-    if (!seed && as_ol(system))
-        if (const View<D0L> rules = as_d0l(system); !rules)
+    const auto seeds = choices.seeds ? choices.seeds : system.settings.seeds;
+    if (!seeds && choices.tables.empty()) {
+        if (const View<D0L> rules = as_d0l(system); !rules && as_ol(system))
             throw Error(rules.reason() + "; say --seed S to draw one word picked at random");
-    for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
+        if (system.tables.size() > 1)
+            throw Error("it has " + std::to_string(system.tables.size()) +
+                        " tables; say --tables SEQUENCE, or --seed S for random ones");
+    }
+    many_seeds_ = seeds && seeds->first != seeds->second;
+    const auto add = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
         FigurePlate& plate = figures.emplace_back();
         plate.generation = n;
+        plate.seed = seed;
         plate.name = "generation " + std::to_string(n) + " of " + system.name;
-        if (seed || stochastic) {
-            plate.figure = figure(system, picked_word(system, n, seed, budget), n, budget);
-        } else {
-            plate.figure = figure(system, n, budget);
-        }
+        if (many_seeds_) plate.name += ", seed " + std::to_string(*seed);
+        plate.figure = figure(system, n, budget, {seed, choices.tables});
+    };
+    for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
+        if (!seeds) add(n, std::nullopt);
+        else
+            for (std::uint64_t seed = seeds->first; seed <= seeds->second; ++seed) add(n, seed);
     }
 }
 
@@ -53,6 +45,7 @@ void FigurePlates::caption_with_facts() {
     for (FigurePlate& plate : figures) {
         plate.caption = title_ + ", n = " + std::to_string(plate.generation);
         if (!angle_.empty()) plate.caption += ", " + angle_;
+        if (many_seeds_) plate.caption += ", seed " + std::to_string(*plate.seed);
     }
 }
 

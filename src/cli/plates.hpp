@@ -13,23 +13,30 @@
 
 namespace algae::cli {
 
-/// One generation of a system, ready to be drawn.
+/// One word of a system, ready to be drawn.
 struct FigurePlate {
     std::uint64_t generation = 0;
+    std::optional<std::uint64_t> seed;
     std::unique_ptr<Figure> figure;
     std::string name, caption;
 };
 
-/// The generations of a system that a picture shows.
+/// What of a system with choices a picture shows, where it is not the file that says it.
+struct PlateChoices {
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;  // a word for each
+    std::vector<std::size_t> tables;                               // one for each step
+};
+
+/// The words of a system that a picture shows: its generations, each for every seed.
 class FigurePlates {
 public:
-    /// `seed` picks one word of a nondeterministic system; a deterministic one needs none.
+    /// Throws Error if the system leaves a choice and neither `choices` nor the file says which.
     FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::uint64_t> generations,
-                 std::optional<std::uint64_t> seed, const Budget& budget);
+                 const PlateChoices& choices, const Budget& budget);
 
     /// The same caption under every generation.
     void caption(const std::string& text);
-    /// Title, generation and angle: "Koch curve, n = 3, 60°".
+    /// Title, generation, angle, and the seed if there are several: "Koch curve, n = 3, 60°".
     void caption_with_facts();
 
     std::vector<Plate> plates() const;
@@ -37,6 +44,7 @@ public:
 
 private:
     std::string title_, angle_;
+    bool many_seeds_ = false;
 };
 
 /// The generations that a file says its figure shows; Throws Error if it says none.

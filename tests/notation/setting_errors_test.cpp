@@ -214,3 +214,28 @@ TEST_CASE("environments") {
           "  environment ?E x\n"
           "              ^");
 }
+
+TEST_CASE("stamps, plots and seeds that are none") {
+    CHECK(findings("axiom S\nstamp S\nstamp ST circle\nstamp T sqare\nseed 3..1") ==
+          "x.lsys:2:8: error: expected a symbol and a shape: square, circle or triangle, found the end "
+          "of the line\n"
+          "  stamp S\n"
+          "         ^\n"
+          "x.lsys:3:7: error: expected one symbol and a shape, found 2 symbols\n"
+          "  stamp ST circle\n"
+          "        ^\n"
+          "x.lsys:4:9: error: expected square, circle or triangle, found 'sqare'; did you mean "
+          "'square'?\n"
+          "  stamp T sqare\n"
+          "          ^\n"
+          "x.lsys:5:9: error: expected a seed from 3 on, found 1\n"
+          "  seed 3..1\n"
+          "          ^");
+    CHECK(findings("axiom S\nstamp S circle\nstamp S square\nplot F\nplot G") ==
+          "x.lsys:3:7: error: the symbol 'S' has a stamp already\n"
+          "  stamp S square\n"
+          "        ^\n"
+          "x.lsys:5:1: error: 'plot' is given twice, first in line 4\n"
+          "  plot G\n"
+          "  ^");
+}

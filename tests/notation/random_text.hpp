@@ -158,7 +158,8 @@ inline std::string system() {
     if (chance(30)) out += "spin 2*45;scale 2;narrow 0.5;width 0.25;colour red #0123Af along\n";
     if (chance(20)) out += "environment ?E clip 0 (1 < 2) 1 2*3 ; environment ?X_2 light (.50)\n";
     if (chance(20)) out += "environment ?P position\n";
-    if (chance(20)) out += "turn clockwise\ngeneration 3..7\n";
+    if (chance(20)) out += "turn clockwise\ngeneration 3..7\nseed 2..5\n";
+    if (chance(20)) out += "stamp G circle; plot F G ; stamp T_1 triangle\n";
     if (chance(20)) out += "expect length 3: 148\nexpect end 2: 1/2 0\n";
     const bool tables = chance(20);
     const int count = below(8);

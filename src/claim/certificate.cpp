@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "claim/rewriting_json.hpp"
 #include "verify/obstruction_json.hpp"
 
 namespace algae {
@@ -57,6 +58,16 @@ Json body(const Statement& statement, const Alphabet& alphabet) {
                         {"system", system(0)}};
             if (statement.from) result["from"] = certificate_text(alphabet, *statement.from);
             if (statement.steps) result["steps"] = *statement.steps;
+            return result;
+        }
+        case Statement::Kind::rewrites:
+        case Statement::Kind::chance: {
+            Json result{{"derives", to_json(statement.modules, *statement.rewriting)},
+                        {"system", statement.rewriting->name}};
+            if (statement.modules_from)
+                result["from"] = to_json(*statement.modules_from, *statement.rewriting);
+            result["steps"] = *statement.steps;
+            if (statement.probability) result["probability"] = to_string(*statement.probability);
             return result;
         }
         case Statement::Kind::equal_sequences:

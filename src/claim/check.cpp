@@ -5,6 +5,7 @@
 
 #include "claim/certificate.hpp"
 #include "claim/decide.hpp"
+#include "claim/rewriting_json.hpp"
 
 namespace algae {
 
@@ -90,6 +91,7 @@ nlohmann::ordered_json certificate(const CheckedClaim& checked) {
     for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
     for (const auto& system : claim.systems)
         systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
+    for (const auto& system : claim.rewritings) systems[system->name] = to_json(*system);
     for (std::size_t i = 0; i < checked.statements.size(); ++i)
         statements.push_back(
             statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));

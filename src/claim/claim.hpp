@@ -10,7 +10,7 @@
 #include "base/place.hpp"
 #include "exact/integer.hpp"
 #include "language/language.hpp"
-#include "system/expression.hpp"
+#include "system/lsystem.hpp"
 
 namespace algae {
 
@@ -28,6 +28,8 @@ struct Statement {
         equal_sequences,  // systems[0] and systems[1], D0L: the same word in every generation
         equal_growth,     // the same length in every generation
         growth_formula,  // the length of generation n of systems[0] is `formula`, an expression in n
+        rewrites,  // `rewriting` derives `modules` from `modules_from` (or its axiom) in `steps` steps
+        chance,  // it does so with exactly this `probability`
         growth_class,  // the growth of systems[0] is of class `family`: zero, bounded, polynomial, exponential;
                        // polynomial of degree `size` if given
     };
@@ -41,6 +43,10 @@ struct Statement {
     std::optional<std::uint64_t> steps;
     std::optional<Integer> size;
     std::optional<Expression> formula;
+    std::shared_ptr<const LSystem> rewriting;  // its alphabet has all letters of both words
+    ModuleWord modules;
+    std::optional<ModuleWord> modules_from;
+    std::optional<Rational> probability;
     std::string text;  // as written
     Place place;
 };
@@ -68,6 +74,8 @@ struct Claim {
     bool empty_axiom = false;        // whether families of systems may have the empty word as axiom
     std::shared_ptr<const Alphabet> alphabet;
     std::vector<std::shared_ptr<const SourceSystem>> systems;  // defined by the claim, in order
+    /// Defined by the claim: systems whose words are derived module by module.
+    std::vector<std::shared_ptr<const LSystem>> rewritings;
     std::vector<Language> languages;  // defined by the claim, each with its name
     std::vector<ClaimedStatement> statements;
     std::vector<ClosureFact> closure;

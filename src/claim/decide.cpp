@@ -4,6 +4,7 @@
 #include "claim/judge_equality.hpp"
 #include "claim/judge_family.hpp"
 #include "claim/judge_membership.hpp"
+#include "claim/judge_rewriting.hpp"
 #include "claim/judge_system.hpp"
 #include "claim/judge_values.hpp"
 
@@ -38,6 +39,10 @@ Judgement affirmed(const Statement& statement, const Claim& claim, const Budget&
         case Statement::Kind::derives:
             return judge_derivation(system(0), statement.word, statement.from, statement.steps,
                                     alphabet, budget);
+        case Statement::Kind::rewrites:
+            return judge_rewriting(statement, budget);
+        case Statement::Kind::chance:
+            return judge_chance(statement, budget);
         case Statement::Kind::equal_sequences:
             return judge_sequences(system(0), system(1), alphabet, budget);
         case Statement::Kind::equal_growth:

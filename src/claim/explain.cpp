@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "claim/check.hpp"
+#include "claim/rewriting_text.hpp"
 #include "word/spelling.hpp"
 
 namespace algae {
@@ -107,7 +108,8 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
     const Claim& claim = checked.claim;
     std::string page = wrapped(claim.title, 0);
     if (!claim.source.empty()) page += wrapped(claim.source, 0);
-    const bool defines = claim.empty_axiom || !claim.systems.empty() || !claim.languages.empty();
+    const bool defines = claim.empty_axiom || !claim.systems.empty() || !claim.rewritings.empty() ||
+                         !claim.languages.empty();
     if (!claim.notes.empty()) page += '\n';
     for (const std::string& note : claim.notes) page += wrapped(note, 0);
     if (defines) page += '\n';
@@ -115,6 +117,8 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
     for (const auto& system : claim.systems)
         page += wrapped(
             "Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
+    for (const auto& system : claim.rewritings)
+        page += wrapped("Let " + system->name + " be " + rewriting_text(*system) + ".", 0);
     for (const Language& language : claim.languages)
         page += wrapped(
             "Let " + language->name + " = " + unnamed_text(language, *claim.alphabet) + ".", 0);

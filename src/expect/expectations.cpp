@@ -12,6 +12,7 @@
 #include "fold/derive.hpp"
 #include "fold/interaction.hpp"
 #include "growth/incidence.hpp"
+#include "rewrite/expectation.hpp"
 #include "rewrite/module_text.hpp"
 #include "rewrite/rewriting.hpp"
 #include "shape/boxes.hpp"
@@ -65,6 +66,7 @@ public:
         if (kind == "length") return length_of(n);
         if (kind == "lengths") return lengths(n);
         if (kind == "word") return word(n);
+        if (kind == "mean") return mean(n);
         if (kind == "segments") return to_string(figure_of(n).segments());
         if (kind == "distinct") return std::to_string(trace_of(n).distinct_segments);
         if (kind == "vertices") return std::to_string(trace_of(n).vertices);
@@ -76,7 +78,7 @@ public:
             return coordinates(corners, expected.value);
         }
         throw Error("nothing is known of '" + kind +
-                    "'; expected length, lengths, word, segments, distinct, vertices, end or box");
+                    "'; expected length, lengths, mean, word, segments, distinct, vertices, end or box");
     }
 
 private:
@@ -109,6 +111,12 @@ private:
     }
     ModuleString modules(std::uint64_t n) { return algae::derive(rewriting(), n, {}, budget_); }
     bool divides() const { return class_of(system_).shape; }
+    std::string mean(std::uint64_t n) {
+        const View<S0L> stochastic = as_s0l(system_);
+        Rational sum;
+        for (const Rational& count : expected_counts(*stochastic, n, budget_)) sum += count;
+        return to_string(sum);
+    }
     Word symbols(std::uint64_t n) {
         const View<ShapeSystem> shapes = as_shape(system_);
         return symbols_of(boxes_after(*shapes, shapes->axiom, n, budget_));

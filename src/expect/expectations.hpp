@@ -18,7 +18,8 @@ struct Disappointment {
 
 /// The expectations of a system that do not hold, in file order.
 ///
-/// Kinds: length N; lengths N (the set of lengths, for 0L systems); word N; segments N, distinct N,
+/// Kinds: length N; lengths N (the set of lengths, for 0L systems); mean N (the expected length of a
+/// stochastic 0L system, an exact fraction); word N; segments N, distinct N,
 /// vertices N (drawn segments, different ones, different ends of them); end N (x y); box N (x y of
 /// the lower left and the upper right corner). A decimal stands for the value rounded to its
 /// digits, in the parameters of a word too; a fraction there for the double nearest to it. Systems

@@ -7,6 +7,7 @@
 #include "notation/characters.hpp"
 #include "notation/claim_families.hpp"
 #include "notation/claim_language.hpp"
+#include "notation/claim_rewriting.hpp"
 #include "notation/claim_words.hpp"
 #include "notation/read_system.hpp"
 #include "notation/suggestion.hpp"
@@ -38,6 +39,13 @@ LSystem system_of(const ClaimDefinition& definition, std::string_view rest, Clai
     return system;
 }
 
+void add_rewriting(const ClaimDefinition& definition, LSystem system, Claim& claim) {
+    system.name = definition.name;
+    definition.meaning->rewriting = std::make_shared<const LSystem>(std::move(system));
+    definition.meaning->kind = ClaimName::Kind::rewriting;
+    claim.rewritings.push_back(definition.meaning->rewriting);
+}
+
 void read_system_definition(const ClaimDefinition& definition, ClaimReading& reading,
                             Claim& claim) {
     const std::string_view family = first_word(definition.value);
@@ -45,10 +53,21 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
     if (rest.empty())
         throw unexpected("a system between braces or the name of one",
                          family.data() + family.size());
-    const LSystem system = system_of(definition, rest, reading);
-    if (const std::string reason = misfit(system, *system_form(family)); !reason.empty())
+    LSystem system = system_of(definition, rest, reading);
+    const bool is_rewriting = is_rewriting_family(family);
+    const auto refuse = [&](const std::string& reason) {
         throw SyntaxError{family.data(), std::string(definition.name) + " is called a " +
                                              std::string(family) + " system, but " + reason};
+    };
+    if (is_rewriting) {
+        if (const std::string reason = misfit(system, family); !reason.empty()) refuse(reason);
+        return add_rewriting(definition, std::move(system), claim);
+    }
+    if (const std::string reason = misfit(system, *system_form(family)); !reason.empty())
+        refuse(reason);
+    if (const View<IL> interactive = as_il(system);
+        interactive && interactive->brackets && !as_et0l(system))
+        return add_rewriting(definition, std::move(system), claim);
     definition.meaning->system =
         reading.add_system(std::string(definition.name), system, family.data());
     definition.meaning->kind = ClaimName::Kind::system;
@@ -60,9 +79,11 @@ void refuse_unknown_family(std::string_view value) {
     const std::string_view word = first_word(value);
     ClaimScanner rest(value.substr(word.size()));
     if (word.empty() || !is_morphism(rest)) return;
+    std::vector<std::string> families = common_families();
+    families.insert(families.end(), rewriting_families().begin(), rewriting_families().end());
     throw SyntaxError{word.data(),
                       "expected a family of systems (0L, PD0L, ET0L, IL, ...), found " +
-                          quoted(word) + did_you_mean(word, common_families())};
+                          quoted(word) + did_you_mean(word, families)};
 }
 
 void expect_end(ClaimScanner& scanner, const char* expected) {
@@ -71,7 +92,10 @@ void expect_end(ClaimScanner& scanner, const char* expected) {
 
 }  // namespace
 
-bool ClaimDefinition::is_system() const { return system_form(first_word(value)).has_value(); }
+bool ClaimDefinition::is_system() const {
+    const std::string_view family = first_word(value);
+    return system_form(family).has_value() || is_rewriting_family(family);
+}
 
 ClaimDefinition begin_definition(const ClaimClause& clause, ClaimReading& reading) {
     ClaimScanner scanner(clause.text.substr(clause.keyword.size()));

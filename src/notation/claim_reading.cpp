@@ -5,6 +5,7 @@
 
 #include "notation/characters.hpp"
 #include "notation/claim_families.hpp"
+#include "notation/claim_rewriting.hpp"
 #include "notation/claim_scanner.hpp"
 #include "notation/suggestion.hpp"
 
@@ -28,6 +29,9 @@ std::string kind_text(ClaimName::Kind kind) {
             return "a system";
         case ClaimName::Kind::morphism:
             return "a morphism";
+        case ClaimName::Kind::rewriting:
+            return "a system with probabilities, parameters or contexts of trees, of which claims say what "
+                   "it derives and how likely that is";
         default:
             return "a language";
     }
@@ -50,7 +54,8 @@ ClaimName& ClaimReading::define(std::string_view name) {
                                            std::to_string(source.place(entry->second.where).line)};
     entry->second.where = name.data();
     const auto& keywords = claim_keywords();
-    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end() || system_form(name))
+    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end() || system_form(name) ||
+        is_rewriting_family(name))
         throw SyntaxError{name.data(),
                           "expected another name, " + quoted(name) + " has a meaning in claims"};
     return entry->second;
@@ -107,6 +112,11 @@ std::shared_ptr<const SourceSystem> ClaimReading::system(std::string_view name) 
         throw SyntaxError{name.data(), "expected a system, found " + quoted(name) + ", " +
                                            kind_text(known->kind)};
     return known->system;
+}
+
+std::shared_ptr<const LSystem> ClaimReading::rewriting(std::string_view name) const {
+    const ClaimName* known = is_name(name) ? find(name) : nullptr;
+    return known ? known->rewriting : nullptr;
 }
 
 Symbol ClaimReading::declare(std::string_view name) {

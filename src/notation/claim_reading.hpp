@@ -25,12 +25,13 @@ struct LanguageOperand {
 
 /// What a name stands for in a claim.
 struct ClaimName {
-    enum class Kind { language, system, morphism, broken };
+    enum class Kind { language, system, rewriting, morphism, broken };
     Kind kind = Kind::broken;     // as long as its definition has not been read
     const char* where = nullptr;  // it begins, with the name
     const char* end = nullptr;    // it ends
     LanguageOperand language;
     std::shared_ptr<const SourceSystem> system;
+    std::shared_ptr<const LSystem> rewriting;
     std::map<Symbol, Word> morphism;
 };
 
@@ -59,6 +60,9 @@ public:
     const ClaimName& expect(std::string_view name) const;
     /// The system of this name. Throws if it is a name of something else.
     std::shared_ptr<const SourceSystem> system(std::string_view name);
+
+    /// The system of this name if its words are derived module by module; nullptr if it is anything else.
+    std::shared_ptr<const LSystem> rewriting(std::string_view name) const;
 
     /// A symbol that counts as declared from now on if it has to.
     Symbol declare(std::string_view name);

@@ -7,6 +7,7 @@
 #include "notation/claim_families.hpp"
 #include "notation/claim_growth.hpp"
 #include "notation/claim_language.hpp"
+#include "notation/claim_rewriting.hpp"
 #include "notation/claim_words.hpp"
 #include "notation/suggestion.hpp"
 
@@ -92,37 +93,11 @@ void parse_size(ClaimScanner& scanner, Statement& statement, ClaimReading& readi
     statement.size = parse_number(scanner, "a number of words");
 }
 
-/// `G ==> W in 3 steps`, `G : U ==> W`.
-void parse_derivation(std::string_view text, std::size_t arrow, Statement& statement,
-                      ClaimReading& reading) {
-    statement.kind = Kind::derives;
-    const std::string_view left = before(text, arrow);
-    const std::size_t colon = left.find(':');
-    const std::string_view name = trimmed(before(left, colon));
-    if (name.empty()) throw unexpected("the name of a system", text.data());
-    statement.systems.push_back(reading.system(name));
-    if (colon != std::string_view::npos)
-        statement.from = parse_claimed_word(left.substr(colon + 1), reading);
-    std::string_view word = text.substr(arrow + 3);
-    if (const std::size_t in = find_word(word, "in"); in != std::string_view::npos) {
-        ClaimScanner steps(word.substr(in + 2));
-        const char* const where = steps.rest().data();
-        const Integer number = parse_number(steps, "a number of steps");
-        if (!number.fits_uint64())
-            throw SyntaxError{where, "expected a number of steps below 2^64"};
-        statement.steps = number.to_uint64();
-        if (!steps.take_word("steps") && !steps.take_word("step"))
-            throw unexpected("'steps'", steps.here);
-        if (!steps.at_end()) throw unexpected("the end of the statement", steps.here);
-        word = before(word, in);
-    }
-    statement.word = parse_claimed_word(word, reading);
-}
-
 void parse_body(std::string_view text, Statement& statement, ClaimReading& reading) {
     ClaimScanner scanner(text);
-    if (const std::size_t arrow = text.find("==>"); arrow != std::string_view::npos)
-        return parse_derivation(text, arrow, statement, reading);
+    if (is_chance(text)) return parse_chance(text, statement, reading);
+    if (text.find("==>") != std::string_view::npos)
+        return parse_derivation(text, statement, reading);
     if (const auto in = find_in(text)) {
         statement.kind = Kind::member;
         statement.negated = in->negated;
@@ -140,6 +115,35 @@ void parse_body(std::string_view text, Statement& statement, ClaimReading& readi
 }
 
 }  // namespace
+
+void parse_derivation(std::string_view text, Statement& statement, ClaimReading& reading) {
+    const std::size_t arrow = text.find("==>");
+    const std::string_view left = before(text, arrow);
+    const std::size_t colon = left.find(':');
+    const std::string_view name = trimmed(before(left, colon));
+    if (name.empty()) throw unexpected("the name of a system", text.data());
+    std::optional<std::string_view> from;
+    if (colon != std::string_view::npos) from = left.substr(colon + 1);
+    std::string_view word = text.substr(arrow + 3);
+    if (const std::size_t in = find_word(word, "in"); in != std::string_view::npos) {
+        ClaimScanner steps(word.substr(in + 2));
+        const char* const where = steps.rest().data();
+        const Integer number = parse_number(steps, "a number of steps");
+        if (!number.fits_uint64())
+            throw SyntaxError{where, "expected a number of steps below 2^64"};
+        statement.steps = number.to_uint64();
+        if (!steps.take_word("steps") && !steps.take_word("step"))
+            throw unexpected("'steps'", steps.here);
+        if (!steps.at_end()) throw unexpected("the end of the statement", steps.here);
+        word = before(word, in);
+    }
+    if (const auto rewriting = reading.rewriting(name))
+        return parse_rewriting(rewriting, from, word, statement.steps, statement, reading);
+    statement.kind = Kind::derives;
+    statement.systems.push_back(reading.system(name));
+    if (from) statement.from = parse_claimed_word(*from, reading);
+    statement.word = parse_claimed_word(word, reading);
+}
 
 Statement parse_statement(std::string_view text, ClaimReading& reading) {
     Statement statement;

@@ -11,4 +11,7 @@ namespace algae {
 /// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
 Statement parse_statement(std::string_view text, ClaimReading& reading);
 
+/// Reads `G ==> W in 3 steps` or `G : U ==> W`. Throws `SyntaxError`.
+void parse_derivation(std::string_view text, Statement& statement, ClaimReading& reading);
+
 }  // namespace algae

@@ -160,7 +160,7 @@ const std::vector<std::string>& setting_names() {
 }
 
 const std::vector<std::string>& expectation_kinds() {
-    static const std::vector<std::string> kinds{"length",   "lengths",  "word", "segments",
+    static const std::vector<std::string> kinds{"length",   "lengths",  "mean", "word", "segments",
                                                 "distinct", "vertices", "end",  "box"};
     return kinds;
 }

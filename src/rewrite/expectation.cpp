@@ -76,8 +76,14 @@ Likely successors(const Rewriting& rewriting, const ModuleString& word, std::uin
 
 std::vector<LikelyWord> distribution(const Rewriting& rewriting, std::uint64_t n,
                                      const std::vector<std::size_t>& tables, const Budget& budget) {
+    return distribution(rewriting, rewriting.axiom(), n, tables, budget);
+}
+
+std::vector<LikelyWord> distribution(const Rewriting& rewriting, const ModuleString& from,
+                                     std::uint64_t n, const std::vector<std::size_t>& tables,
+                                     const Budget& budget) {
     Likely words(budget);
-    words.add(rewriting.axiom(), Rational(1));
+    words.add(from, Rational(1));
     for (std::uint64_t generation = 0; generation < n; ++generation) {
         Likely next(budget);
         const std::size_t table = tables.empty() ? 0 : tables.at(generation);

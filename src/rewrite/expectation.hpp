@@ -36,5 +36,9 @@ struct LikelyWord {
 std::vector<LikelyWord> distribution(const Rewriting& rewriting, std::uint64_t n,
                                      const std::vector<std::size_t>& tables = {},
                                      const Budget& budget = {});
+/// The same for the words that `from` derives, whose modules are numbered as those of the rewriting.
+std::vector<LikelyWord> distribution(const Rewriting& rewriting, const ModuleString& from,
+                                     std::uint64_t n, const std::vector<std::size_t>& tables = {},
+                                     const Budget& budget = {});
 
 }  // namespace algae

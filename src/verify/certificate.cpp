@@ -109,9 +109,13 @@ std::unique_ptr<const Certificate> read_certificate(const std::string& text,
     if (root.has("source")) read->source = root.at("source").text();
     if (root.has("empty axiom")) read->empty_axiom = root.at("empty axiom").truth();
     read->alphabet = read_alphabet(root.at("alphabet"));
-    const Reader reader(*read->alphabet, read->systems);
+    const Reader reader(*read->alphabet, read->systems, read->rewritings);
     for (const auto& [name, system] : root.at("systems").object())
-        read->systems.emplace(name, std::make_shared<const System>(reader.system(system)));
+        if (system.has("modules"))
+            read->rewritings.emplace(name,
+                                     std::make_shared<const ModuleSystem>(module_system(system)));
+        else
+            read->systems.emplace(name, std::make_shared<const System>(reader.system(system)));
     for (const Field& each : root.at("statements").list())
         read->entries.push_back(read_entry(each, reader));
     return read;

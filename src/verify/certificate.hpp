@@ -8,6 +8,7 @@
 
 #include "base/verdict.hpp"
 #include "verify/field.hpp"
+#include "verify/modules.hpp"
 #include "verify/system.hpp"
 
 namespace algae::verify {
@@ -67,6 +68,8 @@ struct Statement {
         member,
         size,
         derives,
+        rewrites,
+        chance,
         equal_sequences,
         equal_growth,
         growth_formula,
@@ -82,6 +85,10 @@ struct Statement {
     std::optional<Integer> steps;
     std::optional<Integer> size;  // or degree of growth
     std::optional<Field> formula;
+    std::shared_ptr<const ModuleSystem> rewriting;  // called `family`
+    Modules modules;
+    std::optional<Modules> modules_from;
+    std::optional<Rational> probability;
 };
 
 /// One statement of a certificate and what is said of it.
@@ -102,6 +109,7 @@ struct Certificate {
     bool empty_axiom = false;  // whether the empty word may be the axiom of a system
     std::shared_ptr<const Alphabet> alphabet;
     std::map<std::string, std::shared_ptr<const System>> systems;
+    std::map<std::string, std::shared_ptr<const ModuleSystem>> rewritings;
     std::vector<Entry> entries;
 };
 

@@ -44,7 +44,9 @@ Finding check(const Checking& with, const Entry& entry) {
 }  // namespace
 
 std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget) {
-    const Checking with{certificate, Reader(*certificate.alphabet, certificate.systems), budget};
+    const Checking with{certificate,
+                        Reader(*certificate.alphabet, certificate.systems, certificate.rewritings),
+                        budget};
     std::vector<Finding> all;
     for (const Entry& entry : certificate.entries) all.push_back(check(with, entry));
     return all;

@@ -38,6 +38,9 @@ void check_proof(const Checking& with, const Statement& statement, bool holds, c
             return check_membership(with, statement, holds, proof, by);
         case Kind::derives:
             return check_derivation(with, statement, holds, proof, by);
+        case Kind::rewrites:
+        case Kind::chance:
+            return check_rewriting(with, statement, holds, proof, by);
         case Kind::equal_sequences:
             return check_sequences(with, statement, holds, proof, by);
         case Kind::equal_growth:

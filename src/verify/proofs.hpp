@@ -31,6 +31,8 @@ void check_membership(const Checking& with, const Statement& statement, bool hol
                       const Field& proof, const std::string& by);
 void check_derivation(const Checking& with, const Statement& statement, bool holds,
                       const Field& proof, const std::string& by);
+void check_rewriting(const Checking& with, const Statement& statement, bool holds,
+                     const Field& proof, const std::string& by);  // rewrites, chance
 void check_sequences(const Checking& with, const Statement& statement, bool holds,
                      const Field& proof, const std::string& by);
 void check_growth(const Checking& with, const Statement& statement, bool holds, const Field& proof,

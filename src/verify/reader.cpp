@@ -183,9 +183,24 @@ bool Reader::of_languages(const Field& field, Statement& read) const {
     return true;
 }
 
+Statement Reader::of_modules(const Field& field, Statement read) const {
+    field.only({"derives", "system", "from", "steps", "probability"});
+    read.family = field.at("system").text();
+    read.rewriting = rewritings_.at(read.family);
+    read.modules = modules(field.at("derives"));
+    if (field.has("from")) read.modules_from = modules(field.at("from"));
+    read.steps = field.at("steps").integer();
+    const bool is_chance = field.has("probability");
+    read.kind = is_chance ? Statement::Kind::chance : Statement::Kind::rewrites;
+    if (is_chance) read.probability = probability(field.at("probability"));
+    return read;
+}
+
 Statement Reader::of_systems(const Field& field, Statement read) const {
     using Kind = Statement::Kind;
     if (field.has("derives")) {
+        if (rewritings_.contains(field.at("system").text()))
+            return of_modules(field, std::move(read));
         field.only({"derives", "system", "from", "steps"});
         read.kind = Kind::derives;
         read.word = word(field.at("derives"));

@@ -9,9 +9,11 @@ class Reader {
 public:
     using Systems = std::map<std::string, std::shared_ptr<const System>>;
 
-    /// Both must outlive this.
-    Reader(const Alphabet& alphabet, const Systems& systems)
-        : alphabet_(alphabet), systems_(systems) {}
+    using Rewritings = std::map<std::string, std::shared_ptr<const ModuleSystem>>;
+
+    /// All must outlive this.
+    Reader(const Alphabet& alphabet, const Systems& systems, const Rewritings& rewritings)
+        : alphabet_(alphabet), systems_(systems), rewritings_(rewritings) {}
 
     const Alphabet& alphabet() const { return alphabet_; }
 
@@ -32,10 +34,12 @@ private:
     System with_context(const Field& field) const;
     Language on_one(const Field& field, const std::string& name) const;
     bool of_languages(const Field& field, Statement& read) const;
+    Statement of_modules(const Field& field, Statement read) const;
     Statement of_systems(const Field& field, Statement read) const;
 
     const Alphabet& alphabet_;
     const Systems& systems_;
+    const Rewritings& rewritings_;
 };
 
 }  // namespace algae::verify

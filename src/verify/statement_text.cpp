@@ -1,5 +1,8 @@
 #include "verify/statement_text.hpp"
 
+#include <array>
+#include <charconv>
+
 namespace algae::verify {
 
 namespace {
@@ -72,6 +75,21 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     return shortened(text);
 }
 
+std::string modules_text(const Modules& word) {
+    std::string text;
+    for (const Module& module : word) {
+        text += module.letter;
+        std::string list;
+        for (const double value : module.values) {
+            std::array<char, 400> digits;
+            const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+            list += (list.empty() ? "" : ",") + std::string(digits.data(), end);
+        }
+        if (!list.empty()) text += "(" + list + ")";
+    }
+    return text.empty() ? "ε" : shortened(text);
+}
+
 std::string plain_text(const Statement& statement, const Alphabet& alphabet, bool opposite) {
     using Kind = Statement::Kind;
     const std::string no = opposite ? "not " : "";
@@ -101,6 +119,19 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    (statement.from ? " from " + shortened(spell(alphabet, *statement.from)) : "") +
                    (statement.steps ? " in " + shortened(to_string(*statement.steps)) + " steps"
                                     : "");
+        case Kind::rewrites:
+        case Kind::chance: {
+            const std::string derived =
+                (statement.modules_from ? modules_text(*statement.modules_from) + " derives "
+                                        : "derives ") +
+                modules_text(statement.modules) + " in " + shortened(to_string(*statement.steps)) +
+                " steps";
+            if (statement.kind == Kind::rewrites)
+                return statement.family + (opposite ? ": not so that " : ": ") + derived;
+            return statement.family + ": " + derived + " with " +
+                   (opposite ? "another probability than " : "the probability ") +
+                   to_string(*statement.probability);
+        }
         case Kind::equal_sequences:
             return system(0) + " and " + system(1) + " have " + (opposite ? "different" : "equal") +
                    " sequences";

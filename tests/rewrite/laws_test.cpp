@@ -1,6 +1,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <algorithm>
+#include <array>
+
 #include "fold/interaction.hpp"
 #include "oracle/modules.hpp"
 #include "oracle/random_systems.hpp"
@@ -248,5 +251,99 @@ TEST_CASE(
         for (std::uint64_t n = 0; n <= 4; ++n)
             RC_ASSERT(algae::letters(rewriting.rules().kinds, derive(rewriting, n)) ==
                       derive(*plain, n));
+    }));
+}
+
+TEST_CASE("read as a system with contexts of no letters it has the same words") {
+    CHECK(rc::check([] {
+        const auto written = *oracle::any_d0l();
+        const unsigned n = oracle::last_generation_within(written, 5000, 8);
+        const LSystem system = oracle::lsystem_of(written);
+        const View<IL> interactive = as_il(system);
+        RC_ASSERT(bool(interactive));
+        std::string word;
+        for (const Symbol a : derive(*interactive, n)) word += system.alphabet.name(a);
+        RC_ASSERT(word == oracle::rewritten(written, n));
+    }));
+}
+
+namespace {
+
+/// Rules of a system with contexts of the same lengths everywhere, and with none; those in front first.
+std::vector<std::array<std::string, 4>> any_context_rules(std::size_t left, std::size_t right) {
+    const auto letters = [](std::size_t count) {
+        std::string out;
+        for (; count > 0; --count) out += any({"a", "b"});
+        return out;
+    };
+    std::vector<std::array<std::string, 4>> rules;
+    const auto add = [&](std::size_t before, std::size_t behind) {
+        std::array<std::string, 4> rule{letters(before), letters(1), letters(behind),
+                                        letters(static_cast<std::size_t>(below(3)))};
+        for (const auto& known : rules)
+            if (known[0] == rule[0] && known[1] == rule[1] && known[2] == rule[2]) return;
+        rules.push_back(std::move(rule));
+    };
+    for (int i = 1 + below(6); i > 0; --i) add(left, right);
+    if (below(2)) add(0, 0);
+    return rules;
+}
+
+std::string rules_text(const std::vector<std::array<std::string, 4>>& rules) {
+    std::string text;
+    for (const auto& [left, letter, right, successor] : rules)
+        text += "; " + (left.empty() ? "" : left + " < ") + letter +
+                (right.empty() ? "" : " > " + right) + " -> " + successor;
+    return text;
+}
+
+}  // namespace
+
+TEST_CASE(
+    "a (k,l) system has the words of its (k+1,l+1) form, with any letter or the end of the word "
+    "around") {
+    CHECK(rc::check([] {
+        const auto rules = any_context_rules(static_cast<std::size_t>(below(3)),
+                                             static_cast<std::size_t>(below(3)));
+        std::vector<std::array<std::string, 4>> padded;
+        for (const auto& [left, letter, right, successor] : rules)
+            for (const char* before : {"a", "b", ""})
+                for (const char* behind : {"a", "b", ""})
+                    padded.push_back({before + left, letter, right + behind, successor});
+        const std::string axiom = "axiom " + *oracle::any_nonempty_word("ab", 6) + "ab";
+        RC_LOG() << axiom << rules_text(rules) << "\n";
+        // Of padded rules that are the same the one from the longer context stands first.
+        std::vector<std::array<std::string, 4>> once;
+        for (const auto& rule : padded)
+            if (std::none_of(once.begin(), once.end(), [&](const auto& known) {
+                    return known[0] == rule[0] && known[1] == rule[1] && known[2] == rule[2];
+                }))
+                once.push_back(rule);
+        unsigned n = 0;
+        std::vector<std::string> all = words(axiom + rules_text(rules), 0);
+        while (n < 4 && all.back().size() < 2000) all = words(axiom + rules_text(rules), ++n);
+        RC_ASSERT(words(axiom + rules_text(once), n) == all);
+        const LSystem system = read_lsystem(axiom + rules_text(once), "padded.lsys");
+        const std::string text = spell(system.alphabet, derive(*as_il(system), n));
+        RC_ASSERT(text == all.back());
+    }));
+}
+
+TEST_CASE("the word does not depend on the number of threads, whatever the system") {
+    CHECK(rc::check([](std::uint64_t seed) {
+        const LSystem system = read_lsystem(any_system(below(2)), "random.lsys");
+        const auto word = [&](unsigned threads) -> std::optional<ModuleString> {
+            try {
+                Budget budget;
+                budget.letters = 20'000;
+                return derive(Rewriting(system, {.seed = seed, .evenly = true, .threads = threads}),
+                              5, {}, budget);
+            } catch (const Error&) {
+                return std::nullopt;
+            }
+        };
+        const auto one = word(1);
+        RC_ASSERT(word(2) == one);
+        RC_ASSERT(word(3) == one);
     }));
 }

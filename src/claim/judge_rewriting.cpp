@@ -76,9 +76,9 @@ std::string chance_sentence(const Course& course, const Chance& chance) {
     if (chance.probability.is_zero())
         return derived + ", and " + course.text(course.to) +
                " is none of them: its probability is 0.";
-    return derived +
-           ", each with the sum of the products of the probabilities of the rules on its ways; " +
-           course.text(course.to) + " has the probability " + to_string(chance.probability) + ".";
+    return derived + "; the probability of " + course.text(course.to) + " is " +
+           to_string(chance.probability) +
+           ", the sum over its derivations of the products of the rules' probabilities.";
 }
 
 /// The words from the first to the last.

@@ -1,6 +1,7 @@
 #include "claim/rewriting_text.hpp"
 
-#include "claim/sentences.hpp"
+#include <utility>
+
 #include "system/classes.hpp"
 #include "word/spelling.hpp"
 
@@ -50,12 +51,15 @@ std::string rule_text(const Alphabet& alphabet, const Production& rule) {
 }  // namespace
 
 std::string rewriting_text(const LSystem& system) {
-    std::string text = "the " + class_of(system).name() + " system with axiom " +
+    Class kind = class_of(system);
+    const bool conditional = std::exchange(kind.conditional, false);
+    std::string text = "the " + kind.name() + " system with " +
+                       (conditional ? "context conditions and " : "") + "axiom " +
                        word_text(system.alphabet, system.axiom);
     for (const Production& rule : system.rules) text += "; " + rule_text(system.alphabet, rule);
     std::string ignored;
     for (const Symbol letter : system.ignored) ignored += " " + system.alphabet.name(letter);
-    if (!ignored.empty()) text += "; without a look at" + ignored;
+    if (!ignored.empty()) text += "; ignored are" + ignored;
     std::string constants;
     for (const auto& [name, value] : system.constants)
         constants +=

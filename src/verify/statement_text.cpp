@@ -121,16 +121,15 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                                     : "");
         case Kind::rewrites:
         case Kind::chance: {
-            const std::string derived =
-                (statement.modules_from ? modules_text(*statement.modules_from) + " derives "
-                                        : "derives ") +
-                modules_text(statement.modules) + " in " + shortened(to_string(*statement.steps)) +
-                " steps";
-            if (statement.kind == Kind::rewrites)
-                return statement.family + (opposite ? ": not so that " : ": ") + derived;
-            return statement.family + ": " + derived + " with " +
-                   (opposite ? "another probability than " : "the probability ") +
-                   to_string(*statement.probability);
+            const bool is_chance = statement.kind == Kind::chance;
+            return statement.family + (opposite && !is_chance ? " does not derive " : " derives ") +
+                   modules_text(statement.modules) +
+                   (statement.modules_from ? " from " + modules_text(*statement.modules_from)
+                                           : "") +
+                   " in " + shortened(to_string(*statement.steps)) + " steps" +
+                   (is_chance ? std::string(opposite ? ", not" : "") + " with the probability " +
+                                    to_string(*statement.probability)
+                              : "");
         }
         case Kind::equal_sequences:
             return system(0) + " and " + system(1) + " have " + (opposite ? "different" : "equal") +

@@ -49,9 +49,9 @@ TEST_CASE("probabilities are exact, and sentences say them") {
     CHECK(truth(waiting, "G ==> aba in 1 step") == Truth::proved);
     CHECK(truth(waiting, "G ==> ab in 1 step") == Truth::refuted);
     CHECK(explained(waiting, "P(G ==> aba in 1 step) = 1/6") ==
-          "G: b derives 4 words in 1 step, each with the sum of the products of the probabilities "
-          "of the rules on its "
-          "ways; aba has the probability 1/6.");
+          "G: b derives 4 words in 1 step; the probability of aba is 1/6, the sum over its "
+          "derivations of "
+          "the products of the rules' probabilities.");
     CHECK(explained(waiting, "P(G ==> ab in 1 step) = 0") ==
           "G: b derives 4 words in 1 step, and ab is none of them: its probability is 0.");
 }
@@ -70,10 +70,16 @@ TEST_CASE("words with parameters are the same where all digits are") {
 
 TEST_CASE("systems are explained with their rules") {
     const CheckedClaim checked =
-        check(claim_of("parametric { let k = 2; axiom A(k); c < A(x) > [d] ? B(y) : x < y & y > k "
-                       "-(1/2)-> A(x+1)X_12 ; A(x) : x = 9 -> ε }",
-                       "G ==> A(k) in 1 step"));
-    CHECK(rewriting_text(*checked.claim.rewritings[0]) == "the stochastic parametric system");
+        check(claim_of("parametric { let k = 2; axiom A(k)X_12; c < A(x) > [d] ? B(y) : x < y & y "
+                       "> k -> A(x+1)X_12 ; A(x) : x = 9 -> ε; "
+                       "d -(1/2)-> dd; d -(1/2)-> ε; ignore + - }",
+                       "G ==> A(k)X_12 in 1 step"));
+    CHECK(rewriting_text(*checked.claim.rewritings[0]) ==
+          "the stochastic parametric (1,3)L system with context conditions and axiom A(k) X_12; c "
+          "< A(x) > [d] ? B(y) : "
+          "x < y & y > k -> A(x+1)X_12; A(x) : x = 9 -> ε; d -(1/2)-> dd; d -(1/2)-> ε; ignored "
+          "are + -, where k = 2");
+    CHECK(explanation(checked).find("Let G be the ") != std::string::npos);
 }
 
 TEST_CASE("a deadline and a bound leave it undecided") {

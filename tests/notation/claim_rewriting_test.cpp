@@ -90,7 +90,8 @@ TEST_CASE("what does not fit a statement stands at its place") {
           "6:29: expected a probability, an exact number from 0 to 1, found '4/3'");
     CHECK(said("show P(G ==> a in 1 step) = sqrt(1/2)") ==
           "6:29: expected a probability, an exact number from 0 to 1, found 'sqrt(1/2)'");
-    CHECK(said("show P(G ==> a in 1 step) = p") == "6:29: 'p' is not defined");
+    CHECK(said("show P(G ==> a in 1 step) = p") ==
+          "6:29: expected a number or a constant, found 'p'");
     CHECK(said("show P(G ==> a in 1 step)") ==
           "6:26: expected '=' or '!=' and a probability, found the end of the line");
     CHECK(said("show P(G ==> a in 1 step) =") ==
@@ -101,9 +102,10 @@ TEST_CASE("what does not fit a statement stands at its place") {
                     "probabilities, parameters or contexts of trees") != std::string::npos);
     CHECK(said("show Q ==> A(4)B").find("expected 'in' and a number of steps, as Q has") !=
           std::string::npos);
-    CHECK(said("show Q ==> A(y) in 1 step") == "6:14: 'y' is not defined");
+    CHECK(said("show Q ==> A(y) in 1 step") == "6:14: expected a number or a constant, found 'y'");
     CHECK(said("show Q ==> A(1/0) in 1 step").find("6:1") == 0);
-    CHECK(said("show Q ==> in 1 step") == "6:11: expected a word (the empty word is ε), found ' '");
+    CHECK(said("show Q ==> in 1 step") ==
+          "6:12: expected a word (the empty word is ε), found 'in'");
     CHECK(said("show a in L(G)") ==
           "6:13: expected a system, found 'G', a system with probabilities, parameters or contexts "
           "of trees, of which claims say what it derives and how likely that is");

@@ -61,7 +61,7 @@ TEST_CASE("probabilities are worked out again") {
     CHECK(wrong.reason == "the word has the probability 4/9");
     CHECK(wrong.path == "statements[0].proof");
     CHECK(found(ab + R"("4/9"})", "refuted").outcome == Outcome::wrong);
-    CHECK(found(ab + R"("4/9"})").statement == "S: derives ab in 2 steps with the probability 4/9");
+    CHECK(found(ab + R"("4/9"})").statement == "S derives ab in 2 steps with the probability 4/9");
     CHECK(
         found(
             R"({"derives": [["b"]], "system": "S", "from": [["b"], ["b"]], "steps": 3, "probability": "0"})")

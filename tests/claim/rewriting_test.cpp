@@ -75,7 +75,7 @@ TEST_CASE("systems are explained with their rules") {
                        "d -(1/2)-> dd; d -(1/2)-> ε; ignore + - }",
                        "G ==> A(k)X_12 in 1 step"));
     CHECK(rewriting_text(*checked.claim.rewritings[0]) ==
-          "the stochastic parametric (1,3)L system with context conditions and axiom A(k) X_12; c "
+          "the parametric S(1,1)L system with context conditions and axiom A(k)X_12; c "
           "< A(x) > [d] ? B(y) : "
           "x < y & y > k -> A(x+1)X_12; A(x) : x = 9 -> ε; d -(1/2)-> dd; d -(1/2)-> ε; ignored "
           "are + -, where k = 2");

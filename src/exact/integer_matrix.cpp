@@ -1,5 +1,7 @@
 #include "exact/integer_matrix.hpp"
 
+#include <flint/fmpz_lll.h>
+
 #include <algorithm>
 #include <bit>
 #include <ostream>
@@ -171,6 +173,43 @@ Integer determinant(const IntegerMatrix& matrix) {
 
 std::size_t rank(const IntegerMatrix& matrix) {
     return static_cast<std::size_t>(fmpz_mat_rank(MatrixView(matrix).value));
+}
+
+std::optional<RationalInverse> inverse(const IntegerMatrix& matrix) {
+    require_square(matrix);
+    FlintMatrix numerator(matrix.rows(), matrix.rows());
+    Integer denominator;
+    if (!fmpz_mat_inv(numerator.value, flint(denominator), MatrixView(matrix).value))
+        return std::nullopt;
+    RationalInverse found{numerator.take(), denominator};
+    if (sign(found.denominator) < 0) {
+        found.denominator.negate();
+        found.numerator = IntegerMatrix(matrix.rows(), matrix.rows()) -= found.numerator;
+    }
+    return found;
+}
+
+IntegerMatrix lattice_basis(const IntegerMatrix& rows) {
+    FlintMatrix form(rows.rows(), rows.columns());
+    fmpz_mat_hnf(form.value, MatrixView(rows).value);
+    const IntegerMatrix all = form.take();
+    const std::size_t size = rank(rows);
+    IntegerMatrix basis(size, rows.columns());
+    for (std::size_t row = 0; row < size; ++row)
+        for (std::size_t column = 0; column < rows.columns(); ++column)
+            basis(row, column) = all(row, column);
+    return basis;
+}
+
+IntegerMatrix reducing_matrix(const IntegerMatrix& rows) {
+    FlintMatrix reduced(rows.rows(), rows.columns());
+    fmpz_mat_set(reduced.value, MatrixView(rows).value);
+    FlintMatrix steps(rows.rows(), rows.rows());
+    fmpz_mat_one(steps.value);
+    fmpz_lll_t context;
+    fmpz_lll_context_init_default(context);
+    fmpz_lll(reduced.value, steps.value, context);
+    return steps.take();
 }
 
 std::string to_string(const IntegerMatrix& matrix) {

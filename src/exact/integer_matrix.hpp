@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <initializer_list>
 #include <iosfwd>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -85,6 +86,28 @@ Integer determinant(const IntegerMatrix& matrix);
 
 /// The dimension of the space that the rows span over the rationals.
 std::size_t rank(const IntegerMatrix& matrix);
+
+/// The inverse of a square matrix over the rationals: `numerator` over `denominator`, the latter
+/// positive. Nothing where there is none. Throws `Error` if the matrix is not square.
+struct RationalInverse {
+    IntegerMatrix numerator;
+    Integer denominator = 1;
+};
+///
+/// Example: inverse(IntegerMatrix({{2, 0}, {0, 2}}))->denominator == 2
+std::optional<RationalInverse> inverse(const IntegerMatrix& matrix);
+
+/// A basis of the lattice that the rows span, in Hermite's normal form: as many rows as the rank,
+/// pivots positive, entries above a pivot smaller than it and not negative (Cohen 1993, 2.4.2).
+///
+/// Example: lattice_basis(IntegerMatrix({{2, 4}, {3, 6}})) == IntegerMatrix({{1, 2}})
+IntegerMatrix lattice_basis(const IntegerMatrix& rows);
+
+/// A unimodular matrix that makes a basis (the rows, independent) one of short vectors: the product
+/// of it and the rows is reduced in the sense of Lenstra, Lenstra and Lovasz (1982).
+///
+/// Example: reducing_matrix(IntegerMatrix({{1, 0}, {5, 1}})) * IntegerMatrix({{1, 0}, {5, 1}}) == IntegerMatrix({{1, 0}, {0, 1}})
+IntegerMatrix reducing_matrix(const IntegerMatrix& rows);
 
 /// "[1 1]\n[1 0]", for messages and tests.
 std::string to_string(const IntegerMatrix& matrix);

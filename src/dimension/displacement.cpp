@@ -1,0 +1,335 @@
+#include "dimension/displacement.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <optional>
+
+#include "base/error.hpp"
+#include "dimension/leading_factor.hpp"
+#include "growth/complex_ball.hpp"
+#include "growth/residues.hpp"
+
+namespace algae {
+
+namespace {
+
+/// The pieces that some level moves along: the others have no way.
+std::vector<bool> moving_pieces(const Unfolding& unfolding) {
+    std::vector<bool> moving(unfolding.size(), false);
+    for (std::size_t p = 0; p < unfolding.size(); ++p)
+        moving[p] = unfolding.moves[p] != CyclotomicRing(unfolding.order).zero();
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (std::size_t p = 0; p < unfolding.size(); ++p) {
+            std::size_t depth = 0;
+            for (const Unfolding::Item& item : unfolding.items[p]) {
+                if (item.kind == Unfolding::Item::Kind::push) ++depth;
+                if (item.kind == Unfolding::Item::Kind::pop) --depth;
+                if (item.kind != Unfolding::Item::Kind::piece || depth > 0) continue;
+                if (moving[item.piece] && !moving[p]) moving[p] = changed = true;
+            }
+        }
+    }
+    return moving;
+}
+
+/// matrix / divisor, whose entries are machine integers.
+std::vector<Displacement::Vector> small_matrix(const IntegerMatrix& matrix,
+                                               const Integer& divisor) {
+    std::vector<Displacement::Vector> out(matrix.rows());
+    for (std::size_t row = 0; row < matrix.rows(); ++row)
+        for (std::size_t column = 0; column < matrix.columns(); ++column) {
+            const Integer entry = exact_divide(matrix(row, column), divisor);
+            if (!entry.fits_int64())
+                throw BoundReached("the lattice of positions needs numbers beyond 64 bits");
+            out[row].push_back(entry.to_int64());
+        }
+    return out;
+}
+
+IntegerMatrix wide(const std::vector<Displacement::Vector>& matrix) {
+    IntegerMatrix out(matrix.size(), matrix.size());
+    for (std::size_t i = 0; i < matrix.size(); ++i)
+        for (std::size_t j = 0; j < matrix.size(); ++j) out(i, j) = Integer(matrix[i][j]);
+    return out;
+}
+
+/// Rows of `images` are those of `generators` under a linear map: the map, on coordinates in the
+/// basis (rows) of the lattice that the generators span.
+std::vector<Displacement::Vector> map_on_lattice(const IntegerMatrix& generators,
+                                                 const IntegerMatrix& images,
+                                                 const std::vector<std::size_t>& independent,
+                                                 const IntegerMatrix& basis,
+                                                 const RationalInverse& basis_inverse) {
+    const std::size_t rank = independent.size();
+    IntegerMatrix from(rank, rank), to(rank, rank);
+    for (std::size_t i = 0; i < rank; ++i)
+        for (std::size_t j = 0; j < rank; ++j) {
+            from(i, j) = generators(independent[i], j);
+            to(i, j) = images(independent[i], j);
+        }
+    const auto from_inverse = inverse(from);
+    const IntegerMatrix mapped = basis * (from_inverse->numerator * to) * basis_inverse.numerator;
+    return small_matrix(mapped, from_inverse->denominator * basis_inverse.denominator);
+}
+
+/// The first rows that span the same space as all, by elimination modulo a prime: independent modulo
+/// a prime, they are independent.
+std::vector<std::size_t> independent_rows(const IntegerMatrix& matrix, std::size_t rank) {
+    const PrimeField field(prime_below(Residue{1} << 61));
+    std::vector<std::size_t> found, pivots;
+    std::vector<std::vector<Residue>> reduced;
+    for (std::size_t row = 0; row < matrix.rows() && found.size() < rank; ++row) {
+        std::vector<Residue> values;
+        for (std::size_t j = 0; j < matrix.columns(); ++j)
+            values.push_back(field.residue(matrix(row, j)));
+        for (std::size_t i = 0; i < reduced.size(); ++i) {
+            const Residue times = values[pivots[i]];
+            if (times == 0) continue;
+            for (std::size_t j = 0; j < values.size(); ++j)
+                values[j] = field.subtract(values[j], field.multiply(times, reduced[i][j]));
+        }
+        const auto pivot =
+            std::find_if(values.begin(), values.end(), [](Residue x) { return x != 0; });
+        if (pivot == values.end()) continue;
+        pivots.push_back(static_cast<std::size_t>(pivot - values.begin()));
+        const Residue unit = field.inverse(*pivot);
+        for (Residue& value : values) value = field.multiply(value, unit);
+        reduced.push_back(std::move(values));
+        found.push_back(row);
+    }
+    return found;
+}
+
+/// The complex numbers that the coordinates F(c)_i = c A^i u of a number c stand for: the part of u
+/// that belongs to the root of the factor, by Lagrange's interpolation.
+std::vector<ComplexBall> trace_dual(const Polynomial& factor, const ComplexBall& root) {
+    // factor(x) / (x - root), by Horner's rule from the top, over its value at the root.
+    const auto degree = static_cast<std::size_t>(factor.degree());
+    const long bits = root.real.bits();
+    std::vector<ComplexBall> quotient(degree, {Ball(0, bits), Ball(0, bits)});
+    ComplexBall carry{Ball(0, bits), Ball(0, bits)};
+    for (std::size_t k = degree; k-- > 0;) {
+        carry = carry * root + ComplexBall{Ball(factor.coefficient(k + 1), bits), Ball(0, bits)};
+        quotient[k] = carry;
+    }
+    const ComplexBall slope = value_at(derivative(factor), root);
+    for (ComplexBall& coefficient : quotient) coefficient = coefficient / slope;
+    return quotient;
+}
+
+/// The double as a rational.
+Rational rational(double value) {
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    return Rational(Integer(static_cast<std::int64_t>(std::ldexp(fraction, 53)))) *
+           power(Rational(2), exponent - 53);
+}
+
+/// What the rows of a basis stand for with each of the roots, to so many bits.
+std::vector<std::vector<ComplexBall>> numbers_of(
+    const IntegerMatrix& basis, const Polynomial& factor,
+    const std::function<std::vector<ComplexBall>(long)>& roots, long digits, const Budget& budget) {
+    for (long bits = 256 + digits;; bits *= 2) {
+        budget.check();
+        if (bits > (1 << 16)) throw BoundReached("the lattice of positions needs too many digits");
+        std::vector<std::vector<ComplexBall>> numbers;
+        bool certain = true;
+        for (const ComplexBall& root : roots(bits)) {
+            const auto dual = trace_dual(factor, root);
+            auto& of_root = numbers.emplace_back();
+            for (std::size_t k = 0; k < basis.rows() && certain; ++k) {
+                ComplexBall sum{Ball(0, bits), Ball(0, bits)};
+                for (std::size_t i = 0; i < dual.size(); ++i)
+                    sum = sum + dual[i] * ComplexBall{Ball(basis(k, i), bits), Ball(0, bits)};
+                certain = sum.real.is_finite() && sum.imaginary.is_finite();
+                if (!certain) break;
+                const double size =
+                    std::abs(sum.real.midpoint()) + std::abs(sum.imaginary.midpoint());
+                const long exponent =
+                    static_cast<long>(std::floor(std::log2(size + 1e-300))) - digits;
+                certain =
+                    sum.real.has_radius_below(exponent) && sum.imaginary.has_radius_below(exponent);
+                of_root.push_back(std::move(sum));
+            }
+        }
+        if (certain) return numbers;
+    }
+}
+
+/// The numbers of a basis with all roots, as integers, to so many bits behind the first of the
+/// smallest element.
+IntegerMatrix embedded(const IntegerMatrix& basis, const LeadingFactor& leading, long digits,
+                       const Budget& budget) {
+    const auto all_roots = [&](long bits) {
+        std::vector<ComplexBall> all;
+        for (const Root& root : roots(leading.factor(), bits))
+            all.push_back({root.real, root.imaginary});
+        return all;
+    };
+    const auto numbers = numbers_of(basis, leading.factor(), all_roots, digits + 20, budget);
+    double smallest = INFINITY;
+    for (std::size_t k = 0; k < basis.rows(); ++k) {
+        double size = 0;
+        for (const auto& of_root : numbers)
+            size +=
+                std::abs(of_root[k].real.midpoint()) + std::abs(of_root[k].imaginary.midpoint());
+        smallest = std::min(smallest, size);
+    }
+    const Rational unit = rational(smallest) * power(Rational(2), -digits);
+    IntegerMatrix out(basis.rows(), 2 * numbers.size());
+    for (std::size_t k = 0; k < basis.rows(); ++k)
+        for (std::size_t l = 0; l < numbers.size(); ++l) {
+            const auto rounded = [&](const Ball& number) {
+                return round_half_even((number / Ball(unit, number.bits())).lower());
+            };
+            out(k, 2 * l) = rounded(numbers[l][k].real);
+            out(k, 2 * l + 1) = rounded(numbers[l][k].imaginary);
+        }
+    return out;
+}
+
+/// One step towards a basis of short elements. Says whether the basis changed.
+bool shorten(IntegerMatrix& basis, const LeadingFactor& leading, const Budget& budget) {
+    for (long digits = 40;; digits *= 2) {
+        if (digits > 20'000) throw BoundReached("the lattice of positions needs too many digits");
+        const IntegerMatrix rows = embedded(basis, leading, digits, budget);
+        if (rank(rows) < rows.rows()) continue;
+        const IntegerMatrix steps = reducing_matrix(rows);
+        basis = steps * basis;
+        return steps != IntegerMatrix::identity(basis.rows());
+    }
+}
+
+/// A basis of the same lattice whose elements are small with all roots of the factor, so that mu
+/// and zeta have small matrices in it.
+IntegerMatrix short_basis(IntegerMatrix basis, const LeadingFactor& leading, const Budget& budget) {
+    constexpr int most_rounds = 50;
+    for (int round = 0; round < most_rounds && shorten(basis, leading, budget); ++round) {
+    }
+    return basis;
+}
+
+}  // namespace
+
+Displacement::Displacement(const Unfolding& unfolding, const Budget& budget)
+    : order_(unfolding.order) {
+    const CyclotomicRing ring(static_cast<long>(order_));
+    const std::vector<bool> moving = moving_pieces(unfolding);
+    const LeadingFactor leading(unfolding, moving, ring, budget);
+    const std::size_t degree = ring.degree();
+    const auto rank = static_cast<std::size_t>(leading.factor().degree());
+    if (rank > largest_rank)
+        throw BoundReached("positions lie in a number field of degree " + std::to_string(rank) +
+                           ", more than " + std::to_string(largest_rank));
+
+    // A row for zeta^j v(piece), for its image under zeta, and for that under mu.
+    const auto coordinates = [&](const std::vector<std::vector<CyclotomicInteger>>& powers,
+                                 std::size_t place, std::int64_t heading) {
+        std::vector<Integer> row;
+        for (std::size_t i = 0; i < rank; ++i)
+            row.push_back(
+                ring.rotate(powers[i][place], static_cast<long>(heading)).coefficients[0]);
+        return row;
+    };
+    const auto& powers = leading.powers();  // A^i u for i < rank, by moving piece
+    std::vector<std::vector<Integer>> generators, turned, scaled;
+    for (std::size_t place = 0; place < leading.pieces().size(); ++place) {
+        const auto image = [&](std::int64_t heading) {
+            std::vector<Integer> sum(rank);
+            std::size_t depth = 0;
+            for (const Unfolding::Item& item : unfolding.items[leading.pieces()[place]]) {
+                if (item.kind == Unfolding::Item::Kind::push) ++depth;
+                if (item.kind == Unfolding::Item::Kind::pop) --depth;
+                if (item.kind != Unfolding::Item::Kind::piece || depth > 0 || !moving[item.piece])
+                    continue;
+                const auto part =
+                    coordinates(powers, leading.place(item.piece), item.heading + heading);
+                for (std::size_t i = 0; i < rank; ++i) sum[i] += part[i];
+            }
+            return sum;
+        };
+        for (std::size_t j = 0; j < degree; ++j) {
+            generators.push_back(coordinates(powers, place, static_cast<std::int64_t>(j)));
+            turned.push_back(coordinates(powers, place, static_cast<std::int64_t>(j) + 1));
+            scaled.push_back(image(static_cast<std::int64_t>(j)));
+        }
+        budget.check();
+    }
+    const IntegerMatrix rows(generators);
+    const IntegerMatrix basis = short_basis(lattice_basis(rows), leading, budget);
+    if (basis.rows() != rank) throw Error("the ways of the pieces do not span their field");
+    const auto basis_inverse = inverse(basis);
+    const auto independent = independent_rows(rows, rank);
+    scale_ = map_on_lattice(rows, IntegerMatrix(scaled), independent, basis, *basis_inverse);
+    polynomial_ = factorise(characteristic_polynomial(wide(scale_))).powers.front().factor;
+    const Matrix turn =
+        map_on_lattice(rows, IntegerMatrix(turned), independent, basis, *basis_inverse);
+    Matrix power(rank, Vector(rank, 0));
+    for (std::size_t i = 0; i < rank; ++i) power[i][i] = 1;
+    for (std::int64_t heading = 0; heading < order_; ++heading) {
+        turns_.push_back(power);
+        for (Vector& row : power) row = product(row, turn);
+    }
+
+    const IntegerMatrix own = IntegerMatrix(generators) * basis_inverse->numerator;
+    ways_.assign(unfolding.size(), Vector(rank, 0));
+    for (std::size_t place = 0; place < leading.pieces().size(); ++place)
+        for (std::size_t i = 0; i < rank; ++i)
+            ways_[leading.pieces()[place]][i] =
+                exact_divide(own(place * degree, i), basis_inverse->denominator).to_int64();
+
+    const auto own_root = [&](long bits) { return std::vector<ComplexBall>{leading.root(bits)}; };
+    const auto numbers = numbers_of(basis, leading.factor(), own_root, 60, budget);
+    for (const ComplexBall& number : numbers.front())
+        basis_.emplace_back(number.real.midpoint(), number.imaginary.midpoint());
+    const ComplexBall factor = leading.eigenvalue(256);
+    factor_ = {factor.real.midpoint(), factor.imaginary.midpoint()};
+    // The largest way has length 1.
+    double longest = 0;
+    for (const Vector& way : ways_) longest = std::max(longest, std::abs(value(way)));
+    for (std::complex<double>& number : basis_) number /= longest;
+}
+
+Displacement::Vector Displacement::product(const Vector& row, const Matrix& matrix) {
+    Vector out(row.size(), 0);
+    for (std::size_t i = 0; i < row.size(); ++i) {
+        if (row[i] == 0) continue;
+        for (std::size_t j = 0; j < out.size(); ++j) {
+            std::int64_t part = 0;
+            if (__builtin_mul_overflow(row[i], matrix[i][j], &part) ||
+                __builtin_add_overflow(out[j], part, &out[j]))
+                throw BoundReached("positions need numbers beyond 64 bits");
+        }
+    }
+    return out;
+}
+
+Displacement::Vector Displacement::turned(const Vector& vector, std::int64_t heading) const {
+    heading %= order_;
+    if (heading < 0) heading += order_;
+    return heading == 0 ? vector : product(vector, turns_[static_cast<std::size_t>(heading)]);
+}
+
+void Displacement::add(Vector& left, const Vector& right) const {
+    for (std::size_t i = 0; i < left.size(); ++i)
+        if (__builtin_add_overflow(left[i], right[i], &left[i]))
+            throw BoundReached("positions need numbers beyond 64 bits");
+}
+
+void Displacement::subtract(Vector& left, const Vector& right) const {
+    for (std::size_t i = 0; i < left.size(); ++i)
+        if (__builtin_sub_overflow(left[i], right[i], &left[i]))
+            throw BoundReached("positions need numbers beyond 64 bits");
+}
+
+std::complex<double> Displacement::value(const Vector& vector) const {
+    std::complex<double> sum = 0;
+    for (std::size_t i = 0; i < vector.size(); ++i)
+        sum += static_cast<double>(vector[i]) * basis_[i];
+    return sum;
+}
+
+}  // namespace algae

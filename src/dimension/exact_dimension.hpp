@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "base/budget.hpp"
+#include "dimension/log_ratio.hpp"
+#include "system/lsystem.hpp"
+
+namespace algae {
+
+/// What the rules of a system say of the dimension of its limit curve.
+struct ExactDimension {
+    enum class Status {
+        exact,        // the Hausdorff and the box dimension
+        upper_bound,  // of both: some condition could not be verified
+        none          // the rules give no formula; `conditions` says why
+    };
+
+    Status status = Status::none;
+    std::optional<LogRatio> value;
+    /// log rate / log |mu|, with multiplicity: where parts coincide it is too large.
+    std::optional<LogRatio> similarity;
+    /// Of the boundary, where the limit set has interior points.
+    std::optional<LogRatio> boundary;
+    /// What was verified, or could not be, in sentences.
+    std::vector<std::string> conditions;
+};
+
+/// The dimension of the recurrent set of a D0L system with a turtle in the plane, as the logarithm of
+/// the rate at which parts multiply over that of the factor by which they shrink.
+///
+/// It is exact if there are finitely many ways in which parts meet (`Neighbours`): with all parts, if
+/// none coincide, otherwise with the different ones (`distinct_growth`). If these cannot be found
+/// within the budget, the value with multiplicity is an upper bound. Several components of letters
+/// each have their own dimension; the largest is that of the whole.
+///
+/// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
+ExactDimension exact_dimension(const LSystem& system, const Budget& budget = {});
+
+}  // namespace algae

@@ -42,7 +42,7 @@ LeadingFactor::LeadingFactor(const Unfolding& unfolding, const std::vector<bool>
             places_[p] = pieces_.size();
             pieces_.push_back(p);
         }
-    if (pieces_.empty()) throw Error("the turtle stays where it is");
+    if (pieces_.empty()) throw Error("the turtle always comes back to where it began");
     if (pieces_.size() * ring.degree() > Displacement::largest_matrix)
         throw BoundReached(
             "the ways of its pieces need " + std::to_string(pieces_.size() * ring.degree()) +

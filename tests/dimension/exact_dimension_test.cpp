@@ -1,0 +1,137 @@
+#include "dimension/exact_dimension.hpp"
+
+#include <doctest/doctest.h>
+
+#include <atomic>
+
+#include "base/error.hpp"
+#include "notation/read.hpp"
+
+using namespace algae;
+using Status = ExactDimension::Status;
+
+namespace {
+
+struct Known {
+    const char* name;
+    const char* text;
+    const char* formula;
+    const char* decimal;
+    const char* boundary;  // its decimal, or nothing
+};
+
+// Dimensions from the literature: Falconer, Fractal Geometry (2003); Davis and Knuth (1970); Duvall
+// and Keesling (1999) for the boundary of Levy's curve; Mandelbrot (1982) for Gosper's island.
+const Known curves[] = {
+    {"Koch", "axiom F; F -> F+F--F+F; angle 60", "log 4 / log 3", "1.261859507143", nullptr},
+    {"quadratic Koch", "axiom F; F -> F+F-F-F+F; angle 90", "log 5 / log 3", "1.464973520718",
+     nullptr},
+    {"Minkowski", "axiom F-F-F-F; F -> F-F+F+FF-F-F+F; angle 90", "log 8 / log 4 = 3/2",
+     "1.500000000000", nullptr},
+    {"islands and lakes",
+     "axiom F+F+F+F; F -> F+f-FF+F+FF+Ff+FF-f+FF-F-FF-Ff-FFF; f -> ffffff; angle 90",
+     "log 18 / log 6", "1.613147192765", nullptr},
+    {"pieces that coincide", "axiom F-F-F-F; F -> FF-F-F-F-F-F+F; angle 90", "log 6 / log sqrt 10",
+     "1.556302500767", nullptr},
+    {"rings", "axiom F+F+F+F; F -> FF+F+F+F+F+F-F; angle 90", "log 6 / log sqrt 10",
+     "1.556302500767", nullptr},
+    {"turns that come back in two generations", "axiom F-F-F-F; F -> FF-F--F-F; angle 90",
+     "log 5 / log 3", "1.464973520718", nullptr},
+    {"hexagonal", "axiom F+F+F; F -> F+F-F+F; angle 60", "log 16^(1/3) / log 16^(1/6) = 2",
+     "2.000000000000", nullptr},
+    {"pentadendrite", "axiom F; F -> F+F-F--F+F+F; angle 72", "log 6 / log sqrt(6+sqrt(5))",
+     "1.699539851193", nullptr},
+    {"pentaplexity", "axiom F++F++F++F++F; F -> F++F++F|F-F++F; angle 36",
+     "log 6 / log (3+sqrt(5))/2", "1.861715959501", nullptr},
+    {"Heighway", "axiom F; F -> -F++G-; G -> +F--G+; angle 45", "log 2 / log sqrt 2 = 2",
+     "2.000000000000", "1.523627086202"},
+    {"dragon by nodes", "axiom FX; X -> X+YF+; Y -> -FX-Y; angle 90", "log 2 / log sqrt 2 = 2",
+     "2.000000000000", "1.523627086202"},
+    {"terdragon", "axiom F; F -> F+F-F; angle 120", "log 3 / log sqrt 3 = 2", "2.000000000000",
+     "1.261859507143"},
+    {"Levy", "axiom F; F -> +F--F+; angle 45", "log 2 / log sqrt 2 = 2", "2.000000000000",
+     "1.934007182988"},
+    {"Gosper",
+     "axiom F_a; F_a -> F_a-F_b--F_b+F_a++F_aF_a+F_b-; F_b -> +F_a-F_bF_b--F_b-F_a++F_a+F_b; angle "
+     "60",
+     "log 7 / log sqrt 7 = 2", "2.000000000000", "1.129150068107"},
+    {"Hilbert", "axiom X; X -> -YF+XFX+FY-; Y -> +XF-YFY-FX+; angle 90", "log 4 / log 2 = 2",
+     "2.000000000000", "1.000000000000"},
+    {"Peano", "axiom X; X -> XFYFX+F+YFXFY-F-XFYFX; Y -> YFXFY-F-XFYFX+F+YFXFY; angle 90",
+     "log 9 / log 3 = 2", "2.000000000000", "1.000000000000"},
+    {"arrowhead", "axiom F_a; F_a -> F_b+F_a+F_b; F_b -> F_a-F_b-F_a; angle 60", "log 3 / log 2",
+     "1.584962500721", nullptr},
+    {"gasket", "axiom F-G-G; F -> F-G+F+G-F; G -> GG; angle 120", "log 3 / log 2", "1.584962500721",
+     nullptr},
+    {"Cantor", "axiom F; F -> FfF; f -> fff", "log 2 / log 3", "0.630929753571", nullptr},
+    {"Vicsek", "axiom F; F -> F[+F][-F]FF; angle 90", "log 5 / log 3", "1.464973520718", nullptr},
+    {"plant a", "axiom F; F -> F[+F]F[-F]F; angle 180/7", "log 5 / log 3", "1.464973520718",
+     nullptr},
+    {"line", "axiom F; F -> FF", "log 2 / log 2 = 1", "1.000000000000", nullptr},
+    {"Penrose tiling",
+     "axiom [X]++[X]++[X]++[X]++[X]; W -> YF++ZF----XF[-YF----WF]++; X -> +YF--ZF[---WF--XF]+; "
+     "Y -> -WF++XF[+++YF++ZF]-; Z -> --YF++++WF[+ZF++++XF]--XF; F -> ε; angle 36",
+     nullptr, "2.000000000000", nullptr},
+};
+
+}  // namespace
+
+TEST_CASE("curves of the literature have their dimensions") {
+    for (const Known& known : curves) {
+        CAPTURE(known.name);
+        const ExactDimension found = exact_dimension(read_lsystem(known.text, known.name));
+        CAPTURE(found.conditions.back());
+        REQUIRE(found.status == Status::exact);
+        if (known.formula) CHECK(found.value->text() == known.formula);
+        CHECK(found.value->decimal(12) == known.decimal);
+        if (known.boundary) {
+            REQUIRE(found.boundary);
+            CHECK(found.boundary->decimal(12) == known.boundary);
+        }
+    }
+}
+
+TEST_CASE("where parts coincide, the value with multiplicity is said beside the true one") {
+    const ExactDimension found =
+        exact_dimension(read_lsystem("axiom F; F -> FF-F-F-F-F-F+F; angle 90", ""));
+    CHECK(found.similarity->text() == "log 8 / log sqrt 10");
+    CHECK(found.similarity->decimal(6) == "1.806180");
+    CHECK(found.conditions.back() ==
+          "parts coincide; different ones, told apart by 1 kind of surroundings, multiply by 6");
+}
+
+TEST_CASE("a plant whose twigs meet in ever new ways has an upper bound only") {
+    const ExactDimension found =
+        exact_dimension(read_lsystem("axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", ""));
+    CHECK(found.status == Status::upper_bound);
+    CHECK(found.value->text() == "log 3 / log 2");
+    CHECK_FALSE(found.boundary);
+}
+
+TEST_CASE("systems without a formula say why") {
+    const auto reason = [](const char* text) {
+        const ExactDimension found = exact_dimension(read_lsystem(text, "a.lsys"));
+        CHECK(found.status == Status::none);
+        CHECK_FALSE(found.value);
+        return found.conditions.back();
+    };
+    CHECK(reason("axiom F; F -> F; angle 90") ==
+          "the way from the beginning of the curve to its end does not grow exponentially");
+    CHECK(reason("axiom F; F -> F+F+F+F; angle 90") ==
+          "the turtle always comes back to where it began");
+    CHECK(reason("axiom X; X -> XX") == "the turtle always comes back to where it began");
+    CHECK(reason("axiom f; f -> fff") == "nothing is drawn in late generations");
+    CHECK(reason("axiom F; F -> F*F; scale 1/2") == "the symbol * changes the turtle's step");
+    CHECK(reason("axiom F; F -> F[+F]F; angle sqrt(2)") ==
+          "the angle is no rational part of a turn with a denominator up to 360");
+    CHECK(reason("axiom X; X -> FX; F -> F+G; G -> F").find("grow") != std::string::npos);
+}
+
+TEST_CASE("work on the exact dimension stops when it is asked to") {
+    std::atomic<bool> stop = true;
+    Budget budget;
+    budget.stop = &stop;
+    CHECK_THROWS_AS(
+        exact_dimension(read_lsystem("axiom F; F -> FF-F+F-F-FF; angle 90", ""), budget),
+        Interrupted);
+}

@@ -51,7 +51,7 @@ class Generations {
 public:
     Generations(const LSystem& system, const RewritingChoices& choices,
                 std::vector<std::size_t> sequence, const Budget& budget)
-        : rewriting_(system, choices),
+        : rewriting_(system, choices, budget),
           text_(rewriting_.rules().system->alphabet, rewriting_.rules().kinds),
           sequence_(std::move(sequence)),
           budget_(budget),
@@ -115,7 +115,7 @@ void derive_distribution(const DeriveOptions& options, const LSystem& system,
         throw Error("it has tables; say --tables SEQUENCE");
     const auto sequence = tables(options, system);
     check_long_enough(sequence, n);
-    const Rewriting rewriting(system, choices(options, system));
+    const Rewriting rewriting(system, choices(options, system), budget);
     const ModuleText text(rewriting.rules().system->alphabet, rewriting.rules().kinds);
     nlohmann::json words = nlohmann::json::array();
     for (const LikelyWord& likely : distribution(rewriting, n, sequence, budget)) {

@@ -49,6 +49,9 @@ nlohmann::ordered_json as_json(const LSystem& system, const Class& kind) {
     out["parametric"] = kind.parametric;
     out["bracketed"] = kind.bracketed;
     out["context"] = {kind.context.first, kind.context.second};
+    std::vector<std::string> systems;
+    for (const InnerSystem& inner : system.inner) systems.push_back(inner.name);
+    if (!systems.empty()) out["systems"] = systems;
     out["tables"] = system.tables;
     out["terminals"] = names(system.alphabet, system.terminals);
     return out;
@@ -82,6 +85,10 @@ std::string as_text(const LSystem& system, const Class& kind) {
         line(label, printer.rule(rule));
         label = "";
     }
+    std::string systems;
+    for (const InnerSystem& inner : system.inner)
+        systems += (systems.empty() ? "" : " ") + inner.name;
+    line("systems within", systems);
     line("tables", fmt::format("{}", fmt::join(system.tables, " ")));
     line("terminals", fmt::format("{}", fmt::join(names(system.alphabet, system.terminals), " ")));
     line("deterministic", answer(kind.deterministic));

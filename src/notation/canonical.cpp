@@ -18,6 +18,9 @@ public:
     void number(const char* keyword, const std::optional<Quantity>& value) {
         if (value) setting(keyword, to_text(value->expression));
     }
+    void system(const std::string& name, std::vector<CanonicalLine> inside) {
+        lines_.push_back({"system", "system " + name + " {", std::move(inside)});
+    }
     void rule(std::string text) { lines_.push_back({"->", std::move(text)}); }
     std::vector<CanonicalLine> take() { return std::move(lines_); }
 
@@ -47,6 +50,12 @@ void add_rules(const LSystem& system, const Printer& printer, Lines& lines) {
 std::string piece(const Quantity& number) {
     const std::string text = to_text(number.expression);
     return text.find(' ') == std::string::npos ? text : '(' + text + ')';
+}
+
+void add_words(const LSystem& system, const Printer& printer, Lines& lines) {
+    lines.setting("axiom", printer.word(system.axiom));
+    add_rules(system, printer, lines);
+    lines.setting("ignore", printer.apart(system.ignored));
 }
 
 std::string print_start(const Settings::Start& start) {
@@ -93,9 +102,12 @@ std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
     lines.setting("alphabet", printer.apart(system.declared));
     for (const auto& [name, value] : system.constants)
         lines.setting("let", name + " = " + to_text(value.expression));
-    lines.setting("axiom", printer.word(system.axiom));
-    add_rules(system, printer, lines);
-    lines.setting("ignore", printer.apart(system.ignored));
+    for (const InnerSystem& inner : system.inner) {
+        Lines inside;
+        add_words(inner.system, printer, inside);
+        lines.system(inner.name, inside.take());
+    }
+    add_words(system, printer, lines);
     lines.setting("terminals", printer.apart(system.terminals));
     for (const Production& rule : system.interpretation)
         lines.setting("interpret", printer.rule(rule));

@@ -11,6 +11,7 @@ namespace algae {
 struct CanonicalLine {
     std::string keyword;  // the setting's; "->" of a rule
     std::string text;     // the whole line, without its break
+    std::vector<CanonicalLine> inside = {};  // of `system leaf {`: the lines up to its brace
 };
 
 /// The canonical text of a system, line by line.

@@ -4,6 +4,7 @@
 #include <cctype>
 
 #include "notation/characters.hpp"
+#include "notation/system_block.hpp"
 
 namespace algae {
 
@@ -63,8 +64,19 @@ std::vector<Clause> clauses(std::string_view text) {
         found.push_back(clause);
     };
     std::size_t here = 0;
+    const auto add_block = [&] {  // a system within the system is one clause
+        std::size_t bytes = 0;
+        if (!text.substr(here).starts_with("system") ||
+            !trimmed(text.substr(begin, here - begin)).empty() || !system_block(text.substr(here), bytes))
+            return false;
+        add(here + bytes);
+        found.back().arrow = nullptr;
+        begin = here += bytes;
+        return true;
+    };
     while (here < text.size()) {
         const char byte = text[here];
+        if (byte == 's' && (here == begin || is_ascii_blank(text[here - 1])) && add_block()) continue;
         if (byte == '\n' || byte == ';') {
             add(here++);
             begin = here;

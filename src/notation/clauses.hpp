@@ -19,7 +19,8 @@ struct Clause {
 };
 
 /// The clauses of a text: `;` and line breaks separate them, `#` at the start of a line or
-/// behind white space opens a comment (but in `colour #ff8000` it opens a colour). Linear.
+/// behind white space opens a comment (but in `colour #ff8000` it opens a colour). A system within the
+/// system, `system leaf { ... }`, is one clause. Linear.
 std::vector<Clause> clauses(std::string_view text);
 
 /// Whether a clause is a rule: it has an arrow that is not part of a title, a source or an

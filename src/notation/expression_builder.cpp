@@ -54,6 +54,11 @@ void ExpressionBuilder::name(std::string_view text) {
     push(std::move(out), 0, text.data());
 }
 
+void ExpressionBuilder::word(Expression quoted) {
+    const char* const where = source_.text().data() + source_.offset(quoted.place);
+    push(std::move(quoted), 0, where);
+}
+
 void ExpressionBuilder::prefix(std::string_view text) {
     if (pending_.size() > most_levels + most_brackets) throw too_deep(text.data());
     pending_.push_back({Kind::prefix, std::string(text), Binding::prefix, text.data(), 0});
@@ -74,9 +79,14 @@ void ExpressionBuilder::open(Pending pending) {
 }
 
 void ExpressionBuilder::open_call(std::string_view function) {
-    if (!function_arity(function))
-        throw SyntaxError{function.data(), "expected a function, found " + quoted(function) +
-                                               did_you_mean(function, function_names())};
+    if (!function_arity(function) && std::ranges::count(systems_, function) == 0) {
+        std::vector<std::string> known = function_names();
+        known.insert(known.end(), systems_.begin(), systems_.end());
+        throw SyntaxError{function.data(),
+                          (systems_.empty() ? "expected a function, found "
+                                            : "expected a function or a system, found ") +
+                              quoted(function) + did_you_mean(function, known)};
+    }
     open({Kind::call, std::string(function), Binding::disjunction, function.data(),
           operands_.size()});
 }
@@ -134,7 +144,7 @@ void ExpressionBuilder::close(const char* where) {
     --open_;
     if (top.kind == Kind::bracket) return;
     const std::size_t given = operands_.size() - top.operands;
-    const Arity arity = function_arity(top.name).value();
+    const Arity arity = function_arity(top.name).value_or(Arity{1, false});
     if (given < arity.least || (given > arity.least && !arity.or_more))
         throw SyntaxError{where, "expected " + std::to_string(arity.least) +
                                      (arity.or_more ? " or more" : "") + " argument" +
@@ -150,7 +160,20 @@ void ExpressionBuilder::close(const char* where) {
         levels = std::max(levels, levels_.back());
         out.operands[i] = pop();
     }
+    if (is_distance(out)) check_distance(out);
     push(std::move(out), levels + 1, where);
+}
+
+void ExpressionBuilder::check_distance(const Expression& distance) const {
+    const Expression &axis = distance.operands.at(0), &symbol = distance.operands.at(1);
+    const auto refuse = [&](const std::string& wanted, const Expression& found) {
+        throw SyntaxError{source_.text().data() + source_.offset(found.place),
+                          "expected " + wanted + ", found " + quoted(to_text(found))};
+    };
+    if (axis.kind != Expression::Kind::name || axis.name.size() != 1 ||
+        std::string_view("XYZ").find(axis.name) == std::string_view::npos)
+        refuse("an axis, X, Y or Z", axis);
+    if (symbol.kind != Expression::Kind::name) refuse("a symbol", symbol);
 }
 
 Expression ExpressionBuilder::finish() {

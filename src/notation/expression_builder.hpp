@@ -20,10 +20,13 @@ public:
     static constexpr std::size_t most_brackets = 200;
     static constexpr std::size_t most_levels = 500;
 
-    explicit ExpressionBuilder(const Source& source) : source_(source) {}
+    /// `systems` are names that are called as functions of one number.
+    ExpressionBuilder(const Source& source, const std::vector<std::string>& systems)
+        : source_(source), systems_(systems) {}
 
     void number(std::string_view text);
     void name(std::string_view text);
+    void word(Expression quoted);
     void prefix(std::string_view text);
     void infix(std::string_view name, Binding binding, const char* where);
     void open_bracket(const char* where) {
@@ -52,8 +55,10 @@ private:
     void reduce_to(Binding least);  // all pending operators that bind at least so tightly
     void reduce_to_bracket();
     Expression pop();
+    void check_distance(const Expression& distance) const;
 
     const Source& source_;
+    const std::vector<std::string>& systems_;
     std::vector<Pending> pending_;
     std::vector<Expression> operands_;
     std::vector<std::size_t> levels_;  // how deep each operand is

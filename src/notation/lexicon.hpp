@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -20,6 +21,13 @@ public:
 
     /// From now on `name` is read as one symbol where nothing longer fits.
     Symbol declare(std::string_view name);
+
+    /// From now on a call of `name` is the word of a system.
+    void name_system(std::string_view name) { systems_.emplace_back(name); }
+    const std::vector<std::string>& systems() const { return systems_; }
+
+    /// The symbols so far.
+    const Alphabet& alphabet() const { return alphabet_; }
 
     /// The symbol of this name, if it has occurred.
     std::optional<Symbol> known(std::string_view name) const { return alphabet_.find(name); }
@@ -42,6 +50,7 @@ private:
     static constexpr Symbol unknown = ~Symbol{0};
 
     Alphabet& alphabet_;
+    std::vector<std::string> systems_;
     std::vector<Node> trie_{1};
     std::array<bool, 256> plain_{};    // ASCII characters that are symbols by themselves
     std::array<Symbol, 256> symbols_;  // of those, once they have occurred

@@ -16,6 +16,15 @@ std::string print_arguments(const std::vector<Expression>& arguments) {
     return out + ')';
 }
 
+std::string print_splices(const std::vector<Expression>& words) {
+    std::string out;
+    for (const Expression& word : words) {
+        const bool is_plain = word.kind != Expression::Kind::binary;  // > would end it
+        out += (is_plain ? "<" : "<(") + to_text(word) + (is_plain ? ">" : ")>");
+    }
+    return out;
+}
+
 std::string print_parameters(const std::vector<std::string>& names) {
     std::string out;
     for (const std::string& name : names) out += (out.empty() ? "(" : ",") + name;
@@ -40,11 +49,17 @@ std::string guarded(std::string text, std::initializer_list<const char*> beginni
 }  // namespace
 
 std::string Printer::word(const ModuleWord& word) const {
-    if (word.letters.empty()) return "ε";
+    if (word.letters.empty() && word.splices.empty()) return "ε";
     std::string out;
     auto arguments = word.arguments.begin();
+    auto splices = word.splices.begin();
     bool is_bare = false;  // a name, not a closing bracket, stands before
-    for (std::size_t i = 0; i < word.letters.size(); ++i) {
+    for (std::size_t i = 0;; ++i) {
+        if (splices != word.splices.end() && splices->first == i) {
+            out += print_splices((splices++)->second);
+            is_bare = false;
+        }
+        if (i == word.letters.size()) break;
         if (is_bare && spellings_.blank_between(word.letters[i - 1], word.letters[i])) out += ' ';
         out += alphabet_.name(word.letters[i]);
         is_bare = arguments == word.arguments.end() || arguments->first != i;
@@ -97,7 +112,7 @@ std::string Printer::rule(const Production& rule) const {
         out += " -> ";
     out += rule.shape ? shape(*rule.shape) : guarded(word(rule.successor), {"div(", "repeat(", "Split("});
     // A left context may spell a setting whose value may contain arrows.
-    return guarded(std::move(out), {"title ", "source ", "interpret "});
+    return guarded(std::move(out), {"title ", "source ", "interpret ", "system "});
 }
 
 std::string print_word(const Alphabet& alphabet, const ModuleWord& word) {
@@ -110,7 +125,11 @@ std::string print_rule(const Alphabet& alphabet, const Production& rule) {
 
 std::string print_lsystem(const LSystem& system) {
     std::string out;
-    for (const CanonicalLine& line : canonical_lines(system)) out += line.text + '\n';
+    for (const CanonicalLine& line : canonical_lines(system)) {
+        out += line.text + '\n';
+        for (const CanonicalLine& inner : line.inside) out += "    " + inner.text + '\n';
+        if (line.keyword == "system") out += "}\n";
+    }
     return out;
 }
 

@@ -22,12 +22,13 @@ struct Condition : x3::parser<Condition> {
     template <class Context, class RuleContext, class Attribute>
     bool parse(const char*& first, const char* const& last, const Context&, RuleContext&,
                Attribute&) const {
-        *condition = parse_expression(first, last, *source);
+        *condition = parse_expression(first, last, *source, lexicon);
         return true;
     }
 
     std::optional<Expression>* condition;
     const Source* source;
+    Lexicon* lexicon;
 };
 
 /// Gathers the modules of one part of a left side, with their places.
@@ -106,7 +107,7 @@ void parse_left_side(std::string_view text, Lexicon& lexicon, const Source& sour
     const auto right_context = '>' >> wanted("a right context")[word] >> x3::eps[on_right];
     const auto elsewhere = '?' >> wanted("a module")[module] % ',' >> x3::eps[on_elsewhere];
     const auto condition =
-        ':' >> ((x3::lit('*') >> x3::eoi) | Condition{{}, &production.condition, &source});
+        ':' >> ((x3::lit('*') >> x3::eoi) | Condition{{}, &production.condition, &source, &lexicon});
     const auto left_side = predecessor_word >> -left_context >> x3::eps[on_predecessor] >>
                            -right_context >> -elsewhere >> -condition;
 

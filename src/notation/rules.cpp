@@ -25,15 +25,18 @@ Rational parse_probability(std::string_view text, Reading& reading) {
 void parse_successor(std::string_view text, Production& production, Reading& reading) {
     if (text.empty()) return;
     if ((production.shape = parse_shape(text, production, reading))) return;
-    production.successor = parse_word(text, reading.lexicon, reading.source);
+    production.successor = parse_word(text, reading.lexicon, reading.source, true);
     check_brackets(production.successor, text, reading.lexicon, reading.source, reading.findings);
 }
 
 void check_all_names(const Production& production, Reading& reading) {
     const std::vector<std::string> names = parameters(production);
-    if (production.condition) reading.check_names(*production.condition, names);
+    if (production.condition) 
+        reading.check_names(*production.condition, names, production.shape.has_value());
     for (const auto& [position, arguments] : production.successor.arguments)
         for (const Expression& argument : arguments) reading.check_names(argument, names);
+    for (const auto& [position, words] : production.successor.splices)
+        for (const Expression& word : words) reading.check_names(word, names);
     if (production.shape)
         for (const ShapeSuccessor::Size& size : production.shape->sizes)
             reading.check_names(size.value, names);

@@ -1,24 +1,30 @@
 #include "notation/word_grammar.hpp"
 
 #include <algorithm>
+#include <memory>
+#include <string>
 #include <utility>
 
 #include "notation/characters.hpp"
 #include "notation/expression_grammar.hpp"
+#include "notation/print.hpp"
 
 namespace algae {
 
 namespace {
 
-/// Reads a word and tells `on_symbol(symbol, where)` and `on_arguments(where)` what it meets. The
-/// latter is called at an opening bracket behind a symbol and returns where it closed.
-template <class OnSymbol, class OnArguments>
-void scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol, OnArguments on_arguments) {
+/// Reads a word and tells `on_symbol(symbol, where)`, `on_arguments(where)` and `on_splice(where)` what
+/// it meets. The second is called at an opening bracket behind a symbol, the third at `<`; both return
+/// where they ended. Of a quoted word it returns where its end is, otherwise the end of the text.
+template <bool quoted = false, class OnSymbol, class OnArguments, class OnSplice>
+const char* scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol,
+                 OnArguments on_arguments, OnSplice on_splice) {
     const char* here = text.data();
     const char* const end = here + text.size();
     bool may_open = false;  // a symbol without arguments stands before
     while (here != end) {
         const auto byte = static_cast<unsigned char>(*here);
+        if (quoted && byte == '"') return here;
         if (here + 1 == end || here[1] != '_') {
             if (const auto plain = lexicon.plain(byte)) {
                 on_symbol(*plain, here++);
@@ -37,6 +43,9 @@ void scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol, OnArgumen
         } else if (byte == '(' && may_open) {
             here = on_arguments(here);
             may_open = false;
+        } else if (byte == '<') {
+            here = on_splice(here);
+            may_open = false;
         } else {
             if (byte == '#')
                 throw SyntaxError{here,
@@ -44,24 +53,83 @@ void scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol, OnArgumen
             throw unexpected("a symbol", here);
         }
     }
+    return here;
+}
+
+const char* no_splice(const char* where) { throw unexpected("a symbol", where); }
+
+/// Where the `>` stands that ends the splice whose `<` is at `open`: the first outside brackets and
+/// words in quotes.
+const char* end_of_splice(const char* open, const char* end) {
+    std::size_t depth = 0;
+    bool quoted = false;
+    for (const char* here = open + 1; here != end; ++here) {
+        if (*here == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (*here == '(') ++depth;
+        if (*here == ')' && depth > 0) --depth;
+        if (*here == '>' && depth == 0) return here;
+    }
+    throw SyntaxError{open, "'<' is never closed"};
+}
+
+Expression parse_splice(const char*& here, const char* end, Lexicon& lexicon,
+                        const Source& source) {
+    const char* const close = end_of_splice(here, end);
+    ++here;
+    Expression expression = parse_expression(here, close, source, &lexicon);
+    if (here != close) throw unexpected("an operator or '>'", here);
+    ++here;
+    return expression;
 }
 
 }  // namespace
 
-ModuleWord parse_word(std::string_view text, Lexicon& lexicon, const Source& source) {
+ModuleWord parse_word(std::string_view text, Lexicon& lexicon, const Source& source, bool splices) {
     ModuleWord word;
     word.letters.reserve(text.size());  // pages that are not written to cost nothing
     const char* const end = text.data() + text.size();
     scan(
         text, lexicon, [&](Symbol symbol, const char*) { word.letters.push_back(symbol); },
         [&](const char* where) {
-            auto arguments = parse_arguments(where, end, source);
+            auto arguments = parse_arguments(where, end, source, &lexicon);
             word.arguments.emplace_hint(word.arguments.end(), word.letters.size() - 1,
                                         std::move(arguments));
+            return where;
+        },
+        [&](const char* where) {
+            if (!splices) no_splice(where);
+            word.splices[word.letters.size()].push_back(parse_splice(where, end, lexicon, source));
             return where;
         });
     if (word.letters.capacity() > 2 * word.letters.size()) word.letters.shrink_to_fit();
     return word;
+}
+
+Expression parse_quoted(const char*& here, const char* end, Lexicon& lexicon, const Source& source,
+                        std::size_t quotes) {
+    constexpr std::size_t most = 20;
+    if (quotes == most)
+        throw SyntaxError{here, "more than " + std::to_string(most) + " words inside each other"};
+    Expression quoted;
+    quoted.kind = Expression::Kind::word;
+    quoted.place = source.place(here);
+    const char* const open = here++;
+    ModuleWord word;
+    here = scan<true>(
+        {here, static_cast<std::size_t>(end - here)}, lexicon,
+        [&](Symbol symbol, const char*) { word.letters.push_back(symbol); },
+        [&](const char* where) {
+            word.arguments.emplace(word.letters.size() - 1,
+                                   parse_arguments(where, end, source, &lexicon, quotes + 1));
+            return where;
+        },
+        no_splice);
+    if (here == end) throw SyntaxError{open, "'\"' is never closed"};
+    ++here;
+    if (!word.letters.empty()) quoted.name = print_word(lexicon.alphabet(), word);
+    quoted.word = std::make_shared<const ModuleWord>(std::move(word));
+    return quoted;
 }
 
 Word parse_symbols(std::string_view text, Lexicon& lexicon) {
@@ -70,7 +138,8 @@ Word parse_symbols(std::string_view text, Lexicon& lexicon) {
         text, lexicon, [&](Symbol symbol, const char*) { word.push_back(symbol); },
         [&](const char* where) -> const char* {
             throw unexpected("symbols without parameters", where);
-        });
+        },
+        no_splice);
     return word;
 }
 
@@ -116,9 +185,10 @@ void check_brackets(const ModuleWord& word, std::string_view text, Lexicon& lexi
             ++position;
         },
         [&](const char* where) {
-            parse_arguments(where, text.data() + text.size(), source);
+            parse_arguments(where, text.data() + text.size(), source, &lexicon);
             return where;
-        });
+        },
+        [&](const char* where) { return end_of_splice(where, text.data() + text.size()) + 1; });
 }
 
 }  // namespace algae

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdlib>
 
+#include "rewrite/word_values.hpp"
+
 namespace algae {
 
 namespace {
@@ -51,7 +53,15 @@ void ModuleText::add(std::string& out, ModuleKind kind, const double* values) co
     const std::uint32_t arity = kinds_.arity(kind);
     for (std::uint32_t i = 0; i < arity; ++i) {
         out += i == 0 ? '(' : ',';
-        add_number(out, values[i]);
+        if (!WordValues::is_word(values[i])) {
+            add_number(out, values[i]);
+            continue;
+        }
+        const ModuleString& word = kinds_.words()->word(values[i]);
+        const double* within = word.values.data();
+        out += '"';
+        add(out, word, 0, word.kinds.size(), within);
+        out += '"';
     }
     if (arity > 0) out += ')';
 }

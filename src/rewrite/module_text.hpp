@@ -17,7 +17,7 @@ namespace algae {
 std::string number_text(double value);
 
 /// Words of modules as text: `CB(1)A(8,7)`, with a blank only where two names written together would
-/// be read otherwise.
+/// be read otherwise; parameters that are words in quotes, `B("FF[+F]")`.
 class ModuleText {
 public:
     /// Both must outlive it and must not grow.

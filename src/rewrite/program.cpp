@@ -4,6 +4,8 @@
 #include <array>
 #include <utility>
 
+#include "rewrite/inner_systems.hpp"
+#include "rewrite/module_text.hpp"
 #include "rewrite/operations.hpp"
 
 namespace algae {
@@ -49,17 +51,28 @@ std::string reason(Operation operation, double x, double y, const Expression& at
 
 bool has_parameters(const Expression& expression, const Program::Numbering& parameters) {
     if (expression.kind == Expression::Kind::name) return parameters(expression.name).has_value();
+    if (is_distance(expression)) return false;  // its operands are an axis and a symbol
     return std::any_of(expression.operands.begin(), expression.operands.end(),
                        [&](const Expression& part) { return has_parameters(part, parameters); });
 }
 
 class Program::Compiler {
 public:
-    Compiler(Program& program, const Numbering& parameters, const Names& constants)
-        : program_(program), parameters_(parameters), constants_(constants) {}
+    Compiler(Program& program, const Numbering& parameters, const Names& constants,
+             const WordsOfPrograms& words)
+        : program_(program), parameters_(parameters), constants_(constants), words_(words) {}
+
+    void compile_whole(const Expression& expression) {
+        compile(expression);
+        if (words_.number) add({Operation::truth, 0, 0, &expression}, 0);
+    }
 
     void compile(const Expression& expression) {
-        if (!has_parameters(expression, parameters_)) {
+        const bool is_word_or_call =
+            expression.kind == Expression::Kind::word || expression.kind == Expression::Kind::call;
+        if (reads_words(expression) && is_word_or_call && compile_word(expression)) return;
+        if (!has_parameters(expression, parameters_) &&
+            !(words_.systems && reads_words(expression))) {
             add({Operation::number, 0, evaluate(expression, constants_).value, &expression}, 1);
             return;
         }
@@ -88,6 +101,22 @@ private:
         program_.depth_ = std::max(program_.depth_, height_);
     }
 
+    /// False for a function of numbers.
+    bool compile_word(const Expression& expression) {
+        if (!words_.systems) evaluate(expression, constants_);  // says that it is no number
+        if (expression.kind == Expression::Kind::word) {
+            add({Operation::number, 0, words_.literal(*expression.word), &expression}, 1);
+            return true;
+        }
+        const auto system = words_.systems->find(expression.name);
+        if (!system && expression.name != "length") return false;
+        compile(expression.operands.front());
+        add({system ? Operation::generation : Operation::length,
+             static_cast<std::uint32_t>(system.value_or(0)), 0, &expression},
+            0);
+        return true;
+    }
+
     void compile_decided(const Expression& expression, Operation operation) {
         const bool both = operation == Operation::both;
         compile(expression.operands[0]);
@@ -102,12 +131,14 @@ private:
     Program& program_;
     const Numbering& parameters_;
     const Names& constants_;
+    const WordsOfPrograms& words_;
     std::size_t height_ = 0;
 };
 
-Program::Program(const Expression& expression, const Numbering& parameters,
-                 const Names& constants) {
-    Compiler(*this, parameters, constants).compile(expression);
+Program::Program(const Expression& expression, const Numbering& parameters, const Names& constants,
+                 const WordsOfPrograms& words)
+    : systems_(words.systems) {
+    Compiler(*this, parameters, constants, words).compile_whole(expression);
 }
 
 namespace {
@@ -131,6 +162,7 @@ constexpr bool is_unary(Operation operation) {
 }  // namespace
 
 double Program::run(const double* parameters) const {
+    if (systems_) return run_with_words(parameters);
     std::array<double, 16> few;
     std::vector<double> many;
     double* stack = few.data();
@@ -168,6 +200,58 @@ double Program::run(const double* parameters) const {
         }
     }
     return top[-1];
+}
+
+double Program::run_with_words(const double* parameters) const {
+    std::vector<double> stack;
+    for (std::size_t i = 0; i < instructions_.size(); ++i) {
+        const Instruction& next = instructions_[i];
+        const auto check_number = [&](double value) {
+            if (WordValues::is_word(value))
+                throw Undefined{next.at,
+                                "expected numbers in '" + to_text(*next.at) + "', found a word"};
+        };
+        switch (next.operation) {
+            case Operation::number:
+                stack.push_back(next.number);
+                break;
+            case Operation::parameter:
+                stack.push_back(parameters[next.index]);
+                break;
+            case Operation::length:
+                if (!WordValues::is_word(stack.back()))
+                    throw Undefined{next.at, "expected a word in '" + to_text(*next.at) +
+                                                 "', found " + number_text(stack.back())};
+                stack.back() =
+                    static_cast<double>(systems_->words().word(stack.back()).kinds.size());
+                break;
+            case Operation::generation:
+                check_number(stack.back());
+                stack.back() = systems_->word(next.index, stack.back(), *next.at);
+                break;
+            case Operation::skip_if_false:
+            case Operation::skip_if_true:
+                check_number(stack.back());
+                if ((stack.back() != 0) == (next.operation == Operation::skip_if_true)) {
+                    stack.back() = stack.back() != 0 ? 1 : 0;
+                    i = next.index - 1;
+                }
+                break;
+            default: {
+                const bool one = is_unary(next.operation);
+                const double right = stack.back(), left = one ? right : stack[stack.size() - 2];
+                check_number(right);
+                check_number(left);
+                const double value =
+                    dispatch(next.operation, OneValue{stack.data() + stack.size()});
+                if (!std::isfinite(value))
+                    throw Undefined{next.at, reason(next.operation, left, right, *next.at)};
+                if (!one) stack.pop_back();
+                stack.back() = value;
+            }
+        }
+    }
+    return stack.back();
 }
 
 namespace {
@@ -219,6 +303,7 @@ struct ManyValues {
 
 bool Program::run_many(const std::vector<const double*>& parameters, std::size_t count, double* out,
                        Columns& room) const {
+    if (systems_) return false;
     if (room.size() < depth_) room.resize(depth_);
     for (auto& column : room)
         if (column.size() < count) column.resize(count);
@@ -278,7 +363,7 @@ bool Program::operator==(const Program& other) const {
     return std::equal(instructions_.begin(), instructions_.end(), other.instructions_.begin(),
                       other.instructions_.end(), [](const Instruction& a, const Instruction& b) {
                           return a.operation == b.operation && a.index == b.index &&
-                                 a.number == b.number;
+                                 same_value(a.number, b.number);
                       });
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "rewrite/free_step.hpp"
+#include "rewrite/inner_systems.hpp"
 #include "rewrite/module_text.hpp"
 #include "rewrite/surroundings.hpp"
 
@@ -18,11 +19,11 @@ std::string at(const Production& rule) {
 
 }  // namespace
 
-Rewriting::Rewriting(const LSystem& system, const RewritingChoices& choices)
-    : rules_(compiled_rules(system)), choices_(choices) {}
+Rewriting::Rewriting(const LSystem& system, const RewritingChoices& choices, const Budget& budget)
+    : rules_(compiled_rules(system, budget)), choices_(choices) {}
 
 std::string Rewriting::name_of(std::uint64_t generation) const {
-    return "the word of generation " + std::to_string(generation);
+    return "the word of generation " + std::to_string(generation) + rules_.of;
 }
 
 void Rewriting::refuse(const std::string& what, const Production& rule, ModuleKind kind,
@@ -30,7 +31,7 @@ void Rewriting::refuse(const std::string& what, const Production& rule, ModuleKi
     throw Error(at(rule) + ": the rule for " +
                 ModuleText(rules_.system->alphabet, rules_.kinds).text(kind, values) +
                 " at position " + std::to_string(position) + " of generation " +
-                std::to_string(generation) + ": " + what);
+                std::to_string(generation) + rules_.of + ": " + what);
 }
 
 void Rewriting::refuse_both(const Alternatives& first, const Alternatives& second, ModuleKind kind,
@@ -101,12 +102,8 @@ void Rewriting::append(const Outcome& outcome, const ModuleString& from, std::si
         return;
     }
     const Successor& successor = rules_.successors[outcome.successor];
-    to.kinds.insert(to.kinds.end(), successor.kinds.begin(), successor.kinds.end());
-    const std::size_t start = to.values.size();
-    to.values.insert(to.values.end(), successor.values.begin(), successor.values.end());
     try {
-        for (const Successor::Slot& slot : successor.slots)
-            to.values[start + slot.at] = slot.value.run(outcome.parameters.data());
+        algae::append(successor, outcome.parameters.data(), rules_.kinds.words(), to);
     } catch (const Undefined& undefined) {
         refuse(undefined.reason, *successor.rule, kind, from.values.data() + offset, position,
                generation);
@@ -117,6 +114,7 @@ std::vector<std::vector<Rewriting::Outcome>> Rewriting::outcomes(const ModuleStr
                                                                  std::uint64_t generation,
                                                                  std::size_t table,
                                                                  const Budget& budget) const {
+    if (rules_.inner) rules_.inner->set_budget(budget);
     const RuleSet& set = rules_.tables.at(table);
     const std::string name = name_of(generation);
     const Surroundings around(rules_, word, name, budget);
@@ -162,8 +160,8 @@ ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& 
         append(outcome, word, i, offset, generation, out);
         offset += rules_.kinds.arity(kind);
         if (out.kinds.size() > budget.letters)
-            throw BoundReached("generation " + std::to_string(generation + 1) + " has more than " +
-                               std::to_string(budget.letters) +
+            throw BoundReached("generation " + std::to_string(generation + 1) + rules_.of +
+                               " has more than " + std::to_string(budget.letters) +
                                " letters, the bound set by --max-letters");
         budget.check_memory(
             out.kinds.capacity() * sizeof(ModuleKind) + out.values.capacity() * sizeof(double),
@@ -175,7 +173,8 @@ ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& 
 ModuleString Rewriting::next(const ModuleString& word, std::uint64_t generation, std::size_t table,
                              const Budget& budget) const {
     const RuleSet& set = rules_.tables.at(table);
-    if (set.has_contexts) return next_in_context(set, word, generation, budget);
+    if (rules_.inner) rules_.inner->set_budget(budget);
+    if (set.has_contexts || rules_.inner) return next_in_context(set, word, generation, budget);
     return FreeStep(*this, set, word, generation, budget).next();
 }
 

@@ -35,7 +35,10 @@ struct RewritingChoices {
 class Rewriting {
 public:
     /// Throws what `compiled_rules` throws.
-    explicit Rewriting(const LSystem& system, const RewritingChoices& choices = {});
+    /// The budget is for the words of systems within it that the axiom needs.
+    explicit Rewriting(const LSystem& system, const RewritingChoices& choices = {},
+                       const Budget& budget = {});
+    explicit Rewriting(CompiledRules rules) : rules_(std::move(rules)) {}
 
     const ModuleString& axiom() const { return rules_.axiom; }
     const CompiledRules& rules() const { return rules_; }

@@ -4,6 +4,8 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "rewrite/inner_systems.hpp"
+#include "rewrite/module_text.hpp"
 
 namespace algae {
 
@@ -42,12 +44,12 @@ public:
         for (const auto* pattern : {&side.left, &side.right, &side.elsewhere})
             for (const ModuleKind kind : *pattern) side.context += !is_bracket(kind);
         side.parameters = names_.size();
-        if (rule_.condition) side.condition = program(*rule_.condition);
+        if (rule_.condition) side.condition = program(*rule_.condition, true);
         if (rule_.condition && !rule_.elsewhere.empty()) {
             std::vector<const Expression*> parts;
             split(*rule_.condition, parts);
             for (const Expression* part : parts) {
-                Program holds = program(*part);
+                Program holds = program(*part, true);
                 side.conjuncts.push_back({items_needed(holds), std::move(holds)});
             }
             std::stable_sort(
@@ -57,14 +59,22 @@ public:
         return side;
     }
 
-    Successor successor() {
+    /// What the rule makes, or the axiom, in which no parameters stand.
+    Successor successor(const ModuleWord& word) {
         Successor out;
         out.rule = &rule_;
-        auto arguments = rule_.successor.arguments.begin();
-        for (std::size_t i = 0; i < rule_.successor.letters.size(); ++i) {
-            const bool bare = arguments == rule_.successor.arguments.end() || arguments->first != i;
+        auto arguments = word.arguments.begin();
+        auto splices = word.splices.begin();
+        for (std::size_t i = 0;; ++i) {
+            if (splices != word.splices.end() && splices->first == i)
+                for (const Expression& expression : (splices++)->second)
+                    out.splices.push_back({static_cast<std::uint32_t>(i),
+                                           static_cast<std::uint32_t>(out.values.size()),
+                                           program(expression, false), &expression});
+            if (i == word.letters.size()) break;
+            const bool bare = arguments == word.arguments.end() || arguments->first != i;
             const std::size_t arity = bare ? 0 : arguments->second.size();
-            out.kinds.push_back(rules_.kinds.kind(rule_.successor.letters[i], arity));
+            out.kinds.push_back(rules_.kinds.kind(word.letters[i], arity));
             if (bare) continue;
             for (const Expression& argument : arguments->second) add_value(argument, out);
             ++arguments;
@@ -89,7 +99,18 @@ private:
         return out;
     }
 
-    Program program(const Expression& expression) const {
+    /// The value of a word in quotes, whose arguments are the same everywhere.
+    double literal(const ModuleWord& word) {
+        ModuleString out;
+        const Successor written = successor(word);
+        append(written, nullptr, rules_.kinds.words(), out);
+        return rules_.inner->value(std::move(out));
+    }
+
+    Program program(const Expression& expression, bool number) {
+        const WordsOfPrograms words{rules_.inner.get(),
+                                    [this](const ModuleWord& word) { return literal(word); },
+                                    number && rules_.inner};
         return Program(
             expression,
             [&](const std::string& name) -> std::optional<std::size_t> {
@@ -101,11 +122,12 @@ private:
                 for (const auto& [constant, value] : rules_.system->constants)
                     if (constant == name) return &value;
                 return nullptr;
-            });
+            },
+            words);
     }
 
-    void add_value(const Expression& argument, Successor& out) const {
-        Program value = program(argument);
+    void add_value(const Expression& argument, Successor& out) {
+        Program value = program(argument, false);
         const auto constant = value.constant();
         if (!constant)
             out.slots.push_back({static_cast<std::uint32_t>(out.values.size()), std::move(value)});
@@ -136,7 +158,7 @@ void add_rule(CompiledRules& rules, const Production& rule) {
                     ": the rule is a shape rule, which divides shapes and not words");
     RuleCompiler compiler(rules, rule);
     Alternatives side = compiler.left_side();
-    Successor successor = compiler.successor();
+    Successor successor = compiler.successor(rule.successor);
     for (const ModulePattern& module : rule.left)
         if (const std::string& name = rules.system->alphabet.name(module.symbol);
             name == "[" || name == "]")
@@ -180,41 +202,19 @@ void finish(CompiledRules& rules, RuleSet& set) {
     }
 }
 
-ModuleString axiom_of(const LSystem& system, CompiledRules& rules) {
-    ModuleString out;
-    auto arguments = system.axiom.arguments.begin();
-    for (std::size_t i = 0; i < system.axiom.letters.size(); ++i) {
-        const bool bare = arguments == system.axiom.arguments.end() || arguments->first != i;
-        out.kinds.push_back(
-            rules.kinds.kind(system.axiom.letters[i], bare ? 0 : arguments->second.size()));
-        if (bare) continue;
-        for (const Expression& argument : (arguments++)->second)
-            out.values.push_back(
-                evaluate(argument, [&](const std::string& name) -> const Quantity* {
-                    for (const auto& [constant, value] : system.constants)
-                        if (constant == name) return &value;
-                    return nullptr;
-                }).value);
-    }
-    return out;
-}
+const Production no_rule;
 
-}  // namespace
-
-bool Successor::same_as(const Successor& other) const {
-    return kinds == other.kinds && values == other.values &&
-           std::equal(
-               slots.begin(), slots.end(), other.slots.begin(), other.slots.end(),
-               [](const Slot& a, const Slot& b) { return a.at == b.at && a.value == b.value; });
-}
-
-CompiledRules compiled_rules(const LSystem& system) {
-    CompiledRules rules;
-    rules.system = std::make_shared<const LSystem>(system);
+/// The rules of one system, but for what depends on all kinds of modules; gives its axiom as written.
+Successor add_rules(CompiledRules& rules) {
     rules.successors.emplace_back();
-    rules.tables.resize(std::max<std::size_t>(1, system.tables.size()));
-    rules.axiom = axiom_of(*rules.system, rules);
+    rules.tables.resize(std::max<std::size_t>(1, rules.system->tables.size()));
+    Successor axiom = RuleCompiler(rules, no_rule).successor(rules.system->axiom);
     for (const Production& rule : rules.system->rules) add_rule(rules, rule);
+    return axiom;
+}
+
+void finish(CompiledRules& rules) {
+    const LSystem& system = *rules.system;
     rules.sought.assign(rules.kinds.size(), 0);
     for (RuleSet& set : rules.tables) finish(rules, set);
     rules.ignored.assign(rules.kinds.size(), 0);
@@ -224,6 +224,101 @@ CompiledRules compiled_rules(const LSystem& system) {
         rules.ignored[i] = std::count(system.ignored.begin(), system.ignored.end(), letter) > 0;
         rules.opens[i] = system.alphabet.name(letter) == "[";
         rules.closes[i] = system.alphabet.name(letter) == "]";
+    }
+}
+
+/// Compiles the systems within one, so that all know the same kinds of modules.
+void add_inner(CompiledRules& rules) {
+    std::vector<CompiledRules> all;
+    std::vector<Successor> axioms;
+    for (const InnerSystem& inner : rules.system->inner) {
+        LSystem system = inner.system;
+        system.alphabet = rules.system->alphabet;
+        system.constants = rules.system->constants;
+        CompiledRules within;
+        within.system = std::make_shared<const LSystem>(std::move(system));
+        within.of = " of " + inner.name;
+        within.inner = std::shared_ptr<InnerSystems>(std::shared_ptr<void>(), rules.inner.get());
+        within.kinds = rules.kinds;
+        axioms.push_back(add_rules(within));
+        rules.kinds = within.kinds;
+        all.push_back(std::move(within));
+    }
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        all[i].kinds = rules.kinds;
+        finish(all[i]);
+        rules.inner->add(Rewriting(std::move(all[i])), std::move(axioms[i]));
+    }
+}
+
+}  // namespace
+
+bool Successor::same_as(const Successor& other) const {
+    const auto same_splice = [](const Splice& a, const Splice& b) {
+        return a.at == b.at && a.values_at == b.values_at && a.word == b.word;
+    };
+    return kinds == other.kinds &&
+           std::equal(values.begin(), values.end(), other.values.begin(), other.values.end(),
+                      same_value) &&
+           std::equal(
+               slots.begin(), slots.end(), other.slots.begin(), other.slots.end(),
+               [](const Slot& a, const Slot& b) { return a.at == b.at && a.value == b.value; }) &&
+           std::equal(splices.begin(), splices.end(), other.splices.begin(), other.splices.end(),
+                      same_splice);
+}
+
+void append(const Successor& successor, const double* parameters, const WordValues* words,
+            ModuleString& to) {
+    const auto add = [&to](const auto& kinds, std::size_t kinds_from, std::size_t kinds_to,
+                           const auto& values, std::size_t values_from, std::size_t values_to) {
+        to.kinds.insert(to.kinds.end(), kinds.data() + kinds_from, kinds.data() + kinds_to);
+        to.values.insert(to.values.end(), values.data() + values_from, values.data() + values_to);
+    };
+    if (successor.splices.empty()) {
+        const std::size_t start = to.values.size();
+        add(successor.kinds, 0, successor.kinds.size(), successor.values, 0,
+            successor.values.size());
+        for (const Successor::Slot& slot : successor.slots)
+            to.values[start + slot.at] = slot.value.run(parameters);
+        return;
+    }
+    std::vector<double> values = successor.values;
+    for (const Successor::Slot& slot : successor.slots)
+        values[slot.at] = slot.value.run(parameters);
+    std::size_t kind = 0, value = 0;
+    for (const Successor::Splice& splice : successor.splices) {
+        add(successor.kinds, kind, splice.at, values, value, splice.values_at);
+        kind = splice.at;
+        value = splice.values_at;
+        const double given = splice.word.run(parameters);
+        if (!WordValues::is_word(given))
+            throw Undefined{splice.expression, "expected a word for '<" +
+                                                   to_text(*splice.expression) + ">', found " +
+                                                   number_text(given)};
+        const ModuleString& word = words->word(given);
+        add(word.kinds, 0, word.kinds.size(), word.values, 0, word.values.size());
+    }
+    add(successor.kinds, kind, successor.kinds.size(), values, value, values.size());
+}
+
+CompiledRules compiled_rules(const LSystem& system, const Budget& budget, const ModuleKinds* seen) {
+    CompiledRules rules;
+    rules.system = std::make_shared<const LSystem>(system);
+    if (seen) rules.kinds = *seen;
+    if (holds_words(system) || rules.kinds.words()) {
+        if (!rules.kinds.words()) rules.kinds.hold(std::make_shared<WordValues>());
+        std::vector<std::string> names;
+        for (const InnerSystem& inner : system.inner) names.push_back(inner.name);
+        rules.inner = std::make_shared<InnerSystems>(std::move(names), rules.kinds.held());
+        rules.inner->set_budget(budget);
+    }
+    const Successor axiom = add_rules(rules);
+    if (rules.inner) add_inner(rules);
+    finish(rules);
+    try {
+        append(axiom, nullptr, rules.kinds.words(), rules.axiom);
+    } catch (const Undefined& undefined) {
+        throw Error(to_string(undefined.at->place) + ": the axiom: " + undefined.reason);
     }
     return rules;
 }

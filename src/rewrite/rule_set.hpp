@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "base/budget.hpp"
 #include "rewrite/module_string.hpp"
 #include "rewrite/program.hpp"
 #include "system/lsystem.hpp"
@@ -20,14 +21,26 @@ struct Successor {
         std::uint32_t at;  // index into values
         Program value;
     };
+    /// A word that is written in between.
+    struct Splice {
+        std::uint32_t at, values_at;  // how many kinds and values stand before
+        Program word;
+        const Expression* expression;
+    };
     std::vector<ModuleKind> kinds;
     std::vector<double> values;
     std::vector<Slot> slots;
+    std::vector<Splice> splices;
     const Production* rule = nullptr;
 
     /// Whether every module gets the same modules from the same parameters.
     bool same_as(const Successor& other) const;
 };
+
+/// Writes a successor's modules behind a word, with these parameters of its rule. `words` are those that
+/// parameters stand for. Throws `Undefined`, also where a splice gives no word.
+void append(const Successor& successor, const double* parameters, const WordValues* words,
+            ModuleString& to);
 
 /// Rules with the same left side: they apply to the same modules in the same places. One of them
 /// is used, picked by its probability where they have some.
@@ -70,11 +83,15 @@ struct CompiledRules {
     std::vector<char> opens, closes;    // by kind: [ and ]
     std::vector<char> sought;           // by kind: some rule looks for it elsewhere
     ModuleString axiom;
+    std::string of;  // of a system within another: " of leaf", for messages
+    std::shared_ptr<InnerSystems> inner;  // where parameters may be words; one within does not own it
 };
 
 /// Compiles a system. Throws Error for shape rules, `Diagnostics` for constant expressions without
-/// a value. Of rules that are the same twice only the first is kept, unless they have
-/// probabilities. O(size of the system).
-CompiledRules compiled_rules(const LSystem& system);
+/// a value and, where words stand in the axiom, what InnerSystems::word throws. Of rules that are the same twice only the first is kept, unless they have
+/// probabilities. With `seen`, the kinds of words that other rules make, these keep their numbers and
+/// their words. O(size of the system).
+CompiledRules compiled_rules(const LSystem& system, const Budget& budget = {},
+                             const ModuleKinds* seen = nullptr);
 
 }  // namespace algae

@@ -1,11 +1,14 @@
 #include "shape/boxes.hpp"
 
 #include <algorithm>
+#include <limits>
+#include <map>
 #include <optional>
 #include <string_view>
 
 #include "base/error.hpp"
 #include "shape/division.hpp"
+#include "shape/nearest.hpp"
 
 namespace algae {
 
@@ -18,19 +21,28 @@ void check_count(const Integer& boxes, const Budget& budget) {
     budget.check_memory(static_cast<std::uint64_t>(boxes.to_int64()) * sizeof(ShapeBox), "boxes");
 }
 
-/// A rule at work on a box: the names in its expressions are the sizes of the box.
+/// A rule at work on a box: the names in its expressions are the sizes of the box and, in its
+/// condition, distances from other boxes.
 class Application {
 public:
-    Application(const LSystem& system, const Production& rule, const ShapeBox& box,
-                const Budget& budget)
-        : system_(system), rule_(rule), box_(box), budget_(budget) {
+    Application(const ShapeSystem& shapes, const Production& rule, const ShapeBox& box,
+                const NearestBoxes& nearest, const Budget& budget)
+        : shapes_(shapes),
+          system_(*shapes.system),
+          rule_(rule),
+          box_(box),
+          nearest_(nearest),
+          budget_(budget) {
         for (std::size_t i = 0; i < rule.predecessor.parameters.size(); ++i)
             sizes_.push_back({Expression{}, box.size[i], box.size[i].to_double()});
     }
 
     bool applies() const {
         if (!rule_.condition) return true;
-        return !value(*rule_.condition).is_zero();
+        std::map<std::string, Quantity> distances;
+        const Quantity holds = value(
+            *rule_.condition, [&](const std::string& name) { return distance(name, distances); });
+        return holds.exact ? !holds.exact->is_zero() : holds.value != 0;
     }
 
     std::vector<ShapeBox> parts() const {
@@ -49,7 +61,21 @@ private:
                     box_text(system_.alphabet, box_));
     }
 
-    Rational value(const Expression& expression) const {
+    const Quantity* distance(const std::string& text,
+                             std::map<std::string, Quantity>& distances) const {
+        if (const auto known = distances.find(text); known != distances.end())
+            return &known->second;
+        for (const ShapeSystem::Distance& asked : shapes_.distances) {
+            if (asked.text != text) continue;
+            const auto found = nearest_.distance(box_, asked.axis, asked.symbol);
+            const double rounded =
+                found ? found->to_double() : std::numeric_limits<double>::infinity();
+            return &distances.emplace(text, Quantity{Expression{}, found, rounded}).first->second;
+        }
+        return nullptr;
+    }
+
+    Quantity value(const Expression& expression, const Names& others) const {
         const auto names = [&](const std::string& name) -> const Quantity* {
             const auto& parameters = rule_.predecessor.parameters;
             const auto found = std::find(parameters.begin(), parameters.end(), name);
@@ -57,10 +83,10 @@ private:
                 return &sizes_[static_cast<std::size_t>(found - parameters.begin())];
             for (const auto& [constant, known] : system_.constants)
                 if (constant == name) return &known;
-            return nullptr;
+            return others ? others(name) : nullptr;
         };
         try {
-            return rational_value(expression, names);
+            return evaluate(expression, names);
         } catch (const Diagnostics& wrong) {
             fail(wrong.findings().front().place, wrong.findings().front().message);
         }
@@ -69,7 +95,7 @@ private:
     std::vector<ShapeBox> repeated(const ShapeSuccessor& shape) const {
         const std::size_t axis = std::string_view("XYZ").find(shape.axis);
         const Expression& size = shape.sizes.at(0).value;
-        const Rational wanted = value(size);
+        const Rational wanted = rational(value(size, {}));
         Integer count;
         try {
             count = parts_that_fit(box_.size[axis], wanted);
@@ -120,7 +146,7 @@ private:
                                         std::size_t first, std::size_t last) const {
         std::vector<Share> sizes;
         for (std::size_t i = first; i < last; ++i)
-            sizes.push_back({value(shape.sizes[i].value), shape.sizes[i].relative});
+            sizes.push_back({rational(value(shape.sizes[i].value, {})), shape.sizes[i].relative});
         try {
             return lengths_of(box_.size[axis], sizes);
         } catch (const Error& wrong) {
@@ -132,20 +158,22 @@ private:
         fail(size.place, std::string(wrong.what()) + ", along " + axis_name(axis));
     }
 
+    const ShapeSystem& shapes_;
     const LSystem& system_;
     const Production& rule_;
     const ShapeBox& box_;
+    const NearestBoxes& nearest_;
     const Budget& budget_;
     std::vector<Quantity> sizes_;
 };
 
 /// The parts, or nothing where no rule applies.
 std::optional<std::vector<ShapeBox>> made_of(const ShapeSystem& shapes, const ShapeBox& box,
-                                             const Budget& budget) {
+                                             const NearestBoxes& nearest, const Budget& budget) {
     const Production* chosen = nullptr;
     for (const std::size_t i : shapes.rules.at(box.symbol)) {
         const Production& rule = shapes.system->rules[i];
-        if (!Application(*shapes.system, rule, box, budget).applies()) continue;
+        if (!Application(shapes, rule, box, nearest, budget).applies()) continue;
         if (chosen)
             throw Error(to_string(rule.place) + ": expected one rule for the box " +
                         box_text(shapes.system->alphabet, box) + ", found that the rule at " +
@@ -153,14 +181,15 @@ std::optional<std::vector<ShapeBox>> made_of(const ShapeSystem& shapes, const Sh
         chosen = &rule;
     }
     if (!chosen) return std::nullopt;
-    return Application(*shapes.system, *chosen, box, budget).parts();
+    return Application(shapes, *chosen, box, nearest, budget).parts();
 }
 
 }  // namespace
 
 std::vector<ShapeBox> parts_of(const ShapeSystem& system, const ShapeBox& box,
                                const Budget& budget) {
-    return made_of(system, box, budget).value_or(std::vector<ShapeBox>{box});
+    return made_of(system, box, NearestBoxes(system, {box}), budget)
+        .value_or(std::vector<ShapeBox>{box});
 }
 
 std::vector<ShapeBox> boxes_after(const ShapeSystem& system, std::vector<ShapeBox> boxes,
@@ -168,11 +197,12 @@ std::vector<ShapeBox> boxes_after(const ShapeSystem& system, std::vector<ShapeBo
     bool changes = true;
     for (std::uint64_t step = 0; step < n && changes; ++step) {
         changes = false;
+        const NearestBoxes nearest(system, boxes);
         std::vector<ShapeBox> next;
         std::size_t unchecked = 0;
         for (ShapeBox& box : boxes) {
             if (unchecked++ % 4096 == 0) budget.check();
-            if (auto parts = made_of(system, box, budget)) {
+            if (auto parts = made_of(system, box, nearest, budget)) {
                 changes = true;
                 check_count(Integer(next.size()) + Integer(parts->size()), budget);
                 std::move(parts->begin(), parts->end(), std::back_inserter(next));

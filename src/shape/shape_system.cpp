@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace algae {
 
@@ -47,6 +48,7 @@ Refusal beyond_shape(const Production& rule) {
 }
 
 Refusal beyond_shape(const LSystem& system) {
+    if (holds_words(system)) return "there are systems or words within it";
     if (!system.tables.empty()) return "it has tables";
     if (!system.terminals.empty()) return "it has terminals";
     for (const Production& rule : system.rules)
@@ -76,7 +78,8 @@ ShapeBox box_of(const LSystem& system, std::size_t position) {
     const std::vector<Expression>& arguments = found->second;
     const std::size_t sizes = arguments.size() - 3;
     for (std::size_t i = 0; i < arguments.size(); ++i)
-        (i < sizes ? box.origin[i] : box.size[i - sizes]) = rational_value(arguments[i], names);
+        (i < sizes ? box.origin[i] : box.size[i - sizes]) =
+            rational(evaluate(arguments[i], names));
     for (std::size_t i = 0; i < 3; ++i)
         if (sign(box.size[i]) <= 0)
             throw Error(to_string(arguments[sizes + i].place) + ": expected a size above 0 along " +
@@ -84,10 +87,25 @@ ShapeBox box_of(const LSystem& system, std::size_t position) {
     return box;
 }
 
+/// Adds the distances in an expression to those of the system.
+void add_distances(const Expression& expression, ShapeSystem& shapes) {
+    for (const Expression& operand : expression.operands) add_distances(operand, shapes);
+    if (!is_distance(expression)) return;
+    const std::string text = to_text(expression);
+    const auto known = std::find_if(shapes.distances.begin(), shapes.distances.end(),
+                                    [&](const auto& other) { return other.text == text; });
+    if (known != shapes.distances.end()) return;
+    const auto symbol = shapes.system->alphabet.find(expression.operands.at(1).name);
+    if (!symbol)
+        throw Error(to_string(expression.place) + ": expected a symbol of the system, found '" +
+                    expression.operands[1].name + "'");
+    shapes.distances.push_back(
+        {text, std::string_view("XYZ").find(expression.operands.at(0).name), *symbol});
+}
+
 }  // namespace
 
-Rational rational_value(const Expression& expression, const Names& names) {
-    const Quantity quantity = evaluate(expression, names);
+Rational rational(const Quantity& quantity) {
     return quantity.exact ? *quantity.exact : Rational(fmt::format("{}", quantity.value));
 }
 
@@ -104,7 +122,9 @@ View<ShapeSystem> as_shape(const LSystem& system) {
         const bool twice = std::any_of(of.begin(), of.end(), [&](std::size_t other) {
             return system.rules[other] == system.rules[i];
         });
-        if (!twice) of.push_back(i);
+        if (twice) continue;
+        of.push_back(i);
+        if (system.rules[i].condition) add_distances(*system.rules[i].condition, shapes);
     }
     return shapes;
 }

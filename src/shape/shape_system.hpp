@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "shape/box.hpp"
@@ -12,9 +13,16 @@ namespace algae {
 /// A system of shape rules: boxes that are divided, all at once in each step. A symbol without a
 /// rule stays. A box is a module with three parameters, its sizes along X, Y and Z.
 struct ShapeSystem {
+    /// A distance that some condition asks for (see NearestBoxes).
+    struct Distance {
+        std::string text;  // distance(X,wall)
+        std::size_t axis;
+        Symbol symbol;
+    };
     std::shared_ptr<const LSystem> system;
     std::vector<ShapeBox> axiom;
     std::vector<std::vector<std::size_t>> rules;  // by symbol: indices into system->rules
+    std::vector<Distance> distances;              // each once
 };
 
 /// The system as one of shape rules, if it is one: every rule is div, repeat or I, of a symbol with
@@ -24,8 +32,8 @@ struct ShapeSystem {
 /// arguments without a value, Error for boxes with sizes that are not above 0.
 View<ShapeSystem> as_shape(const LSystem& system);
 
-/// The value of an expression, as evaluate has it; one that is not rational is rounded to the
-/// shortest decimal that reads back as the same double.
-Rational rational_value(const Expression& expression, const Names& names);
+/// The quantity as a rational number: one that is not rational is rounded to the shortest decimal
+/// that reads back as the same double.
+Rational rational(const Quantity& quantity);
 
 }  // namespace algae

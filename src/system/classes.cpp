@@ -67,6 +67,8 @@ Class class_of(const LSystem& system) {
         kind.context.first = std::max(kind.context.first, context_length(rule.left, system.alphabet));
         kind.context.second = std::max(kind.context.second, context_length(rule.right, system.alphabet));
     }
+    kind.nested = holds_words(system);
+    kind.parametric = kind.parametric || kind.nested;
     if (kind.stochastic) kind.deterministic = false;
     return kind;
 }
@@ -85,6 +87,7 @@ std::string Class::name() const {
                 ? "0L"
                 : '(' + std::to_string(context.first) + ',' + std::to_string(context.second) + ")L";
     if (conditional) name += " with context conditions";
+    if (nested) name += conditional ? " and systems within" : " with systems within";
     return name;
 }
 

@@ -20,12 +20,13 @@ struct Class {
     bool open = false;          // there are communication modules
     bool shape = false;         // there are shape rules
     bool conditional = false;   // some rule has a context condition
+    bool nested = false;        // there are systems within it, or words as parameters
     std::size_t tables = 0;
     std::pair<std::size_t, std::size_t> context = {0, 0};  // the longest left and right contexts
 
     /// The name of the class with the letters of Rozenberg and Salomaa: E extended, P propagating,
     /// D deterministic, T with tables, S stochastic; then 0L or (k,l)L; "parametric", "open",
-    /// "shape" and "with context conditions" where they apply. "PD0L", "(1,0)L", "parametric D0L".
+    /// "shape", "with context conditions" and "with systems within" where they apply. "PD0L", "(1,0)L", "parametric D0L".
     std::string name() const;
 };
 

@@ -64,6 +64,18 @@ Value value_of(const Expression& expression, const Names& names) {
             fail(expression, "expected a number or a constant, found '" + expression.name + "'");
         return {known->exact, known->value};
     }
+    if (is_distance(expression)) {
+        const Quantity* known = names ? names(to_text(expression)) : nullptr;
+        if (!known)
+            fail(expression, "expected no distance but in the condition of a shape rule, found '" +
+                                 shown(expression) + "'");
+        return {known->exact, known->value};
+    }
+    if (reads_words(expression) && (expression.kind == Expression::Kind::word ||
+                                    expression.kind == Expression::Kind::call))
+        fail(expression, "expected a number, found " +
+                             std::string(expression.name == "length" ? "" : "the word ") + "'" +
+                             shown(expression) + "'");
     std::vector<Value> values;
     for (const Expression& operand : expression.operands)
         values.push_back(value_of(operand, names));

@@ -1,5 +1,6 @@
 #include "system/expression.hpp"
 
+#include <algorithm>
 #include <utility>
 
 namespace algae {
@@ -51,6 +52,9 @@ void print(const Expression& expression, Binding least, std::string& out) {
             break;
         case Expression::Kind::name:
             out += expression.name;
+            break;
+        case Expression::Kind::word:
+            out += '"' + expression.name + '"';
             break;
         case Expression::Kind::unary:
             out += expression.name;
@@ -114,6 +118,19 @@ std::string shortest_text(const Rational& value) {
     std::string scientific =
         minus + digits.substr(first, last - first + 1) + 'e' + std::to_string(exponent);
     return scientific.size() < decimal->size() ? scientific : *decimal;
+}
+
+bool is_distance(const Expression& expression) {
+    return expression.kind == Expression::Kind::call && expression.name == "distance";
+}
+
+bool reads_words(const Expression& expression) {
+    if (expression.kind == Expression::Kind::word) return true;
+    // What is called and is no function is a system.
+    if (expression.kind == Expression::Kind::call &&
+        (expression.name == "length" || !function_arity(expression.name)))
+        return true;
+    return std::any_of(expression.operands.begin(), expression.operands.end(), reads_words);
 }
 
 Quantity quantity(const Rational& value) { return {written(value), value, value.to_double()}; }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,18 +12,24 @@
 
 namespace algae {
 
+struct ModuleWord;
+
 /// An arithmetic or logical expression over named parameters and constants, as written.
 ///
 /// Operators, loosest first: `|`, `&`, relations (`< <= > >= = !=`), `+ -`, `* /`, unary `- !`,
 /// `^` (right associative, binds tighter than unary minus: -2^2 = -4). Truth is 1, falsehood 0.
-/// Functions: sin cos tan asin acos atan (degrees), sqrt exp log abs floor ceil min max.
+/// Values are numbers and words: `"FF[+F]"`, and of a system NAME within the file `NAME(n)`, the
+/// word of its generation n, a call. length(w) is the number of a word's modules; no other function or
+/// operator takes words. Functions: sin cos tan asin acos atan (degrees), sqrt exp log abs floor ceil min max; of an axis
+/// and a symbol, whose names are its operands, distance.
 struct Expression {
-    enum class Kind { number, name, unary, binary, call };
+    enum class Kind { number, name, unary, binary, call, word };
 
     Kind kind = Kind::number;
     Rational value;                    // of a number
-    std::string name;                  // the name, the operator or the function
+    std::string name;                  // the name, the operator, the function or the word's text
     std::vector<Expression> operands;  // one or two of an operator, the arguments of a call
+    std::shared_ptr<const ModuleWord> word = {};  // of a word; its text says it too
     Place place;                       // where it starts; not part of its identity
 
     bool operator==(const Expression& other) const {
@@ -44,7 +51,14 @@ struct Quantity {
 /// The quantity of a plain rational, written as a person would: 0.25, 1/3, -2.
 Quantity quantity(const Rational& value);
 
-/// What a name in an expression stands for; nullptr where it stands for nothing.
+/// Whether it is `distance(AXIS, SYMBOL)`.
+bool is_distance(const Expression& expression);
+
+/// Whether a word stands in it: one in quotes, one of a system, or a length.
+bool reads_words(const Expression& expression);
+
+/// What a name in an expression stands for; nullptr where it stands for nothing. A distance goes by
+/// its text, `distance(X,wall)`.
 using Names = std::function<const Quantity*(const std::string&)>;
 
 /// The value of an expression: exact where all of it is made by + - * / ^, relations, logic, abs,

@@ -109,8 +109,8 @@ Value call(const Expression& at, const std::vector<Value>& values) {
 
 const std::vector<std::string>& function_names() {
     static const std::vector<std::string> names{"abs", "acos", "asin",  "atan", "ceil",
-                                                "cos", "exp",  "floor", "log",  "max",
-                                                "min", "sin",  "sqrt",  "tan"};
+                                                "cos", "distance", "exp", "floor", "length", "log",
+                                                "max", "min", "sin",  "sqrt", "tan"};
     return names;
 }
 
@@ -118,7 +118,7 @@ std::optional<Arity> function_arity(std::string_view name) {
     const auto& names = function_names();
     if (std::find(names.begin(), names.end(), name) == names.end()) return std::nullopt;
     const bool any = name == "min" || name == "max";
-    return Arity{any ? std::size_t{2} : std::size_t{1}, any};
+    return Arity{any || name == "distance" ? std::size_t{2} : std::size_t{1}, any};
 }
 
 }  // namespace algae

@@ -17,6 +17,7 @@ std::string beyond_il(const Production& rule) {
     if (rule.condition) return at(rule.place) + " has a condition";
     if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty() || !plain(rule.left) || !plain(rule.right))
         return at(rule.place) + " has parameters";
+    if (!rule.successor.splices.empty()) return at(rule.place) + " splices a word in";
     if (rule.shape) return at(rule.place) + " is a shape rule";
     if (rule.probability && *rule.probability != Rational(1)) return at(rule.place) + " has a probability";
     return {};
@@ -29,7 +30,9 @@ Word letters(const Pattern& pattern) {
 }
 
 std::string beyond_il(const LSystem& system) {
+    if (!system.inner.empty()) return "there are systems within it";
     if (!system.axiom.arguments.empty()) return "the axiom has parameters";
+    if (!system.axiom.splices.empty()) return "the axiom has a word spliced in";
     if (!system.tables.empty()) return "it has tables";
     if (!system.terminals.empty()) return "it has terminals";
     for (const Production& rule : system.rules)

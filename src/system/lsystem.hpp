@@ -17,10 +17,12 @@
 namespace algae {
 
 /// A word whose letters may carry parameters: `CB(1)A(x*2,x+y)`. Most words have none, so the
-/// letters stand in one Word and only the positions that carry arguments are kept beside it.
+/// letters stand in one Word and only the positions that carry arguments are kept beside it. Where
+/// `<w>` stands, the word comes that w gives: `[<w>]B(w)`.
 struct ModuleWord {
     Word letters;
     std::map<std::size_t, std::vector<Expression>> arguments;  // by position in letters
+    std::map<std::size_t, std::vector<Expression>> splices = {};  // by how many letters stand before
 
     bool operator==(const ModuleWord&) const = default;
 };
@@ -82,6 +84,8 @@ struct Expectation {
     }
 };
 
+struct InnerSystem;
+
 /// The L-system as its file says it: every construct of the notation, none interpreted.
 /// What a theorem needs is a view of it (system/d0l.hpp, system/ol.hpp, ...), or a reason why not.
 struct LSystem {
@@ -92,6 +96,7 @@ struct LSystem {
     Alphabet alphabet;
     std::vector<Symbol> declared;  // by `alphabet`: names that may be longer than one character
     std::vector<std::pair<std::string, Quantity>> constants;  // `let`, in order
+    std::vector<InnerSystem> inner;  // `system leaf { ... }`: others, whose words it uses
     ModuleWord axiom;
     Place axiom_place;
     std::vector<Production> rules;
@@ -105,5 +110,21 @@ struct LSystem {
 
     bool operator==(const LSystem& other) const;  // all but names and places of origin
 };
+
+/// A system within another: an axiom, rules, and what they ignore, over the alphabet and with the
+/// constants of the outer one, so that its own are empty. Expressions of all of them may say
+/// `leaf(3)` for its word of generation 3.
+struct InnerSystem {
+    std::string name;
+    LSystem system;
+    Place place;  // not part of its identity
+
+    bool operator==(const InnerSystem& other) const {
+        return name == other.name && system == other.system;
+    }
+};
+
+/// Whether there are systems within it, or words as parameters or spliced into others.
+bool holds_words(const LSystem& system);
 
 }  // namespace algae

@@ -18,6 +18,7 @@ std::string beyond_ol(const Production& rule, bool probabilities) {
     if (rule.condition) return at(rule.place) + " has a condition";
     if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty())
         return at(rule.place) + " has parameters";
+    if (!rule.successor.splices.empty()) return at(rule.place) + " splices a word in";
     if (rule.shape) return at(rule.place) + " is a shape rule";
     if (probabilities && rule.probability && *rule.probability != Rational(1))
         return at(rule.place) + " has a probability";
@@ -52,7 +53,9 @@ std::optional<Brackets> lasting_brackets(const D0L& system) {
 }  // namespace
 
 std::string beyond_ol(const LSystem& system, bool probabilities) {
+    if (!system.inner.empty()) return "there are systems within it";
     if (!system.axiom.arguments.empty()) return "the axiom has parameters";
+    if (!system.axiom.splices.empty()) return "the axiom has a word spliced in";
     if (!system.tables.empty()) return "it has tables";
     if (!system.terminals.empty()) return "it has terminals";
     for (const Production& rule : system.rules)

@@ -43,7 +43,7 @@ std::map<Symbol, const Production*> interpretation(const LSystem& system) {
         const std::string& name = system.alphabet.name(rule.predecessor.symbol);
         if (!rule.left.empty() || !rule.right.empty() || !rule.elsewhere.empty() || rule.condition ||
             rule.probability || rule.shape || !rule.predecessor.parameters.empty() ||
-            !rule.successor.arguments.empty())
+            !rule.successor.arguments.empty() || !rule.successor.splices.empty())
             throw Error(to_string(rule.place) + ": the interpretation of " + name +
                         " is not a plain rule: drawing needs one without context, condition, "
                         "probability or parameters");

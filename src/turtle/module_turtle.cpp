@@ -7,6 +7,7 @@
 #include "base/error.hpp"
 #include "rewrite/draws.hpp"
 #include "rewrite/module_text.hpp"
+#include "rewrite/word_values.hpp"
 
 namespace algae {
 
@@ -66,7 +67,7 @@ std::vector<Vector> stamp_corners(StampShape shape, double size, const TurtleSta
 
 ModuleTurtle::ModuleTurtle(const LSystem& system, const ModuleKinds& kinds,
                            std::uint64_t generation, std::uint64_t seed)
-    : rules_(compiled_rules(interpretation_of(system))),
+    : rules_(compiled_rules(interpretation_of(system), {}, &kinds)),
       name_("generation " + std::to_string(generation) +
             (system.name.empty() ? "" : " of " + system.name)),
       angle_(value_or(system.settings.angle, 90)),
@@ -178,8 +179,12 @@ std::optional<Symbol> ModuleTurtle::symbol_of_space(const ModuleString& word) co
             return letter;
         if (!interpreted_[kind]) continue;
         for (const Alternatives& alternatives : rules_.tables.front().of[kind])
-            for (const std::uint32_t successor : alternatives.successors)
+            for (const std::uint32_t successor : alternatives.successors) {
                 for (const ModuleKind part : rules_.successors[successor].kinds) meet(part);
+                if (rules_.successors[successor].splices.empty()) continue;
+                for (std::size_t part = 0; part < rules_.kinds.size(); ++part)
+                    meet(static_cast<ModuleKind>(part));  // a word may have any of them
+            }
     }
     return std::nullopt;
 }
@@ -338,8 +343,18 @@ private:
         throw Error(turtle_.name_ + ", position " + std::to_string(position_) + ": " + what);
     }
 
+    /// Where parameters may be words.
+    void check_numbers(Operation operation, ModuleKind kind, const double* values) const {
+        const std::uint32_t arity = turtle_.rules_.kinds.arity(kind);
+        const std::uint32_t read = operation == Operation::plot ? arity : std::min(arity, 1U);
+        if (std::any_of(values, values + read, WordValues::is_word))
+            fail(kind, values, "expected a number for the turtle, found a word");
+    }
+
     void run(Operation operation, ModuleKind kind, const double* values) {
         if (cut_ && operation != Operation::push && operation != Operation::pop) return;
+        if (turtle_.rules_.inner && operation != Operation::nothing)
+            check_numbers(operation, kind, values);
         switch (operation) {
             case Operation::nothing:
                 break;
@@ -462,16 +477,25 @@ private:
                  "is interpreted again and again, " + std::to_string(deepest_interpretation) +
                      " times within itself, without an end");
         const Successor& successor = turtle_.rules_.successors[pick(*rules)];
+        ModuleString spliced;
         if (rooms_.size() == depth) rooms_.emplace_back();
-        rooms_[depth] = successor.values;
         try {
-            for (const Successor::Slot& slot : successor.slots)
-                rooms_[depth][slot.at] = slot.value.run(values);
+            if (!successor.splices.empty()) {
+                append(successor, values, turtle_.rules_.kinds.words(), spliced);
+            } else {
+                rooms_[depth] = successor.values;
+                for (const Successor::Slot& slot : successor.slots)
+                    rooms_[depth][slot.at] = slot.value.run(values);
+            }
         } catch (const Undefined& undefined) {
             fail(kind, values, undefined.reason);
         }
-        const double* next = rooms_[depth].data();  // stays where it is when rooms_ grows
-        for (const ModuleKind part : successor.kinds) {
+        const bool is_plain = successor.splices.empty();
+        // Rooms stay where they are when there come more.
+        const double* next = is_plain ? rooms_[depth].data() : spliced.values.data();
+        const ModuleKind* const parts = is_plain ? successor.kinds.data() : spliced.kinds.data();
+        const std::size_t count = is_plain ? successor.kinds.size() : spliced.kinds.size();
+        for (const ModuleKind part : std::span(parts, count)) {
             if (++interpreted_ > longest_interpretation)
                 fail(kind, values,
                      "its interpretation has more than " + std::to_string(longest_interpretation) +

@@ -65,6 +65,18 @@ bool cut_one_by_one(const std::vector<CutRule>& rules, std::vector<CutBox>& boxe
     }
 }
 
+bool further_than(const std::vector<CutBox>& boxes, std::size_t box, std::size_t axis, char letter,
+                  int bound) {
+    for (std::size_t other = 0; other < boxes.size(); ++other) {
+        if (other == box || boxes[other].letter != letter) continue;
+        for (int moved = -bound; moved <= bound; ++moved)
+            if (boxes[box].low[axis] + moved <= boxes[other].high[axis] &&
+                boxes[other].low[axis] <= boxes[box].high[axis] + moved)
+                return false;
+    }
+    return true;
+}
+
 std::string written(const CutRule& rule) {
     std::string text = std::string(1, rule.letter) + " -> ";
     if (rule.cuts.empty()) return text + "I(" + rule.parts + ")";

@@ -33,6 +33,11 @@ struct CutBox {
 /// all its boxes. Rules must not lead from a letter to itself. False if some size does not fit.
 bool cut_one_by_one(const std::vector<CutRule>& rules, std::vector<CutBox>& boxes);
 
+/// Whether every other box of this letter is further away than `bound` along an axis: whether the
+/// box meets none when it is moved by any whole number up to it. Places must be whole.
+bool further_than(const std::vector<CutBox>& boxes, std::size_t box, std::size_t axis, char letter,
+                  int bound);
+
 /// The rule as the notation has it.
 std::string written(const CutRule& rule);
 std::ostream& operator<<(std::ostream& out, const CutRule& rule);

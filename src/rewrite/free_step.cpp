@@ -1,30 +1,15 @@
 #include "rewrite/free_step.hpp"
 
 #include <algorithm>
-#include <atomic>
-#include <cstring>
-#include <exception>
+#include <memory>
 #include <string>
-#include <thread>
+#include <utility>
 
 #include "base/error.hpp"
+#include "rewrite/free_step_room.hpp"
+#include "rewrite/parts.hpp"
 
 namespace algae {
-
-/// What a thread works with, kept from part to part.
-struct FreeStep::Room {
-    std::vector<std::vector<Row>> rows;         // by kind, or by outcome
-    std::vector<std::vector<double>> gathered;  // columns of parameters
-    std::vector<const double*> columns;         // the same, for programs
-    std::vector<char> is_gathered;              // by parameter
-    std::vector<double> values;                 // what a program gives
-    std::vector<std::uint32_t> found;           // by row: the rules that match, counted from 1
-    Program::Columns programs;
-};
-
-namespace {
-constexpr std::size_t part_size = 2048;
-}
 
 FreeStep::FreeStep(const Rewriting& rewriting, const RuleSet& set, const ModuleString& word,
                    std::uint64_t generation, const Budget& budget)
@@ -34,56 +19,9 @@ FreeStep::FreeStep(const Rewriting& rewriting, const RuleSet& set, const ModuleS
       word_(word),
       generation_(generation),
       budget_(budget),
-      draws_(rewriting.choices_.seed, generation) {
-    add_outcomes();
+      draws_(rewriting.choices_.seed, generation),
+      table_(rules_, set) {
     cut();
-}
-
-void FreeStep::add_outcomes() {
-    const std::size_t kinds = rules_.kinds.size();
-    const std::size_t count = kinds + rules_.successors.size();
-    if (count > 65'535) throw BoundReached("the system has more than 65535 rules and letters");
-    std::size_t letters = 0;
-    for (const Successor& successor : rules_.successors) letters += successor.kinds.size();
-    padded_.reserve(letters + kinds + count * near);
-    const auto add = [&](std::uint32_t successor, const ModuleKind* from, std::size_t size,
-                         std::size_t values, std::uint32_t arity) {
-        outcomes_.push_back({successor, static_cast<std::uint32_t>(size),
-                             static_cast<std::uint32_t>(values), arity,
-                             padded_.data() + padded_.size()});
-        padded_.insert(padded_.end(), from, from + size);
-        padded_.insert(padded_.end(), near, 0);
-    };
-    for (std::size_t k = 0; k < kinds; ++k) {
-        const auto kind = static_cast<ModuleKind>(k);
-        add(0, &kind, 1, rules_.kinds.arity(kind), rules_.kinds.arity(kind));
-    }
-    ways_.resize(kinds);
-    closer_.assign(kinds, 0);
-    number_of_.assign(rules_.successors.size(), 0);
-    for (std::size_t k = 0; k < kinds; ++k) {
-        const auto kind = static_cast<ModuleKind>(k);
-        ways_[k].thresholds.fill(~std::uint64_t{0});
-        ways_[k].outcomes.fill(kind);
-        for (const Alternatives& alternatives : set_.of[k])
-            for (const std::uint32_t successor : alternatives.successors) {
-                number_of_[successor] = static_cast<Number>(outcomes_.size());
-                const Successor& to = rules_.successors[successor];
-                add(successor, to.kinds.data(), to.kinds.size(), to.values.size(),
-                    rules_.kinds.arity(kind));
-            }
-        if (set_.of[k].empty()) continue;
-        const Alternatives& first = set_.of[k].front();
-        const std::size_t choices = first.successors.size();
-        closer_[k] = set_.of[k].size() > 1 || first.condition || choices > 4 ||
-                     (choices > 1 && first.thresholds.empty());
-        if (closer_[k]) continue;
-        random_ = random_ || choices > 1;
-        for (std::size_t i = 0; i < 4; ++i) {
-            ways_[k].outcomes[i] = number_of_[first.successors[std::min(i, choices - 1)]];
-            if (i + 1 < choices) ways_[k].thresholds[i] = first.thresholds[i];
-        }
-    }
 }
 
 void FreeStep::cut() {
@@ -95,64 +33,6 @@ void FreeStep::cut() {
             for (std::size_t i = begin; i < parts_.back().end; ++i)
                 values += rules_.kinds.arity(word_.kinds[i]);
     }
-}
-
-/// Does the work for all parts. Of several errors the one of the first part is thrown, so that it
-/// does not depend on the threads.
-void FreeStep::each_part(const std::function<void(Part&, Room&)>& work) {
-    std::atomic<std::size_t> next{0};
-    std::atomic<bool> failed{false};
-    std::vector<std::exception_ptr> errors(parts_.size());
-    const auto run = [&] {
-        Room room;
-        while (!failed) {
-            const std::size_t i = next++;
-            if (i >= parts_.size()) return;
-            try {
-                if (i % 32 == 0) budget_.check();
-                work(parts_[i], room);
-            } catch (...) {
-                errors[i] = std::current_exception();
-                failed = true;
-            }
-        }
-    };
-    constexpr std::size_t parts_for_a_thread = 16;
-    const std::size_t wanted = rewriting_.choices_.threads > 0
-                                   ? rewriting_.choices_.threads
-                                   : std::max(1u, std::thread::hardware_concurrency());
-    const std::size_t threads = std::min(wanted, parts_.size() / parts_for_a_thread);
-    std::vector<std::thread> others;
-    for (std::size_t i = 1; i < threads; ++i) others.emplace_back(run);
-    run();
-    for (std::thread& thread : others) thread.join();
-    for (const std::exception_ptr& error : errors)
-        if (error) std::rethrow_exception(error);
-}
-
-FreeStep::Number FreeStep::outcome_of(const Alternatives& alternatives, ModuleKind kind,
-                                      const Row& row) const {
-    rewriting_.check_choice(alternatives, kind, word_.values.data() + row.values, row.position,
-                            generation_);
-    const std::uint64_t number = alternatives.successors.size() > 1 ? draws_.at(row.position) : 0;
-    return number_of_[rewriting_.pick(alternatives, number)];
-}
-
-/// One module by itself: what has no value is found here.
-void FreeStep::look_at(ModuleKind kind, const Row& row) {
-    const double* values = word_.values.data() + row.values;
-    const Alternatives* found = nullptr;
-    for (const Alternatives& next : set_.of[kind]) {
-        const Production& rule = *rules_.successors[next.successors.front()].rule;
-        try {
-            if (next.condition && next.condition->run(values) == 0) continue;
-        } catch (const Undefined& undefined) {
-            rewriting_.refuse(undefined.reason, rule, kind, values, row.position, generation_);
-        }
-        if (found) rewriting_.refuse_both(*found, next, kind, values, row.position, generation_);
-        found = &next;
-    }
-    chosen_[row.position] = found ? outcome_of(*found, kind, row) : kind;
 }
 
 void FreeStep::gather(const Program& program, const std::vector<Row>& rows, Room& room) const {
@@ -172,141 +52,17 @@ void FreeStep::gather(const Program& program, const std::vector<Row>& rows, Room
     }
 }
 
-/// All modules of a kind at once; false if something has no value or too many rules match.
-bool FreeStep::look_at_all(ModuleKind kind, const std::vector<Row>& rows, Room& room) {
-    std::fill(room.is_gathered.begin(), room.is_gathered.end(), 0);
-    room.found.assign(rows.size(), 0);
-    room.values.resize(part_size);
-    const auto& rules = set_.of[kind];
-    for (std::uint32_t rule = 0; rule < rules.size(); ++rule) {
-        if (rules[rule].condition) {
-            gather(*rules[rule].condition, rows, room);
-            if (!rules[rule].condition->run_many(room.columns, rows.size(), room.values.data(),
-                                                 room.programs))
-                return false;
-        } else {
-            std::fill_n(room.values.begin(), rows.size(), 1.0);
-        }
-        bool twice = false;
-        for (std::size_t i = 0; i < rows.size(); ++i) {
-            const bool holds = room.values[i] != 0;
-            twice |= holds && room.found[i] != 0;
-            room.found[i] = holds ? rule + 1 : room.found[i];
-        }
-        if (twice) return false;
-    }
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const std::uint32_t found = room.found[i];
-        chosen_[rows[i].position] = found == 0 ? kind
-                                    : rules[found - 1].successors.size() == 1
-                                        ? number_of_[rules[found - 1].successors.front()]
-                                        : outcome_of(rules[found - 1], kind, rows[i]);
-    }
-    return true;
-}
-
-void FreeStep::look_closer(ModuleKind kind, const std::vector<Row>& rows, Room& room) {
-    if (rows.empty() || look_at_all(kind, rows, room)) return;
-    for (const Row& row : rows) look_at(kind, row);
-}
-
-void FreeStep::choose(Part& part, Room& room) {
-    if (random_) {
-        for (std::size_t i = part.begin; i < part.end; ++i) {
-            const Way& way = ways_[word_.kinds[i]];
-            const std::uint64_t number = draws_.at(i);
-            const auto steps = static_cast<std::size_t>(number >= way.thresholds[0]) +
-                               static_cast<std::size_t>(number >= way.thresholds[1]) +
-                               static_cast<std::size_t>(number >= way.thresholds[2]);
-            chosen_[i] = way.outcomes[steps];
-        }
-    } else {
-        for (std::size_t i = part.begin; i < part.end; ++i)
-            chosen_[i] = ways_[word_.kinds[i]].outcomes[0];
-    }
-    if (std::find(closer_.begin(), closer_.end(), 1) != closer_.end()) {
-        room.rows.resize(closer_.size());
-        for (auto& rows : room.rows) rows.clear();
-        std::uint64_t values = part.values;
-        for (std::size_t i = part.begin; i < part.end; ++i) {
-            const ModuleKind kind = word_.kinds[i];
-            if (closer_[kind]) room.rows[kind].push_back({i, values, 0});
-            values += rules_.kinds.arity(kind);
-        }
-        for (std::size_t kind = 0; kind < closer_.size(); ++kind)
-            look_closer(static_cast<ModuleKind>(kind), room.rows[kind], room);
-    }
-    std::uint64_t letters = 0, values = 0;
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-        letters += outcomes_[chosen_[i]].letters;
-        values += outcomes_[chosen_[i]].values;
-    }
-    part.letters_out = letters;
-    part.values_out = values;
-}
-
-void FreeStep::compute(const Outcome& outcome, const std::vector<Row>& rows, Room& room) {
-    const Successor& successor = rules_.successors[outcome.successor];
-    std::fill(room.is_gathered.begin(), room.is_gathered.end(), 0);
-    room.values.resize(part_size);
-    for (const Successor::Slot& slot : successor.slots) {
-        gather(slot.value, rows, room);
-        double* const out = out_.values.data() + slot.at;
-        if (slot.value.run_many(room.columns, rows.size(), room.values.data(), room.programs)) {
-            for (std::size_t i = 0; i < rows.size(); ++i) out[rows[i].out] = room.values[i];
-            continue;
-        }
-        for (const Row& row : rows) {
-            const double* values = word_.values.data() + row.values;
-            try {
-                out[row.out] = slot.value.run(values);
-            } catch (const Undefined& undefined) {
-                rewriting_.refuse(undefined.reason, *successor.rule, word_.kinds[row.position],
-                                  values, row.position, generation_);
-            }
-        }
-    }
-}
-
-void FreeStep::write(const Part& part, Room& room) {
-    ModuleKind* letters = out_.kinds.data() + part.letters_out;
-    const ModuleKind* const letters_end =
-        out_.kinds.data() + (&part == &parts_.back() ? out_.kinds.size() : (&part)[1].letters_out);
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-        const Outcome& outcome = outcomes_[chosen_[i]];
-        if (outcome.letters <= near && letters + near <= letters_end)
-            std::memcpy(letters, outcome.kinds, near * sizeof(ModuleKind));
-        else
-            std::copy_n(outcome.kinds, outcome.letters, letters);
-        letters += outcome.letters;
-    }
-    if (out_.values.empty()) return;
-    room.rows.resize(outcomes_.size());
-    for (auto& rows : room.rows) rows.clear();
-    const double* from = word_.values.data() + part.values;
-    double* to = out_.values.data() + part.values_out;
-    for (std::size_t i = part.begin; i < part.end; ++i) {
-        const Outcome& outcome = outcomes_[chosen_[i]];
-        const double* source = from;
-        if (outcome.successor != 0) {
-            const Successor& successor = rules_.successors[outcome.successor];
-            source = successor.values.data();
-            if (!successor.slots.empty())
-                room.rows[chosen_[i]].push_back(
-                    {i, static_cast<std::uint64_t>(from - word_.values.data()),
-                     static_cast<std::uint64_t>(to - out_.values.data())});
-        }
-        for (std::uint32_t k = 0; k < outcome.values; ++k) to[k] = source[k];
-        to += outcome.values;
-        from += outcome.arity;
-    }
-    for (std::size_t number = 0; number < outcomes_.size(); ++number)
-        if (!room.rows[number].empty()) compute(outcomes_[number], room.rows[number], room);
+void FreeStep::all(void (FreeStep::*work)(Part&, Room&)) {
+    each_part(parts_.size(), rewriting_.choices_.threads, budget_, [this, work] {
+        return [this, work, room = std::make_shared<Room>()](std::size_t part) {
+            (this->*work)(parts_[part], *room);
+        };
+    });
 }
 
 ModuleString FreeStep::next() {
     chosen_.resize(word_.kinds.size());
-    each_part([this](Part& part, Room& room) { choose(part, room); });
+    all(&FreeStep::choose);
     std::uint64_t letters = 0, values = 0;
     for (Part& part : parts_) {
         letters += std::exchange(part.letters_out, letters);
@@ -319,7 +75,7 @@ ModuleString FreeStep::next() {
     budget_.check_memory(letters * sizeof(ModuleKind) + values * sizeof(double), "a word");
     out_.kinds.resize(letters);
     out_.values.resize(values);
-    each_part([this](Part& part, Room& room) { write(part, room); });
+    all(&FreeStep::write);
     return std::move(out_);
 }
 

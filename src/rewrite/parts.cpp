@@ -1,0 +1,42 @@
+#include "rewrite/parts.hpp"
+
+#include <algorithm>
+#include <atomic>
+#include <exception>
+#include <thread>
+#include <vector>
+
+namespace algae {
+
+void each_part(std::size_t count, unsigned threads, const Budget& budget,
+               const std::function<PartWorker()>& worker) {
+    std::atomic<std::size_t> next{0};
+    std::atomic<bool> failed{false};
+    std::vector<std::exception_ptr> errors(count);
+    const auto run = [&] {
+        const PartWorker work = worker();
+        while (!failed) {
+            const std::size_t i = next++;
+            if (i >= count) return;
+            try {
+                if (i % 32 == 0) budget.check();
+                work(i);
+            } catch (...) {
+                errors[i] = std::current_exception();
+                failed = true;
+            }
+        }
+    };
+    constexpr std::size_t parts_for_a_thread = 16;
+    const std::size_t wanted =
+        threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
+    std::vector<std::thread> others;
+    for (std::size_t i = 1; i < std::min(wanted, count / parts_for_a_thread); ++i)
+        others.emplace_back(run);
+    run();
+    for (std::thread& thread : others) thread.join();
+    for (const std::exception_ptr& error : errors)
+        if (error) std::rethrow_exception(error);
+}
+
+}  // namespace algae

@@ -73,7 +73,7 @@ ModuleFigure::ModuleFigure(const LSystem& system, const ModuleKinds& kinds, Modu
     facts_.high = {Coordinate(box_.high.x), Coordinate(box_.high.y)};
     // Rounding over a long walk is far less than a millionth of this.
     const double least = std::max(box_.breadth(), box_.height()) * 1e-5;
-    if (least > 0) facts_.step = std::max(std::min(facts_.step, surveyor.shortest), least);
+    if (least > 0) facts_.step = std::max(std::min(facts_.step, surveyor.shortest()), least);
 }
 
 void ModuleFigure::draw(Canvas& canvas, double /*resolution*/, const Budget& budget) const {

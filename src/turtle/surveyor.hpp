@@ -19,8 +19,9 @@ public:
         box.add(from_);
         box.add(point);
         widest_length = std::max(widest_length, length_);
-        const double size = std::hypot(point.x - from_.x, point.y - from_.y);
-        if (size > 0) shortest = std::min(shortest, size);
+        const double x = point.x - from_.x, y = point.y - from_.y;
+        const double square = x * x + y * y;
+        if (square > 0 && square < shortest_square_) shortest_square_ = square;
         from_ = point;
     }
     void polygon(std::span<const Point> corners) override {
@@ -32,14 +33,17 @@ public:
     void colour(std::uint32_t) override {}
     void position(double) override {}
 
+    /// The length of the shortest stroke that has one; infinite if none has.
+    double shortest() const { return std::sqrt(shortest_square_); }
+
     Box box;
     std::uint64_t lines = 0, polygons = 0;
-    double shortest = std::numeric_limits<double>::infinity();  // of the strokes longer than 0
     double widest_length = 0;  // of the strokes whose width is a length
 
 private:
     Point from_;
     double length_ = 0;
+    double shortest_square_ = std::numeric_limits<double>::infinity();
 };
 
 }  // namespace algae

@@ -107,6 +107,28 @@ TEST_CASE("a system with choices is drawn with a seed") {
     CHECK(text_of(scratch.file("a.svg")) == text_of(scratch.file("b.svg")));
 }
 
+TEST_CASE("systems with parameters, probabilities and tables are drawn") {
+    const Scratch scratch;
+    const std::string tree = scratch.file("tree.lsys", "axiom A(2)\nA(x) -> F(x)[+(45)A(x/2)][-(45)A(x/2)]\nstart 0 0 90\n");
+    const json drawn = json::parse(run("draw " + tree + " -n 3 --json -o " + scratch.file("tree.pdf")).out);
+    CHECK(drawn["segments"] == 7);
+    CHECK(drawn["exact"] == false);
+    CHECK(drawn["end"] == json({0, 2}));
+    const std::string plant = scratch.file("plant.lsys", "axiom F; F -(1/2)-> F[+F]; F -(1/2)-> FF; generation 3; seed 2..4\n");
+    const json own = json::parse(run("draw " + plant + " --json -o " + scratch.file("own.svg")).out);
+    REQUIRE(own["figures"].size() == 3);
+    CHECK(own["figures"][0]["seed"] == 2);
+    const json panel = json::parse(run("draw " + plant + " --seeds 2..2 --json -o " + scratch.file("one.svg")).out);
+    CHECK(panel["segments"] == own["figures"][0]["segments"]);
+    CHECK(panel["end"] == own["figures"][0]["end"]);
+    CHECK(run("draw " + plant + " --seeds 1..9 --captions -o " + scratch.file("nine.png")).status == 0);
+    CHECK(run("draw " + plant + " --seeds 1..9 --seed 1 -o " + scratch.file("nine.png")).status == 2);
+    const std::string tables = scratch.file("tables.lsys", "axiom F; table a; F -> FF; table b; F -> F[+F]F\n");
+    CHECK(run("draw " + tables + " -n 2 -o " + scratch.file("t.svg")).err.find("--tables") != std::string::npos);
+    CHECK(json::parse(run("draw " + tables + " -n 2 --tables ab --json -o " + scratch.file("t.svg")).out)["segments"] == 6);
+    CHECK(run("draw " + tables + " -n 3 --tables ab -o " + scratch.file("t.svg")).status == 2);
+}
+
 TEST_CASE("figures draws a folder, tells what does not come out as expected, and is repeatable") {
     const Scratch scratch;
     std::filesystem::create_directory(scratch.path() / "in");

@@ -64,3 +64,29 @@ TEST_CASE("an expectation that cannot be answered is not met") {
     CHECK(first_unmet("axiom a\na -> a\na -> aa\nexpect length 1: 1\n")
               .find("found no answer: not a D0L system: a has 2 rules") != std::string::npos);
 }
+
+TEST_CASE("words with parameters are compared letter by letter, numbers as they are written") {
+    const std::string modules =
+        "axiom B(2)A(4,4)\nA(x,y) : y <= 3 -> A(2*x,x+y)\nA(x,y) : y > 3 -> B(x)A(x/y,0)\n"
+        "B(x) : x < 1 -> C\nB(x) : x >= 1 -> B(x-1)\n";
+    CHECK(first_unmet(modules + "expect word 1: B(1) B(4) A(1, 0)\n") == "");
+    CHECK(first_unmet(modules + "expect word 5: CB(0)B(8)A(8/7,0)\n") == "");
+    CHECK(first_unmet(modules + "expect word 5: CB(0)B(8)A(1.143,0)\n") == "");
+    CHECK(first_unmet(modules + "expect word 5: CB(0)B(8)A(1.142,0)\n") ==
+          "x.lsys:6:1: expected word 5: CB(0)B(8)A(1.142,0), found CB(0)B(8)A(1.1428571428571428,0)");
+    CHECK(first_unmet(modules + "expect word 1: B(1)B(4)A(1)\n") != "");
+    CHECK(first_unmet(modules + "expect word 1: B(1)B(4)A(1,0)C\n") != "");
+    CHECK(first_unmet(modules + "expect length 5: 4\n") == "");
+    CHECK(first_unmet(modules + "expect segments 5: 0\n") == "");
+    CHECK(first_unmet("axiom F(1)\nF(x) -> F(x/2)[+(60)F(x/4)]\nexpect end 2: 0.25 0\nexpect box 1: 0 0 0.625 0.217\n") == "");
+}
+
+TEST_CASE("of a system with choices the expected word is that of its first seed") {
+    const std::string plant = "axiom F\nF -(1/2)-> F[+F]\nF -(1/2)-> FF\n";
+    const std::string of_one = first_unmet(plant + "expect word 4: F\n"), of_two = first_unmet(plant + "seed 2\nexpect word 4: F\n");
+    CHECK(of_one.substr(of_one.find("found")) != of_two.substr(of_two.find("found")));
+    CHECK(of_one.substr(of_one.find("found")) ==
+          [&] { const auto said = first_unmet(plant + "seed 1..5\nexpect word 4: F\n"); return said.substr(said.find("found")); }());
+    CHECK(first_unmet("axiom a\na -> a\na -> aa\nseed 3\nexpect length 0: 1\n") == "");
+    CHECK(first_unmet("axiom F; table a; F -> FF; table b; F -> F\nexpect length 1: 2\n").find("no seed picks") != std::string::npos);
+}

@@ -21,6 +21,7 @@ public:
         calls_(measure, 0);
         box_ = measure.box;
         facts_.segments = Integer(measure.lines);
+        facts_.widest = measure.widest;
         strokes_ = measure.lines;
     }
 
@@ -49,9 +50,10 @@ private:
             ++lines;
         }
         void width(double) override {}
-        void width_as_length(double) override {}
+        void width_as_length(double length) override { widest = std::fmax(widest, length); }
         void colour(std::uint32_t) override {}
         void position(double) override {}
+        double widest = 0;
         Box box;
         Point here;
         std::uint64_t lines = 0;

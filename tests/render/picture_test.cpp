@@ -294,6 +294,28 @@ TEST_CASE("strokes that grow wider make room for themselves, up to a limit") {
     }
 }
 
+TEST_CASE("a width that is a length grows with the picture, which has room for it") {
+    const DrawnFigure figure([](Canvas& canvas, double) {
+        canvas.move_to({0, 0});
+        canvas.line_to({0, 10});
+        canvas.width_as_length(2);
+        canvas.move_to({10, 0});
+        canvas.line_to({10, 10});
+        canvas.width(1);
+    });
+    PictureOptions options;
+    options.width = 140;  // ten pixels a unit: margins of 10, and half the width on each side
+    for (const auto route : {PictureOptions::Route::strokes, PictureOptions::Route::cells}) {
+        options.route = route;
+        const Pixels pixels(picture(figure, PictureFormat::png, options));
+        CHECK(pixels.height == 140);
+        for (const int x : {20, 112, 120, 128}) CHECK(pixels.red(x, 70) < 140);
+        for (const int x : {10, 15, 25, 60, 107, 133}) CHECK(pixels.red(x, 70) == 255);
+        CHECK(pixels.red(120, 12) == 0);
+        CHECK(pixels.red(120, 7) == 255);
+    }
+}
+
 TEST_CASE("a stroke is never cut off by the margin") {
     const DrawnFigure line = polyline({{0, 0}, {1, 0}});
     PictureOptions options;

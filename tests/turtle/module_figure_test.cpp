@@ -80,8 +80,7 @@ TEST_CASE("polygons and cut branches are the same by modules") {
     const bool holds = rc::check("polygons by modules", [] {
         const auto inside = oracle::balanced(*oracle::any_word("FfG.+-[]FX%", 8));
         const oracle::WrittenSystem written{
-            "F{" + inside + "}F",
-            {{'F', {*oracle::any_word("F+f", 2)}}, {'X', {"X{F+F+FX}"}}}};
+            "F{" + inside + "}F", {{'F', {*oracle::any_word("F+f", 2)}}, {'X', {"X{F+F+FX}"}}}};
         const LSystem system = drawn_system(written, *any_turtle());
         const unsigned n = oracle::last_generation_within(written, 300, 3);
         const Recording truth = drawn(*figure(system, n, Budget())),
@@ -100,7 +99,8 @@ TEST_CASE("polygons and cut branches are the same by modules") {
 TEST_CASE("a curve with lengths as parameters is the one with a step that shrinks") {
     const auto lengths = figure_of(
         "axiom F(1)-(120)F(1)-(120)F(1)\n"
-        "F(x) -> F(x/3)+(60)F(x/3)-(120)F(x/3)+(60)F(x/3)", 4);
+        "F(x) -> F(x/3)+(60)F(x/3)-(120)F(x/3)+(60)F(x/3)",
+        4);
     const auto steps = figure_of("axiom F--F--F; F -> F+F--F+F; angle 60; shrink 1/3", 4);
     const Recording one = drawn(*lengths), other = drawn(*steps);
     REQUIRE(one.strokes.size() == 768);
@@ -113,7 +113,9 @@ TEST_CASE("a curve with lengths as parameters is the one with a step that shrink
     CHECK(lengths->facts().step == doctest::Approx(1.0 / 81));
 }
 
-TEST_CASE("systems with interactions, choices or tables have exact figures where no module has parameters") {
+TEST_CASE(
+    "systems with interactions, choices or tables have exact figures where no module has "
+    "parameters") {
     const auto signal = figure_of("axiom F_bF_aF_a; F_b < F_a -> F_b; F_b -> +F_a; angle 60", 2);
     CHECK(signal->facts().exact);
     CHECK(signal->segments() == Integer(3));
@@ -127,7 +129,8 @@ TEST_CASE("systems with interactions, choices or tables have exact figures where
     CHECK(figure_of(tables, 3, {std::nullopt, {0, 0, 1}})->segments() == Integer(8));
     CHECK(figure_of(tables, 3, {std::nullopt, {0, 0, 1}})->facts().high[1].value() == 1);
     CHECK(refusal(tables).find("2 tables") != std::string::npos);
-    CHECK(refusal("axiom F; F -> F; F -> FF") == "cannot draw x.lsys: not a D0L system: F has 2 rules");
+    CHECK(refusal("axiom F; F -> F; F -> FF") ==
+          "cannot draw x.lsys: not a D0L system: F has 2 rules");
     CHECK(refusal("axiom F; F -> F; F -> FF", {3, {}}).empty());
 }
 
@@ -140,7 +143,8 @@ TEST_CASE("plots and stamps") {
     CHECK(near(lines.strokes[2].to, {0, 5}));
     CHECK(plot->facts().end[0].value() == 4);
 
-    const auto stamps = figure_of("axiom Sf+S(1)fTfC; stamp S square; stamp T triangle; stamp C circle; angle 90", 0);
+    const auto stamps = figure_of(
+        "axiom Sf+S(1)fTfC; stamp S square; stamp T triangle; stamp C circle; angle 90", 0);
     const Recording shapes = drawn(*stamps);
     REQUIRE(shapes.polygons.size() == 4);
     CHECK(near(shapes.polygons[0][0], {1, 1}));

@@ -105,7 +105,7 @@ private:
             RewritingChoices choices;
             choices.seed = choices_.seed.value_or(choices.seed);
             choices.evenly = !class_of(system_).stochastic;
-            rewriting_.emplace(system_, choices);
+            rewriting_.emplace(system_, choices, budget_);
         }
         return *rewriting_;
     }

@@ -27,7 +27,7 @@ bool is_plain(const LSystem& system) {
     return std::all_of(
         system.interpretation.begin(), system.interpretation.end(), [](const Production& rule) {
             return !rule.condition && !rule.probability && rule.predecessor.parameters.empty() &&
-                   rule.successor.arguments.empty();
+                   rule.successor.arguments.empty() && rule.successor.splices.empty();
         });
 }
 
@@ -63,7 +63,7 @@ std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Bud
     RewritingChoices rewriting_choices;
     rewriting_choices.seed = choices.seed.value_or(usual_seed);
     rewriting_choices.evenly = choices.seed && !kind.stochastic;
-    const Rewriting rewriting(system, rewriting_choices);
+    const Rewriting rewriting(system, rewriting_choices, budget);
     ModuleString word = derive(rewriting, n, choices.tables, budget);
     return figure(system, rewriting.rules().kinds, std::move(word), n, rewriting_choices.seed,
                   budget);

@@ -87,7 +87,10 @@ Json rule_json(const Production& rule, const LSystem& system) {
 Json to_json(const LSystem& system) {
     Json rules = Json::array();
     for (const Production& rule : system.rules) rules.push_back(rule_json(rule, system));
-    return {{"axiom", to_json(system.axiom, system)}, {"modules", std::move(rules)}};
+    Json result{{"axiom", to_json(system.axiom, system)}, {"modules", std::move(rules)}};
+    for (const Symbol letter : system.ignored)
+        result["ignored"].push_back(system.alphabet.name(letter));
+    return result;
 }
 
 Json to_json(const ModuleWord& word, const LSystem& system) {

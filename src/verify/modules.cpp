@@ -51,14 +51,24 @@ std::pair<std::string, std::vector<Field>> module(const Field& field) {
     return {std::move(letter), std::move(parts)};
 }
 
+ModuleSystem::Pattern pattern(const Field& field) {
+    const auto [letter, parameters] = module(field);
+    ModuleSystem::Pattern read{letter, {}};
+    for (const Field& name : parameters) read.parameters.push_back(name.text());
+    return read;
+}
+
 ModuleSystem::Rule rule(const Field& field) {
     field.only({"module", "left", "right", "elsewhere", "condition", "probability", "successor"});
     ModuleSystem::Rule read;
-    const auto [letter, parameters] = module(field.at("module"));
-    read.letter = letter;
-    for (const Field& name : parameters) read.parameters.push_back(name.text());
-    for (const char* around : {"left", "right", "elsewhere"})
-        read.looks_around = read.looks_around || field.has(around);
+    read.module = pattern(field.at("module"));
+    const auto around = [&](const char* name, std::vector<ModuleSystem::Pattern>& patterns) {
+        if (!field.has(name)) return;
+        for (const Field& each : field.at(name).list()) patterns.push_back(pattern(each));
+    };
+    around("left", read.left);
+    around("right", read.right);
+    around("elsewhere", read.elsewhere);
     if (field.has("condition")) read.condition = term(field.at("condition"));
     if (field.has("probability")) read.probability = probability(field.at("probability"));
     for (const Field& each : field.at("successor").list()) {
@@ -82,19 +92,15 @@ public:
     }
 
 private:
-    using Choice = std::pair<Rational, Modules>;
-
     Rational of_part(const Modules& word, std::uint64_t steps, std::size_t begin, std::size_t end);
     Rational of_module(const Module& module, std::uint64_t steps, std::size_t begin,
                        std::size_t end);
-    const std::vector<Choice>& choices(const Module& module);
-    double value(const Term& term, const ModuleSystem::Rule& rule, const Module& module) const;
 
     const ModuleSystem& system_;
     const Modules& to_;
     const Field& proof_;
     const Budget& budget_;
-    std::map<Module, std::vector<Choice>> choices_;
+    std::map<Module, Choices> choices_;
     std::map<std::tuple<Module, std::uint64_t, std::size_t, std::size_t>, Rational> known_;
 };
 
@@ -117,112 +123,54 @@ Rational Chance::of_part(const Modules& word, std::uint64_t steps, std::size_t b
 
 Rational Chance::of_module(const Module& module, std::uint64_t steps, std::size_t begin,
                            std::size_t end) {
-    const std::vector<Choice>* next = steps == 0 ? nullptr : &choices(module);
-    if (!next || next->empty()) return Rational(end == begin + 1 && to_[begin] == module ? 1 : 0);
+    const Rational as_it_is(end == begin + 1 && to_[begin] == module ? 1 : 0);
+    if (steps == 0) return as_it_is;
+    const auto [entry, is_new] = choices_.try_emplace(module);
+    if (is_new) entry->second = choices(system_, {module}, 0, proof_);
+    const Choices& next = entry->second;
+    if (next.empty()) return as_it_is;
     const std::tuple key(module, steps, begin, end);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
     Rational sum;
-    for (const auto& [probability, successor] : *next)
+    for (const auto& [probability, successor] : next)
         sum += probability * of_part(successor, steps - 1, begin, end);
     known_.emplace(key, sum);
     budget_.check_memory(known_.size() * 300, "the probabilities of parts of a word");
     return sum;
 }
 
-/// What the module may become; nothing if it stays.
-const std::vector<Chance::Choice>& Chance::choices(const Module& module) {
-    const auto [entry, fresh] = choices_.try_emplace(module);
-    std::vector<Choice>& all = entry->second;
-    if (!fresh) return all;
-    std::size_t certain = 0;
-    Rational sum;
-    for (const ModuleSystem::Rule& rule : system_.rules) {
-        if (rule.letter != module.letter || rule.parameters.size() != module.values.size())
-            continue;
-        if (rule.condition && value(*rule.condition, rule, module) == 0) continue;
-        Modules word;
-        for (const auto& [letter, arguments] : rule.successor) {
-            word.push_back({letter, {}});
-            for (const Term& argument : arguments)
-                word.back().values.push_back(value(argument, rule, module));
+/// By deriving all words.
+Rational walked(const ModuleSystem& system, const Modules& from, const Modules& to,
+                std::uint64_t steps, const Field& proof, const Budget& budget) {
+    constexpr std::size_t most = 10'000;
+    std::map<Modules, Rational> words{{from, Rational(1)}};
+    for (std::uint64_t n = 0; n < steps; ++n) {
+        std::map<Modules, Rational> all;
+        for (const auto& [word, share] : words) {
+            std::map<Modules, Rational> made{{{}, share}};
+            for (std::size_t i = 0; i < word.size(); ++i) {
+                budget.check();
+                Choices next = choices(system, word, i, proof);
+                if (next.empty()) next.push_back({Rational(1), {word[i]}});
+                std::map<Modules, Rational> longer;
+                for (const auto& [beginning, part] : made)
+                    for (const auto& [probability, successor] : next) {
+                        Modules whole = beginning;
+                        whole.insert(whole.end(), successor.begin(), successor.end());
+                        longer[std::move(whole)] += part * probability;
+                    }
+                made = std::move(longer);
+                if (made.size() > most)
+                    throw BoundReached("more than 10,000 words are not derived again");
+            }
+            for (const auto& [whole, part] : made) all[whole] += part;
+            if (all.size() > most)
+                throw BoundReached("more than 10,000 words are not derived again");
         }
-        if (!rule.probability) {
-            if (certain > 0 && all.back().second == word) continue;
-            ++certain;
-        }
-        sum += rule.probability.value_or(Rational(1));
-        all.emplace_back(rule.probability.value_or(Rational(1)), std::move(word));
+        words = std::move(all);
     }
-    if (!all.empty() && sum != 1)
-        proof_.refuse("the rules for a module " + module.letter + " have the sum " +
-                      to_string(sum) + " of probabilities");
-    return all;
-}
-
-double Chance::value(const Term& term, const ModuleSystem::Rule& rule, const Module& module) const {
-    if (term.kind == Term::Kind::number) return term.number;
-    if (term.kind == Term::Kind::parameter) {
-        const auto found = std::find(rule.parameters.begin(), rule.parameters.end(), term.name);
-        if (found == rule.parameters.end())
-            proof_.fail("a rule for " + term.name + " has a parameter that is not its module's");
-        return module.values[static_cast<std::size_t>(found - rule.parameters.begin())];
-    }
-    const auto part = [&](std::size_t i) { return value(term.parts[i], rule, module); };
-    const std::string& name = term.name;
-    const std::size_t count = term.parts.size();
-    const double x = part(0);
-    double result = std::nan("");
-    if (count == 1 && name == "-")
-        result = -x;
-    else if (count == 1 && name == "!")
-        result = x == 0;
-    else if (name == "abs")
-        result = std::abs(x);
-    else if (name == "floor")
-        result = std::floor(x);
-    else if (name == "ceil")
-        result = std::ceil(x);
-    else if (name == "sqrt")
-        result = std::sqrt(x);
-    else if (name == "&")
-        result = x != 0 && part(1) != 0;
-    else if (name == "|")
-        result = x != 0 || part(1) != 0;
-    else if (name == "min" || name == "max") {
-        result = x;
-        for (std::size_t i = 1; i < count; ++i)
-            result = name == "min" ? std::min(result, part(i)) : std::max(result, part(i));
-    } else if (count == 2) {
-        const double y = part(1);
-        if (name == "+")
-            result = x + y;
-        else if (name == "-")
-            result = x - y;
-        else if (name == "*")
-            result = x * y;
-        else if (name == "/")
-            result = x / y;
-        else if (name == "^")
-            result = std::pow(x, y);
-        else if (name == "<")
-            result = x < y;
-        else if (name == "<=")
-            result = x <= y;
-        else if (name == ">")
-            result = x > y;
-        else if (name == ">=")
-            result = x >= y;
-        else if (name == "=")
-            result = x == y;
-        else if (name == "!=")
-            result = x != y;
-        else
-            throw BoundReached("the operation '" + name + "' is not worked out again");
-    } else {
-        throw BoundReached("the function '" + name + "' is not worked out again");
-    }
-    if (!std::isfinite(result)) proof_.refuse("an expression of a rule has no value");
-    return result;
+    const auto found = words.find(to);
+    return found == words.end() ? Rational(0) : found->second;
 }
 
 }  // namespace
@@ -251,10 +199,12 @@ Modules modules(const Field& field) {
 }
 
 ModuleSystem module_system(const Field& field) {
-    field.only({"axiom", "modules"});
+    field.only({"axiom", "modules", "ignored"});
     ModuleSystem system;
     system.axiom = modules(field.at("axiom"));
     for (const Field& each : field.at("modules").list()) system.rules.push_back(rule(each));
+    if (field.has("ignored"))
+        for (const Field& letter : field.at("ignored").list()) system.ignored.insert(letter.text());
     return system;
 }
 
@@ -263,9 +213,10 @@ Rational chance(const ModuleSystem& system, const Modules& from, const Modules& 
     constexpr std::uint64_t most = 1000;  // each step is a level of the recursion
     if (steps > Integer(static_cast<long>(most)))
         throw BoundReached("only derivations of at most 1000 steps are worked out again");
-    if (std::any_of(system.rules.begin(), system.rules.end(),
-                    [](const ModuleSystem::Rule& rule) { return rule.looks_around; }))
-        throw BoundReached("rules that look at other modules are not worked out again");
+    if (std::any_of(system.rules.begin(), system.rules.end(), [](const ModuleSystem::Rule& rule) {
+            return !rule.left.empty() || !rule.right.empty() || !rule.elsewhere.empty();
+        }))
+        return walked(system, from, to, steps.to_uint64(), proof, budget);
     return Chance(system, to, proof, budget).of(from, steps.to_uint64());
 }
 

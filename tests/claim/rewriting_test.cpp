@@ -138,5 +138,45 @@ TEST_CASE("derivations with parameters are certified") {
     const auto around =
         certified(claim_of("IL { axiom A[B]C; A > [B]C -> D }", "G ==> D[B]C in 1 step"));
     CHECK(around.judgement.truth == Truth::proved);
-    CHECK(around.finding.outcome == verify::Finding::Outcome::not_checked);
+    CHECK(around.is_checked());
+}
+
+TEST_CASE(
+    "contexts in trees, ignored letters and modules elsewhere are certified as they are derived") {
+    CHECK(rc::check([] {
+        const auto one = [](const std::vector<std::string>& texts) {
+            return *rc::gen::elementOf(texts);
+        };
+        const auto word = [&](int depth, const auto& self) -> std::string {
+            std::string text;
+            for (int i = *rc::gen::inRange(1, 5); i > 0; --i)
+                text += depth > 0 && *rc::gen::inRange(0, 3) == 0
+                            ? "[" + self(depth - 1, self) + "]"
+                            : one({"a", "b", "c", "A(1)", "A(2)"});
+            return text;
+        };
+        std::string system = "parametric { axiom " + word(2, word) + "A(1)";
+        for (int i = *rc::gen::inRange(1, 5); i > 0; --i)
+            system += "; " + one({"", "", "a < ", "b < ", "ab < ", "A(y) < "}) +
+                      one({"a", "b", "c"}) +
+                      one({"", "", " > a", " > [a]b", " > [b]", " > a[b][c]", " > []c"}) + " -> " +
+                      one({"ab", "c", "ε", "a[b]", "A(3)"});
+        system += "; A(x) ? b, A(z) : x < z -> A(x+z)";
+        if (*rc::gen::inRange(0, 2) == 0) system += "; ignore c";
+        system += " }";
+        RC_LOG() << system << "\n";
+        std::string reached;
+        try {
+            const CheckedClaim checked = check(claim_of(system, "G ==> Z in 1 step"));
+            const std::string& said = checked.statements[0].judgement.argument.at(0);
+            const std::size_t from = said.find(" ==> ") + 5;
+            reached = said.substr(from, said.find(" in 1 step") - from);
+        } catch (const Error&) {
+            return;  // two rules with the same contexts
+        }
+        const auto found = sound(claim_of(system, "G ==> " + reached + " in 1 step"));
+        RC_ASSERT(found.judgement.truth == Truth::proved);
+        RC_ASSERT(found.is_checked());
+        RC_ASSERT(sound(claim_of(system, "G ==> " + reached + "a in 1 step")).is_checked());
+    }));
 }

@@ -78,6 +78,7 @@ std::string misfit(const LSystem& system, std::string_view family) {
         return {};
     }
     if (found.shape) return "it has shape rules";
+    if (found.nested) return "it has systems within it or words as parameters";
     if (found.open) return "it has communication modules";
     if (found.tables > 1) return "it has several tables";
     if (found.extended) return "it has terminals";

@@ -73,6 +73,10 @@ TEST_CASE("what does not fit a family is said with its reason") {
           "rule has a condition");
     CHECK(claim_messages("let G = parametric { axiom A; A -> div(X, 1r, 1r){ B } }") ==
           "2:9: G is called a parametric system, but it has shape rules");
+    CHECK(claim_messages("let G = parametric { system s { axiom a; a -> aa }; axiom A(1); A(x) -> "
+                         "[<s(x)>]A(x+1) }") ==
+          "2:9: G is called a parametric system, but it has systems within it or words as "
+          "parameters");
     CHECK(claim_messages("let G = parametric") ==
           "2:19: expected a system between braces or the name of one, found the end of the line");
     CHECK(claim_messages("let G = SOL { axiom a; a -> aa }") ==

@@ -48,11 +48,13 @@ TEST_CASE("a turtle draws words that are spliced in and those of interpretations
 
 TEST_CASE("a turtle goes no way that is a word") {
     CHECK(drawn("axiom F(\"G\")", 0) ==
-          "generation 0 of walk.lsys, position 0: F(\"G\"): expected a number for the turtle, found a "
+          "generation 0 of walk.lsys, position 0: F(\"G\"): expected a number for the turtle, "
+          "found a "
           "word");
     CHECK(drawn("axiom +(\"G\")", 0).find("expected a number for the turtle") != std::string::npos);
     CHECK(drawn("axiom B(\"G\")\ninterpret B(w) : w > 1 -> F", 0) ==
-          "generation 0 of walk.lsys, position 0, in the interpretation of B(\"G\"): B(\"G\"): expected "
+          "generation 0 of walk.lsys, position 0, in the interpretation of B(\"G\"): B(\"G\"): "
+          "expected "
           "numbers in 'w > 1', found a word");
     CHECK(drawn("axiom B(\"F(2)\",1)F(3)", 0) == "3.000000");
 }

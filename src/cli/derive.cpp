@@ -4,6 +4,7 @@
 #include "cli/command.hpp"
 #include "cli/derive_boxes.hpp"
 #include "cli/derive_options.hpp"
+#include "cli/environment_option.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
@@ -134,6 +135,10 @@ int derive_verb(const DeriveOptions& options) {
     if (options.all_words || options.language || options.distribution || options.expected) return success;
     if (options.generation.empty() && options.tables.empty()) throw Error("-n is missing: which generation?");
     const bool picked = !options.seed.empty() || !options.seeds.empty() || !options.tables.empty();
+    if (!options.environment.empty() || class_of(system).open) {
+        derive_modules(options, system, budget);
+        return success;
+    }
     const View<D0L> rules = as_d0l(system);
     if (const View<OL> choices = as_ol(system); !picked && !rules && choices)
         throw Error(rules.reason() + "; say --all-words for all words, or --seed S for one picked at random");
@@ -173,6 +178,7 @@ void add_derive(Verbs& verbs) {
     verb.add_option("--seeds", options->seeds, "a word for each of these seeds, such as 1..9")->type_name("A..B");
     verb.add_option("--tables", options->tables, "the table of each step: light,dark or, of one character each, abab or 1212")
         ->type_name("SEQUENCE");
+    add_environment_option(verb, options->environment);
     verb.add_flag("--distribution", options->distribution, "all words of the generation with their exact probabilities");
     verb.add_flag("--expected", options->expected, "the exact expected numbers of letters of the generation");
     verb.add_flag("--json", options->json, "print one JSON object");

@@ -2,8 +2,10 @@
 
 #include "base/error.hpp"
 #include "cli/derive_options.hpp"
+#include "cli/environment_option.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "environment/open_development.hpp"
 #include "rewrite/expectation.hpp"
 #include "rewrite/module_text.hpp"
 #include "rewrite/rewriting.hpp"
@@ -22,11 +24,6 @@ RewritingChoices choices(const DeriveOptions& options, const LSystem& system) {
     // A seed says that rules without probabilities may be picked too.
     out.evenly = !class_of(system).stochastic && (!options.seed.empty() || !options.seeds.empty());
     return out;
-}
-
-void refuse_open(const LSystem& system) {
-    if (class_of(system).open)
-        throw Error("it has communication modules, and derive has no environment that fills them");
 }
 
 std::uint64_t one_generation(const DeriveOptions& options, const std::string& option) {
@@ -49,31 +46,23 @@ std::vector<std::size_t> tables(const DeriveOptions& options, const LSystem& sys
 /// The word of one generation after the other.
 class Generations {
 public:
-    Generations(const LSystem& system, const RewritingChoices& choices,
+    Generations(const LSystem& system, const RewritingChoices& choices, const std::string& program,
                 std::vector<std::size_t> sequence, const Budget& budget)
-        : rewriting_(system, choices, budget),
-          text_(rewriting_.rules().system->alphabet, rewriting_.rules().kinds),
+        : development_(system, choices, external_environment(program, system), budget),
+          text_(development_.rules().system->alphabet, development_.rules().kinds),
           sequence_(std::move(sequence)),
-          budget_(budget),
-          word_(rewriting_.axiom()) {}
+          budget_(budget) {}
 
     bool write(std::uint64_t n, TextSink& sink) {
-        for (; generation_ < n; ++generation_) {
-            budget_.check();
-            const std::size_t table = sequence_.empty() ? rewriting_.random_table(generation_)
-                                                        : sequence_.at(generation_);
-            word_ = rewriting_.next(word_, generation_, table, budget_);
-        }
-        return text_.write(word_, sink, budget_);
+        development_.go_to(n, sequence_, budget_);
+        return text_.write(development_.word(), sink, budget_);
     }
 
 private:
-    Rewriting rewriting_;
+    OpenDevelopment development_;
     ModuleText text_;
     std::vector<std::size_t> sequence_;
     const Budget& budget_;
-    ModuleString word_;
-    std::uint64_t generation_ = 0;
 };
 
 void check_long_enough(const std::vector<std::size_t>& sequence, std::uint64_t n) {
@@ -85,7 +74,6 @@ void check_long_enough(const std::vector<std::size_t>& sequence, std::uint64_t n
 }  // namespace
 
 void derive_modules(const DeriveOptions& options, const LSystem& system, const Budget& budget) {
-    refuse_open(system);
     const auto sequence = tables(options, system);
     if (!options.seeds.empty()) {
         const std::uint64_t n = one_generation(options, "--seeds");
@@ -94,7 +82,7 @@ void derive_modules(const DeriveOptions& options, const LSystem& system, const B
         print_lines(options.json, first, last, [&](std::uint64_t seed, TextSink& sink) {
             RewritingChoices own = choices(options, system);
             own.seed = seed;
-            return Generations(system, own, sequence, budget).write(n, sink);
+            return Generations(system, own, options.environment, sequence, budget).write(n, sink);
         });
         return;
     }
@@ -102,14 +90,15 @@ void derive_modules(const DeriveOptions& options, const LSystem& system, const B
                                                                sequence.size(), sequence.size())
                                                          : range("-n", options.generation);
     check_long_enough(sequence, last);
-    Generations generations(system, choices(options, system), sequence, budget);
+    Generations generations(system, choices(options, system), options.environment, sequence, budget);
     print_lines(options.json, options.all ? 0 : from, last,
                 [&](std::uint64_t n, TextSink& sink) { return generations.write(n, sink); });
 }
 
 void derive_distribution(const DeriveOptions& options, const LSystem& system,
                          const Budget& budget) {
-    refuse_open(system);
+    if (class_of(system).open)
+        throw Error("it has communication modules, and --distribution asks no environment");
     const std::uint64_t n = one_generation(options, "--distribution");
     if (system.tables.size() > 1 && options.tables.empty())
         throw Error("it has tables; say --tables SEQUENCE");

@@ -11,7 +11,7 @@
 namespace algae::cli {
 
 struct DeriveOptions {
-    std::string file, generation, seed, seeds, tables, longest;
+    std::string file, generation, seed, seeds, tables, longest, environment;
     bool all = false, all_words = false, language = false, distribution = false, expected = false,
          json = false;
     Bounds bounds;

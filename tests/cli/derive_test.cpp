@@ -108,7 +108,7 @@ TEST_CASE("what derive does not decide by itself is refused by name") {
     };
     CHECK(refused("axiom ba; b < a -> b; b < a -> a").find("neither has a probability") != std::string::npos);
     CHECK(refused("axiom A(1); A(x) : x > 0 -> B; A(x) : x < 2 -> C").find("matches too") != std::string::npos);
-    CHECK(refused("axiom A?E(0); A -> AA").find("communication modules") != std::string::npos);
+    CHECK(refused("axiom A?E(0); A -> AA").find("nothing fills the communication module ?E") != std::string::npos);
 }
 
 TEST_CASE("numbers out of range are refused with what was expected") {

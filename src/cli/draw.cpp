@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/environment_option.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
@@ -17,7 +18,7 @@ namespace algae::cli {
 namespace {
 
 struct Options {
-    std::string file, generation, output, format, seed, seeds, tables;
+    std::string file, generation, output, format, seed, seeds, tables, environment;
     std::string width, height, margin, line_width, background, font_size, columns, caption;
     std::string colours;
     bool panels = false, common_scale = false, captions = false, json = false;
@@ -88,6 +89,7 @@ PlateChoices choices(const Options& options, const LSystem& system) {
     }
     if (!options.seeds.empty()) found.seeds = range("--seeds", options.seeds);
     if (!options.tables.empty()) found.tables = table_sequence(system.tables, options.tables);
+    found.environment = options.environment;
     return found;
 }
 
@@ -152,6 +154,7 @@ void add_draw(Verbs& verbs) {
     verb.add_option("--seed", options->seed, "the word of a system with choices that this seed picks (what the file says; 1 for systems with probabilities)")->type_name("S");
     verb.add_option("--seeds", options->seeds, "a figure for each of these seeds, such as 1..9, side by side")->type_name("A..B");
     verb.add_option("--tables", options->tables, "the table of each step: light,dark or, of one character each, abab or 1212")->type_name("SEQUENCE");
+    add_environment_option(verb, options->environment);
     verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object; integers from 2^53 on are strings");
     options->bounds.add_to(verb);
 }

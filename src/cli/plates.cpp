@@ -1,6 +1,8 @@
 #include "cli/plates.hpp"
 
 #include "base/error.hpp"
+#include "cli/environment_option.hpp"
+#include "environment/open_figure.hpp"
 #include "system/d0l.hpp"
 #include "system/ol.hpp"
 
@@ -28,7 +30,8 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
         plate.seed = seed;
         plate.name = "generation " + std::to_string(n) + " of " + system.name;
         if (many_seeds_) plate.name += ", seed " + std::to_string(*seed);
-        plate.figure = figure(system, n, budget, {seed, choices.tables});
+        plate.figure = open_figure(system, n, budget, {seed, choices.tables},
+                                   external_environment(choices.environment, system));
     };
     for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
         if (!seeds) add(n, std::nullopt);

@@ -25,6 +25,7 @@ struct FigurePlate {
 struct PlateChoices {
     std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;  // a word for each
     std::vector<std::size_t> tables;                               // one for each step
+    std::string environment;                                       // the program of --environment
 };
 
 /// The words of a system that a picture shows: its generations, each for every seed.

@@ -8,13 +8,14 @@
 #include <set>
 #include <sstream>
 
+#include "environment/open_development.hpp"
+#include "environment/open_figure.hpp"
 #include "fold/choices.hpp"
 #include "fold/derive.hpp"
 #include "fold/interaction.hpp"
 #include "growth/incidence.hpp"
 #include "rewrite/expectation.hpp"
 #include "rewrite/module_text.hpp"
-#include "rewrite/rewriting.hpp"
 #include "shape/boxes.hpp"
 #include "system/classes.hpp"
 #include "turtle/figure.hpp"
@@ -84,7 +85,7 @@ public:
 private:
     const Figure& figure_of(std::uint64_t n) {
         auto& known = figures_[n];
-        if (!known) known = figure(system_, n, budget_, choices_);
+        if (!known) known = open_figure(system_, n, budget_, choices_);
         return *known;
     }
     const Trace& trace_of(std::uint64_t n) {
@@ -96,20 +97,18 @@ private:
     bool interacts() const { return !ol_ && il_; }
     /// And so are those of systems with parameters, probabilities or tables.
     bool rewrites() const { return !d0l_ && !il_ && (choices_.seed || !ol_); }
-    const Rewriting& rewriting() {
-        if (!rewriting_) {
-            if (class_of(system_).open)
-                throw Error("it has communication modules, and there is no environment to fill them");
+    const OpenDevelopment& developed(std::uint64_t n) {
+        if (!development_ || development_->generation() > n) {
             if (system_.tables.size() > 1 && !choices_.seed)
                 throw Error("it has tables, and no seed picks one for each step");
             RewritingChoices choices;
             choices.seed = choices_.seed.value_or(choices.seed);
             choices.evenly = !class_of(system_).stochastic;
-            rewriting_.emplace(system_, choices, budget_);
+            development_.emplace(system_, choices, nullptr, budget_);
         }
-        return *rewriting_;
+        development_->go_to(n, {}, budget_);
+        return *development_;
     }
-    ModuleString modules(std::uint64_t n) { return algae::derive(rewriting(), n, {}, budget_); }
     bool divides() const { return class_of(system_).shape; }
     std::string mean(std::uint64_t n) {
         const View<S0L> stochastic = as_s0l(system_);
@@ -124,15 +123,16 @@ private:
     std::string length_of(std::uint64_t n) {
         if (divides()) return std::to_string(symbols(n).size());
         if (interacts()) return std::to_string(derived_lengths(*il_, n, budget_).back());
-        if (rewrites()) return std::to_string(modules(n).kinds.size());
+        if (rewrites()) return std::to_string(developed(n).word().kinds.size());
         return to_string(length(*d0l_, n, budget_));
     }
     std::string word(std::uint64_t n) {
         if (divides()) return spell(system_.alphabet, symbols(n));
         if (interacts()) return spell(system_.alphabet, derive(*il_, n, budget_));
         if (rewrites()) {
-            const CompiledRules& rules = rewriting().rules();
-            return ModuleText(rules.system->alphabet, rules.kinds).text(modules(n));
+            const OpenDevelopment& development = developed(n);
+            const CompiledRules& rules = development.rules();
+            return ModuleText(rules.system->alphabet, rules.kinds).text(development.word());
         }
         const std::string text = derived_text(*d0l_, n, budget_);
         return text.empty() ? "ε" : text;
@@ -161,7 +161,7 @@ private:
     View<OL> ol_;
     View<IL> il_;
     FigureChoices choices_;
-    std::optional<Rewriting> rewriting_;
+    std::optional<OpenDevelopment> development_;
     std::map<std::uint64_t, std::unique_ptr<Figure>> figures_;
     std::map<std::uint64_t, Trace> traces_;
 };

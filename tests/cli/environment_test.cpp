@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "cli/run.hpp"
@@ -55,4 +56,22 @@ TEST_CASE("programs that fail") {
           "external`\n");
     CHECK(run("derive '" + growth + "' -n 1 --distribution").err ==
           "algae: it has communication modules, and --distribution asks no environment\n");
+}
+
+TEST_CASE("draw shows the words that derive writes") {
+    const Scratch scratch;
+    const auto facts = [&](const std::string& arguments, const std::string& before = "") {
+        const Run found = run("draw " + arguments + " -o '" + scratch.file("figure.svg") + "' --json", before);
+        REQUIRE(found.status == 0);
+        return nlohmann::json::parse(found.out);
+    };
+    CHECK(facts("'" + growth + "' -n 3")["end"] == nlohmann::json({0, 2}));
+    const std::string script = scratch.file("counts.sh", counts);
+    const nlohmann::json all = facts("- -n 0..5 --panels --environment 'sh " + script + "'", external)["figures"];
+    REQUIRE(all.size() == 6);
+    for (std::size_t n = 0; n < 6; ++n) CHECK(all[n]["segments"] == std::min<std::size_t>(n, 3));
+    const Run refused = run("draw - -n 2 -o '" + scratch.file("none.svg") + "'", external);
+    CHECK(refused.status == 2);
+    CHECK(refused.err == "algae: the communication module ?E is filled by a program; say by which, with --environment "
+                         "'COMMAND'\n");
 }

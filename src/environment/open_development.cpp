@@ -72,7 +72,7 @@ Scene scene_of(const LSystem& system, const ModuleKinds& kinds, const ModuleStri
 
 OpenDevelopment::OpenDevelopment(const LSystem& system, const RewritingChoices& choices,
                                  std::shared_ptr<Environment> external, const Budget& budget)
-    : rewriting_(system, choices),
+    : rewriting_(system, choices, budget),
       environments_(system, std::move(external)),
       seed_(choices.seed),
       is_open_(class_of(system).open),

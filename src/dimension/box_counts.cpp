@@ -57,7 +57,10 @@ BoxCounts box_counts(const Figure& figure, const BoxScales& scales, std::span<co
     BoxCounter counter(std::move(grids));
     figure.draw(counter, 0, budget);
 
-    BoxCounts result{scales, {}, figure.facts().step, counter.segments()};
+    BoxCounts result;
+    result.scales = scales;
+    result.detail = figure.facts().step;
+    result.parts = counter.segments();
     if (halves) {
         result.counts.resize(scales.count);
         for (TouchedCells& grid : counter.grids()) {

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "base/budget.hpp"
@@ -35,8 +36,11 @@ struct BoxCounts {
     /// The size of the smallest detail: the length of a segment, the side of a pixel; 0 if the
     /// thing measured has none. Finer cells see lines or points, not the shape.
     double detail = 0;
-    /// What was counted: segments, pixels, points, with multiplicity.
+    /// What was counted, with multiplicity, and what one of them is called.
     std::uint64_t parts = 0;
+    std::string part = "segment";
+    /// The dimension of the space it lies in, which no dimension exceeds.
+    int space = 2;
 
     /// The mean over the offsets.
     double mean(std::size_t scale) const;

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "dimension/box_counts.hpp"
+
+namespace algae {
+
+/// A number that was measured, and the interval in which the true one is expected.
+struct Estimate {
+    double value = 0, low = 0, high = 0;
+};
+
+/// What box counts say of the dimension of the shape that a figure, an image or points stand for.
+struct BoxFit {
+    /// Between each scale and the next finer one: how fast the mean count grows with 1 / cell.
+    std::vector<double> slopes;
+    /// The scales that were used: those from `first` to `last`, both included.
+    std::size_t first = 0, last = 0;
+    /// Nothing if there are too few of them.
+    std::optional<Estimate> estimate;
+    /// The straight line through these scales in the plot: natural logarithm of the mean count is
+    /// intercept - slope * logarithm of the cell.
+    double slope = 0, intercept = 0;
+    /// Which scales and why, in one sentence; or why nothing can be said.
+    std::string because;
+
+    /// How far the logarithm of the mean count is above the line.
+    double residual(const BoxCounts& counts, std::size_t scale) const;
+};
+
+/// Fits the dimension. Scales are used that are at most an eighth of the whole, so that its outer
+/// shape does not decide, and at least four details (segments, pixels) wide; for points, which have
+/// no size, as long as eight points fall into a cell on average. Of these, the seven finest.
+///
+/// The estimate is the slope over these scales; where the local slopes rise from scale to scale, what
+/// they tend to if the rises go on shrinking as they do. The interval holds all local slopes, what
+/// their trend adds once more, and half of their range upward, because counts of a finite generation
+/// are too low rather than too high. It is no standard error: those of a regression on counts are too
+/// small by far. Over random curves with known dimension it held the true value in 97 to 100 of 100
+/// cases (tests/dimension). O(scales * offsets).
+///
+/// With fewer than four scales to use, there is no estimate, and `because` says what would help.
+BoxFit fit_dimension(const BoxCounts& counts);
+
+}  // namespace algae

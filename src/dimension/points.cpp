@@ -1,0 +1,206 @@
+#include "dimension/points.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <optional>
+
+#include "base/error.hpp"
+#include "dimension/grid.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr std::size_t most_scales = 20;  // 21 bits for each of three columns
+constexpr std::size_t longest_line_shown = 80;
+
+/// A stretch of a line without separators, and where it starts.
+struct Field {
+    std::string_view text;
+    std::size_t at = 0;
+};
+
+bool is_blank(char c) { return c == ' ' || c == '\t' || c == '\r'; }
+
+/// The fields of a line, commas and semicolons between them; white space alone also separates.
+std::vector<Field> fields_of(std::string_view line) {
+    std::vector<Field> fields;
+    std::size_t at = 0;
+    bool after_comma = false;  // then a field must follow
+    while (true) {
+        while (at < line.size() && is_blank(line[at])) ++at;
+        const std::size_t start = at;
+        while (at < line.size() && !is_blank(line[at]) && line[at] != ',' && line[at] != ';') ++at;
+        const bool ends = at == line.size();
+        if (at > start || after_comma || !ends)
+            fields.push_back({line.substr(start, at - start), start});
+        while (at < line.size() && is_blank(line[at])) ++at;
+        after_comma = at < line.size() && (line[at] == ',' || line[at] == ';');
+        if (after_comma) ++at;
+        if (at == line.size() && !after_comma) return fields;
+    }
+}
+
+std::optional<double> number_of(std::string_view text) {
+    if (text.starts_with('+')) text.remove_prefix(1);
+    double value = 0;
+    const auto [end, failure] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (failure != std::errc() || end != text.data() + text.size() || text.empty())
+        return std::nullopt;
+    return value;
+}
+
+/// Where in the line a byte stands, in characters from 1.
+std::size_t column_of(std::string_view line, std::size_t byte) {
+    return 1 + static_cast<std::size_t>(
+                   std::count_if(line.begin(), line.begin() + static_cast<std::ptrdiff_t>(byte),
+                                 [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+[[noreturn]] void fail(const std::string& name, std::size_t number, std::string_view line,
+                       std::size_t byte, std::string message) {
+    const std::size_t column = column_of(line, byte);
+    Diagnostic finding{{name, number, column}, std::move(message), std::string(line), column - 1};
+    if (line.size() > longest_line_shown) finding.line.clear();
+    throw Diagnostics({std::move(finding)});
+}
+
+}  // namespace
+
+PointSet read_points(std::string_view text, const std::string& name) {
+    PointSet set;
+    set.columns = 0;
+    std::size_t number = 0, first_line = 0;
+    bool names_seen = false;
+    while (!text.empty()) {
+        ++number;
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        const std::string_view whole = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        const std::string_view line = whole.substr(0, std::min(whole.find('#'), whole.size()));
+        if (std::all_of(line.begin(), line.end(), is_blank)) continue;
+        const std::vector<Field> fields = fields_of(line);
+        if (set.points.empty() && !names_seen &&
+            std::none_of(fields.begin(), fields.end(),
+                         [](const Field& field) { return number_of(field.text); })) {
+            names_seen = true;
+            continue;
+        }
+        std::array<double, 3> point{};
+        if (fields.size() > point.size())
+            fail(name, number, whole, fields[3].at,
+                 "expected 1 to 3 columns, found " + std::to_string(fields.size()));
+        for (std::size_t i = 0; i < fields.size(); ++i) {
+            const auto value = number_of(fields[i].text);
+            if (!value || !std::isfinite(*value))
+                fail(name, number, whole, fields[i].at,
+                     "expected a number, found " +
+                         (fields[i].text.empty()
+                              ? "nothing"
+                              : "'" + std::string(fields[i].text.substr(0, 40)) + "'"));
+            point[i] = *value;
+        }
+        if (set.columns == 0) {
+            set.columns = static_cast<int>(fields.size());
+            first_line = number;
+        } else if (fields.size() != static_cast<std::size_t>(set.columns)) {
+            fail(name, number, whole, fields.back().at,
+                 "expected " + std::to_string(set.columns) +
+                     (set.columns == 1 ? " column" : " columns") + " as in line " +
+                     std::to_string(first_line) + ", found " + std::to_string(fields.size()));
+        }
+        set.points.push_back(point);
+    }
+    if (set.points.empty()) throw Error(name + ": expected points, one a line, found none");
+    return set;
+}
+
+namespace {
+
+struct Range {
+    std::array<double, 3> low{}, high{};
+};
+
+Range range_of(const PointSet& set) {
+    if (set.points.empty()) throw Error("there are no points: expected something to measure");
+    Range range{set.points.front(), set.points.front()};
+    for (const auto& point : set.points)
+        for (std::size_t i = 0; i < 3; ++i) {
+            range.low[i] = std::min(range.low[i], point[i]);
+            range.high[i] = std::max(range.high[i], point[i]);
+        }
+    return range;
+}
+
+double longest_side(const Range& range) {
+    double side = 0;
+    for (std::size_t i = 0; i < 3; ++i) side = std::max(side, range.high[i] - range.low[i]);
+    if (!(side > 0)) throw Error("all points are the same: expected something to measure");
+    if (!std::isfinite(side))
+        throw Error("the points are too far apart for numbers to hold the distance");
+    return side;
+}
+
+/// The bits of the coordinates in turns: cells of a cell twice as wide follow each other.
+std::uint64_t code_of(const std::array<std::uint64_t, 3>& cell, int columns, std::size_t bits) {
+    std::uint64_t code = 0;
+    for (std::size_t bit = bits; bit-- > 0;)
+        for (std::size_t i = 0; i < static_cast<std::size_t>(columns); ++i)
+            code = code << 1 | (cell[i] >> bit & 1);
+    return code;
+}
+
+}  // namespace
+
+double longest_side(const PointSet& points) { return longest_side(range_of(points)); }
+
+BoxCounts box_counts(const PointSet& set, std::size_t count, std::size_t offsets,
+                     const Budget& budget) {
+    if (count == 0 || offsets == 0 || count > most_scales)
+        throw Error("expected 1 to " + std::to_string(most_scales) +
+                    " scales and at least one offset, found " + std::to_string(count) + " and " +
+                    std::to_string(offsets));
+    budget.check_memory(set.points.size() * (sizeof(set.points[0]) + sizeof(std::uint64_t)),
+                        "the points and their cells");
+    const Range range = range_of(set);
+    const double side = longest_side(range);
+    BoxCounts result;
+    result.scales = {side, 2, count};
+    result.counts.resize(count);
+    result.detail = set.detail;
+    result.part = set.part;
+    result.space = set.columns;
+    auto sorted = set.points;
+    std::sort(sorted.begin(), sorted.end());
+    result.parts =
+        static_cast<std::uint64_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
+    sorted.resize(result.parts);
+
+    const double parts = std::ldexp(1.0, Grid::fraction_bits) / result.scales.cell(count - 1);
+    std::vector<std::uint64_t> codes(sorted.size());
+    double third = 0;
+    for (const Point& offset : even_offsets(offsets)) {
+        third = std::fmod(third + 0.6180339887498949, 1);
+        const std::array<double, 3> share{offset.x, offset.y, third};
+        for (std::size_t k = 0; k < sorted.size(); ++k) {
+            if (k % 65536 == 0) budget.check();
+            std::array<std::uint64_t, 3> cell{};
+            for (std::size_t i = 0; i < 3; ++i)
+                cell[i] = static_cast<std::uint64_t>(
+                              (sorted[k][i] - range.low[i] + share[i] * side) * parts + 0.5) >>
+                          Grid::fraction_bits;
+            codes[k] = code_of(cell, set.columns, count + 1);
+        }
+        std::sort(codes.begin(), codes.end());
+        auto last = codes.end();
+        for (std::size_t scale = count; scale-- > 0;) {
+            last = std::unique(codes.begin(), last);
+            result.counts[scale].push_back(static_cast<std::uint64_t>(last - codes.begin()));
+            for (auto code = codes.begin(); code != last; ++code) *code >>= set.columns;
+        }
+    }
+    return result;
+}
+
+}  // namespace algae

@@ -58,6 +58,7 @@ void add_check(Verbs& verbs);
 void add_closure(Verbs& verbs);
 void add_verify(Verbs& verbs);
 void add_draw(Verbs& verbs);
+void add_dimension(Verbs& verbs);
 void add_tree(Verbs& verbs);
 void add_figures(Verbs& verbs);
 void add_gallery(Verbs& verbs);

@@ -73,6 +73,7 @@ int main(int argc, char** argv) {
     add_closure(verbs);
     add_verify(verbs);
     add_draw(verbs);
+    add_dimension(verbs);
     add_tree(verbs);
     add_figures(verbs);
     add_gallery(verbs);

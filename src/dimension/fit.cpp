@@ -14,7 +14,7 @@ constexpr double parts_of_whole = 8;   // the coarsest cell used is this share o
 constexpr double details_in_cell = 4;  // the finest cell used holds so many segments in a row
 constexpr double points_in_cell = 8;
 constexpr std::size_t fewest_scales = 4, most_scales = 7;
-constexpr double upward = 0.5;   // share of the slopes' range by which counts may be too low
+constexpr double upward = 0.75;  // share of the slopes' range by which counts may be too low
 constexpr double slowest = 0.8;  // ratio of successive rises, at most, for a limit
 constexpr double hair = 1e-9;    // relative: roundings in the widths of cells
 

@@ -38,10 +38,10 @@ struct BoxFit {
 ///
 /// The estimate is the slope over these scales; where the local slopes rise from scale to scale, what
 /// they tend to if the rises go on shrinking as they do. The interval holds all local slopes, what
-/// their trend adds once more, and half of their range upward, because counts of a finite generation
-/// are too low rather than too high. It is no standard error: those of a regression on counts are too
-/// small by far. Over random curves with known dimension it held the true value in 97 to 100 of 100
-/// cases (tests/dimension). O(scales * offsets).
+/// their trend adds once more, and three quarters of their range upward, because counts of a finite
+/// generation are too low rather than too high. It is no standard error: those of a regression on
+/// counts are too small by far. tests/dimension measures how often it holds the true value over
+/// random curves. O(scales * offsets).
 ///
 /// With fewer than four scales to use, there is no estimate, and `because` says what would help.
 BoxFit fit_dimension(const BoxCounts& counts);

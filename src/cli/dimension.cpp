@@ -1,0 +1,252 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "base/error.hpp"
+#include "cli/command.hpp"
+#include "cli/input.hpp"
+#include "cli/numbers.hpp"
+#include "cli/output.hpp"
+#include "dimension/fit.hpp"
+#include "dimension/points.hpp"
+#include "notation/read.hpp"
+#include "render/ink.hpp"
+#include "render/picture.hpp"
+#include "render/plot_dimension.hpp"
+
+namespace algae::cli {
+
+namespace {
+
+constexpr std::uint64_t usual_segments =
+    10'000'000;  // of the generation measured where none is said
+constexpr std::uint64_t last_generation = 100;
+constexpr std::size_t most_scales = 20;
+constexpr std::uint64_t usual_grids = 16;
+
+struct Options {
+    std::string file, generation, plot, threshold, grids, seed;
+    bool points = false, invert = false, json = false;
+    Bounds bounds;
+};
+
+/// What was measured, and what it is called.
+struct Measured {
+    std::string what;
+    std::optional<std::uint64_t> generation;
+    BoxCounts counts;
+    BoxFit fit;
+};
+
+std::size_t grids(const Options& options) {
+    const std::uint64_t count =
+        options.grids.empty() ? usual_grids : natural("--grids", options.grids);
+    if (count == 0 || count > 1000)
+        throw Error("--grids: expected 1 to 1000, found " + options.grids);
+    return count;
+}
+
+std::size_t scales_down_to(double detail, double whole) {
+    if (!(detail > 0)) return most_scales;
+    return std::clamp(static_cast<std::size_t>(std::max(std::log2(whole / detail), 0.0)) + 1,
+                      std::size_t{1}, most_scales);
+}
+
+/// The generation asked for; else the last one that draws at most ten million segments.
+std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& system,
+                                                                const Options& options,
+                                                                const Budget& budget) {
+    FigureChoices choices;
+    if (!options.seed.empty()) choices.seed = natural("--seed", options.seed);
+    if (!options.generation.empty()) {
+        const std::uint64_t n = natural("-n", options.generation);
+        return {n, figure(system, n, budget, choices)};
+    }
+    std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen{0, figure(system, 0, budget, choices)};
+    for (std::uint64_t n = 1; n <= last_generation; ++n) {
+        auto next = figure(system, n, budget, choices);
+        if (next->segments() > Integer(usual_segments)) break;
+        chosen = {n, std::move(next)};
+    }
+    return chosen;
+}
+
+Measured measure(const LSystem& system, const Options& options, const Budget& budget) {
+    const auto [n, figure] = chosen_figure(system, options, budget);
+    Measured found;
+    found.generation = n;
+    const std::string name = system.title.empty() ? system.name : system.title;
+    found.what =
+        name + ", n = " + std::to_string(n) + ": " + to_string(figure->segments()) + " segments";
+    if (figure->box().empty)
+        throw Error(name + ", n = " + std::to_string(n) +
+                    ": nothing is drawn, expected something to measure");
+    BoxScales scales = scales_of(figure->box(), 2, 1);
+    scales.count = scales_down_to(figure->facts().step, scales.coarsest);
+    found.counts = box_counts(*figure, scales, even_offsets(grids(options)), budget);
+    return found;
+}
+
+Measured measure(const PointSet& points, const std::string& name, const Options& options,
+                 const Budget& budget) {
+    Measured found;
+    found.counts = box_counts(points, scales_down_to(points.detail, longest_side(points)),
+                              grids(options), budget);
+    found.what = name + ": " + std::to_string(found.counts.parts) +
+                 (points.part == "pixel" ? " pixels of ink" : " different points");
+    return found;
+}
+
+/// Whether a text starts with a number, remarks and empty lines apart: then it is no system.
+bool starts_with_number(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
+        if (line.empty() || line.front() == '#') continue;
+        line.remove_prefix(std::min(line.find_first_not_of("+-."), line.size()));
+        return !line.empty() && line.front() >= '0' && line.front() <= '9';
+    }
+    return false;
+}
+
+bool is_named_as_points(std::string_view file) {
+    return file.ends_with(".csv") || file.ends_with(".tsv") || file.ends_with(".xy") ||
+           file.ends_with(".xyz");
+}
+
+Measured measured(const Options& options, const Budget& budget) {
+    const SourceText source = open_text(options.file, budget);
+    const auto refuse = [&](const std::string& option, bool given, const char* what) {
+        if (given) throw Error(option + " is for " + what + ", and " + source.name + " is none");
+    };
+    const bool image = is_png(source.text);
+    refuse("--threshold", !image && !options.threshold.empty(), "images");
+    refuse("--invert", !image && options.invert, "images");
+    Measured found;
+    if (image || options.points || is_named_as_points(options.file) ||
+        starts_with_number(source.text)) {
+        refuse("-n", !options.generation.empty(), "systems");
+        refuse("--seed", !options.seed.empty(), "systems");
+        InkOptions ink;
+        if (!options.threshold.empty())
+            ink.threshold =
+                options.threshold == "0" ? 0 : positive("--threshold", options.threshold);
+        ink.invert = options.invert;
+        found = measure(image ? ink_of(source.text, source.name, ink, budget)
+                              : read_points(source.text, source.name),
+                        source.name, options, budget);
+    } else {
+        found = measure(read_lsystem(source.text, source.name), options, budget);
+    }
+    found.fit = fit_dimension(found.counts);
+    return found;
+}
+
+nlohmann::ordered_json box_json(const Measured& found) {
+    const auto& [what, generation, counts, fit] = found;
+    nlohmann::ordered_json box{{"value", nullptr}, {"low", nullptr}, {"high", nullptr}};
+    if (fit.estimate)
+        box = {{"value", fit.estimate->value},
+               {"low", fit.estimate->low},
+               {"high", fit.estimate->high}};
+    box["because"] = fit.because;
+    box["offsets"] = counts.counts.front().size();
+    nlohmann::ordered_json scales = nlohmann::ordered_json::array();
+    for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
+        const auto [least, most] =
+            std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
+        nlohmann::ordered_json entry{{"cell", counts.scales.cell(scale)},
+                                     {"cells", counts.mean(scale)},
+                                     {"least", *least},
+                                     {"most", *most}};
+        entry["slope"] =
+            scale < fit.slopes.size() ? nlohmann::ordered_json(fit.slopes[scale]) : nullptr;
+        entry["used"] = fit.estimate && scale >= fit.first && scale <= fit.last;
+        scales.push_back(std::move(entry));
+    }
+    box["scales"] = std::move(scales);
+    return box;
+}
+
+std::string box_page(const Measured& found) {
+    const auto& [what, generation, counts, fit] = found;
+    std::string text;
+    if (fit.estimate)
+        text += fmt::format("measured by boxes: {:.4f}, expected between {:.4f} and {:.4f}\n",
+                            fit.estimate->value, fit.estimate->low, fit.estimate->high);
+    else
+        text += "measured by boxes: undecided\n";
+    text += "  " + fit.because + "\n\n";
+    text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",
+                        "least", "most", "slope");
+    for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
+        const auto [least, most] =
+            std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
+        const bool used = fit.estimate && scale >= fit.first && scale <= fit.last;
+        text +=
+            fmt::format("{} {:>12.6g}  {:>14.1f}  {:>12}  {:>12}  {:>8}\n", used ? '*' : ' ',
+                        counts.scales.cell(scale), counts.mean(scale), *least, *most,
+                        scale < fit.slopes.size() ? fmt::format("{:.4f}", fit.slopes[scale]) : "");
+    }
+    return text + fmt::format(
+                      "\n  means over {} grids; the slope is that to the next finer scale; * "
+                      "scales used\n",
+                      counts.counts.front().size());
+}
+
+int dimension(const Options& options) {
+    const Budget budget = options.bounds.budget();
+    if (!options.plot.empty()) picture_format(options.plot);  // before the work
+    const Measured found = measured(options, budget);
+    // What the rules of a system say exactly goes before what was measured.
+    nlohmann::ordered_json json{{"input", found.what}};
+    std::string page = found.what + "\n\n";
+    if (found.generation) json["generation"] = *found.generation;
+    json["box"] = box_json(found);
+    page += box_page(found);
+    if (!options.plot.empty())
+        draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
+    print(options.json ? json.dump(2) + "\n" : page);
+    return found.fit.estimate ? success : undecided;
+}
+
+}  // namespace
+
+void add_dimension(Verbs& verbs) {
+    auto options = std::make_shared<Options>();
+    CLI::App& verb =
+        add_verb(verbs, "dimension", "The fractal dimension of a figure, an image or points",
+                 "  algae dimension koch --plot koch-dimension.svg\n"
+                 "  algae dimension coast.png --threshold 0.4 --json",
+                 options, dimension);
+    verb.add_option("FILE", options->file,
+                    "a system (a file, - or a name from the gallery), an image (png), or points: a "
+                    "line of 1 to 3 "
+                    "numbers for each")
+        ->required();
+    verb.add_option("-n", options->generation,
+                    "the generation (default: the last with at most 10,000,000 segments)")
+        ->type_name("N");
+    verb.add_option("--plot", options->plot,
+                    "a log-log plot of the counts: .svg, .pdf, .png, .ps or .eps")
+        ->type_name("FILE");
+    verb.add_option("--grids", options->grids,
+                    "over how many places of the grid counts are averaged (default 16)")
+        ->type_name("N");
+    verb.add_flag("--points", options->points,
+                  "FILE holds points, whatever its name and first line are");
+    verb.add_option("--threshold", options->threshold,
+                    "images: pixels darker than this are ink, 0 to 1 (default 0.5)")
+        ->type_name("T");
+    verb.add_flag("--invert", options->invert, "images: lighter pixels are ink");
+    verb.add_option("--seed", options->seed, "of the word of a system with choices")
+        ->type_name("S");
+    verb.add_flag("--json", options->json, "print one JSON object");
+    options->bounds.add_to(verb);
+}
+
+}  // namespace algae::cli

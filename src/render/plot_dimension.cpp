@@ -1,0 +1,253 @@
+#include "render/plot_dimension.hpp"
+
+#include <cairo.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "render/document.hpp"
+#include "render/picture.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr double page_width = 480, page_height = 420;
+constexpr double left = 64, right = 20, top = 26, bottom = 58;
+constexpr double strip = 84, gap = 22;  // the residuals under the plot
+constexpr double letters = 11;
+
+std::string digits(const char* form, double value) {
+    char text[48];
+    std::snprintf(text, sizeof text, form, value);
+    return text;
+}
+
+/// A rectangle of the page with linear scales; what is logarithmic comes as logarithms.
+struct Panel {
+    double upper, lower;       // on the page
+    double first, last;        // across
+    double low = 0, high = 1;  // upward
+
+    double x(double value) const {
+        return left + 10 + (value - first) / (last - first) * (page_width - left - right - 20);
+    }
+    double y(double value) const {
+        return lower - 6 - (value - low) / (high - low) * (lower - upper - 12);
+    }
+};
+
+class DimensionDiagram {
+public:
+    DimensionDiagram(const DimensionPlot& plot, cairo_t* context)
+        : plot_(plot), context_(context), scales_(plot.counts.counts.size()) {
+        const double last = across(scales_ - 1);
+        counts_ = {top, page_height - bottom - strip - gap, 0, last};
+        counts_.low = 0;
+        counts_.high = 1;
+        for (std::size_t scale = 0; scale < scales_; ++scale) {
+            const auto& all = plot_.counts.counts[scale];
+            counts_.high = std::max(
+                counts_.high,
+                std::log10(static_cast<double>(*std::max_element(all.begin(), all.end()))));
+        }
+        residuals_ = {page_height - bottom - strip, page_height - bottom, 0, last};
+        double most = 0.01;
+        if (plot_.fit.estimate)
+            for (std::size_t scale = plot_.fit.first; scale <= plot_.fit.last; ++scale)
+                most = std::max(most, std::abs(percent(scale)) / 100);
+        residuals_.high = std::ceil(150 * most);
+        residuals_.low = -residuals_.high;
+    }
+
+    void draw() {
+        cairo_select_font_face(context_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
+                               CAIRO_FONT_WEIGHT_NORMAL);
+        cairo_set_font_size(context_, letters);
+        if (plot_.fit.estimate) {
+            shade(counts_);
+            shade(residuals_);
+        }
+        axes();
+        if (plot_.fit.estimate) {
+            line();
+            residuals();
+        }
+        dots();
+        words();
+        check_cairo(context_);
+    }
+
+private:
+    double across(std::size_t scale) const {
+        return std::log10(plot_.counts.scales.coarsest / plot_.counts.scales.cell(scale));
+    }
+    double percent(std::size_t scale) const {
+        return 100 * std::expm1(plot_.fit.residual(plot_.counts, scale));
+    }
+
+    void colour(double red, double green, double blue) {
+        cairo_set_source_rgb(context_, red, green, blue);
+    }
+
+    /// Writes a text; share 0 begins at the place, 0.5 has it in the middle, 1 ends there.
+    void text(const std::string& what, double at, double height, double share) {
+        cairo_text_extents_t extents{};
+        cairo_text_extents(context_, what.c_str(), &extents);
+        const double room = page_width - 16;
+        if (extents.x_advance > room) {
+            cairo_set_font_size(context_, std::max(letters * room / extents.x_advance, 4.0));
+            cairo_text_extents(context_, what.c_str(), &extents);
+        }
+        cairo_move_to(context_, at - share * extents.x_advance, height);
+        cairo_show_text(context_, what.c_str());
+        cairo_new_path(context_);
+        cairo_set_font_size(context_, letters);
+    }
+
+    void stroke(double x1, double y1, double x2, double y2) {
+        cairo_move_to(context_, x1, y1);
+        cairo_line_to(context_, x2, y2);
+        cairo_stroke(context_);
+    }
+
+    void shade(const Panel& panel) {
+        const double half = across(1) / 2;
+        const double from = panel.x(across(plot_.fit.first) - half),
+                     to = panel.x(across(plot_.fit.last) + half);
+        colour(0.91, 0.94, 0.99);
+        cairo_rectangle(context_, from, panel.upper, std::min(to, page_width - right) - from,
+                        panel.lower - panel.upper);
+        cairo_fill(context_);
+    }
+
+    void grid_line(const Panel& panel, double value, const std::string& name) {
+        colour(0.85, 0.85, 0.85);
+        stroke(left, panel.y(value), page_width - right, panel.y(value));
+        colour(0, 0, 0);
+        text(name, left - 6, panel.y(value) + 4, 1);
+    }
+
+    void frame(const Panel& panel) {
+        colour(0, 0, 0);
+        stroke(left, panel.upper, left, panel.lower);
+        stroke(left, panel.lower, page_width - right, panel.lower);
+    }
+
+    static std::string power_of_ten(int exponent) {
+        return exponent < 4 ? digits("%.0f", std::pow(10, exponent))
+                            : "10^" + std::to_string(exponent);
+    }
+
+    void axes() {
+        cairo_set_line_width(context_, 0.7);
+        const int decades = static_cast<int>(counts_.high), step = decades / 7 + 1;
+        for (int k = 0; k <= decades; k += step) grid_line(counts_, k, power_of_ten(k));
+        for (const double share : {-1.0, 0.0, 1.0}) {
+            const double value = share * std::floor(residuals_.high / 1.5 + 0.5);
+            grid_line(residuals_, value, value == 0 ? "0" : digits("%+.0f %%", value));
+        }
+        const std::size_t every = scales_ / 12 + 1;
+        for (std::size_t scale = 0; scale < scales_; ++scale) {
+            const double at = residuals_.x(across(scale));
+            stroke(at, residuals_.lower, at, residuals_.lower + 4);
+            if (scale % every != 0) continue;
+            const double ratio = std::pow(10, across(scale));
+            text(ratio < 1e5 ? digits("%.4g", ratio) : digits("%.0e", ratio), at,
+                 residuals_.lower + 16, 0.5);
+        }
+        frame(counts_);
+        frame(residuals_);
+    }
+
+    void line() {
+        colour(0.35, 0.5, 0.8);
+        cairo_set_line_width(context_, 1.2);
+        cairo_save(context_);
+        cairo_rectangle(context_, left, counts_.upper, page_width - left - right,
+                        counts_.lower - counts_.upper);
+        cairo_clip(context_);
+        for (const std::size_t scale : {std::size_t{0}, scales_ - 1}) {
+            const double height =
+                plot_.fit.intercept - plot_.fit.slope * std::log(plot_.counts.scales.cell(scale));
+            cairo_line_to(context_, counts_.x(across(scale)),
+                          counts_.y(height / std::numbers::ln10));
+        }
+        cairo_stroke(context_);
+        cairo_restore(context_);
+    }
+
+    void dot(double x, double y, bool used) {
+        cairo_new_sub_path(context_);
+        cairo_arc(context_, x, y, 2.5, 0, 2 * std::numbers::pi);
+        colour(0.1, 0.2, 0.5);
+        if (used) {
+            cairo_fill(context_);
+        } else {
+            cairo_set_line_width(context_, 0.8);
+            cairo_stroke(context_);
+        }
+    }
+
+    bool is_used(std::size_t scale) const {
+        return plot_.fit.estimate && scale >= plot_.fit.first && scale <= plot_.fit.last;
+    }
+
+    void dots() {
+        for (std::size_t scale = 0; scale < scales_; ++scale) {
+            const auto& all = plot_.counts.counts[scale];
+            const auto [least, most] = std::minmax_element(all.begin(), all.end());
+            const double at = counts_.x(across(scale));
+            colour(0.1, 0.2, 0.5);
+            cairo_set_line_width(context_, 0.8);
+            stroke(at, counts_.y(std::log10(static_cast<double>(*least))), at,
+                   counts_.y(std::log10(static_cast<double>(*most))));
+            dot(at, counts_.y(std::log10(plot_.counts.mean(scale))), is_used(scale));
+        }
+    }
+
+    void residuals() {
+        for (std::size_t scale = 0; scale < scales_; ++scale)
+            if (std::abs(percent(scale)) <= residuals_.high)
+                dot(residuals_.x(across(scale)), residuals_.y(percent(scale)), is_used(scale));
+    }
+
+    void words() {
+        colour(0, 0, 0);
+        text("cells touched", left - 40, top - 10, 0);
+        text("off the line", left + 6, residuals_.upper - 5, 0);
+        text("size of the whole / size of a cell", page_width - right, page_height - bottom + 31,
+             1);
+        text(plot_.caption, page_width / 2, page_height - 10, 0.5);
+        if (!plot_.fit.estimate) return;
+        const Estimate& found = *plot_.fit.estimate;
+        text("dimension " + digits("%.4f", found.value), left + 14, top + 12, 0);
+        text("between " + digits("%.4f", found.low) + " and " + digits("%.4f", found.high),
+             left + 14, top + 27, 0);
+    }
+
+    const DimensionPlot& plot_;
+    cairo_t* context_;
+    std::size_t scales_;
+    Panel counts_, residuals_;
+};
+
+}  // namespace
+
+void draw_dimension_plot(const DimensionPlot& plot, const std::string& path, const Budget& budget) {
+    if (plot.counts.counts.size() < 2) throw Error("nothing to plot: expected at least two scales");
+    const PictureFormat format = picture_format(path);
+    const double scale = format == PictureFormat::png ? 2 : 1;
+    FileOutput file(path);
+    Document document(format, scale * page_width, scale * page_height, Colour{1, 1, 1}, file,
+                      budget);
+    cairo_scale(document.context(), scale, scale);
+    DimensionDiagram(plot, document.context()).draw();
+    document.finish();
+    file.commit();
+}
+
+}  // namespace algae

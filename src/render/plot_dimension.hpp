@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "base/budget.hpp"
+#include "dimension/fit.hpp"
+
+namespace algae {
+
+/// What a log-log plot of box counts shows.
+struct DimensionPlot {
+    std::string caption;  // underneath
+    BoxCounts counts;
+    BoxFit fit;
+};
+
+/// Draws, in the format that the end of the path says, the number of cells against how many of them
+/// lie side by side, both logarithmic: the mean over the grids' offsets with its range, the line of
+/// the fit with the scales it uses shaded, and underneath by how much each mean is off the line, in per cent.
+/// 480 x 420 points (png: 960 x 840 pixels).
+///
+/// Throws Error if there are fewer than two scales or the file cannot be written.
+void draw_dimension_plot(const DimensionPlot& plot, const std::string& path,
+                         const Budget& budget = {});
+
+}  // namespace algae

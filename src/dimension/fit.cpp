@@ -14,7 +14,10 @@ constexpr double parts_of_whole = 8;   // the coarsest cell used is this share o
 constexpr double details_in_cell = 4;  // the finest cell used holds so many segments in a row
 constexpr double points_in_cell = 8;
 constexpr std::size_t fewest_scales = 4, most_scales = 7;
-constexpr double upward = 0.75;  // share of the slopes' range by which counts may be too low
+constexpr double upward =
+    4.5;  // share of the slopes' range by which counts may be too low, times slopes
+constexpr double missed =
+    0.05;  // by how much a slope is too low where a cell is one detail wide, at most
 constexpr double slowest = 0.8;  // ratio of successive rises, at most, for a limit
 constexpr double hair = 1e-9;    // relative: roundings in the widths of cells
 
@@ -64,13 +67,16 @@ double trend(const std::vector<double>& slopes) {
     return (slopes[n - 1] + slopes[n - 2] - slopes[0] - slopes[1]) / 2;
 }
 
-Estimate estimate_of(const std::vector<double>& slopes, double slope, double most) {
+/// `finest` is how many details the finest cell is wide; 0 where there are none.
+Estimate estimate_of(const std::vector<double>& slopes, double slope, double finest, double most) {
     const auto [least, greatest] = std::minmax_element(slopes.begin(), slopes.end());
-    const double way = trend(slopes);
+    const double way = trend(slopes), range = *greatest - *least;
     Estimate found;
     found.value = rises(slopes) ? limit_of(slopes) : slope;
     found.low = *least + std::min(way, 0.0);
-    found.high = *greatest + std::max(way, 0.0) + upward * (*greatest - *least);
+    found.high = *greatest + std::max(way, 0.0) +
+                 upward / static_cast<double>(slopes.size()) * range +
+                 (finest > 0 ? missed / finest : 0);
     found.value = std::clamp(found.value, 0.0, most);
     found.low = std::clamp(found.low, 0.0, found.value);
     found.high = std::clamp(found.high, found.value, most);
@@ -144,7 +150,9 @@ BoxFit fit_dimension(const BoxCounts& counts) {
     draw_line(fit, counts);
     const std::vector<double> slopes(fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.first),
                                      fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.last));
-    fit.estimate = estimate_of(slopes, fit.slope, counts.space);
+    fit.estimate = estimate_of(slopes, fit.slope,
+                               counts.detail > 0 ? counts.scales.cell(fit.last) / counts.detail : 0,
+                               counts.space);
     fit.because = why(counts, fit, slopes);
     return fit;
 }

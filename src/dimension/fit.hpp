@@ -37,11 +37,11 @@ struct BoxFit {
 /// no size, as long as eight points fall into a cell on average. Of these, the seven finest.
 ///
 /// The estimate is the slope over these scales; where the local slopes rise from scale to scale, what
-/// they tend to if the rises go on shrinking as they do. The interval holds all local slopes, what
-/// their trend adds once more, and three quarters of their range upward, because counts of a finite
-/// generation are too low rather than too high. It is no standard error: those of a regression on
-/// counts are too small by far. tests/dimension measures how often it holds the true value over
-/// random curves. O(scales * offsets).
+/// they tend to if the rises go on shrinking as they do. The interval holds all local slopes and what
+/// their trend adds once more; and upward, because counts of a finite generation are too low rather
+/// than too high, 4.5 / slopes of their range and 1/20 of detail / finest cell. It is no standard
+/// error: those of a regression on counts are too small by far. tests/dimension measures how often it
+/// holds the true value over random curves. O(scales * offsets).
 ///
 /// With fewer than four scales to use, there is no estimate, and `because` says what would help.
 BoxFit fit_dimension(const BoxCounts& counts);

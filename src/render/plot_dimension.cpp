@@ -150,13 +150,13 @@ private:
             const double value = share * std::floor(residuals_.high / 1.5 + 0.5);
             grid_line(residuals_, value, value == 0 ? "0" : digits("%+.0f %%", value));
         }
-        const std::size_t every = scales_ / 12 + 1;
+        const std::size_t every = scales_ / 9 + 1;
         for (std::size_t scale = 0; scale < scales_; ++scale) {
             const double at = residuals_.x(across(scale));
             stroke(at, residuals_.lower, at, residuals_.lower + 4);
             if (scale % every != 0) continue;
             const double ratio = std::pow(10, across(scale));
-            text(ratio < 1e5 ? digits("%.4g", ratio) : digits("%.0e", ratio), at,
+            text(ratio < 1e6 ? digits("%.0f", ratio) : digits("%.0e", ratio), at,
                  residuals_.lower + 16, 0.5);
         }
         frame(counts_);

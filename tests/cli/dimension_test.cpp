@@ -1,0 +1,64 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/run.hpp"
+
+using nlohmann::json;
+
+TEST_CASE("dimension measures a figure by boxes and gives the keys that programs rely on") {
+    const Run shown = run("dimension koch -n 7 --json");
+    CHECK(shown.status == 0);
+    const json found = json::parse(shown.out);
+    CHECK(found["generation"] == 7);
+    const json& box = found["box"];
+    CHECK(box["low"] < 1.2619);
+    CHECK(box["high"] > 1.2618);
+    CHECK(box["value"] > 1.2);
+    CHECK(box["offsets"] == 16);
+    CHECK(box["because"].is_string());
+    REQUIRE(box["scales"].size() > 5);
+    CHECK(box["scales"][1]["cell"].get<double>() * 2 == box["scales"][0]["cell"].get<double>());
+    for (const char* key : {"cell", "cells", "least", "most", "slope", "used"})
+        CHECK(box["scales"][0].contains(key));
+}
+
+TEST_CASE("dimension says when a generation is too low, and leaves it undecided") {
+    const Run low = run("dimension koch -n 2");
+    CHECK(low.status == 3);
+    CHECK(low.out.find("the generation is too low: 0 scales lie between") != std::string::npos);
+}
+
+TEST_CASE("dimension reads points and images, and plots") {
+    const Scratch scratch;
+    std::string square = "x, y\n";
+    for (int i = 0; i < 200; ++i)
+        for (int k = 0; k < 200; ++k) square += std::to_string(i) + ", " + std::to_string(k) + "\n";
+    const std::string points = scratch.file("square.txt", square), plot = scratch.file("plot.svg"),
+                      picture = scratch.file("koch.png");
+    const json found =
+        json::parse(run("dimension '" + points + "' --points --plot '" + plot + "' --json").out);
+    CHECK(found["box"]["high"] == 2);
+    CHECK(text_of(plot).find("<svg") != std::string::npos);
+    CHECK(run("draw koch -n 5 -o '" + picture + "'").status == 0);
+    const json image = json::parse(run("dimension '" + picture + "' --json").out);
+    CHECK(image["box"]["low"] < 1.27);
+    CHECK(image["box"]["high"] > 1.25);
+}
+
+TEST_CASE("dimension refuses what it cannot measure") {
+    const auto message = [](const std::string& arguments, const std::string& before = "") {
+        const Run refused = run("dimension " + arguments, before);
+        CHECK(refused.status == 2);
+        return refused.err;
+    };
+    CHECK(message("koch --invert") == "algae: --invert is for images, and koch is none\n");
+    CHECK(message("koch --plot a.xyz").find("a.xyz") != std::string::npos);
+    CHECK(message("koch --grids 0") == "algae: --grids: expected 1 to 1000, found 0\n");
+    CHECK(message("-", "printf '1 2\\n3 x\\n' |") ==
+          "standard input:2:3: error: expected a number, found 'x'\n  3 x\n    ^\n");
+    CHECK(message("-", "printf '1 2\\n1 2\\n' |") ==
+          "algae: all points are the same: expected something to measure\n");
+    CHECK(message("- -n 3", "printf 'axiom f; f -> ff' |") ==
+          "algae: standard input, n = 3: nothing is drawn, expected something to measure\n");
+}

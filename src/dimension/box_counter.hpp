@@ -15,7 +15,7 @@ namespace algae {
 class TouchedCells {
 public:
     /// Everything touched must have coordinates of at most `reach` cells from the grid's origin to
-    /// the right and upward.
+    /// the right and upward. Dense if that is small. Throws BoundReached if it is 2^31 or more.
     TouchedCells(const Grid& grid, double reach, const Budget& budget);
     TouchedCells(const Grid& grid, int bits, CellSet::Storage storage, const Budget& budget);
 

@@ -21,7 +21,7 @@ std::uint64_t number_of_bits(const std::vector<std::uint64_t>& words, std::size_
 }  // namespace
 
 CellSet::CellSet(int bits, Storage storage, const Budget& budget)
-    : storage_(storage), bits_(bits), budget_(budget) {
+    : storage_(storage), budget_(budget) {
     if (storage == Storage::dense) {
         const std::uint64_t tiles = std::uint64_t{1} << 2 * std::max(bits - 3, 0);
         budget.check_memory(tiles * sizeof(std::uint64_t), "the bits for the cells of a grid");

@@ -16,18 +16,14 @@ class CellSet {
 public:
     enum class Storage { dense, sparse };
 
-    /// How many columns and rows a dense set may have at most: 2^14, 32 MB of bits.
-    static constexpr int most_dense_bits = 14;
+    /// How many columns and rows a dense set should have at most: 2^13, 8 MB of bits.
+    static constexpr int most_dense_bits = 13;
 
     /// For columns and rows from 0 to 2^bits - 1, bits at most 31. Throws BoundReached if a dense
     /// set would take more than the budget's memory; a sparse one throws from `mark`.
     CellSet(int bits, Storage storage, const Budget& budget);
-    /// Dense if that is small.
-    CellSet(int bits, const Budget& budget)
-        : CellSet(bits, bits <= most_dense_bits ? Storage::dense : Storage::sparse, budget) {}
 
     Storage storage() const { return storage_; }
-    int bits() const { return bits_; }
 
     void mark(Morton cell) {
         const std::uint64_t tile = cell.code >> 6;
@@ -66,7 +62,6 @@ private:
     void sort_tiles();
 
     Storage storage_;
-    int bits_;
     Budget budget_;
     std::vector<std::uint64_t> words_;
     std::vector<std::uint64_t> keys_;  // of tiles, where sparse

@@ -11,6 +11,8 @@
 #include "cli/output.hpp"
 #include "dimension/fit.hpp"
 #include "dimension/points.hpp"
+#include "fold/fold.hpp"
+#include "fold/lifts.hpp"
 #include "notation/read.hpp"
 #include "render/ink.hpp"
 #include "render/picture.hpp"
@@ -20,8 +22,9 @@ namespace algae::cli {
 
 namespace {
 
-constexpr std::uint64_t usual_segments =
-    10'000'000;  // of the generation measured where none is said
+// Of the generation measured where none is said; fewer where all of its word must be kept.
+constexpr std::uint64_t usual_segments = 10'000'000, usual_kept_segments = 1'000'000;
+constexpr std::uint64_t usual_letters = 100'000'000;
 constexpr std::uint64_t last_generation = 100;
 constexpr std::size_t most_scales = 20;
 constexpr std::uint64_t usual_grids = 16;
@@ -54,7 +57,7 @@ std::size_t scales_down_to(double detail, double whole) {
                       std::size_t{1}, most_scales);
 }
 
-/// The generation asked for; else the last one that draws at most ten million segments.
+/// The generation asked for; else the last one that draws no more than is usual.
 std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& system,
                                                                 const Options& options,
                                                                 const Budget& budget) {
@@ -64,10 +67,13 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& s
         const std::uint64_t n = natural("-n", options.generation);
         return {n, figure(system, n, budget, choices)};
     }
+    const View<D0L> rules = as_d0l(system);
+    const Integer most(rules ? usual_segments : usual_kept_segments);
     std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen{0, figure(system, 0, budget, choices)};
     for (std::uint64_t n = 1; n <= last_generation; ++n) {
+        if (rules && fold(*rules, n, length_lift()) > Integer(usual_letters)) break;
         auto next = figure(system, n, budget, choices);
-        if (next->segments() > Integer(usual_segments)) break;
+        if (next->segments() > most) break;
         chosen = {n, std::move(next)};
     }
     return chosen;
@@ -229,7 +235,8 @@ void add_dimension(Verbs& verbs) {
                     "numbers for each")
         ->required();
     verb.add_option("-n", options->generation,
-                    "the generation (default: the last with at most 10,000,000 segments)")
+                    "the generation (default: the last with at most 10,000,000 segments; 1,000,000 "
+                    "where words must be kept)")
         ->type_name("N");
     verb.add_option("--plot", options->plot,
                     "a log-log plot of the counts: .svg, .pdf, .png, .ps or .eps")

@@ -25,6 +25,7 @@ namespace {
 // Of the generation measured where none is said; fewer where all of its word must be kept.
 constexpr std::uint64_t usual_segments = 10'000'000, usual_kept_segments = 1'000'000;
 constexpr std::uint64_t usual_letters = 100'000'000;
+constexpr std::uint64_t most_segments = 10'000'000'000;  // a few minutes
 constexpr std::uint64_t last_generation = 100;
 constexpr std::size_t most_scales = 20;
 constexpr std::uint64_t usual_grids = 16;
@@ -89,6 +90,10 @@ Measured measure(const LSystem& system, const Options& options, const Budget& bu
     if (figure->box().empty)
         throw Error(name + ", n = " + std::to_string(n) +
                     ": nothing is drawn, expected something to measure");
+    if (figure->segments() > Integer(most_segments))
+        throw BoundReached(name + ", n = " + std::to_string(n) + ": has " +
+                           readable(figure->segments()) + " segments, of which at most " +
+                           std::to_string(most_segments) + " can be gone through; use a lower -n");
     BoxScales scales = scales_of(figure->box(), 2, 1);
     scales.count = scales_down_to(figure->facts().step, scales.coarsest);
     found.counts = box_counts(*figure, scales, even_offsets(grids(options)), budget);

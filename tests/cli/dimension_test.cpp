@@ -61,4 +61,7 @@ TEST_CASE("dimension refuses what it cannot measure") {
           "algae: all points are the same: expected something to measure\n");
     CHECK(message("- -n 3", "printf 'axiom f; f -> ff' |") ==
           "algae: standard input, n = 3: nothing is drawn, expected something to measure\n");
+    const Run long_work = run("dimension koch -n 60");
+    CHECK(long_work.status == 3);
+    CHECK(long_work.err.find("use a lower -n") != std::string::npos);
 }

@@ -4,8 +4,10 @@
 #include <nlohmann/json.hpp>
 
 #include "claim/sentences.hpp"
+#include "environment/open_development.hpp"
 #include "rewrite/expectation.hpp"
 #include "rewrite/module_text.hpp"
+#include "system/classes.hpp"
 
 namespace algae {
 
@@ -98,6 +100,30 @@ Judgement derived(const Course& course, const Budget& budget) {
                              proof());
 }
 
+/// The words of an open system, whose communication modules its environments fill.
+Judgement developed(const Statement& statement, const Course& course, const Budget& budget) {
+    LSystem own = *statement.rewriting;
+    if (statement.modules_from) own.axiom = *statement.modules_from;
+    OpenDevelopment development(own, {}, nullptr, budget);
+    const auto text = [&] {
+        return ModuleText(development.rules().system->alphabet, development.rules().kinds)
+            .text(development.word());
+    };
+    std::string word = text(), arrows = word;
+    for (std::uint64_t n = 1; n <= course.steps; ++n) {
+        development.go_to(n, {}, budget);
+        word = text();
+        if (arrows.size() <= 2 * longest_shown) arrows += " => " + word;
+    }
+    const std::string line = course.name + ", with its environments: " + arrows;
+    const nlohmann::ordered_json by{{"by", "environment"}};
+    const std::string wanted =
+        ModuleText(course.rewriting.rules().system->alphabet, course.rewriting.rules().kinds)
+            .text(course.to);
+    return word == wanted ? Judgement::proved({line + "."}, by)
+                          : Judgement::refuted({line + ", and nothing else."}, by);
+}
+
 bool is_random(const Course& course) {
     const auto& tables = course.rewriting.rules().tables;
     return std::any_of(tables.begin(), tables.end(),
@@ -108,6 +134,7 @@ bool is_random(const Course& course) {
 
 Judgement judge_rewriting(const Statement& statement, const Budget& budget) {
     const Course begun = course(statement);
+    if (class_of(*statement.rewriting).open) return developed(statement, begun, budget);
     if (!is_random(begun)) return derived(begun, budget);
     const Chance chance = chance_of(begun, budget);
     const std::vector<std::string> argument{chance_sentence(begun, chance)};

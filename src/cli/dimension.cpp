@@ -1,15 +1,15 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/dimension_report.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "dimension/exact_dimension.hpp"
 #include "dimension/fit.hpp"
+#include "dimension/limit_fit.hpp"
 #include "dimension/points.hpp"
 #include "fold/fold.hpp"
 #include "fold/lifts.hpp"
@@ -34,14 +34,6 @@ struct Options {
     std::string file, generation, plot, threshold, grids, seed;
     bool points = false, invert = false, json = false;
     Bounds bounds;
-};
-
-/// What was measured, and what it is called.
-struct Measured {
-    std::string what;
-    std::optional<std::uint64_t> generation;
-    BoxCounts counts;
-    BoxFit fit;
 };
 
 std::size_t grids(const Options& options) {
@@ -78,6 +70,21 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& s
         chosen = {n, std::move(next)};
     }
     return chosen;
+}
+
+/// The limit of all generations, from the rules alone.
+Measured measure_limit(const LSystem& system, const ExactDimension& exact, const Options& options,
+                       const Budget& budget) {
+    LimitCounting counting;
+    counting.places = grids(options);
+    const LimitCounts counts =
+        limit_counts(RecurrentSet(system, *as_d0l(system), budget), counting, budget);
+    Measured found;
+    found.what =
+        (system.title.empty() ? system.name : system.title) + ", the limit of all generations";
+    found.counts = counts.boxes;
+    found.fit = fit_limit(counts, exact.meeting);
+    return found;
 }
 
 Measured measure(const LSystem& system, const Options& options, const Budget& budget) {
@@ -129,6 +136,19 @@ bool is_named_as_points(std::string_view file) {
            file.ends_with(".xyz");
 }
 
+Measured measured(const LSystem& system, const Options& options, const Budget& budget) {
+    ExactDimension exact = exact_dimension(system, budget);
+    Measured found;
+    if (options.generation.empty() && exact.status != ExactDimension::Status::none) {
+        found = measure_limit(system, exact, options, budget);
+    } else {
+        found = measure(system, options, budget);
+        found.fit = fit_dimension(found.counts);
+    }
+    found.exact = std::move(exact);
+    return found;
+}
+
 Measured measured(const Options& options, const Budget& budget) {
     const SourceText source = open_text(options.file, budget);
     const auto refuse = [&](const std::string& option, bool given, const char* what) {
@@ -151,78 +171,21 @@ Measured measured(const Options& options, const Budget& budget) {
                               : read_points(source.text, source.name),
                         source.name, options, budget);
     } else {
-        found = measure(read_lsystem(source.text, source.name), options, budget);
+        return measured(read_lsystem(source.text, source.name), options, budget);
     }
     found.fit = fit_dimension(found.counts);
     return found;
-}
-
-nlohmann::ordered_json box_json(const Measured& found) {
-    const auto& [what, generation, counts, fit] = found;
-    nlohmann::ordered_json box{{"value", nullptr}, {"low", nullptr}, {"high", nullptr}};
-    if (fit.estimate)
-        box = {{"value", fit.estimate->value},
-               {"low", fit.estimate->low},
-               {"high", fit.estimate->high}};
-    box["because"] = fit.because;
-    box["offsets"] = counts.counts.front().size();
-    nlohmann::ordered_json scales = nlohmann::ordered_json::array();
-    for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
-        const auto [least, most] =
-            std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
-        nlohmann::ordered_json entry{{"cell", counts.scales.cell(scale)},
-                                     {"cells", counts.mean(scale)},
-                                     {"least", *least},
-                                     {"most", *most}};
-        entry["slope"] =
-            scale < fit.slopes.size() ? nlohmann::ordered_json(fit.slopes[scale]) : nullptr;
-        entry["used"] = fit.estimate && scale >= fit.first && scale <= fit.last;
-        scales.push_back(std::move(entry));
-    }
-    box["scales"] = std::move(scales);
-    return box;
-}
-
-std::string box_page(const Measured& found) {
-    const auto& [what, generation, counts, fit] = found;
-    std::string text;
-    if (fit.estimate)
-        text += fmt::format("measured by boxes: {:.4f}, expected between {:.4f} and {:.4f}\n",
-                            fit.estimate->value, fit.estimate->low, fit.estimate->high);
-    else
-        text += "measured by boxes: undecided\n";
-    text += "  " + fit.because + "\n\n";
-    text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",
-                        "least", "most", "slope");
-    for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
-        const auto [least, most] =
-            std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
-        const bool used = fit.estimate && scale >= fit.first && scale <= fit.last;
-        text +=
-            fmt::format("{} {:>12.6g}  {:>14.1f}  {:>12}  {:>12}  {:>8}\n", used ? '*' : ' ',
-                        counts.scales.cell(scale), counts.mean(scale), *least, *most,
-                        scale < fit.slopes.size() ? fmt::format("{:.4f}", fit.slopes[scale]) : "");
-    }
-    return text + fmt::format(
-                      "\n  means over {} grids; the slope is that to the next finer scale; * "
-                      "scales used\n",
-                      counts.counts.front().size());
 }
 
 int dimension(const Options& options) {
     const Budget budget = options.bounds.budget();
     if (!options.plot.empty()) picture_format(options.plot);  // before the work
     const Measured found = measured(options, budget);
-    // What the rules of a system say exactly goes before what was measured.
-    nlohmann::ordered_json json{{"input", found.what}};
-    std::string page = found.what + "\n\n";
-    if (found.generation) json["generation"] = *found.generation;
-    json["box"] = box_json(found);
-    page += box_page(found);
     if (!options.plot.empty())
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
-    print(options.json ? json.dump(2) + "\n" : page);
-    return found.fit.estimate ? success : undecided;
+    print(options.json ? dimension_json(found).dump(2) + "\n" : dimension_page(found));
+    const bool exact = found.exact && found.exact->status == ExactDimension::Status::exact;
+    return exact || found.fit.estimate ? success : undecided;
 }
 
 }  // namespace

@@ -212,6 +212,33 @@ IntegerMatrix short_basis(IntegerMatrix basis, const LeadingFactor& leading, con
     return basis;
 }
 
+/// mu^-k d_k of a piece for a late level k of its phase.
+std::complex<double> late_way(const Unfolding& unfolding, std::size_t piece,
+                              std::complex<double> factor) {
+    const CyclotomicRing ring(static_cast<long>(unfolding.order));
+    std::vector<std::complex<double>> ways;
+    for (const CyclotomicInteger& move : unfolding.moves) ways.push_back(ring.to_complex(move));
+    const std::size_t levels = (100 / unfolding.phases + 1) * unfolding.phases;
+    for (std::size_t level = 0; level < levels; ++level) {
+        std::vector<std::complex<double>> next(ways.size());
+        for (std::size_t p = 0; p < ways.size(); ++p) {
+            std::size_t depth = 0;
+            for (const Unfolding::Item& item : unfolding.items[p]) {
+                if (item.kind == Unfolding::Item::Kind::push) ++depth;
+                if (item.kind == Unfolding::Item::Kind::pop) --depth;
+                if (item.kind == Unfolding::Item::Kind::piece && depth == 0)
+                    next[p] +=
+                        std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(item.heading) /
+                                            static_cast<double>(unfolding.order)) *
+                        ways[item.piece];
+            }
+            next[p] /= factor;
+        }
+        ways = std::move(next);
+    }
+    return ways[piece];
+}
+
 }  // namespace
 
 Displacement::Displacement(const Unfolding& unfolding, const Budget& budget)
@@ -287,10 +314,13 @@ Displacement::Displacement(const Unfolding& unfolding, const Budget& budget)
         basis_.emplace_back(number.real.midpoint(), number.imaginary.midpoint());
     const ComplexBall factor = leading.eigenvalue(256);
     factor_ = {factor.real.midpoint(), factor.imaginary.midpoint()};
-    // The largest way has length 1.
-    double longest = 0;
-    for (const Vector& way : ways_) longest = std::max(longest, std::abs(value(way)));
-    for (std::complex<double>& number : basis_) number /= longest;
+    // The longest way has length 1, and the direction of late generations turned back.
+    std::size_t longest = 0;
+    for (std::size_t p = 0; p < ways_.size(); ++p)
+        if (std::abs(value(ways_[p])) > std::abs(value(ways_[longest]))) longest = p;
+    const std::complex<double> late = late_way(unfolding, longest, factor_);
+    const std::complex<double> found = value(ways_[longest]);
+    for (std::complex<double>& number : basis_) number *= late / std::abs(late) / found;
 }
 
 Displacement::Vector Displacement::product(const Vector& row, const Matrix& matrix) {

@@ -75,7 +75,10 @@ public:
         }
         out_.status = certain ? Status::exact : Status::upper_bound;
         out_.value = certain ? LogRatio(*best, ratio_) : *out_.similarity;
-        if (!certain) out_.boundary.reset();
+        if (!certain) {
+            out_.boundary.reset();
+            out_.meeting.reset();
+        }
         return out_;
     }
 
@@ -115,10 +118,10 @@ private:
     }
 
     void find_boundary(const Neighbours& neighbours, const Rate& rate) {
-        const LogRatio whole(rate, ratio_);
-        if (whole.rational() != Rational(2)) return;
-        const auto meeting = meeting_rate(neighbours, budget_);
-        if (meeting && *meeting < rate) out_.boundary = LogRatio(*meeting, ratio_);
+        const auto meeting = meeting_rate(neighbours, budget_).value_or(Rate(1));
+        if (!(meeting < rate)) return;
+        if (!out_.meeting || *out_.meeting < meeting) out_.meeting = meeting;
+        if (LogRatio(rate, ratio_).rational() == Rational(2)) out_.boundary = LogRatio(meeting, ratio_);
     }
 
     const RecurrentSet& set_;

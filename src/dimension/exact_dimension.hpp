@@ -24,6 +24,8 @@ struct ExactDimension {
     std::optional<LogRatio> similarity;
     /// Of the boundary, where the limit set has interior points.
     std::optional<LogRatio> boundary;
+    /// The rate at which pairs of parts that meet multiply, where there are finitely many ways.
+    std::optional<Rate> meeting;
     /// What was verified, or could not be, in sentences.
     std::vector<std::string> conditions;
 };

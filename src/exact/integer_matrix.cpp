@@ -182,10 +182,12 @@ std::optional<RationalInverse> inverse(const IntegerMatrix& matrix) {
     if (!fmpz_mat_inv(numerator.value, flint(denominator), MatrixView(matrix).value))
         return std::nullopt;
     RationalInverse found{numerator.take(), denominator};
-    if (sign(found.denominator) < 0) {
-        found.denominator.negate();
-        found.numerator = IntegerMatrix(matrix.rows(), matrix.rows()) -= found.numerator;
-    }
+    Integer common = found.denominator;
+    for (const Integer& entry : FlintHandle::entries(found.numerator)) common = gcd(common, entry);
+    if (sign(found.denominator) < 0) common.negate();
+    found.denominator = exact_divide(found.denominator, common);
+    for (Integer& entry : FlintHandle::entries(found.numerator))
+        entry = exact_divide(entry, common);
     return found;
 }
 

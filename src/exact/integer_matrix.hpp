@@ -88,7 +88,7 @@ Integer determinant(const IntegerMatrix& matrix);
 std::size_t rank(const IntegerMatrix& matrix);
 
 /// The inverse of a square matrix over the rationals: `numerator` over `denominator`, the latter
-/// positive. Nothing where there is none. Throws `Error` if the matrix is not square.
+/// positive, in lowest terms. Nothing where there is none. Throws `Error` if the matrix is not square.
 struct RationalInverse {
     IntegerMatrix numerator;
     Integer denominator = 1;

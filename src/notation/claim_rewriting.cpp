@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "environment/environments.hpp"
 #include "notation/characters.hpp"
 #include "notation/claim_scanner.hpp"
 #include "notation/claim_statement.hpp"
@@ -79,7 +80,9 @@ std::string misfit(const LSystem& system, std::string_view family) {
     }
     if (found.shape) return "it has shape rules";
     if (found.nested) return "it has systems within it or words as parameters";
-    if (found.open) return "it has communication modules";
+    if (found.open && found.stochastic) return "it has communication modules and probabilities";
+    if (found.open && asks_program(system))
+        return "its communication modules are filled by a program";
     if (found.tables > 1) return "it has several tables";
     if (found.extended) return "it has terminals";
     if (!found.parametric && !found.conditional)
@@ -101,6 +104,11 @@ void parse_chance(std::string_view text, Statement& statement, ClaimReading& rea
         throw SyntaxError{inside.data() + inside.find_first_not_of(' '),
                           "expected a system with probabilities (S0L, PS0L, parametric), found '" +
                               statement.systems.front()->name + "', which has none"};
+    if (class_of(*statement.rewriting).open)
+        throw SyntaxError{inside.data() + inside.find_first_not_of(' '),
+                          "expected a system without communication modules, found '" +
+                              statement.rewriting->name +
+                              "', whose environments leave nothing to chance"};
     statement.kind = Statement::Kind::chance;
     ClaimScanner scanner(text.substr(close + 1));
     statement.negated = scanner.take("!=");

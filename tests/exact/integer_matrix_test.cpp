@@ -100,3 +100,26 @@ TEST_CASE("sizes that do not fit are refused") {
     CHECK_THROWS_AS((IntegerMatrix{{1, 2}, {3}}), Error);
     CHECK(to_string(IntegerMatrix{{1, -2}, {3, 4}}) == "[1 -2]\n[3 4]");
 }
+
+TEST_CASE("an inverse over the rationals") {
+    const IntegerMatrix matrix({{2, 1}, {1, 3}});
+    const auto found = inverse(matrix);
+    REQUIRE(found);
+    CHECK(found->denominator == 5);
+    CHECK(found->numerator * matrix == IntegerMatrix({{5, 0}, {0, 5}}));
+    CHECK_FALSE(inverse(IntegerMatrix({{1, 2}, {2, 4}})));
+    CHECK(inverse(IntegerMatrix({{-1}}))->numerator == IntegerMatrix({{-1}}));
+    CHECK_THROWS_AS(inverse(IntegerMatrix({{1, 2}})), Error);
+}
+
+TEST_CASE("bases of lattices, and short ones") {
+    CHECK(lattice_basis(IntegerMatrix({{4, 0}, {6, 0}, {0, 5}})) ==
+          IntegerMatrix({{2, 0}, {0, 5}}));
+    CHECK(lattice_basis(IntegerMatrix({{0, 0}})).rows() == 0);
+    const IntegerMatrix rows({{1, 100}, {0, 1}});
+    const IntegerMatrix steps = reducing_matrix(rows);
+    CHECK(abs(determinant(steps)) == 1);
+    const IntegerMatrix reduced = steps * rows;
+    for (std::size_t i = 0; i < 2; ++i)
+        for (std::size_t j = 0; j < 2; ++j) CHECK(abs(reduced(i, j)) <= 1);
+}

@@ -133,7 +133,7 @@ TEST_CASE("left sides") {
 
 TEST_CASE("words") {
     CHECK(findings("axiom a<b\na -> (x)\na -> b(1)(2)\na -> b#c\na->b(,)\na -> b(1\na -> b -> c") ==
-          "x.lsys:1:8: error: expected a symbol, found '<'\n"
+          "x.lsys:1:8: error: '<' is never closed\n"
           "  axiom a<b\n"
           "         ^\n"
           "x.lsys:2:6: error: expected a symbol, found '('\n"

@@ -77,6 +77,7 @@ Measured measure_limit(const LSystem& system, const ExactDimension& exact, const
                        const Budget& budget) {
     LimitCounting counting;
     counting.places = grids(options);
+    counting.coinciding = exact.value->text() != exact.similarity->text();
     const LimitCounts counts =
         limit_counts(RecurrentSet(system, *as_d0l(system), budget), counting, budget);
     Measured found;
@@ -184,8 +185,9 @@ int dimension(const Options& options) {
     if (!options.plot.empty())
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
     print(options.json ? dimension_json(found).dump(2) + "\n" : dimension_page(found));
+    // What the rules say is an answer where no generation was asked about.
     const bool exact = found.exact && found.exact->status == ExactDimension::Status::exact;
-    return exact || found.fit.estimate ? success : undecided;
+    return found.fit.estimate || (exact && !found.generation) ? success : undecided;
 }
 
 }  // namespace

@@ -56,12 +56,13 @@ private:
 class Counter {
 public:
     Counter(const Descent& descent, double scale, double turn, Number place, const Extent& extent,
-            const Budget& budget)
+            bool coinciding, const Budget& budget)
         : descent_(descent),
           budget_(budget),
           scale_(scale),
           unit_(polar(scale, turn)),
-          place_(place) {
+          place_(place),
+          coinciding_(coinciding) {
         // Cells are numbered from the lower left corner, so that coordinates are not negative.
         place_ = {place.x + std::ceil(1 - scale * extent.left - place.x),
                   place.y + std::ceil(1 - scale * extent.low - place.y)};
@@ -80,7 +81,7 @@ public:
             if (++visits % 65'536 == 0) budget_.check();
             const Placed at = open.back();
             open.pop_back();
-            if (is_settled(at)) continue;
+            if (is_settled(at) || (coinciding_ && was_here(at))) continue;
             const Number smaller = at.unit * descent_.shrink;
             const double size = at.size * descent_.smaller;
             const auto& parts = descent_.parts[at.piece];
@@ -98,6 +99,19 @@ public:
     }
 
 private:
+    /// Whether the same large part was looked at in the same place. Small ones are settled soon.
+    bool was_here(const Placed& at) {
+        constexpr double grain = 1 << 20;  // of a cell
+        if (at.size * descent_.discs[at.piece].radius < 0.5) return false;
+        std::uint64_t key = at.piece;
+        for (const double part : {at.start.x, at.start.y, at.unit.x, at.unit.y}) {
+            key = (key ^ static_cast<std::uint64_t>(std::llround(part * grain))) *
+                  0xBF58476D1CE4E5B9u;
+            key ^= key >> 29;
+        }
+        return !seen_.insert(key).second;
+    }
+
     /// Whether nothing more is to be learnt from a part.
     bool is_settled(const Placed& at) {
         const auto& disc = descent_.discs[at.piece];
@@ -123,7 +137,9 @@ private:
     double scale_;
     Number unit_, place_;
     std::int64_t across_ = 0, up_ = 0;
+    bool coinciding_;
     Cells touched_;
+    std::unordered_set<std::uint64_t> seen_;
 };
 
 /// Calls work(i) for i below count, on all processors; throws what one of them throws.
@@ -195,7 +211,7 @@ LimitCounts limit_counts(const RecurrentSet& set, const LimitCounting& options,
         in_parallel(places.size(), [&](std::size_t i) {
             const double own = angle + places[i].angle;
             counts[i] = Counter(descent, scale, own, places[i].offset,
-                                extent_of(descent, own, fine), budget)
+                                extent_of(descent, own, fine), options.coinciding, budget)
                             .count();
         });
         boxes.counts.push_back(std::move(counts));

@@ -23,6 +23,29 @@ TEST_CASE("dimension measures a figure by boxes and gives the keys that programs
         CHECK(box["scales"][0].contains(key));
 }
 
+TEST_CASE("dimension says what the rules give, and measures the limit") {
+    const Run page = run("dimension koch-a --grids 4");
+    CHECK(page.status == 0);
+    CHECK(page.out.starts_with(
+        "Koch curve a, the limit of all generations\n\n"
+        "exact: log 6 / log sqrt 10 = 1.556302500767287265020177188234\n"
+        "  all parts become similar, smaller by the factor sqrt 10 in each generation\n"
+        "  parts coincide; different ones, told apart by 1 kind of surroundings, multiply by 6\n"
+        "with multiplicity, too large: log 8 / log sqrt 10 = 1.806179973983887171282433368347\n"));
+    const json found = json::parse(run("dimension dragon --grids 4 --json").out);
+    CHECK(found["exact"]["status"] == "exact");
+    CHECK(found["exact"]["formula"] == "log 2 / log sqrt 2 = 2");
+    CHECK(found["exact"]["value"] == 2);
+    CHECK(found["exact"]["boundary"]["decimal"] == "1.523627086202492106277683935954");
+    CHECK(found["exact"]["conditions"].size() == 2);
+    CHECK(found["box"]["high"] == 2);
+    CHECK(found["box"]["low"] > 1.9);
+    CHECK_FALSE(found.contains("generation"));
+    const json plant = json::parse(run("dimension plant-d --grids 4 --json").out);
+    CHECK(plant["exact"]["status"] == "upper bound");
+    CHECK(plant["exact"]["formula"] == "log 3 / log 2");
+}
+
 TEST_CASE("dimension says when a generation is too low, and leaves it undecided") {
     const Run low = run("dimension koch -n 2");
     CHECK(low.status == 3);

@@ -179,7 +179,7 @@ LimitCounts limit_counts(const RecurrentSet& set, const LimitCounting& options,
     while (std::pow(ratio, static_cast<double>(out.levels)) < 1.9) ++out.levels;
     boxes.scales.ratio = std::pow(ratio, static_cast<double>(out.levels));
     const double turn = std::arg(set.displacement().factor()) * static_cast<double>(out.levels);
-    const int fine = static_cast<int>(std::ceil(std::log(200.0) / std::log(ratio)));
+    const int fine = static_cast<int>(std::ceil(std::log(40.0) / std::log(ratio)));
     const Extent whole = extent_of(descent, 0, fine);
     const double size = std::max(whole.right - whole.left, whole.high - whole.low);
     const double diameter = std::hypot(whole.right - whole.left, whole.high - whole.low);

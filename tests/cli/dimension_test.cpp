@@ -28,7 +28,7 @@ TEST_CASE("dimension says what the rules give, and measures the limit") {
     CHECK(page.status == 0);
     CHECK(page.out.starts_with(
         "Koch curve a, the limit of all generations\n\n"
-        "exact: log 6 / log sqrt 10 = 1.556302500767287265020177188234\n"
+        "exact: log 6 / log sqrt 10 = 1.556302500767287265017533595959\n"
         "  all parts become similar, smaller by the factor sqrt 10 in each generation\n"
         "  parts coincide; different ones, told apart by 1 kind of surroundings, multiply by 6\n"
         "with multiplicity, too large: log 8 / log sqrt 10 = 1.806179973983887171282433368347\n"));

@@ -78,6 +78,7 @@ Measured measure_limit(const LSystem& system, const ExactDimension& exact, const
     LimitCounting counting;
     counting.places = grids(options);
     counting.coinciding = exact.value->text() != exact.similarity->text();
+    if (counting.coinciding) counting.most_cells /= 2;  // each costs more there
     const LimitCounts counts =
         limit_counts(RecurrentSet(system, *as_d0l(system), budget), counting, budget);
     Measured found;

@@ -99,7 +99,7 @@ public:
     }
 
 private:
-    /// Whether the same large part was looked at in the same place. Small ones are settled soon.
+    /// Whether the same part was looked at in the same place, unless it is small: then it is settled soon.
     bool was_here(const Placed& at) {
         constexpr double grain = 1 << 20;  // of a cell
         if (at.size * descent_.discs[at.piece].radius < 0.5) return false;

@@ -24,7 +24,7 @@ struct LimitCounting {
     std::size_t places = 16;             // of the grid, moved and turned at random
     std::uint64_t seed = 1;              // of the places
     std::uint64_t most_cells = 400'000;  // touched in the finest scale, about
-    bool coinciding = false;             // parts coincide: large ones are looked at once in a place
+    bool coinciding = false;             // parts coincide: each is looked at once in a place
 };
 
 /// Counts by going down from the whole to ever smaller parts, depth first: a part whose disc lies in

@@ -72,6 +72,33 @@ std::string short_decimal(const Ball& value) {
     return significant_decimal([&](long) { return value; }, 6);
 }
 
+/// The minimal polynomial of a power of a root, that near a number.
+Polynomial of_power(const Polynomial& polynomial, long exponent, double near) {
+    const IntegerMatrix matrix = power(companion(polynomial), Integer(exponent));
+    Polynomial best;
+    double distance = INFINITY;
+    for (const auto& [factor, times] : factorise(characteristic_polynomial(matrix)).powers) {
+        const ComplexBall root = root_near(factor, near, 128);
+        const double d = std::hypot(root.real.midpoint() - near, root.imaginary.midpoint());
+        if (d >= distance) continue;
+        distance = d;
+        best = factor;
+    }
+    return best;
+}
+
+/// In brackets where a logarithm of it would be read otherwise.
+std::string bracketed(const std::string& number) {
+    long depth = 0;
+    for (const char c : number) {
+        if (c == '(') ++depth;
+        if (c == ')') --depth;
+        if (depth == 0 && (c == '+' || c == '-' || c == '/' || c == 'x' || c == 'i'))
+            return "(" + number + ")";
+    }
+    return number;
+}
+
 }  // namespace
 
 ScalingRatio::ScalingRatio(const Integer& value)
@@ -122,21 +149,22 @@ std::string ScalingRatio::text() const {
 }
 
 std::optional<Rational> LogRatio::rational() const {
-    const auto rate = pure_power(rate_.minimal_polynomial());
-    const auto square =
-        ratio_.square_polynomial() ? pure_power(*ratio_.square_polynomial()) : std::nullopt;
-    if (!rate || !square) return std::nullopt;
-    if (rate->first == 1) return Rational(0);
-    // For rate = r^(1/i) and |mu|^2 = s^(1/j) the number is 2j/i log r / log s.
-    const Rational outer(2 * square->second, rate->second);
-    const double inner = std::log(rate->first.to_double()) / std::log(square->first.to_double());
-    for (long b = 1; b <= 24; ++b) {
-        const double a = inner * static_cast<double>(b);
-        const long near = std::lround(a);
-        if (std::abs(a - static_cast<double>(near)) > 1e-9) continue;
-        if (power(rate->first, static_cast<std::uint64_t>(b)) ==
-            power(square->first, static_cast<std::uint64_t>(near)))
-            return outer * Rational(near, b);
+    if (rate_ == Rate(1)) return Rational(0);
+    const auto& square = ratio_.square_polynomial();
+    if (!square) return std::nullopt;
+    // The number is p/q exactly if rate^(2q) == (|mu|^2)^p.
+    constexpr long largest_denominator = 24;
+    constexpr long largest_power = 400;  // times the degree
+    const double value = enclosure(128).midpoint();
+    for (long q = 1; q <= largest_denominator; ++q) {
+        const long p = std::lround(value * static_cast<double>(q));
+        if (std::abs(value * static_cast<double>(q) - static_cast<double>(p)) > 1e-9) continue;
+        if (p < 1 || p * square->degree() > largest_power || 2 * q * rate_.degree() > largest_power)
+            continue;
+        const double near =
+            std::exp(static_cast<double>(2 * q) * std::log(rate_.enclosure(64).midpoint()));
+        if (of_power(rate_.minimal_polynomial(), 2 * q, near) == of_power(*square, p, near))
+            return Rational(p, q);
     }
     return std::nullopt;
 }
@@ -146,7 +174,7 @@ Ball LogRatio::enclosure(long bits) const {
 }
 
 std::string LogRatio::text() const {
-    std::string text = "log " + rate_.exact() + " / log " + ratio_.text();
+    std::string text = "log " + bracketed(rate_.exact()) + " / log " + bracketed(ratio_.text());
     if (const auto value = rational()) text += " = " + to_string(*value);
     return text;
 }

@@ -38,10 +38,11 @@ public:
 
     const Rate& rate() const { return rate_; }
     const ScalingRatio& ratio() const { return ratio_; }
-    /// The number itself where it is rational and rate and ratio are roots of integers.
+    /// The number itself, if it is rational with a denominator up to 24: powers of rate and ratio are
+    /// compared by their minimal polynomials.
     std::optional<Rational> rational() const;
     Ball enclosure(long bits) const;
-    /// "log 4 / log 3", "log 8 / log 4 = 3/2", "log 6 / log sqrt 10".
+    /// "log 4 / log 3", "log 8 / log 4 = 3/2", "log 6 / log sqrt 10", "log 6 / log ((3+sqrt(5))/2)".
     std::string text() const;
     /// Correctly rounded to so many digits after the point.
     std::string decimal(int digits) const;

@@ -42,7 +42,7 @@ const Known curves[] = {
     {"pentadendrite", "axiom F; F -> F+F-F--F+F+F; angle 72", "log 6 / log sqrt(6+sqrt(5))",
      "1.699539851193", nullptr},
     {"pentaplexity", "axiom F++F++F++F++F; F -> F++F++F|F-F++F; angle 36",
-     "log 6 / log (3+sqrt(5))/2", "1.861715959501", nullptr},
+     "log 6 / log ((3+sqrt(5))/2)", "1.861715959501", nullptr},
     {"Heighway", "axiom F; F -> -F++G-; G -> +F--G+; angle 45", "log 2 / log sqrt 2 = 2",
      "2.000000000000", "1.523627086202"},
     {"dragon by nodes", "axiom FX; X -> X+YF+; Y -> -FX-Y; angle 90", "log 2 / log sqrt 2 = 2",
@@ -71,7 +71,7 @@ const Known curves[] = {
     {"Penrose tiling",
      "axiom [X]++[X]++[X]++[X]++[X]; W -> YF++ZF----XF[-YF----WF]++; X -> +YF--ZF[---WF--XF]+; "
      "Y -> -WF++XF[+++YF++ZF]-; Z -> --YF++++WF[+ZF++++XF]--XF; F -> ε; angle 36",
-     nullptr, "2.000000000000", nullptr},
+     "log ((3+sqrt(5))/2) / log ((1+sqrt(5))/2) = 2", "2.000000000000", nullptr},
 };
 
 }  // namespace

@@ -125,8 +125,14 @@ std::string why(const BoxCounts& counts, const BoxFit& fit, const std::vector<do
 
 }  // namespace
 
+double BoxFit::fitted(const BoxCounts& counts, std::size_t scale) const {
+    const double straight = intercept - slope * std::log(counts.scales.cell(scale));
+    if (boundary == 0) return straight;
+    return std::log(std::exp(straight) + boundary * std::pow(rate, static_cast<double>(scale)));
+}
+
 double BoxFit::residual(const BoxCounts& counts, std::size_t scale) const {
-    return std::log(counts.mean(scale)) - (intercept - slope * std::log(counts.scales.cell(scale)));
+    return std::log(counts.mean(scale)) - fitted(counts, scale);
 }
 
 BoxFit fit_dimension(const BoxCounts& counts) {

@@ -22,12 +22,15 @@ struct BoxFit {
     std::size_t first = 0, last = 0;
     /// Nothing if there are too few of them.
     std::optional<Estimate> estimate;
-    /// The straight line through these scales in the plot: natural logarithm of the mean count is
-    /// intercept - slope * logarithm of the cell.
+    /// The line through these scales in the plot: the mean count of scale j is about
+    /// exp(intercept) / cell^slope + boundary * rate^j; it is straight without a boundary.
     double slope = 0, intercept = 0;
+    double boundary = 0, rate = 1;
     /// Which scales and why, in one sentence; or why nothing can be said.
     std::string because;
 
+    /// The natural logarithm of the mean count that the line gives for a scale.
+    double fitted(const BoxCounts& counts, std::size_t scale) const;
     /// How far the logarithm of the mean count is above the line.
     double residual(const BoxCounts& counts, std::size_t scale) const;
 };

@@ -199,6 +199,7 @@ LimitCounts limit_counts(const RecurrentSet& set, const LimitCounting& options,
     const double across_first = boxes.scales.ratio > 3.5 ? 2 : least_across;
     const double first = across_first / size;
     boxes.scales.coarsest = 1 / across_first;
+    boxes.whole = 1;
     for (std::size_t j = 0;; ++j) {
         const double scale = first * std::pow(boxes.scales.ratio, static_cast<double>(j));
         const double angle = turn * static_cast<double>(j);

@@ -82,6 +82,12 @@ void fit_two_terms(const BoxCounts& counts, double rho, BoxFit& fit) {
         fit.slope = value;
     }
     fit.last = last;
+    // The two terms at the finest scale.
+    const double whole =
+        means.combined(last, Means::nobody) / (1 - rho * std::pow(counts.scales.ratio, -fit.slope));
+    fit.intercept = std::log(whole) + fit.slope * std::log(counts.scales.cell(last));
+    fit.rate = rho;
+    fit.boundary = (counts.mean(last) - whole) / std::pow(rho, static_cast<double>(last));
     fit.because =
         "counted on the limit itself; slope over the finest scales of n_j - rho n_(j-1), with rho "
         "= " +
@@ -106,6 +112,7 @@ void fit_slopes(const BoxCounts& counts, bool is_lost, BoxFit& fit) {
     fit.first = last - 3;
     fit.last = last;
     fit.slope = now;
+    fit.intercept = std::log(counts.mean(last)) + now * std::log(counts.scales.cell(last));
     fit.because =
         is_lost
             ? "counted on the limit itself; parts meet almost as often as they multiply, so the "
@@ -136,7 +143,6 @@ BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting) {
         fit_two_terms(counts, rho, fit);
     else
         fit_slopes(counts, is_lost, fit);
-    fit.intercept = std::log(counts.mean(last)) + fit.slope * std::log(counts.scales.cell(last));
     return fit;
 }
 

@@ -44,8 +44,8 @@ class DimensionDiagram {
 public:
     DimensionDiagram(const DimensionPlot& plot, cairo_t* context)
         : plot_(plot), context_(context), scales_(plot.counts.counts.size()) {
-        const double last = across(scales_ - 1);
-        counts_ = {top, page_height - bottom - strip - gap, 0, last};
+        const double first = across(0), last = across(scales_ - 1);
+        counts_ = {top, page_height - bottom - strip - gap, first, last};
         counts_.low = 0;
         counts_.high = 1;
         for (std::size_t scale = 0; scale < scales_; ++scale) {
@@ -54,7 +54,7 @@ public:
                 counts_.high,
                 std::log10(static_cast<double>(*std::max_element(all.begin(), all.end()))));
         }
-        residuals_ = {page_height - bottom - strip, page_height - bottom, 0, last};
+        residuals_ = {page_height - bottom - strip, page_height - bottom, first, last};
         double most = 0.01;
         if (plot_.fit.estimate)
             for (std::size_t scale = plot_.fit.first; scale <= plot_.fit.last; ++scale)
@@ -83,7 +83,9 @@ public:
 
 private:
     double across(std::size_t scale) const {
-        return std::log10(plot_.counts.scales.coarsest / plot_.counts.scales.cell(scale));
+        const BoxCounts& counts = plot_.counts;
+        const double whole = counts.whole > 0 ? counts.whole : counts.scales.coarsest;
+        return std::log10(whole / counts.scales.cell(scale));
     }
     double percent(std::size_t scale) const {
         return 100 * std::expm1(plot_.fit.residual(plot_.counts, scale));
@@ -115,7 +117,7 @@ private:
     }
 
     void shade(const Panel& panel) {
-        const double half = across(1) / 2;
+        const double half = (across(1) - across(0)) / 2;
         const double from = panel.x(across(plot_.fit.first) - half),
                      to = panel.x(across(plot_.fit.last) + half);
         colour(0.91, 0.94, 0.99);
@@ -170,11 +172,11 @@ private:
         cairo_rectangle(context_, left, counts_.upper, page_width - left - right,
                         counts_.lower - counts_.upper);
         cairo_clip(context_);
-        for (const std::size_t scale : {std::size_t{0}, scales_ - 1}) {
-            const double height =
-                plot_.fit.intercept - plot_.fit.slope * std::log(plot_.counts.scales.cell(scale));
-            cairo_line_to(context_, counts_.x(across(scale)),
-                          counts_.y(height / std::numbers::ln10));
+        for (std::size_t scale = 0; scale < scales_; ++scale) {
+            const double height = plot_.fit.fitted(plot_.counts, scale);
+            if (std::isfinite(height))
+                cairo_line_to(context_, counts_.x(across(scale)),
+                              counts_.y(height / std::numbers::ln10));
         }
         cairo_stroke(context_);
         cairo_restore(context_);

@@ -38,6 +38,8 @@ struct BoxCounts {
     double detail = 0;
     /// What was counted, with multiplicity, and what one of them is called.
     std::uint64_t parts = 0;
+    /// The longer side of the whole; 0 if it is the coarsest cell.
+    double whole = 0;
     std::string part = "segment";
     /// The dimension of the space it lies in, which no dimension exceeds.
     int space = 2;

@@ -11,6 +11,8 @@ namespace algae {
 
 namespace {
 
+constexpr std::size_t counted_levels = 8;
+
 /// A piece with the others that may coincide with parts of it, in order.
 struct Surroundings {
     std::size_t piece;
@@ -139,6 +141,15 @@ DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
     const Polynomial polynomial = annihilator(start, matrix, ones, budget);
     DistinctGrowth found;
     found.kinds = rows.size();
+    std::vector<Integer> level = start;
+    Integer divisor = 1;
+    for (std::size_t n = 0; n < counted_levels; ++n) {
+        Integer sum;
+        for (const Integer& count : level) sum += count;
+        found.first_counts.push_back(exact_divide(sum, divisor));
+        level = level * matrix;
+        divisor *= scale;
+    }
     found.rate = divided(spectral_radius(factorise(polynomial).powers, Rational(widest + 1)), scale,
                          Rational(widest + 1, scale));
     return found;

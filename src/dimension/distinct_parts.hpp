@@ -1,9 +1,11 @@
 #pragma once
 
 #include <cstddef>
+#include <vector>
 
 #include "base/budget.hpp"
 #include "dimension/neighbours.hpp"
+#include "exact/integer.hpp"
 #include "growth/rate.hpp"
 
 namespace algae {
@@ -12,6 +14,9 @@ namespace algae {
 struct DistinctGrowth {
     Rate rate = Rate(1);
     std::size_t kinds = 0;  // of surroundings, that were told apart
+    /// How many different parts of each of the first levels the component's first piece has, itself
+    /// being that of level 0.
+    std::vector<Integer> first_counts;
 };
 
 /// Parts are told apart by their surroundings: the other parts near them that may still coincide

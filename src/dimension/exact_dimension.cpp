@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "dimension/distinct_parts.hpp"
 #include "dimension/neighbours.hpp"
+#include "dimension/parametric_dimension.hpp"
 #include "growth/annihilator.hpp"
 #include "system/d0l.hpp"
 
@@ -50,7 +51,7 @@ public:
     ExactDimension result() {
         std::vector<std::size_t> order = components();
         if (order.empty()) {
-            out_.value = out_.similarity = LogRatio(Rate(1), ratio_);
+            out_.value = out_.similarity = DimensionFormula(LogRatio(Rate(1), ratio_));
             out_.status = Status::exact;
             out_.conditions.push_back("the parts that are drawn do not multiply");
             return out_;
@@ -59,7 +60,7 @@ public:
         std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
             return *list[a].rate > *list[b].rate;
         });
-        out_.similarity = LogRatio(*list[order.front()].rate, ratio_);
+        out_.similarity = DimensionFormula(LogRatio(*list[order.front()].rate, ratio_));
         out_.conditions.push_back("all parts become similar, smaller by the factor " +
                                   ratio_.text() + " in each generation");
         std::optional<Rate> best;
@@ -130,16 +131,24 @@ private:
     ExactDimension out_;
 };
 
+bool has_parameters(const LSystem& system) {
+    return !system.axiom.arguments.empty() ||
+           std::any_of(system.rules.begin(), system.rules.end(), [](const Production& rule) {
+               return !rule.predecessor.parameters.empty() || !rule.successor.arguments.empty();
+           });
+}
+
 }  // namespace
 
 ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
     ExactDimension none;
     const View<D0L> rules = as_d0l(system);
-    if (!rules) {
+    if (!rules && !has_parameters(system)) {
         none.conditions.push_back(rules.reason());
         return none;
     }
     try {
+        if (!rules) return parametric_dimension(system, budget);
         return Search(RecurrentSet(system, *rules, budget), budget).result();
     } catch (const Interrupted&) {
         throw;

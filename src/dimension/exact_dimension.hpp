@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "base/budget.hpp"
-#include "dimension/log_ratio.hpp"
+#include "dimension/dimension_formula.hpp"
 #include "system/lsystem.hpp"
 
 namespace algae {
@@ -19,9 +19,9 @@ struct ExactDimension {
     };
 
     Status status = Status::none;
-    std::optional<LogRatio> value;
+    std::optional<DimensionFormula> value;
     /// log rate / log |mu|, with multiplicity: where parts coincide it is too large.
-    std::optional<LogRatio> similarity;
+    std::optional<DimensionFormula> similarity;
     /// Of the boundary, where the limit set has interior points.
     std::optional<LogRatio> boundary;
     /// The rate at which pairs of parts that meet multiply, where there are finitely many ways.
@@ -37,6 +37,8 @@ struct ExactDimension {
 /// none coincide, otherwise with the different ones (`distinct_growth`). If these cannot be found
 /// within the budget, the value with multiplicity is an upper bound. Several components of letters
 /// each have their own dimension; the largest is that of the whole.
+///
+/// Of a parametric system whose rules multiply lengths by constants, it is `parametric_dimension`.
 ///
 /// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
 ExactDimension exact_dimension(const LSystem& system, const Budget& budget = {});

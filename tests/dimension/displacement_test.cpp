@@ -1,0 +1,283 @@
+// Ways and scaling factors against turtles in floating point.
+
+#include "dimension/displacement.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <complex>
+#include <map>
+#include <numbers>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "dimension/exact_dimension.hpp"
+#include "dimension/recurrent_set.hpp"
+#include "notation/read.hpp"
+#include "oracle/random_systems.hpp"
+#include "system/d0l.hpp"
+
+using namespace algae;
+using oracle::WrittenSystem;
+
+namespace {
+
+using Real = long double;
+using Complex = std::complex<Real>;
+
+std::string text_of(const WrittenSystem& system, int angle) {
+    std::string text = "axiom " + system.axiom;
+    for (const auto& [letter, successors] : system.successors)
+        text += std::string("; ") + letter + " -> " +
+                (successors[0].empty() ? std::string("ε") : successors[0]);
+    return text + "; angle " + std::to_string(angle);
+}
+
+rc::Gen<std::pair<WrittenSystem, int>> any_turtle_system() {
+    const auto word = [](const std::string& letters) {
+        return rc::gen::mapcat(rc::gen::inRange<std::size_t>(4, 8), [letters](std::size_t size) {
+            return rc::gen::map(rc::gen::container<std::string>(size, rc::gen::elementOf(letters)),
+                                oracle::balanced);
+        });
+    };
+    const auto system = rc::gen::apply(
+        [](const std::string& f, const std::string& x, const std::string& y) {
+            return WrittenSystem{"F", {{'F', {"F" + f}}, {'X', {x}}, {'Y', {y}}}};
+        },
+        word("FFFFFX+-[]fG"), word("FFFXXY+-[]"), word("FFGXY+-|"));
+    return rc::gen::pair(system, rc::gen::element(90, 60, 45, 120, 72));
+}
+
+Budget short_time() {
+    Budget budget;
+    budget.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(60);
+    return budget;
+}
+
+std::optional<RecurrentSet> recurrent_set(const LSystem& system) {
+    try {
+        return RecurrentSet(system, *as_d0l(system), short_time());
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// The letters of all words.
+std::set<char> everything_in(const WrittenSystem& system) {
+    std::set<char> found(system.axiom.begin(), system.axiom.end());
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const auto& [a, successors] : system.successors)
+            if (found.contains(a))
+                for (const char b : successors[0]) changed = found.insert(b).second || changed;
+    }
+    return found;
+}
+
+/// By how much ways grow in each generation, from generation 300 on, where they do so evenly.
+std::optional<Real> growth_of_ways(const WrittenSystem& system, int angle) {
+    struct Motion {
+        Complex way;
+        int degrees = 0;
+    };
+    std::map<char, Motion> motions;
+    for (const char a : everything_in(system)) {
+        motions[a] = {};
+        if (a == 'F' || a == 'f' || a == 'G') motions[a].way = 1;
+    }
+    motions['+'].degrees = angle;
+    motions['-'].degrees = 360 - angle;
+    motions['|'].degrees = 180;
+    Real scale = 0;  // the logarithm of what was divided by
+    std::vector<Real> logs;
+    for (int n = 0; n <= 1020; ++n) {
+        Real largest = 0;
+        for (const auto& [a, motion] : motions) largest = std::max(largest, std::abs(motion.way));
+        if (largest == 0) return std::nullopt;
+        for (auto& [a, motion] : motions) motion.way /= largest;
+        scale += std::log(largest);
+        logs.push_back(scale);
+        std::map<char, Motion> next = motions;
+        for (const auto& [a, motion] : motions) {
+            const auto rule = system.successors.find(a);
+            if (rule == system.successors.end()) continue;
+            Motion whole;
+            int depth = 0;
+            for (const char b : rule->second[0]) {
+                if (b == '[') ++depth;
+                if (b == ']') --depth;
+                if (depth > 0 || b == ']') continue;
+                whole.way += std::polar<Real>(1, static_cast<Real>(whole.degrees) *
+                                                     std::numbers::pi_v<Real> / 180) *
+                             motions[b].way;
+                whole.degrees = (whole.degrees + motions[b].degrees) % 360;
+            }
+            next[a] = whole;
+        }
+        motions = std::move(next);
+    }
+    const Real first = (logs[660] - logs[300]) / 360, second = (logs[1020] - logs[660]) / 360;
+    if (std::abs(first - second) > 1e-9L) return std::nullopt;
+    return std::exp(second);
+}
+
+/// The rate at which the letters multiply that draw, or lead to drawing, for ever, if they all lead to
+/// each other and the axiom to them.
+std::optional<double> growth_of_letters(const WrittenSystem& system) {
+    std::set<char> lasting;
+    const auto successor = [&](char a) {
+        const auto found = system.successors.find(a);
+        return found == system.successors.end() ? std::string(1, a) : found->second[0];
+    };
+    const std::string letters = "FXYfG+-|";
+    std::set<char> leads{'F', 'G'};
+    const auto grow = [&](std::set<char>& set) {
+        const std::size_t before = set.size();
+        for (const char a : letters)
+            for (const char b : successor(a))
+                if (set.contains(b)) set.insert(a);
+        return set.size() > before;
+    };
+    while (grow(leads)) {
+    }
+    lasting = leads;
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const char a : letters) {
+            const std::string word = successor(a);
+            if (lasting.contains(a) && std::none_of(word.begin(), word.end(),
+                                                    [&](char b) { return lasting.contains(b); })) {
+                lasting.erase(a);
+                changed = true;
+            }
+        }
+    }
+    if (lasting.empty()) return std::nullopt;
+    std::set<char> reached;
+    for (const char a : system.axiom)
+        if (lasting.contains(a)) reached.insert(a);
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const char a : std::set<char>(reached))
+            for (const char b : successor(a))
+                if (lasting.contains(b) && reached.insert(b).second) changed = true;
+    }
+    for (const char a : reached) {
+        std::set<char> from{a};
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const char b : std::set<char>(from))
+                for (const char c : successor(b))
+                    if (lasting.contains(c) && from.insert(c).second) changed = true;
+        }
+        if (from != reached) return std::nullopt;
+    }
+    // By powers of the matrix plus one, which is primitive.
+    std::map<char, double> counts;
+    for (const char a : reached) counts[a] = 1;
+    double rate = 0;
+    for (int n = 0; n < 3000; ++n) {
+        std::map<char, double> next = counts;
+        for (const char a : reached)
+            for (const char b : successor(a))
+                if (reached.contains(b)) next[a] += counts[b];
+        double sum = 0;
+        for (const auto& [a, count] : next) sum += count;
+        double before = 0;
+        for (const auto& [a, count] : counts) before += count;
+        rate = sum / before;
+        for (auto& [a, count] : next) count /= sum;
+        counts = std::move(next);
+    }
+    return rate - 1;
+}
+
+}  // namespace
+
+TEST_CASE("ways are multiplied by the factor and by roots of unity as complex numbers are") {
+    int looked_at = 0;
+    CHECK(rc::check([&] {
+        const auto [written, angle] = *any_turtle_system();
+        const auto set = recurrent_set(read_lsystem(text_of(written, angle), "random"));
+        if (!set) return;
+        ++looked_at;
+        const Displacement& displacement = set->displacement();
+        const Unfolding& unfolding = set->unfolding();
+        for (std::size_t p = 0; p < unfolding.size(); ++p) {
+            // mu times a way is the sum of the ways of the parts, turned.
+            Displacement::Vector sum = displacement.zero();
+            int depth = 0;
+            for (const Unfolding::Item& item : unfolding.items[p]) {
+                if (item.kind == Unfolding::Item::Kind::push) ++depth;
+                if (item.kind == Unfolding::Item::Kind::pop) --depth;
+                if (item.kind == Unfolding::Item::Kind::piece && depth == 0)
+                    displacement.add(
+                        sum, displacement.turned(displacement.way(item.piece), item.heading));
+            }
+            RC_ASSERT(displacement.scaled(displacement.way(p)) == sum);
+        }
+        Displacement::Vector vector = displacement.zero();
+        double size = 1;
+        for (auto& coordinate : vector) {
+            coordinate = *rc::gen::inRange(-20, 21);
+            size += std::abs(static_cast<double>(coordinate));
+        }
+        const std::complex<double> value = displacement.value(vector);
+        size *= 1 + std::abs(value);
+        for (const auto& part : vector) size += std::abs(static_cast<double>(part));
+        RC_ASSERT(std::abs(displacement.value(displacement.scaled(vector)) -
+                           displacement.factor() * value) < 1e-9 * size);
+        const std::int64_t heading = *rc::gen::inRange<std::int64_t>(-2 * set->order(), 40);
+        const auto turn = std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(heading) /
+                                              static_cast<double>(set->order()));
+        RC_ASSERT(std::abs(displacement.value(displacement.turned(vector, heading)) -
+                           turn * value) < 1e-9 * size);
+    }));
+    CHECK(looked_at >= 5);
+    MESSAGE(looked_at, " systems");
+}
+
+TEST_CASE("the factor is the growth of ways in floating point") {
+    int looked_at = 0;
+    CHECK(rc::check([&] {
+        const auto [written, angle] = *any_turtle_system();
+        const auto set = recurrent_set(read_lsystem(text_of(written, angle), "random"));
+        if (!set) return;
+        const auto growth = growth_of_ways(written, angle);
+        if (!growth) return;
+        ++looked_at;
+        RC_ASSERT(std::abs(set->displacement().ratio() - static_cast<double>(*growth)) <
+                  1e-7 * set->displacement().ratio());
+    }));
+    CHECK(looked_at >= 5);
+    MESSAGE(looked_at, " systems");
+}
+
+TEST_CASE("the dimension with multiplicity is that of rates found by iteration") {
+    int looked_at = 0, multiplying = 0;
+    CHECK(rc::check([&] {
+        const auto [written, angle] = *any_turtle_system();
+        const LSystem system = read_lsystem(text_of(written, angle), "random");
+        const auto ways = growth_of_ways(written, angle);
+        const auto letters = growth_of_letters(written);
+        if (!ways || !letters) return;
+        const ExactDimension found = exact_dimension(system, short_time());
+        if (!found.similarity) return;
+        const double expected = std::log(*letters) / std::log(static_cast<double>(*ways));
+        const double value = found.similarity->enclosure(64).midpoint();
+        ++looked_at;
+        multiplying += *letters > 1.001;
+        RC_ASSERT(std::abs(value - expected) < 1e-5 * (1 + expected));
+        RC_ASSERT(found.value->enclosure(64).midpoint() < value + 1e-9);
+        RC_ASSERT(found.status != ExactDimension::Status::exact ||
+                  found.value->enclosure(64).midpoint() < 2 + 1e-9);
+    }));
+    CHECK(looked_at >= 5);
+    MESSAGE(looked_at, " systems, ", multiplying, " whose parts multiply");
+}

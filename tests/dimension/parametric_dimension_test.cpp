@@ -1,0 +1,232 @@
+#include "dimension/parametric_dimension.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "base/error.hpp"
+#include "dimension/constant_expression.hpp"
+#include "dimension/equal_lengths.hpp"
+#include "dimension/ratio_graph.hpp"
+#include "notation/read.hpp"
+
+using namespace algae;
+using Status = ExactDimension::Status;
+
+namespace {
+
+ExactDimension dimension_of(const std::string& text) {
+    const ExactDimension found = exact_dimension(read_lsystem(text, "a.lsys"));
+    CAPTURE(found.conditions.back());
+    REQUIRE(found.value);
+    return found;
+}
+
+std::string reason(const char* text) {
+    const ExactDimension found = exact_dimension(read_lsystem(text, "a.lsys"));
+    CHECK(found.status == Status::none);
+    CHECK_FALSE(found.value);
+    return found.conditions.back();
+}
+
+const char* const row_of_trees =
+    "axiom F(1); F(x) -> F(x*0.3)+(86)F(x*0.21^0.5)-(172)F(x*0.21^0.5)+(86)F(x*0.7)";
+const char* const delayed_row =
+    "axiom F(1,0); F(x,t) : t = 0 -> "
+    "F(x*0.3,2)+(86)F(x*0.21^0.5,1)-(172)F(x*0.21^0.5,1)+(86)F(x*0.7,0); "
+    "F(x,t) : t > 0 -> F(x,t-1)";
+
+}  // namespace
+
+TEST_CASE("a row of trees has the dimension of its unequal ratios over the growth of its base") {
+    // The base grows by 1 + 2 sqrt(0.21) cos 86 in each generation. With right angles it would stay, and
+    // the dimension would be 2 as 0.3^2 + 2*0.21 + 0.7^2 = 1.
+    const ExactDimension found = dimension_of(row_of_trees);
+    CHECK(found.status == Status::upper_bound);
+    CHECK(found.value->text() == "0.3^s + 2*(0.21^0.5)^s + 0.7^s = m^s with m = 1.06393");
+    CHECK(found.value->decimal(12) == "1.817669185721");
+    CHECK_FALSE(found.boundary);
+    CHECK(found.conditions.back() == "whether parts overlap is not known");
+
+    const ExactDimension right = dimension_of(
+        "axiom F(1); F(x) -> F(x*0.3)+(90)F(x*0.21^0.5)-(180)F(x*0.21^0.5)+(90)F(x*0.7)");
+    CHECK(right.value->decimal(12) == "2.000000000000");
+
+    const ExactDimension named = dimension_of(
+        "let p = 0.7; let q = 0.3; let h = (p*q)^0.5; axiom F(1); "
+        "F(x) -> F(p*x)+F(h*x)--F(h*x)+F(q*x); angle 86");
+    CHECK(named.value->text() == "0.7^s + 2*(0.21^0.5)^s + 0.3^s = m^s with m = 1.06393");
+    CHECK(named.value->decimal(30) == found.value->decimal(30));
+}
+
+TEST_CASE("segments that wait are smaller by the growth of the base while they wait") {
+    const ExactDimension found = dimension_of(delayed_row);
+    CHECK(found.status == Status::upper_bound);
+    CHECK(found.value->text() ==
+          "(0.3/m^3)^s + 2*((0.21^0.5)/m^2)^s + (0.7/m)^s = 1 with m = 1.03927");
+    // m^3 = 0.7 m^2 + 2 h cos 86 m + 0.3, by Newton's method, and s by bisection.
+    const double h = std::sqrt(0.21), c = 2 * h * std::cos(86 * std::numbers::pi / 180);
+    double m = 1;
+    for (int k = 0; k < 50; ++k)
+        m -= (m * m * m - 0.7 * m * m - c * m - 0.3) / (3 * m * m - 1.4 * m - c);
+    double low = 1, high = 3;
+    for (int k = 0; k < 60; ++k) {
+        const double s = (low + high) / 2;
+        const double sum =
+            std::pow(0.3 / (m * m * m), s) + 2 * std::pow(h / (m * m), s) + std::pow(0.7 / m, s);
+        (sum > 1 ? low : high) = s;
+    }
+    CHECK(found.value->enclosure(60).midpoint() == doctest::Approx(low).epsilon(1e-12));
+    // With right angles nothing grows, waiting changes no ratio, and the row is the one without.
+    const ExactDimension right = dimension_of(
+        "axiom F(1,0); F(x,t) : t = 0 -> "
+        "F(x*0.3,2)+(90)F(x*0.21^0.5,1)-(180)F(x*0.21^0.5,1)+(90)F(x*0.7,0); "
+        "F(x,t) : t > 0 -> F(x,t-1)");
+    CHECK(right.value->decimal(12) == "2.000000000000");
+}
+
+TEST_CASE("where all ratios are the same, the curve is that with steps of one length") {
+    const ExactDimension koch = dimension_of(
+        "axiom F(1)-(120)F(1)-(120)F(1); F(x) -> F(x/3)+(60)F(x/3)-(120)F(x/3)+(60)F(x/3)");
+    CHECK(koch.status == Status::exact);
+    CHECK(koch.value->text() == "log 4 / log 3");
+    CHECK(koch.conditions.front() == "every rule multiplies lengths by the same number");
+    const ExactDimension cantor =
+        dimension_of("axiom F(1); F(x) -> F(x/3)f(x/3)F(x/3); f(x) -> f(x/3)f(x/3)f(x/3)");
+    CHECK(cantor.status == Status::exact);
+    CHECK(cantor.value->text() == "log 2 / log 3");
+    const ExactDimension levy =
+        dimension_of("let r = 0.5^0.5; axiom F(1); F(s) -> +(45)F(s*r)-(90)F(s*r)+(45)");
+    CHECK(levy.status == Status::exact);
+    CHECK(levy.value->text() == "log 2 / log sqrt 2 = 2");
+    CHECK(levy.boundary->decimal(12) == "1.934007182988");
+}
+
+TEST_CASE("trees of unequal branches") {
+    // F stays a segment; branches are 0.7 times as long.
+    const ExactDimension tree =
+        dimension_of("axiom A(1); A(x) -> F(x)[+A(x*0.7)][-A(x*0.7)]; angle 30");
+    CHECK(tree.value->text() == "2*0.7^s = m^s with m = 1.00000");
+    CHECK(tree.value->decimal(12) == "1.943358209875");
+    const ExactDimension growing =
+        dimension_of("axiom X; X -> F(1)[+(86)X][-(86)X]; F(x) -> F(x*1.456)");
+    CHECK(growing.value->text() == "2*1^s = m^s with m = 1.45600");
+    CHECK(growing.value->enclosure(60).midpoint() ==
+          doctest::Approx(std::log(2) / std::log(1.456)).epsilon(1e-12));
+    // Widths and ages that decide nothing are of no account.
+    const ExactDimension wide =
+        dimension_of("axiom A(1,10); A(l,w) -> !(w)F(l)[+A(l*0.7,w/2)][-A(l*0.7,w/3)]; angle 30");
+    CHECK(wide.value->decimal(12) == tree.value->decimal(12));
+}
+
+TEST_CASE("figures that do not branch are segments or points") {
+    const ExactDimension triangle =
+        dimension_of("axiom X(1); X(x) -> F(x)+(90)F(x)+(135)F(2^0.5*x)");
+    CHECK(triangle.status == Status::exact);
+    CHECK(triangle.value->decimal(3) == "1.000");
+    CHECK(triangle.conditions.back() == "segments stay segments");
+}
+
+TEST_CASE("parametric systems without a formula say why") {
+    CHECK(reason("axiom F(1); F(x) : x > 1 -> F(x/2)F(x/2); F(x) : x <= 1 -> F(x)") ==
+          "the length of F decides what comes of it, so parts are not similar to the whole");
+    CHECK(reason("axiom F(1); F(x) -> F(x/2)F(x+1)") ==
+          "the length 'x+1' is no multiple of that of the module it comes from");
+    CHECK(reason("axiom F(1); F(x) -> F(x/2)F(1)") ==
+          "the length of F(*) in the successor of F(*) is no multiple of its length");
+    CHECK(reason("axiom F(1,1); F(x,t) : t > 0 -> F(x/2,t+1)+(90)F(x,t+1)").find("more than 500") !=
+          std::string::npos);
+    CHECK(reason("axiom F(1); F(x) -> F(x)[+F(x)]F(x)[-F(x*2)]") ==
+          "parts do not become smaller than the whole");
+    CHECK(reason("axiom F(1); F(x) -> F(x/2)+(90)F(x/2)+(90)F(x/2)+(90)F(x/2)+(90)") ==
+          "the turtle always comes back to where it began");
+    CHECK(reason("axiom F(1); F(x) -> F(x/2)&(30)F(x/3)") ==
+          "the symbol & makes a figure in space");
+    CHECK(reason("axiom F(1); F(x) -(1/2)-> F(x/2)F(x/2); F(x) -(1/2)-> F(x)")
+              .ends_with("has a probability"));
+    CHECK(reason("axiom F(1); A < F(x) -> F(x/2)F(x/2)").ends_with("has a context"));
+    CHECK(reason("axiom A(1); A(x) -> A(x/2)A(x/2); interpret A(x) -> F(x)") ==
+          "symbols are interpreted");
+    CHECK(reason("axiom A(1); A(x) -> F(x)A(x)") ==
+          "the ways from the beginnings of figures to their ends do not grow by one factor");
+    CHECK(reason("axiom F(1); F(x) -> f(x/2)f(x/2)") == "nothing is drawn in late generations");
+}
+
+TEST_CASE(
+    "random curves with lengths and waiting times have the dimension found in floating point") {
+    int looked_at = 0;
+    CHECK(rc::check([&] {
+        const auto sides = *rc::gen::suchThat(
+            rc::gen::container<std::vector<std::tuple<int, int, int>>>(rc::gen::tuple(
+                rc::gen::inRange(5, 90), rc::gen::inRange(-100, 101), rc::gen::inRange(0, 4))),
+            [](const auto& list) { return list.size() >= 2 && list.size() <= 7; });
+        std::string word;
+        for (const auto& [hundredths, degrees, wait] : sides)
+            word += "+(" + std::to_string(degrees) + ")F(x*" + std::to_string(hundredths) +
+                    "/100," + std::to_string(wait) + ")-(" + std::to_string(degrees) + ")";
+        const std::string text =
+            "axiom F(1,0); F(x,t) : t = 0 -> " + word + "; F(x,t) : t > 0 -> F(x,t-1)";
+        // Ways of figures that wait so long, over 3,000 generations.
+        std::vector<std::complex<double>> ways(4, 1);
+        double scale = 0, from = 0;
+        for (int n = 0; n < 3000; ++n) {
+            std::complex<double> next = 0;
+            for (const auto& [hundredths, degrees, wait] : sides)
+                next += hundredths / 100.0 * std::polar(1.0, degrees * std::numbers::pi / 180) *
+                        ways[static_cast<std::size_t>(wait)];
+            ways = {next, ways[0], ways[1], ways[2]};
+            const double size =
+                std::abs(ways[0]) + std::abs(ways[1]) + std::abs(ways[2]) + std::abs(ways[3]);
+            for (auto& way : ways) way /= size;
+            scale += std::log(size);
+            if (n == 1499) from = scale;
+        }
+        const double m = std::exp((scale - from) / 1500);
+        const auto sum = [&](double s) {
+            double total = 0;
+            for (const auto& [hundredths, degrees, wait] : sides)
+                total += std::pow(hundredths / 100.0 / std::pow(m, wait + 1), s);
+            return total;
+        };
+        const ExactDimension found = exact_dimension(read_lsystem(text, "random"));
+        if (!found.value) {
+            // Parts that are not smaller than the whole, or ways that two factors share.
+            RC_ASSERT(sum(64) >= 1 || found.conditions.back().find("factor") != std::string::npos);
+            return;
+        }
+        if (found.status == Status::exact) return;  // all ratios the same
+        double low = 0, high = 64;
+        for (int k = 0; k < 80; ++k) {
+            const double s = (low + high) / 2;
+            (sum(s) > 1 ? low : high) = s;
+        }
+        ++looked_at;
+        const double value = found.value->enclosure(60).midpoint();
+        RC_ASSERT(std::abs(value - low) < 1e-3 * (1 + low));
+    }));
+    CHECK(looked_at >= 30);
+    MESSAGE(looked_at, " systems");
+}
+
+TEST_CASE("constants of expressions are enclosed") {
+    const auto near = [](const char* text, double value) {
+        const LSystem system = read_lsystem(std::string("let c = ") + text + "; axiom F", "");
+        const Expression constant = shortened(system.constants.front().second.expression);
+        CHECK(enclosure(constant, 100).has_radius_below(-80));
+        CHECK(enclosure(constant, 100).midpoint() == doctest::Approx(value).epsilon(1e-14));
+    };
+    near("0.21^0.5", std::sqrt(0.21));
+    near("1/sqrt(3)-2", 1 / std::sqrt(3) - 2);
+    near("cos(86)*tan(20)/sin(7)", 0.0697564737441253 * 0.363970234266202 / 0.121869343405147);
+    near("exp(2)*log(3)+abs(-2^0.5)", std::exp(2) * std::log(3) + std::sqrt(2));
+    near("(2^0.5)^-3", std::pow(2, -1.5));
+    near("-(2^(1/3))", -std::cbrt(2));
+    const LSystem system = read_lsystem("let c = 0.5*2*(0.7*0.3)^0.5; axiom F", "");
+    CHECK(to_text(shortened(system.constants.front().second.expression)) == "0.21^0.5");
+}

@@ -141,7 +141,8 @@ bool is_named_as_points(std::string_view file) {
 Measured measured(const LSystem& system, const Options& options, const Budget& budget) {
     ExactDimension exact = exact_dimension(system, budget);
     Measured found;
-    if (options.generation.empty() && exact.status != ExactDimension::Status::none) {
+    if (options.generation.empty() && exact.status != ExactDimension::Status::none &&
+        as_d0l(system)) {
         found = measure_limit(system, exact, options, budget);
     } else {
         found = measure(system, options, budget);

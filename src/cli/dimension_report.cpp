@@ -21,11 +21,11 @@ std::string status_name(ExactDimension::Status status) {
     }
 }
 
-nlohmann::ordered_json ratio_json(const std::optional<LogRatio>& ratio) {
-    if (!ratio) return nullptr;
-    return {{"formula", ratio->text()},
-            {"value", ratio->enclosure(64).midpoint()},
-            {"decimal", ratio->decimal(digits)}};
+nlohmann::ordered_json formula_json(const std::optional<DimensionFormula>& formula) {
+    if (!formula) return nullptr;
+    return {{"formula", formula->text()},
+            {"value", formula->enclosure(64).midpoint()},
+            {"decimal", formula->decimal(digits)}};
 }
 
 nlohmann::ordered_json exact_json(const ExactDimension& exact) {
@@ -33,18 +33,21 @@ nlohmann::ordered_json exact_json(const ExactDimension& exact) {
                                 {"formula", nullptr},
                                 {"value", nullptr},
                                 {"decimal", nullptr}};
-    if (exact.value) json.update(ratio_json(exact.value));
+    if (exact.value) json.update(formula_json(exact.value));
     json["conditions"] = exact.conditions;
-    json["similarity"] = ratio_json(exact.similarity);
-    json["boundary"] = ratio_json(exact.boundary);
+    json["similarity"] = formula_json(exact.similarity);
+    json["boundary"] = formula_json(exact.boundary);
     return json;
 }
 
 std::string exact_page(const ExactDimension& exact) {
     std::string text;
-    const auto line = [](const std::string& what, const LogRatio& ratio) {
-        const std::string formula = ratio.text();
-        return what + formula + (ratio.rational() ? "" : " = " + ratio.decimal(digits)) + "\n";
+    const auto line = [](const std::string& what, const DimensionFormula& dimension) {
+        const std::string formula = dimension.text();
+        if (dimension.ratio_sum())
+            return what + dimension.decimal(digits) + ", the s of " + formula + "\n";
+        return what + formula + (dimension.rational() ? "" : " = " + dimension.decimal(digits)) +
+               "\n";
     };
     if (exact.status == ExactDimension::Status::exact) text += line("exact: ", *exact.value);
     if (exact.status == ExactDimension::Status::upper_bound)

@@ -122,7 +122,8 @@ private:
         const auto meeting = meeting_rate(neighbours, budget_).value_or(Rate(1));
         if (!(meeting < rate)) return;
         if (!out_.meeting || *out_.meeting < meeting) out_.meeting = meeting;
-        if (LogRatio(rate, ratio_).rational() == Rational(2)) out_.boundary = LogRatio(meeting, ratio_);
+        if (LogRatio(rate, ratio_).rational() == Rational(2))
+            out_.boundary = LogRatio(meeting, ratio_);
     }
 
     const RecurrentSet& set_;

@@ -23,7 +23,7 @@ struct ExactDimension {
     /// log rate / log |mu|, with multiplicity: where parts coincide it is too large.
     std::optional<DimensionFormula> similarity;
     /// Of the boundary, where the limit set has interior points.
-    std::optional<LogRatio> boundary;
+    std::optional<DimensionFormula> boundary;
     /// The rate at which pairs of parts that meet multiply, where there are finitely many ways.
     std::optional<Rate> meeting;
     /// What was verified, or could not be, in sentences.

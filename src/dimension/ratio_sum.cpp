@@ -144,8 +144,8 @@ std::string RatioSum::text() const {
             std::string text;
             for (const std::string& term : terms) {
                 if (!text.empty()) text += " + ";
-                if (counts[term] > 1) text += std::to_string(counts[term]) + "*";
-                text += term;
+                const std::string count = std::to_string(counts[term]);
+                text += term == "1^s" ? count : counts[term] > 1 ? count + "*" + term : term;
             }
             return text + (all_at_once ? " = m^s" : " = 1") + " with m = " + factor;
         }

@@ -22,7 +22,9 @@ RewritingChoices choices(const DeriveOptions& options, const LSystem& system) {
     RewritingChoices out;
     out.seed = options.seed.empty() ? usual_seed : natural("--seed", options.seed);
     // A seed says that rules without probabilities may be picked too.
-    out.evenly = !class_of(system).stochastic && (!options.seed.empty() || !options.seeds.empty());
+    const bool seeded = !options.seed.empty() || !options.seeds.empty();
+    out.evenly = !class_of(system).stochastic && seeded;
+    out.random_tables = seeded;
     return out;
 }
 
@@ -35,9 +37,9 @@ std::uint64_t one_generation(const DeriveOptions& options, const std::string& op
 
 std::vector<std::size_t> tables(const DeriveOptions& options, const LSystem& system) {
     if (options.tables.empty()) {
-        if (system.tables.size() > 1 && options.seed.empty() && options.seeds.empty())
+        if (leaves_tables_open(system) && options.seed.empty() && options.seeds.empty())
             throw Error("it has " + std::to_string(system.tables.size()) +
-                        " tables; say --tables SEQUENCE, or --seed S for random ones");
+                        " tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
         return {};
     }
     return table_sequence(system.tables, options.tables);
@@ -100,8 +102,8 @@ void derive_distribution(const DeriveOptions& options, const LSystem& system,
     if (class_of(system).open)
         throw Error("it has communication modules, and --distribution asks no environment");
     const std::uint64_t n = one_generation(options, "--distribution");
-    if (system.tables.size() > 1 && options.tables.empty())
-        throw Error("it has tables; say --tables SEQUENCE");
+    if (leaves_tables_open(system) && options.tables.empty())
+        throw Error("it has tables and no schedule; say --tables SEQUENCE");
     const auto sequence = tables(options, system);
     check_long_enough(sequence, n);
     const Rewriting rewriting(system, choices(options, system), budget);

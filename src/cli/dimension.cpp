@@ -55,7 +55,10 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& s
                                                                 const Options& options,
                                                                 const Budget& budget) {
     FigureChoices choices;
-    if (!options.seed.empty()) choices.seed = natural("--seed", options.seed);
+    if (!options.seed.empty()) {
+        choices.seed = natural("--seed", options.seed);
+        choices.random_tables = true;
+    }
     if (!options.generation.empty()) {
         const std::uint64_t n = natural("-n", options.generation);
         return {n, figure(system, n, budget, choices)};

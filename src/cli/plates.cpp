@@ -19,9 +19,9 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
     if (!seeds && choices.tables.empty()) {
         if (const View<D0L> rules = as_d0l(system); !rules && as_ol(system))
             throw Error(rules.reason() + "; say --seed S to draw one word picked at random");
-        if (system.tables.size() > 1)
+        if (leaves_tables_open(system))
             throw Error("it has " + std::to_string(system.tables.size()) +
-                        " tables; say --tables SEQUENCE, or --seed S for random ones");
+                        " tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
     }
     many_seeds_ = seeds && seeds->first != seeds->second;
     const auto add = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
@@ -30,7 +30,7 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
         plate.seed = seed;
         plate.name = "generation " + std::to_string(n) + " of " + system.name;
         if (many_seeds_) plate.name += ", seed " + std::to_string(*seed);
-        plate.figure = open_figure(system, n, budget, {seed, choices.tables},
+        plate.figure = open_figure(system, n, budget, {seed, choices.tables, choices.seeds.has_value()},
                                    external_environment(choices.environment, system));
     };
     for (std::uint64_t n = generations.first; n <= generations.second; ++n) {

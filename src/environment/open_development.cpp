@@ -85,7 +85,7 @@ void OpenDevelopment::go_to(std::uint64_t n, const std::vector<std::size_t>& tab
     while (generation_ < n) {
         budget.check();
         const std::size_t table =
-            tables.empty() ? rewriting_.random_table(generation_) : tables.at(generation_);
+            tables.empty() ? rewriting_.own_table(generation_) : tables.at(generation_);
         word_ = rewriting_.next(word_, generation_, table, budget);
         ++generation_;
         fill(budget);

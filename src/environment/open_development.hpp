@@ -31,7 +31,7 @@ public:
     const CompiledRules& rules() const { return rewriting_.rules(); }
 
     /// Goes on to generation n, by the tables in `tables`, one for each step from generation 0 on, or by
-    /// random ones where there are none. Throws what Rewriting::next, ModuleTurtle and the environments
+    /// its own ones where there are none. Throws what Rewriting::next, ModuleTurtle and the environments
     /// throw.
     void go_to(std::uint64_t n, const std::vector<std::size_t>& tables = {},
                const Budget& budget = {});

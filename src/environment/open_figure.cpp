@@ -13,7 +13,7 @@ std::unique_ptr<Figure> open_figure(const LSystem& system, std::uint64_t n, cons
                                     std::shared_ptr<Environment> external) {
     const Class kind = class_of(system);
     if (!kind.open) return figure(system, n, budget, choices);
-    if (system.tables.size() > 1 && !choices.seed && choices.tables.empty())
+    if (leaves_tables_open(system) && !choices.seed && choices.tables.empty())
         throw Error("it has " + std::to_string(system.tables.size()) +
                     " tables, and neither their sequence nor a seed is given");
     if (!choices.tables.empty() && choices.tables.size() < n)
@@ -22,6 +22,7 @@ std::unique_ptr<Figure> open_figure(const LSystem& system, std::uint64_t n, cons
     RewritingChoices rewriting;
     rewriting.seed = choices.seed.value_or(rewriting.seed);
     rewriting.evenly = choices.seed && !kind.stochastic;
+    rewriting.random_tables = choices.random_tables;
     OpenDevelopment development(system, rewriting, std::move(external), budget);
     development.go_to(n, choices.tables, budget);
     return figure(system, development.rules().kinds, development.word(), n, rewriting.seed, budget);

@@ -99,11 +99,11 @@ private:
     bool rewrites() const { return !d0l_ && !il_ && (choices_.seed || !ol_); }
     const OpenDevelopment& developed(std::uint64_t n) {
         if (!development_ || development_->generation() > n) {
-            if (system_.tables.size() > 1 && !choices_.seed)
-                throw Error("it has tables, and no seed picks one for each step");
+            if (leaves_tables_open(system_) && !choices_.seed)
+                throw Error("it has tables, and no schedule says and no seed picks one for each step");
             RewritingChoices choices;
             choices.seed = choices_.seed.value_or(choices.seed);
-            choices.evenly = !class_of(system_).stochastic;
+            choices.evenly = choices_.seed && !class_of(system_).stochastic;
             development_.emplace(system_, choices, nullptr, budget_);
         }
         development_->go_to(n, {}, budget_);

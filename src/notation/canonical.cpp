@@ -44,6 +44,7 @@ void add_rules(const LSystem& system, const Printer& printer, Lines& lines) {
         lines.rule(printer.rule(rule));
     }
     open_tables(system.tables.size());
+    lines.setting("schedule", joined(schedule_names(system)));
 }
 
 /// A number as one piece among several.
@@ -60,12 +61,6 @@ void add_words(const LSystem& system, const Printer& printer, Lines& lines) {
 
 std::string print_start(const Settings::Start& start) {
     return joined({piece(start.x), piece(start.y), piece(start.heading)});
-}
-
-std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
-    std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
-    for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
-    return joined(parts);
 }
 
 std::string print_range(const std::pair<std::uint64_t, std::uint64_t>& range) {
@@ -92,6 +87,12 @@ void add_settings(const Settings& settings, const Printer& printer, Lines& lines
 }
 
 }  // namespace
+
+std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
+    std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
+    for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
+    return joined(parts);
+}
 
 std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
     const Printer printer(system.alphabet);

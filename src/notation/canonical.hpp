@@ -17,4 +17,7 @@ struct CanonicalLine {
 /// The canonical text of a system, line by line.
 std::vector<CanonicalLine> canonical_lines(const LSystem& system);
 
+/// What fills a module, as it stands behind `environment`: `?E clip 0 0 4 3`.
+std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment);
+
 }  // namespace algae

@@ -8,7 +8,7 @@
 namespace algae {
 
 /// The canonical text of a system: title, source, id, alphabet, let, systems within, axiom, tables and
-/// rules, ignore, terminals, interpret, environment, settings, expectations; one statement a line, with a line break at
+/// rules, schedule, ignore, terminals, interpret, environment, settings, expectations; one statement a line, with a line break at
 /// the end of each. It reads back as the same system, and its own canonical text is itself.
 /// Throws nothing on systems that were read; title, source, names and values of a system made
 /// otherwise must be such as can be written in the notation.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <unordered_map>
 #include <utility>
 
 #include "notation/expression_grammar.hpp"
@@ -118,6 +119,31 @@ void read_stamp(std::string_view value, Reading& reading) {
                                         did_you_mean(shape, shapes)};
 }
 
+/// The names of tables, for a message; the first of them if there are very many.
+std::string listed(const std::vector<std::string>& tables) {
+    constexpr std::size_t most = 20;
+    std::string out;
+    for (std::size_t i = 0; i < std::min(most, tables.size()); ++i)
+        out += (i == 0 ? "" : ", ") + tables[i];
+    return tables.size() > most ? out + ", ... (" + std::to_string(tables.size()) + " tables)" : out;
+}
+
+void read_schedule(std::string_view value, Reading& reading) {
+    const std::vector<std::string>& tables = reading.system.tables;
+    if (tables.empty())
+        throw SyntaxError{value.data(),
+                          "expected tables for the schedule, such as 'table light' before rules, found none"};
+    std::unordered_map<std::string_view, std::size_t> numbers;
+    for (std::size_t i = 0; i < tables.size(); ++i) numbers.emplace(tables[i], i);
+    for (const std::string_view name : pieces(value)) {
+        const auto found = numbers.find(name);
+        if (found == numbers.end())
+            throw SyntaxError{name.data(), "expected a table (" + listed(tables) + "), found " +
+                                               quoted(name) + did_you_mean(name, tables)};
+        reading.system.schedule.push_back(found->second);
+    }
+}
+
 void read_colours(std::string_view value, Reading& reading) {
     for (const std::string_view colour : pieces(value)) {
         const bool is_name = std::all_of(colour.begin(), colour.end(), [](char byte) {
@@ -152,7 +178,7 @@ std::optional<Quantity>* number_of(std::string_view name, Settings& settings) {
 
 const std::vector<std::string>& setting_names() {
     static const std::vector<std::string> names{
-        "title",     "source",    "id",     "alphabet", "let",        "axiom", "table", "ignore",
+        "title",     "source",    "id",     "alphabet", "let",        "axiom", "table", "schedule", "ignore",
         "terminals", "interpret", "environment", "angle",  "step",     "shrink",     "start", "spin",
         "scale",     "narrow",    "plot",      "stamp",  "width",     "colour", "turn",     "generation",
         "seed",      "expect"};
@@ -185,10 +211,12 @@ void read_setting(const Clause& clause, Reading& reading) {
         for (const std::string_view piece : pieces(value)) system.identifiers.emplace_back(piece);
     } else if (name == "table") {
         const auto parts = pieces(value);
+        if (!reading.tables.emplace(parts.front()).second)
+            throw SyntaxError{value.data(), "the table " + quoted(parts.front()) + " is opened twice"};
+        system.tables.emplace_back(parts.front());
         if (parts.size() > 1) throw unexpected("the end of the line", parts[1].data());
-        if (!reading.tables.emplace(value).second)
-            throw SyntaxError{value.data(), "the table " + quoted(value) + " is opened twice"};
-        system.tables.emplace_back(value);
+    } else if (name == "schedule") {
+        read_schedule(value, reading);
     } else if (name == "turn") {
         if (value != "clockwise" && value != "counter-clockwise")
             throw unexpected("'clockwise' or 'counter-clockwise'", value.data());

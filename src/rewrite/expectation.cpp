@@ -86,7 +86,9 @@ std::vector<LikelyWord> distribution(const Rewriting& rewriting, const ModuleStr
     words.add(from, Rational(1));
     for (std::uint64_t generation = 0; generation < n; ++generation) {
         Likely next(budget);
-        const std::size_t table = tables.empty() ? 0 : tables.at(generation);
+        const std::size_t table = tables.empty()
+                                      ? scheduled_table(*rewriting.rules().system, generation)
+                                      : tables.at(generation);
         for (const auto& [word, probability] : words.words()) {
             const Likely after = successors(rewriting, word, generation, table, budget);
             for (const auto& [longer, share] : after.words()) next.add(longer, probability * share);

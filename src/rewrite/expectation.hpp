@@ -28,7 +28,8 @@ struct LikelyWord {
 /// All words of generation n with their exact probabilities, which add up to 1; shorter words first,
 /// equally long ones by the names of their letters, then by their parameters. Rules without
 /// probabilities that match together are an Error, unless the choices say that all are equally
-/// likely. For systems with several tables each step takes the one in `tables`. There may be
+/// likely. For systems with several tables each step takes the one in `tables`, without these that of the
+/// schedule. There may be
 /// exponentially many words of exponential length: throws BoundReached if they take more than
 /// budget.memory, and otherwise as Rewriting::next does.
 ///

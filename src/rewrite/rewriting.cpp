@@ -182,13 +182,19 @@ std::size_t Rewriting::random_table(std::uint64_t generation) const {
     return Draws::scaled(Draws(choices_.seed, generation).of_table(), rules_.tables.size());
 }
 
+std::size_t Rewriting::own_table(std::uint64_t generation) const {
+    const LSystem& system = *rules_.system;
+    return system.schedule.empty() || choices_.random_tables ? random_table(generation)
+                                                            : scheduled_table(system, generation);
+}
+
 ModuleString derive(const Rewriting& rewriting, std::uint64_t n,
                     const std::vector<std::size_t>& tables, const Budget& budget) {
     ModuleString word = rewriting.axiom();
     for (std::uint64_t generation = 0; generation < n; ++generation) {
         budget.check();
         const std::size_t table =
-            tables.empty() ? rewriting.random_table(generation) : tables.at(generation);
+            tables.empty() ? rewriting.own_table(generation) : tables.at(generation);
         word = rewriting.next(word, generation, table, budget);
     }
     return word;

@@ -16,6 +16,7 @@ namespace algae {
 struct RewritingChoices {
     std::uint64_t seed = 1;
     bool evenly = false;   // rules with the same left side and no probabilities are equally likely
+    bool random_tables = false;  // in place of the schedule of the system
     unsigned threads = 0;  // 0: as many as the machine has. The word does not depend on it
 };
 
@@ -51,6 +52,9 @@ public:
 
     /// The table that a step from this generation picks at random, all equally likely.
     std::size_t random_table(std::uint64_t generation) const;
+    /// The table of the step from this generation where nobody says which: the schedule's, a random
+    /// one where there is none or the choices want it.
+    std::size_t own_table(std::uint64_t generation) const;
 
     /// A successor and how likely it is, exactly; number 0 means that the module stays.
     struct Outcome {
@@ -92,7 +96,7 @@ private:
 };
 
 /// The word of generation n: of a system with tables by those in `tables`, one for each step, or by
-/// random ones where there are none. Throws as Rewriting::next does.
+/// its own ones where there are none. Throws as Rewriting::next does.
 ///
 /// Example: derive(Rewriting(read_lsystem("axiom A(1); A(x) -> A(x*2)A(x)", "")), 3).kinds.size() == 8
 ModuleString derive(const Rewriting& rewriting, std::uint64_t n,

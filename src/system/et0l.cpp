@@ -37,6 +37,7 @@ bool for_all_accessible(const ET0L& system, Holds holds) {
 View<ET0L> as_et0l(const LSystem& written) {
     LSystem plain = written;  // what else goes beyond 0L is looked for without these two
     plain.tables.clear();
+    plain.schedule.clear();
     plain.terminals.clear();
     if (std::string reason = beyond_ol(plain); !reason.empty())
         return View<ET0L>::refused("not an ET0L system: " + reason);

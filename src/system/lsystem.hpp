@@ -101,6 +101,7 @@ struct LSystem {
     Place axiom_place;
     std::vector<Production> rules;
     std::vector<std::string> tables;     // names of T0L tables; empty where there are none
+    std::vector<std::size_t> schedule;   // `schedule`: tables of the steps, repeated; or empty
     std::vector<Symbol> ignored;         // `ignore`: skipped when contexts are matched
     std::vector<Symbol> terminals;       // `terminals`: E0L
     std::vector<Production> interpretation;  // `interpret L -> F`
@@ -126,5 +127,19 @@ struct InnerSystem {
 
 /// Whether there are systems within it, or words as parameters or spliced into others.
 bool holds_words(const LSystem& system);
+
+/// Whether it has several tables and no schedule says which are used when.
+bool leaves_tables_open(const LSystem& system);
+
+/// The table of the step from this generation by the schedule, which starts again when it ends; 0
+/// where there is none.
+///
+/// Example: scheduled_table(read_lsystem("axiom a; table s; table t; schedule s t", ""), 3) == 1
+std::size_t scheduled_table(const LSystem& system, std::uint64_t generation);
+
+/// The names in the schedule, as written.
+///
+/// Example: schedule_names(read_lsystem("axiom a; table s; schedule s s", "")).size() == 2
+std::vector<std::string> schedule_names(const LSystem& system);
 
 }  // namespace algae

@@ -39,7 +39,7 @@ void check_choices(const LSystem& system, const Class& kind, const FigureChoices
     if (kind.shape) refuse("it has shape rules, which make boxes and not words for a turtle");
     if (kind.open) refuse("it has communication modules, and there is no environment to fill them");
     if (choices.seed || !choices.tables.empty()) return;
-    if (system.tables.size() > 1)
+    if (leaves_tables_open(system))
         refuse("it has " + std::to_string(system.tables.size()) +
                " tables, and neither their sequence nor a seed is given");
     if (as_ol(system)) refuse(as_d0l(system).reason());
@@ -63,6 +63,7 @@ std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Bud
     RewritingChoices rewriting_choices;
     rewriting_choices.seed = choices.seed.value_or(usual_seed);
     rewriting_choices.evenly = choices.seed && !kind.stochastic;
+    rewriting_choices.random_tables = choices.random_tables;
     const Rewriting rewriting(system, rewriting_choices, budget);
     ModuleString word = derive(rewriting, n, choices.tables, budget);
     return figure(system, rewriting.rules().kinds, std::move(word), n, rewriting_choices.seed,

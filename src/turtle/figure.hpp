@@ -58,7 +58,8 @@ public:
 /// What is drawn where a system leaves a choice.
 struct FigureChoices {
     std::optional<std::uint64_t> seed;  // none: 1 for systems with probabilities
-    std::vector<std::size_t> tables;    // one for each step; none: by the seed
+    std::vector<std::size_t> tables;    // one for each step; none: by the schedule or the seed
+    bool random_tables = false;         // by the seed, even if there is a schedule
 };
 
 /// The figure of generation `n` of a system, derived as Rewriting says where it is no D0L system.

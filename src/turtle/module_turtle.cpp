@@ -25,6 +25,7 @@ LSystem interpretation_of(const LSystem& system) {
     LSystem out = system;
     out.axiom = {};
     out.tables.clear();
+    out.schedule.clear();
     out.rules = std::move(out.interpretation);
     out.interpretation.clear();
     for (Production& rule : out.rules) {

@@ -92,7 +92,7 @@ TEST_CASE("tables and terminals") {
     CHECK(run("derive - --tables 12 --all", tables).out == "a\nab\nbaa\n");
     CHECK(run("derive - -n 3 --seed 2", tables).status == 0);
     CHECK(run("derive - -n 3", tables).err ==
-          "algae: it has 2 tables; say --tables SEQUENCE, or --seed S for random ones\n");
+          "algae: it has 2 tables and no schedule; say --tables SEQUENCE, or --seed S for random ones\n");
     CHECK(run("derive - -n 3 --tables 12", tables).err ==
           "algae: --tables: expected a table for each of 3 steps, found 2\n");
     CHECK(run("derive - -n 2 --language", tables).out == "a\nb\naa\nab\nabb\nbaa\n");

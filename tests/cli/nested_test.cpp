@@ -7,9 +7,14 @@
 TEST_CASE("derive and show know systems within a system") {
     CHECK(run("derive leaves-of-a-system -n 1").out == "F[+x][-x]A(1)\n");
     CHECK(run("derive words-as-parameters -n 0").out == "B(\"FF[+FF][-FF]\",3)\n");
-    CHECK(run("show leaves-of-a-system").out.find("systems within leaf\n") != std::string::npos);
+    CHECK(run("show leaves-of-a-system").out.find("systems within leaf {\n"
+                                                  "                   axiom x\n"
+                                                  "                   x -> F[+x][-x]x\n"
+                                                  "               }\n") != std::string::npos);
     const auto json = nlohmann::json::parse(run("show leaves-of-a-system --json").out);
-    CHECK(json["systems"] == nlohmann::json{"leaf"});
+    CHECK(json["systems"] ==
+          nlohmann::json::parse(
+              R"([{"name": "leaf", "axiom": "x", "rules": ["x -> F[+x][-x]x"], "ignore": []}])"));
     CHECK(json["class"] == "parametric PD0L with systems within");
     CHECK(run("fmt fronds").out.find("system frond {\n    axiom A(0)\n") != std::string::npos);
 }

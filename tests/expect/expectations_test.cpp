@@ -89,4 +89,9 @@ TEST_CASE("of a system with choices the expected word is that of its first seed"
           [&] { const auto said = first_unmet(plant + "seed 1..5\nexpect word 4: F\n"); return said.substr(said.find("found")); }());
     CHECK(first_unmet("axiom a\na -> a\na -> aa\nseed 3\nexpect length 0: 1\n") == "");
     CHECK(first_unmet("axiom F; table a; F -> FF; table b; F -> F\nexpect length 1: 2\n").find("no seed picks") != std::string::npos);
+    CHECK(first_unmet("axiom F; table a; F -> F; F -> FF; schedule a\nexpect length 1: 1\n").find("neither has a probability") != std::string::npos);
+    const std::string scheduled = "axiom F; table a; F -> FF; table b; F -> F[+F]F; schedule b a\n";
+    CHECK(first_unmet(scheduled + "expect word 3: F[+F]FF[+F]F[+F[+F]FF[+F]F]F[+F]FF[+F]F\n") == "");
+    CHECK(first_unmet(scheduled + "seed 5\nexpect word 2: FF[+FF]FF\nexpect segments 3: 18\n") == "");
+    CHECK(first_unmet(scheduled + "expect segments 2: 5\n") == "x.lsys:2:1: expected segments 2: 5, found 6");
 }

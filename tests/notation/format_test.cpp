@@ -36,7 +36,7 @@ TEST_CASE("comments stay with their statements") {
 }
 
 TEST_CASE("formatting loses no comment, changes no system, and twice is once") {
-    rc::check([] {
+    CHECK(rc::check([] {
         std::string text = random_text::system(), commented;
         int comments = 0;
         for (const char byte : text) {
@@ -56,7 +56,7 @@ TEST_CASE("formatting loses no comment, changes no system, and twice is once") {
         } catch (const Diagnostics&) {
             // probabilities that do not add up, by chance
         }
-    });
+    }));
 }
 
 TEST_CASE("suggestions") {

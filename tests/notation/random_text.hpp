@@ -163,9 +163,19 @@ inline std::string system() {
     if (chance(20)) out += "expect length 3: 148\nexpect end 2: 1/2 0\n";
     const bool tables = chance(20);
     const int count = below(8);
+    Strings opened;
     for (int i = 0; i < count; ++i) {
-        if (tables && (i == 0 || chance(30))) out += "table t" + std::to_string(i) + '\n';
+        if (tables && (i == 0 || chance(30))) {
+            opened.push_back('t' + std::to_string(i));
+            out += "table " + opened.back() + '\n';
+        }
         out += rules(options);
+    }
+    if (!opened.empty() && chance(50)) {
+        out += "schedule";
+        for (int i = 1 + below(6); i > 0; --i)
+            out += ' ' + one_of(opened);
+        out += '\n';
     }
     out += "axiom ε" + word(options, options.constants, true) + '\n';
     if (chance(20)) out += "ignore + - F_l " + symbol(options.longer) + '\n';

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <map>
 #include <set>
 
 #include "oracle/random_tables.hpp"
@@ -52,6 +53,58 @@ TEST_CASE("random tables are the same for the same seed, and all are used") {
     }
     CHECK(used.size() == 2);
     CHECK(derive(one, 8) == derive(same, 8));
+}
+
+TEST_CASE("steps without a table said take that of the schedule, again and again") {
+    const LSystem system = read_lsystem(two_tables + "; schedule light dark light", "t.lsys");
+    const Rewriting own(system), seeded(system, {.seed = 4, .random_tables = true}),
+        unscheduled(read_lsystem(two_tables, "t.lsys"), {.seed = 4});
+    for (std::uint64_t n = 0; n < 10; ++n) {
+        const std::vector<std::size_t> said{0, 1, 0, 0, 1, 0, 0, 1, 0, 0};
+        CHECK(own.own_table(n) == said[n]);
+        CHECK(derive(own, n) == derive(own, n, said));
+        CHECK(derive(seeded, n) == derive(unscheduled, n));
+    }
+    CHECK(derive(own, 2, {1, 1}) == derive(unscheduled, 2, {1, 1}));
+}
+
+TEST_CASE("words by a schedule are those that a table of letters gives") {
+    CHECK(rc::check([] {
+        const auto image = rc::gen::container<std::string>(rc::gen::elementOf(std::string("abc")));
+        const auto steps = *rc::gen::nonEmpty(
+            rc::gen::container<std::vector<std::size_t>>(rc::gen::inRange<std::size_t>(0, 3)));
+        std::vector<std::map<char, std::string>> tables(3);
+        std::string text = "axiom abca\n", word = "abca";
+        for (std::size_t t = 0; t < tables.size(); ++t) {
+            text += "table t" + std::to_string(t) + '\n';
+            for (const char letter : {'a', 'b', 'c'}) {
+                const std::string successor = (*image).substr(0, 2);
+                tables[t][letter] = successor;
+                text += std::string(1, letter) + " -> " + successor + '\n';
+            }
+        }
+        text += "schedule";
+        for (const std::size_t t : steps) text += " t" + std::to_string(t);
+        const Rewriting rewriting(read_lsystem(text, "t.lsys"));
+        const ModuleText spelled(rewriting.rules().system->alphabet, rewriting.rules().kinds);
+        for (std::uint64_t n = 0; n <= 8; ++n) {
+            RC_ASSERT(spelled.text(derive(rewriting, n)) == (word.empty() ? "ε" : word));
+            std::string next;
+            for (const char letter : word) next += tables[steps[n % steps.size()]][letter];
+            word = next;
+        }
+    }));
+}
+
+TEST_CASE("the language of a system does not depend on its schedule") {
+    const auto language = [](const std::string& text) {
+        const ET0L system = *as_et0l(read_lsystem(text, "t.lsys"));
+        std::set<std::string> words;
+        for (const Word& word : terminal_words(system, 4)) words.insert(spell(*system.alphabet, word));
+        return words;
+    };
+    CHECK(language(two_tables) == language(two_tables + "; schedule dark"));
+    CHECK(language(two_tables).size() > 5);
 }
 
 TEST_CASE("the words over the terminals are those found by trying everything") {

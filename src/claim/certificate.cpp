@@ -81,6 +81,13 @@ Json body(const Statement& statement, const Alphabet& alphabet) {
             if (statement.size) result["degree"] = number_json(*statement.size);
             return result;
         }
+        case Statement::Kind::dimension:
+        case Statement::Kind::boundary: {
+            const bool of_all = statement.kind == Statement::Kind::dimension;
+            return {{of_all ? "dimension" : "boundary", statement.drawn->name},
+                    {statement.dimension->at_most ? "at most" : "equals",
+                     statement.dimension->text}};
+        }
     }
     return {};
 }

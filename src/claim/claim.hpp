@@ -1,5 +1,5 @@
 #pragma once
-// claim: statements about languages and systems, what is known of them and why, in sentences and in
+// claim: statements about languages, systems and what they draw, what is known of them and why, in sentences and in
 // proofs that the room verify checks again.
 
 #include <cstdint>
@@ -8,11 +8,19 @@
 #include <vector>
 
 #include "base/place.hpp"
+#include "dimension/dimension_value.hpp"
 #include "exact/integer.hpp"
 #include "language/language.hpp"
 #include "system/lsystem.hpp"
 
 namespace algae {
+
+/// What a dimension is compared with.
+struct ClaimedDimension {
+    DimensionValue value;
+    std::string text;  // as written
+    bool at_most = false;
+};
 
 /// One thing that is said of languages and systems, true or false.
 struct Statement {
@@ -32,6 +40,8 @@ struct Statement {
         chance,  // it does so with exactly this `probability`
         growth_class,  // the growth of systems[0] is of class `family`: zero, bounded, polynomial, exponential;
                        // polynomial of degree `size` if given
+        dimension,  // the limit set that `drawn` draws has this `dimension`, or one at most as large
+        boundary,   // its boundary has
     };
     Kind kind = Kind::family;
     bool negated = false;
@@ -47,6 +57,8 @@ struct Statement {
     ModuleWord modules;
     std::optional<ModuleWord> modules_from;
     std::optional<Rational> probability;
+    std::shared_ptr<const LSystem> drawn;  // with the turtle
+    std::optional<ClaimedDimension> dimension;
     std::string text;  // as written
     Place place;
 };

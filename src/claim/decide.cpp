@@ -1,6 +1,7 @@
 #include "claim/decide.hpp"
 
 #include "base/error.hpp"
+#include "claim/judge_dimension.hpp"
 #include "claim/judge_equality.hpp"
 #include "claim/judge_family.hpp"
 #include "claim/judge_membership.hpp"
@@ -51,6 +52,10 @@ Judgement affirmed(const Statement& statement, const Claim& claim, const Budget&
             return judge_growth_formula(system(0), *statement.formula, budget);
         case Statement::Kind::growth_class:
             return judge_growth_class(system(0), statement.family, statement.size, budget);
+        case Statement::Kind::dimension:
+            return judge_dimension(*statement.drawn, *statement.dimension, budget);
+        case Statement::Kind::boundary:
+            return judge_boundary(*statement.drawn, *statement.dimension, budget);
     }
     return Judgement::undecided({});
 }

@@ -28,18 +28,6 @@ nlohmann::ordered_json formula_json(const std::optional<DimensionFormula>& formu
             {"decimal", formula->decimal(digits)}};
 }
 
-nlohmann::ordered_json exact_json(const ExactDimension& exact) {
-    nlohmann::ordered_json json{{"status", status_name(exact.status)},
-                                {"formula", nullptr},
-                                {"value", nullptr},
-                                {"decimal", nullptr}};
-    if (exact.value) json.update(formula_json(exact.value));
-    json["conditions"] = exact.conditions;
-    json["similarity"] = formula_json(exact.similarity);
-    json["boundary"] = formula_json(exact.boundary);
-    return json;
-}
-
 std::string exact_page(const ExactDimension& exact) {
     std::string text;
     const auto line = [](const std::string& what, const DimensionFormula& dimension) {
@@ -116,6 +104,18 @@ std::string box_page(const Measured& found) {
 }
 
 }  // namespace
+
+nlohmann::ordered_json exact_json(const ExactDimension& exact) {
+    nlohmann::ordered_json json{{"status", status_name(exact.status)},
+                                {"formula", nullptr},
+                                {"value", nullptr},
+                                {"decimal", nullptr}};
+    if (exact.value) json.update(formula_json(exact.value));
+    json["conditions"] = exact.conditions;
+    json["similarity"] = formula_json(exact.similarity);
+    json["boundary"] = formula_json(exact.boundary);
+    return json;
+}
 
 std::string dimension_page(const Measured& found) {
     return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") + box_page(found);

@@ -21,6 +21,8 @@ struct Measured {
 
 /// What `algae dimension` prints.
 std::string dimension_page(const Measured& found);
+/// What the rules give: status, formula, value and decimal, conditions, similarity, boundary.
+nlohmann::ordered_json exact_json(const ExactDimension& exact);
 nlohmann::ordered_json dimension_json(const Measured& found);
 
 }  // namespace algae::cli

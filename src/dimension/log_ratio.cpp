@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "dimension/algebraic_integer.hpp"
 #include "growth/complex_ball.hpp"
 #include "growth/radicals.hpp"
 
@@ -11,15 +12,6 @@ namespace algae {
 namespace {
 
 constexpr long largest_degree = 12;  // of mu, for |mu|^2 to be written as a root
-
-/// The matrix of multiplication by a root of a monic polynomial.
-IntegerMatrix companion(const Polynomial& polynomial) {
-    const auto degree = static_cast<std::size_t>(polynomial.degree());
-    IntegerMatrix matrix(degree, degree);
-    for (std::size_t i = 0; i + 1 < degree; ++i) matrix(i + 1, i) = 1;
-    for (std::size_t i = 0; i < degree; ++i) matrix(i, degree - 1) = -polynomial.coefficient(i);
-    return matrix;
-}
 
 /// The monic polynomial whose roots are the products of two roots.
 Polynomial products_of_roots(const Polynomial& polynomial) {

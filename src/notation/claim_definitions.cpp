@@ -40,7 +40,6 @@ LSystem system_of(const ClaimDefinition& definition, std::string_view rest, Clai
 }
 
 void add_rewriting(const ClaimDefinition& definition, LSystem system, Claim& claim) {
-    system.name = definition.name;
     definition.meaning->rewriting = std::make_shared<const LSystem>(std::move(system));
     definition.meaning->kind = ClaimName::Kind::rewriting;
     claim.rewritings.push_back(definition.meaning->rewriting);
@@ -54,6 +53,8 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
         throw unexpected("a system between braces or the name of one",
                          family.data() + family.size());
     LSystem system = system_of(definition, rest, reading);
+    system.name = definition.name;
+    definition.meaning->written = std::make_shared<const LSystem>(system);
     const bool is_rewriting = is_rewriting_family(family);
     const auto refuse = [&](const std::string& reason) {
         throw SyntaxError{family.data(), std::string(definition.name) + " is called a " +

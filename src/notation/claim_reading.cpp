@@ -17,7 +17,8 @@ constexpr std::size_t most_suggested = 1000;  // to choose from more would take 
 
 /// The words that cannot be names of claims.
 const std::vector<std::string>& claim_keywords() {
-    static const std::vector<std::string> all{"is", "in", "not", "by", "growth", "sequence"};
+    static const std::vector<std::string> all{"is", "in", "not", "by", "growth", "sequence",
+                                              "dimension", "boundary"};
     return all;
 }
 
@@ -117,6 +118,14 @@ std::shared_ptr<const SourceSystem> ClaimReading::system(std::string_view name) 
 std::shared_ptr<const LSystem> ClaimReading::rewriting(std::string_view name) const {
     const ClaimName* known = is_name(name) ? find(name) : nullptr;
     return known ? known->rewriting : nullptr;
+}
+
+std::shared_ptr<const LSystem> ClaimReading::written(std::string_view name) const {
+    const ClaimName& known = expect(name);
+    if (!known.written)
+        throw SyntaxError{name.data(), "expected a system, found " + quoted(name) + ", " +
+                                           kind_text(known.kind)};
+    return known.written;
 }
 
 Symbol ClaimReading::declare(std::string_view name) {

@@ -32,6 +32,7 @@ struct ClaimName {
     LanguageOperand language;
     std::shared_ptr<const SourceSystem> system;
     std::shared_ptr<const LSystem> rewriting;
+    std::shared_ptr<const LSystem> written;  // of any system, with its turtle
     std::map<Symbol, Word> morphism;
 };
 
@@ -63,6 +64,9 @@ public:
 
     /// The system of this name if its words are derived module by module; nullptr if it is anything else.
     std::shared_ptr<const LSystem> rewriting(std::string_view name) const;
+
+    /// The system of this name as it was written. Throws if it is a name of something else.
+    std::shared_ptr<const LSystem> written(std::string_view name) const;
 
     /// A symbol that counts as declared from now on if it has to.
     Symbol declare(std::string_view name);

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "notation/characters.hpp"
+#include "notation/claim_dimension.hpp"
 #include "notation/claim_families.hpp"
 #include "notation/claim_growth.hpp"
 #include "notation/claim_language.hpp"
@@ -106,6 +107,8 @@ void parse_body(std::string_view text, Statement& statement, ClaimReading& readi
         statement.languages.push_back(parse_language(scanner, reading).language);
     } else if (scanner.name() == "growth" || scanner.name() == "sequence") {
         parse_growth(scanner, statement, reading);
+    } else if (scanner.name() == "dimension" || scanner.name() == "boundary") {
+        parse_dimension(scanner, statement, reading);
     } else if (scanner.rest().starts_with('|')) {
         parse_size(scanner, statement, reading);
     } else {

@@ -73,18 +73,21 @@ struct Statement {
         equal_sequences,
         equal_growth,
         growth_formula,
-        growth_class
+        growth_class,
+        dimension,
+        boundary
     };
     Kind kind = Kind::family;
     bool negated = false;
-    std::string family;  // or class of growth
+    std::string family;  // or class of growth; of a dimension, the system
     std::vector<Language> languages;
     std::vector<NamedSystem> systems;
     Word word;
     std::optional<Word> from;
     std::optional<Integer> steps;
     std::optional<Integer> size;  // or degree of growth
-    std::optional<Field> formula;
+    std::optional<Field> formula;  // or the value of a dimension, equal or `at_most`
+    bool at_most = false;
     std::shared_ptr<const ModuleSystem> rewriting;  // called `family`
     Modules modules;
     std::optional<Modules> modules_from;

@@ -24,6 +24,12 @@ void check_proof(const Checking& with, const Statement& statement, bool holds, c
         proof.at("system").only({"axiom", "tables", "terminals"});
         throw BoundReached("it rests on a system made by the constructions of a theorem");
     }
+    if (by == "dimension") {
+        proof.only({"by", "conditions"});
+        if (statement.kind != Kind::dimension && statement.kind != Kind::boundary)
+            wrong_kind(proof, by);
+        throw BoundReached("how the parts of a limit set meet is not worked out again");
+    }
     switch (statement.kind) {
         case Kind::family:
             return check_family(with, statement, holds, proof, by);
@@ -47,6 +53,9 @@ void check_proof(const Checking& with, const Statement& statement, bool holds, c
         case Kind::growth_formula:
         case Kind::growth_class:
             return check_growth(with, statement, holds, proof, by);
+        case Kind::dimension:
+        case Kind::boundary:
+            break;
     }
     wrong_kind(proof, by);
 }

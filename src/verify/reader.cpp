@@ -196,6 +196,19 @@ Statement Reader::of_modules(const Field& field, Statement read) const {
     return read;
 }
 
+Statement Reader::of_dimension(const Field& field, Statement read) const {
+    const std::string of = field.has("dimension") ? "dimension" : "boundary";
+    field.only({of, "equals", "at most"});
+    read.kind = of == "dimension" ? Statement::Kind::dimension : Statement::Kind::boundary;
+    read.family = field.at(of).text();
+    if (!rewritings_.contains(read.family)) read.systems = {named_system(field.at(of))};
+    read.at_most = field.has("at most");
+    if (read.at_most) field.only({of, "at most"});
+    read.formula = field.at(read.at_most ? "at most" : "equals");
+    read.formula->text();
+    return read;
+}
+
 Statement Reader::of_systems(const Field& field, Statement read) const {
     using Kind = Statement::Kind;
     if (field.has("derives")) {
@@ -218,6 +231,7 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         read.systems = {named_system(left), named_system(right)};
         return read;
     }
+    if (field.has("dimension") || field.has("boundary")) return of_dimension(field, read);
     if (!field.has("growth")) field.fail("expected a statement");
     read.systems = {named_system(field.at("growth"))};
     if (field.has("equals")) {

@@ -35,6 +35,7 @@ private:
     Language on_one(const Field& field, const std::string& name) const;
     bool of_languages(const Field& field, Statement& read) const;
     Statement of_modules(const Field& field, Statement read) const;
+    Statement of_dimension(const Field& field, Statement read) const;
     Statement of_systems(const Field& field, Statement read) const;
 
     const Alphabet& alphabet_;

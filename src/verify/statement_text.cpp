@@ -139,6 +139,12 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    " lengths";
         case Kind::growth_formula:
             return "the lengths of " + system(0) + " are " + no + "given by the formula";
+        case Kind::dimension:
+        case Kind::boundary:
+            return std::string("the ") +
+                   (statement.kind == Kind::dimension ? "dimension" : "boundary's dimension") +
+                   " of " + statement.family + " is " + no +
+                   (statement.at_most ? "at most " : "") + statement.formula->text();
         case Kind::growth_class:
             break;
     }

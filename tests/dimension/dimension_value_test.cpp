@@ -1,0 +1,82 @@
+#include "dimension/dimension_value.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+
+#include "dimension/exact_dimension.hpp"
+#include "notation/read.hpp"
+
+using namespace algae;
+
+namespace {
+
+DimensionValue logs(long a, long b, const Rational& factor = Rational(1)) {
+    return DimensionValue(factor, AlgebraicInteger(Integer(a)), AlgebraicInteger(Integer(b)));
+}
+
+AlgebraicInteger root(std::initializer_list<Integer> polynomial) {
+    return *AlgebraicInteger::largest_root(Polynomial(polynomial));
+}
+
+}  // namespace
+
+TEST_CASE("roots of integers are told apart, and their powers found") {
+    CHECK(power(root({-10, 0, 1}), 4).integer() == Integer(100));
+    CHECK(power(root({-1, -1, 1}), 2) == root({1, -3, 1}));
+    CHECK(root({-2, -1, 0, 1}) != root({-1, -1, 0, 1}));
+    CHECK(!AlgebraicInteger::largest_root(Polynomial({1, 0, 1})));
+    CHECK(!AlgebraicInteger::largest_root(Polynomial({1, 1})));
+    const AlgebraicInteger golden = root({-1, -1, 1});
+    CHECK(exponent_between(power(golden, 6), power(golden, 4)) == Rational(3, 2));
+    CHECK(!exponent_between(golden, AlgebraicInteger(Integer(2))));
+    CHECK(!exponent_between(golden, AlgebraicInteger(Integer(1))));
+}
+
+TEST_CASE("logarithms of powers with matching exponents are equal, exactly") {
+    CHECK(compare(logs(4, 3), logs(16, 9)) == Order::equal);
+    CHECK(compare(logs(8, 4), Rational(3, 2)) == Order::equal);
+    CHECK(compare(logs(2, 3), logs(4, 3, Rational(1, 2))) == Order::equal);
+    CHECK(compare(logs(6, 10), logs(8, 10)) == Order::less);
+    CHECK(compare(logs(4, 3), Rational("1.26185950714291487419905422868552171")) == Order::less);
+    CHECK(compare(Rational(2), Rational(3, 2)) == Order::greater);
+    const AlgebraicInteger golden = root({-1, -1, 1});
+    CHECK(compare(DimensionValue(Rational(1), power(golden, 3), power(golden, 2)),
+                  Rational(3, 2)) == Order::equal);
+    CHECK(compare(DimensionValue(Rational(1), golden, AlgebraicInteger(Integer(2))),
+                  DimensionValue(Rational(1), power(golden, 2), AlgebraicInteger(Integer(4)))) ==
+          Order::equal);
+}
+
+TEST_CASE("of random numbers of the form log a^i / log b^j the order is that of the values") {
+    CHECK(rc::check([] {
+        const auto number = [] {
+            const long a = *rc::gen::inRange(2, 8), b = *rc::gen::inRange(2, 8);
+            const int i = *rc::gen::inRange(1, 4), j = *rc::gen::inRange(1, 4);
+            long over = 1, under = 1;
+            for (int k = 0; k < i; ++k) over *= a;
+            for (int k = 0; k < j; ++k) under *= b;
+            return std::pair(logs(over, under), std::log(static_cast<double>(over)) /
+                                                    std::log(static_cast<double>(under)));
+        };
+        const auto [left, x] = number();
+        const auto [right, y] = number();
+        const Order expected = std::abs(x - y) < 1e-9 ? Order::equal
+                               : x < y                ? Order::less
+                                                      : Order::greater;
+        RC_ASSERT(compare(left, right) == expected);
+    }));
+}
+
+TEST_CASE("what the rules give is compared with what is claimed") {
+    const auto value = [](const char* system) {
+        return *exact_dimension(read_lsystem(system, "")).value->log_ratio();
+    };
+    const LogRatio koch = value("axiom F; F -> F+F--F+F; angle 60");
+    CHECK(compare(koch, logs(4, 3)) == Order::equal);
+    CHECK(compare(koch, logs(5, 3)) == Order::less);
+    const LogRatio island = value("axiom F; F -> F-F+F+FF-F-F+F; angle 90");
+    CHECK(compare(island, Rational(3, 2)) == Order::equal);
+    CHECK(compare(island, logs(27, 9)) == Order::equal);
+}

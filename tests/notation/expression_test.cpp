@@ -117,17 +117,17 @@ TEST_CASE("quantities are written as a person would") {
 }
 
 TEST_CASE("an expression printed is read back as the same expression") {
-    rc::check([] {
+    CHECK(rc::check([] {
         const Expression expression =
             read_expression(random_text::expression({"x", "y_2", "ä"}, 5));
         const std::string printed = to_text(expression);
         RC_ASSERT(read_expression(printed) == expression);
         RC_ASSERT(to_text(read_expression(printed)) == printed);
-    });
-    rc::check([](int numerator, unsigned denominator) {
+    }));
+    CHECK(rc::check([](int numerator, unsigned denominator) {
         const Quantity written = quantity(Rational(numerator, denominator % 1000 + 1));
         const Expression again = read_expression(to_text(written.expression));
         RC_ASSERT(again == written.expression);
         RC_ASSERT(evaluate(again, {}).exact == written.exact);
-    });
+    }));
 }

@@ -99,17 +99,17 @@ TEST_CASE("long texts") {
 }
 
 TEST_CASE("random bytes") {
-    rc::check([](const std::string& text) { survive(text); });
-    rc::check([] {
+    CHECK(rc::check([](const std::string& text) { survive(text); }));
+    CHECK(rc::check([] {
         static const std::string alphabet =
             "axiomFlet->()<>:,;?#=[]{}|&^*/.'\"0123 \n\t_\xCE\xB5\xE2\x86\x92\xFF";
         const auto text = *rc::gen::container<std::string>(rc::gen::elementOf(alphabet));
         survive(text);
-    });
+    }));
 }
 
 TEST_CASE("valid texts with something changed") {
-    rc::check([] {
+    CHECK(rc::check([] {
         std::string text = random_text::system();
         static const std::string alphabet = "aF->()<>:,;?#=[]{}|&^*/.0 \n_\xCE\xB5\xFF";
         const int changes = 1 + random_text::below(4);
@@ -129,5 +129,5 @@ TEST_CASE("valid texts with something changed") {
             RC_ASSERT(read_lsystem(printed, "x.lsys") == system);
         } catch (const Diagnostics&) {
         }
-    });
+    }));
 }

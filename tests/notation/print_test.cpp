@@ -68,7 +68,7 @@ TEST_CASE("words take blanks only where names would run together") {
 
 TEST_CASE("reading what was printed gives the same system, and printing it the same text") {
     int read = 0;
-    rc::check([&] {
+    CHECK(rc::check([&] {
         const std::string text = random_text::system();
         try {
             check_round_trip(read_lsystem(text, "x.lsys"));
@@ -79,7 +79,7 @@ TEST_CASE("reading what was printed gives the same system, and printing it the s
                 if (finding.message.find("probabilit") == std::string::npos)
                     RC_FAIL(text + "\n" + finding.text());
         }
-    });
+    }));
     CHECK(read > 50);
 }
 

@@ -136,7 +136,7 @@ inline std::string rules(const Options& options, const std::string& before = "")
     const auto rule = [&](const std::string& arrow) {
         return before + left + arrow + successor(options, all) + '\n';
     };
-    if (chance(70)) return rule(chance(50) ? " -> " : "→");
+    if (chance(70)) return rule(chance(50) ? " -> " : " →");  // the blank parts it from (x)
     return rule(" -(1/3)-> ") + rule(" -(2/3)→ ");
 }
 

@@ -113,7 +113,7 @@ TEST_CASE("pages have one size, and one scale if it is wished") {
 }
 
 TEST_CASE("every figure lies in its cell and every cell in the picture") {
-    rc::check("random boxes and wishes", [] {
+    CHECK(rc::check("random boxes and wishes", [] {
         std::vector<Box> boxes;
         for (int i = *rc::gen::inRange(1, 9); i > 0; --i) {
             const double x = *rc::gen::inRange(-1000, 1000), y = *rc::gen::inRange(-1000, 1000);
@@ -136,5 +136,5 @@ TEST_CASE("every figure lies in its cell and every cell in the picture") {
             RC_ASSERT(cell.caption_top + wishes.caption + wishes.margin <= result.height + 1e-6);
             if (wishes.common_scale) RC_ASSERT(cell.frame.scale == result.cells[0].frame.scale);
         }
-    });
+    }));
 }

@@ -130,14 +130,14 @@ TEST_CASE("a polygon covers its area, wherever it is cut off") {
 }
 
 TEST_CASE("lines that leave the bitmap are cut off, and points that are no numbers refused") {
-    rc::check("cut lines stay inside", [] {
+    CHECK(rc::check("cut lines stay inside", [] {
         Mask mask(20, 15, 4, 3);
         const auto coordinate = [] { return *rc::gen::inRange(-500, 500) / 3.0; };
         line(mask, {coordinate(), coordinate()}, {coordinate(), coordinate()});
         const Mask::Coverage covered = mask.take();
         RC_ASSERT(covered.left >= 0 && covered.left + covered.width <= 20);
         RC_ASSERT(covered.top >= 0 && covered.top + covered.height <= 15);
-    });
+    }));
     Mask mask(20, 15, 4, 3);
     line(mask, {-100, 30}, {200, 30});
     CHECK(area(mask.take()) == doctest::Approx(20 * 0.75).epsilon(0.01));
@@ -147,7 +147,7 @@ TEST_CASE("lines that leave the bitmap are cut off, and points that are no numbe
 }
 
 TEST_CASE("taken in rectangles or as a whole, the coverage is that of cell after cell") {
-    rc::check("random lines", [] {
+    CHECK(rc::check("random lines", [] {
         const int cells = *rc::gen::element(2, 4, 8);
         const int diameter = *rc::gen::inRange(1, 12);
         const int width = 24, height = 18;
@@ -187,7 +187,7 @@ TEST_CASE("taken in rectangles or as a whole, the coverage is that of cell after
                 RC_ASSERT(count > least - 0.6);
                 RC_ASSERT(count < most + 0.6);
             }
-    });
+    }));
 }
 
 TEST_CASE("drawn in cells, the dragon looks as Cairo draws it") {

@@ -2,33 +2,18 @@
 
 #include <algorithm>
 #include <map>
-#include <tuple>
 #include <utility>
 
 #include "base/error.hpp"
 #include "dimension/constant_expression.hpp"
+#include "dimension/length_multiple.hpp"
 #include "dimension/parameter_meanings.hpp"
 
 namespace algae {
 
 namespace {
 
-using Kind = Expression::Kind;
 using Meaning = ParameterMeanings::Meaning;
-
-/// A number, or so many times the length of the module that a rule rewrites.
-struct Multiple {
-    bool of_length = false;
-    Expression factor;
-};
-
-Expression number(const Rational& value) { return quantity(value).expression; }
-
-/// What the parameters of a module are: those that matter.
-struct Values {
-    std::optional<std::string> length;  // the name of the one that is a length
-    std::map<std::string, Rational> numbers;
-};
 
 /// Builds the graph from the axiom onward.
 class Builder {
@@ -77,55 +62,6 @@ private:
         }
     }
 
-    const Quantity* constant(const std::string& name) const {
-        for (const auto& [known, value] : system_.constants)
-            if (known == name) return &value;
-        return nullptr;
-    }
-
-    /// The expression without the names of parameters and constants, as a multiple.
-    Multiple multiple(const Expression& expression, const Values& values) const {
-        if (expression.kind == Kind::name) {
-            if (values.length == expression.name) return {true, number(1)};
-            const auto known = values.numbers.find(expression.name);
-            if (known != values.numbers.end()) return {false, number(known->second)};
-            if (const Quantity* named = constant(expression.name))
-                return multiple(named->expression, {});
-            throw Error("'" + expression.name + "' is no number that rules keep count of");
-        }
-        std::vector<Multiple> operands;
-        for (const Expression& operand : expression.operands)
-            operands.push_back(multiple(operand, values));
-        Expression whole = expression;
-        for (std::size_t k = 0; k < operands.size(); ++k) whole.operands[k] = operands[k].factor;
-        const auto lengths = std::count_if(operands.begin(), operands.end(), [](const Multiple& x) {
-            return x.of_length && rational_value(x.factor) != Rational(0);
-        });
-        if (lengths == 0) return {false, shortened(std::move(whole))};
-        const std::string& name = expression.name;
-        const bool is_sum = expression.kind == Kind::binary && (name == "+" || name == "-");
-        const bool is_multiple =
-            (expression.kind == Kind::unary && name == "-") ||
-            (expression.kind == Kind::binary && name == "*" && lengths == 1) ||
-            (expression.kind == Kind::binary && name == "/" && lengths == 1 &&
-             operands[0].of_length) ||
-            (is_sum && (lengths == 2 || rational_value(operands[0].factor) == Rational(0) ||
-                        rational_value(operands[1].factor) == Rational(0)));
-        if (!is_multiple)
-            throw Error("the length '" + to_text(expression) +
-                        "' is no multiple of that of the module it comes from");
-        return {true, shortened(std::move(whole))};
-    }
-
-    Rational exact(const Expression& expression, const Values& values) const {
-        const Multiple found = multiple(expression, values);
-        const auto value = found.of_length ? std::nullopt : rational_value(found.factor);
-        if (!value)
-            throw Error("'" + to_text(expression) +
-                        "', which conditions or turns depend on, is no rational number");
-        return *value;
-    }
-
     static const std::vector<Expression>& arguments_of(const ModuleWord& word, std::size_t at) {
         static const std::vector<Expression> none;
         const auto found = word.arguments.find(at);
@@ -135,7 +71,7 @@ private:
     /// The module at a place of a word, or nothing if it has the length 0. Without a ratio where its
     /// length and that of the whole have nothing to do with each other.
     std::optional<RatioGraph::Part> part(const ModuleWord& word, std::size_t at,
-                                         const Values& values) {
+                                         const ModuleValues& values) {
         const Symbol symbol = word.letters[at];
         const std::string& name = system_.alphabet.name(symbol);
         RatioGraph::Part found;
@@ -146,17 +82,18 @@ private:
         }
         const std::vector<Expression>& arguments = arguments_of(word, at);
         Key key{symbol, arguments.size(), {}};
-        std::optional<Multiple> length;
+        std::optional<LengthMultiple> length;
         for (std::size_t k = 0; k < arguments.size(); ++k) {
             const Meaning meaning = meanings_.of(symbol, arguments.size(), k);
-            if (meaning == Meaning::number) key.numbers.push_back(exact(arguments[k], values));
+            if (meaning == Meaning::number)
+                key.numbers.push_back(exact_number(arguments[k], values, system_));
             if (meaning != Meaning::length) continue;
             if (length) throw Error("two parameters of " + name + " are lengths");
-            length = multiple(arguments[k], values);
+            length = multiple_of(arguments[k], values, system_);
         }
         if (length && rational_value(length->factor) == Rational(0)) return std::nullopt;
         found.state = state(key);
-        found.ratio = length ? length->factor : number(1);
+        found.ratio = length ? length->factor : unit_;
         const bool comes_from_length = length && length->of_length;
         if (values.length.has_value() != comes_from_length) strangers_.push_back(found.state);
         return found;
@@ -215,18 +152,18 @@ private:
     }
 
     /// The rule for a state's modules, and what its parameters are.
-    const Production* rule_for(const Key& key, Values& values) const {
+    const Production* rule_for(const Key& key, ModuleValues& values) const {
         const Production* chosen = nullptr;
         for (const Production& rule : system_.rules) {
             const auto& parameters = rule.predecessor.parameters;
             if (rule.predecessor.symbol != key.symbol || parameters.size() != key.arity) continue;
-            Values own;
+            ModuleValues own;
             for (std::size_t k = 0, n = 0; k < key.arity; ++k) {
                 const Meaning meaning = meanings_.of(key.symbol, key.arity, k);
                 if (meaning == Meaning::number) own.numbers[parameters[k]] = key.numbers[n++];
                 if (meaning == Meaning::length) own.length = parameters[k];
             }
-            if (rule.condition && exact(*rule.condition, own).is_zero()) continue;
+            if (rule.condition && exact_number(*rule.condition, own, system_).is_zero()) continue;
             if (chosen && chosen->condition == rule.condition)
                 throw Error("there are several rules for " + system_.alphabet.name(key.symbol));
             if (chosen) continue;
@@ -238,10 +175,10 @@ private:
 
     void expand(std::size_t k) {
         const Key key = keys_[k];
-        Values values;
+        ModuleValues values;
         const Production* rule = rule_for(key, values);
         if (!rule) {
-            out_.states[k].parts.push_back({false, false, k, number(1)});
+            out_.states[k].parts.push_back({false, false, k, unit_});
             return;
         }
         strangers_.clear();
@@ -279,6 +216,7 @@ private:
     const LSystem& system_;
     const Budget& budget_;
     ParameterMeanings meanings_;
+    Expression unit_ = quantity(Rational(1)).expression;
     RatioGraph out_;
     std::vector<Key> keys_;
     std::map<Key, std::size_t> numbers_;

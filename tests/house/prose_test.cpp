@@ -48,6 +48,19 @@ TEST_CASE("only the command line prints or exits") {
               "the library returns or throws");
 }
 
+TEST_CASE("a property that does not hold fails its test") {
+    for (const fs::path& file : files("tests", {".hpp", ".cpp"})) {
+        std::string before;
+        std::size_t number = 0;
+        for (const std::string& line : lines(file)) {
+            ++number;
+            if (std::regex_search(line, std::regex(R"(^\s*rc::check\()")) && !before.ends_with("("))
+                FAIL_CHECK(file.string() << ":" << number << ": expected CHECK(rc::check(...))");
+            if (line.find_first_not_of(' ') != std::string::npos) before = line;
+        }
+    }
+}
+
 TEST_CASE("every header is included once and every file has one notion") {
     for (const fs::path& file : files("src", {".hpp"})) {
         INFO(file.string());

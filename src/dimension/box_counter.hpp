@@ -45,7 +45,7 @@ private:
     }
     /// Marks the cells after the one of `here_` up to the one of `to`.
     void cross(GridPoint to);
-    void cross_many(GridPoint to, std::int64_t columns, std::int64_t rows);
+    void cross_many(GridPoint to);
     [[noreturn]] void outside(Point point) const;
 
     Grid grid_;

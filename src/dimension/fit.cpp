@@ -18,7 +18,6 @@ constexpr double upward =
     4.5;  // share of the slopes' range by which counts may be too low, times slopes
 constexpr double missed =
     0.05;  // by how much a slope is too low where a cell is one detail wide, at most
-constexpr double slowest = 0.8;  // ratio of successive rises, at most, for a limit
 constexpr double hair = 1e-9;    // relative: roundings in the widths of cells
 
 std::string short_number(double value) {
@@ -45,42 +44,6 @@ bool is_coarse_enough(const BoxCounts& counts, std::size_t scale) {
     if (counts.detail > 0)
         return counts.scales.cell(scale) >= details_in_cell * counts.detail * (1 - hair);
     return counts.mean(scale) * points_in_cell <= static_cast<double>(counts.parts);
-}
-
-/// What slopes tend to that rise from scale to scale, if the rises shrink by a constant ratio.
-double limit_of(const std::vector<double>& slopes) {
-    const std::size_t n = slopes.size();
-    const double rise = slopes[n - 1] - slopes[n - 2], before = slopes[n - 3] - slopes[n - 4];
-    const double ratio = std::min(std::sqrt(rise / before), slowest);  // per scale: two lie between
-    return slopes.back() + rise * ratio / (1 - ratio);
-}
-
-bool rises(const std::vector<double>& slopes) {
-    return slopes.size() >= 4 &&
-           std::adjacent_find(slopes.begin(), slopes.end(), std::greater_equal<>()) == slopes.end();
-}
-
-/// By how much the slopes rise over the scales: the last two against the first two.
-double trend(const std::vector<double>& slopes) {
-    const std::size_t n = slopes.size();
-    if (n < 4) return slopes.back() - slopes.front();
-    return (slopes[n - 1] + slopes[n - 2] - slopes[0] - slopes[1]) / 2;
-}
-
-/// `finest` is how many details the finest cell is wide; 0 where there are none.
-Estimate estimate_of(const std::vector<double>& slopes, double slope, double finest, double most) {
-    const auto [least, greatest] = std::minmax_element(slopes.begin(), slopes.end());
-    const double way = trend(slopes), range = *greatest - *least;
-    Estimate found;
-    found.value = rises(slopes) ? limit_of(slopes) : slope;
-    found.low = *least + std::min(way, 0.0);
-    found.high = *greatest + std::max(way, 0.0) +
-                 upward / static_cast<double>(slopes.size()) * range +
-                 (finest > 0 ? missed / finest : 0);
-    found.value = std::clamp(found.value, 0.0, most);
-    found.low = std::clamp(found.low, 0.0, found.value);
-    found.high = std::clamp(found.high, found.value, most);
-    return found;
 }
 
 void draw_line(BoxFit& fit, const BoxCounts& counts) {
@@ -119,7 +82,7 @@ std::string why(const BoxCounts& counts, const BoxFit& fit, const std::vector<do
                        ": coarser ones see the outer shape, finer ones single " + counts.part +
                        "s; the slopes there lie between " + slope_number(*least) + " and " +
                        slope_number(*greatest);
-    if (rises(slopes)) text += " and still rise, so the value is what they tend to";
+    if (still_rise(slopes)) text += " and still rise, so the value is what they tend to";
     return text;
 }
 
@@ -156,9 +119,10 @@ BoxFit fit_dimension(const BoxCounts& counts) {
     draw_line(fit, counts);
     const std::vector<double> slopes(fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.first),
                                      fit.slopes.begin() + static_cast<std::ptrdiff_t>(fit.last));
-    fit.estimate = estimate_of(slopes, fit.slope,
-                               counts.detail > 0 ? counts.scales.cell(fit.last) / counts.detail : 0,
-                               counts.space);
+    Widening widening;
+    widening.up = upward / static_cast<double>(slopes.size());
+    if (counts.detail > 0) widening.beyond = missed * counts.detail / counts.scales.cell(fit.last);
+    fit.estimate = estimate_from(slopes, fit.slope, widening, counts.space);
     fit.because = why(counts, fit, slopes);
     return fit;
 }

@@ -6,13 +6,9 @@
 #include <vector>
 
 #include "dimension/box_counts.hpp"
+#include "dimension/slope_estimate.hpp"
 
 namespace algae {
-
-/// A number that was measured, and the interval in which the true one is expected.
-struct Estimate {
-    double value = 0, low = 0, high = 0;
-};
 
 /// What box counts say of the dimension of the shape that a figure, an image or points stand for.
 struct BoxFit {

@@ -27,6 +27,8 @@ struct Grid {
     static Grid before(const Box& box, double cell, Point shares, double around) {
         return {{box.low.x - shares.x * around, box.low.y - shares.y * around}, cell};
     }
+    /// The place of a point in it, which must lie within 2^42 cells of the origin.
+    struct GridPoint at(Point point) const;
     bool operator==(const Grid&) const = default;
 };
 
@@ -38,6 +40,12 @@ struct GridPoint {
     std::int64_t row() const { return y >> Grid::fraction_bits; }
     bool operator==(const GridPoint&) const = default;
 };
+
+inline GridPoint Grid::at(Point point) const {
+    const double parts = static_cast<double>(std::int64_t{1} << fraction_bits) / cell;
+    return {static_cast<std::int64_t>(std::floor((point.x - origin.x) * parts + 0.5)),
+            static_cast<std::int64_t>(std::floor((point.y - origin.y) * parts + 0.5))};
+}
 
 /// The first `count` places of a sequence that fills the unit square evenly (Roberts 2018: multiples
 /// of the powers of the plastic number, modulo 1), for offsets of grids. The same on every machine.

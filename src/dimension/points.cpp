@@ -151,47 +151,70 @@ std::uint64_t code_of(const std::array<std::uint64_t, 3>& cell, int columns, std
     return code;
 }
 
-}  // namespace
-
-double longest_side(const PointSet& points) { return longest_side(range_of(points)); }
-
-BoxCounts box_counts(const PointSet& set, std::size_t count, std::size_t offsets,
-                     const Budget& budget) {
+void check_scales(std::size_t count, std::size_t offsets) {
     if (count == 0 || offsets == 0 || count > most_scales)
         throw Error("expected 1 to " + std::to_string(most_scales) +
                     " scales and at least one offset, found " + std::to_string(count) + " and " +
                     std::to_string(offsets));
-    budget.check_memory(set.points.size() * (sizeof(set.points[0]) + sizeof(std::uint64_t)),
-                        "the points and their cells");
+}
+
+}  // namespace
+
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b) {
+    const double x = b[0] - a[0], y = b[1] - a[1], z = b[2] - a[2];
+    return std::sqrt(x * x + y * y + z * z);
+}
+
+double longest_side(const PointSet& points) { return longest_side(range_of(points)); }
+
+std::vector<std::array<double, 3>> even_places(std::size_t count) {
+    std::vector<std::array<double, 3>> places;
+    double third = 0;
+    for (const Point& offset : even_offsets(count)) {
+        third = std::fmod(third + 0.6180339887498949, 1);
+        places.push_back({offset.x, offset.y, third});
+    }
+    return places;
+}
+
+std::vector<std::uint64_t> cell_codes(const PointSet& set, std::size_t count,
+                                      const std::array<double, 3>& shares, const Budget& budget) {
+    check_scales(count, 1);
     const Range range = range_of(set);
     const double side = longest_side(range);
+    const BoxScales scales{side, 2, count};
+    const double parts = std::ldexp(1.0, Grid::fraction_bits) / scales.cell(count - 1);
+    std::vector<std::uint64_t> codes(set.points.size());
+    for (std::size_t k = 0; k < codes.size(); ++k) {
+        if (k % 65536 == 0) budget.check();
+        std::array<std::uint64_t, 3> cell{};
+        for (std::size_t i = 0; i < 3; ++i)
+            cell[i] = static_cast<std::uint64_t>(
+                          (set.points[k][i] - range.low[i] + shares[i] * side) * parts + 0.5) >>
+                      Grid::fraction_bits;
+        codes[k] = code_of(cell, set.columns, count + 1);
+    }
+    return codes;
+}
+
+BoxCounts box_counts(const PointSet& set, std::size_t count, std::size_t offsets,
+                     const Budget& budget) {
+    check_scales(count, offsets);
+    budget.check_memory(set.points.size() * (sizeof(set.points[0]) + sizeof(std::uint64_t)),
+                        "the points and their cells");
     BoxCounts result;
-    result.scales = {side, 2, count};
+    result.scales = {longest_side(set), 2, count};
     result.counts.resize(count);
     result.detail = set.detail;
     result.part = set.part;
     result.space = set.columns;
-    auto sorted = set.points;
-    std::sort(sorted.begin(), sorted.end());
-    result.parts =
-        static_cast<std::uint64_t>(std::unique(sorted.begin(), sorted.end()) - sorted.begin());
-    sorted.resize(result.parts);
-
-    const double parts = std::ldexp(1.0, Grid::fraction_bits) / result.scales.cell(count - 1);
-    std::vector<std::uint64_t> codes(sorted.size());
-    double third = 0;
-    for (const Point& offset : even_offsets(offsets)) {
-        third = std::fmod(third + 0.6180339887498949, 1);
-        const std::array<double, 3> share{offset.x, offset.y, third};
-        for (std::size_t k = 0; k < sorted.size(); ++k) {
-            if (k % 65536 == 0) budget.check();
-            std::array<std::uint64_t, 3> cell{};
-            for (std::size_t i = 0; i < 3; ++i)
-                cell[i] = static_cast<std::uint64_t>(
-                              (sorted[k][i] - range.low[i] + share[i] * side) * parts + 0.5) >>
-                          Grid::fraction_bits;
-            codes[k] = code_of(cell, set.columns, count + 1);
-        }
+    PointSet sorted = set;
+    std::sort(sorted.points.begin(), sorted.points.end());
+    sorted.points.erase(std::unique(sorted.points.begin(), sorted.points.end()),
+                        sorted.points.end());
+    result.parts = sorted.points.size();
+    for (const auto& shares : even_places(offsets)) {
+        std::vector<std::uint64_t> codes = cell_codes(sorted, count, shares, budget);
         std::sort(codes.begin(), codes.end());
         auto last = codes.end();
         for (std::size_t scale = count; scale-- > 0;) {

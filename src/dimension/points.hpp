@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +32,26 @@ struct PointSet {
 /// Example: read_points("x, y\n0, 0.5\n1 -2e3\n", "two.csv").points[1][1] == -2000
 PointSet read_points(std::string_view text, const std::string& name);
 
+/// How far two points are from each other.
+///
+/// Example: distance({0, 0, 1}, {3, 4, 1}) == 5
+double distance(const std::array<double, 3>& a, const std::array<double, 3>& b);
+
 /// The box around the points, as a range for each column; its longest side.
 ///
 /// Throws Error if all points are the same.
 double longest_side(const PointSet& points);
+
+/// The cell of each point, in its order, in one grid of cells that are intervals, squares or cubes,
+/// the longest side divided by 2^(count - 1) wide; the grid is moved by shares of the longest side.
+/// Bits of the coordinates in turns: `code >> columns` is the cell twice as wide. At most 20 scales.
+///
+/// Throws Error if all points are the same or there are too many scales, Interrupted.
+std::vector<std::uint64_t> cell_codes(const PointSet& points, std::size_t count,
+                                      const std::array<double, 3>& shares, const Budget& budget);
+
+/// The first `count` places of grids for points, in shares: those of `even_offsets` and a third one.
+std::vector<std::array<double, 3>> even_places(std::size_t count);
 
 /// Counts the cells (half-open, as those of Grid) that hold a point, for `count` dyadic scales from
 /// the longest side downward and so many offsets of the grid. Cells are intervals, squares or cubes.

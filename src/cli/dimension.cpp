@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/dimension_measures.hpp"
 #include "cli/dimension_report.hpp"
 #include "cli/dimension_table.hpp"
 #include "cli/input.hpp"
@@ -32,7 +34,7 @@ constexpr std::size_t most_scales = 20;
 constexpr std::uint64_t usual_grids = 16;
 
 struct Options {
-    std::string file, generation, plot, threshold, grids, seed;
+    std::string file, generation, plot, threshold, grids, seed, measure = "boxes";
     bool points = false, invert = false, json = false, table = false, quick = false;
     Bounds bounds;
 };
@@ -65,7 +67,7 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& s
         return {n, figure(system, n, budget, choices)};
     }
     const View<D0L> rules = as_d0l(system);
-    const Integer most(rules ? usual_segments : usual_kept_segments);
+    const Integer most(rules && options.measure == "boxes" ? usual_segments : usual_kept_segments);
     std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen{0, figure(system, 0, budget, choices)};
     for (std::uint64_t n = 1; n <= last_generation; ++n) {
         if (rules && fold(*rules, n, length_lift()) > Integer(usual_letters)) break;
@@ -93,13 +95,16 @@ Measured measure_limit(const LSystem& system, const ExactDimension& exact, const
     return found;
 }
 
-Measured measure(const LSystem& system, const Options& options, const Budget& budget) {
-    const auto [n, figure] = chosen_figure(system, options, budget);
-    Measured found;
-    found.generation = n;
+/// A figure that can be gone through, and what it is called.
+struct NamedFigure {
+    std::uint64_t generation = 0;
+    std::unique_ptr<Figure> figure;
+    std::string what;
+};
+
+NamedFigure drawn(const LSystem& system, const Options& options, const Budget& budget) {
+    auto [n, figure] = chosen_figure(system, options, budget);
     const std::string name = system.title.empty() ? system.name : system.title;
-    found.what =
-        name + ", n = " + std::to_string(n) + ": " + to_string(figure->segments()) + " segments";
     if (figure->box().empty)
         throw Error(name + ", n = " + std::to_string(n) +
                     ": nothing is drawn, expected something to measure");
@@ -107,6 +112,16 @@ Measured measure(const LSystem& system, const Options& options, const Budget& bu
         throw BoundReached(name + ", n = " + std::to_string(n) + ": has " +
                            readable(figure->segments()) + " segments, of which at most " +
                            std::to_string(most_segments) + " can be gone through; use a lower -n");
+    std::string what =
+        name + ", n = " + std::to_string(n) + ": " + to_string(figure->segments()) + " segments";
+    return {n, std::move(figure), std::move(what)};
+}
+
+Measured measure(const LSystem& system, const Options& options, const Budget& budget) {
+    const auto [n, figure, what] = drawn(system, options, budget);
+    Measured found;
+    found.generation = n;
+    found.what = what;
     BoxScales scales = scales_of(figure->box(), 2, 1);
     scales.count = scales_down_to(figure->facts().step, scales.coarsest);
     found.counts = box_counts(*figure, scales, even_offsets(grids(options)), budget);
@@ -156,7 +171,13 @@ Measured measured(const LSystem& system, const Options& options, const Budget& b
     return found;
 }
 
-Measured measured(const Options& options, const Budget& budget) {
+/// What FILE holds.
+struct Input {
+    std::string name;
+    std::variant<LSystem, PointSet> content;
+};
+
+Input input(const Options& options, const Budget& budget) {
     const SourceText source = open_text(options.file, budget);
     const auto refuse = [&](const std::string& option, bool given, const char* what) {
         if (given) throw Error(option + " is for " + what + ", and " + source.name + " is none");
@@ -164,35 +185,54 @@ Measured measured(const Options& options, const Budget& budget) {
     const bool image = is_png(source.text);
     refuse("--threshold", !image && !options.threshold.empty(), "images");
     refuse("--invert", !image && options.invert, "images");
-    Measured found;
-    if (image || options.points || is_named_as_points(options.file) ||
-        starts_with_number(source.text)) {
-        refuse("-n", !options.generation.empty(), "systems");
-        refuse("--seed", !options.seed.empty(), "systems");
-        InkOptions ink;
-        if (!options.threshold.empty())
-            ink.threshold =
-                options.threshold == "0" ? 0 : positive("--threshold", options.threshold);
-        ink.invert = options.invert;
-        found = measure(image ? ink_of(source.text, source.name, ink, budget)
-                              : read_points(source.text, source.name),
-                        source.name, options, budget);
-    } else {
-        return measured(read_lsystem(source.text, source.name), options, budget);
-    }
+    if (!image && !options.points && !is_named_as_points(options.file) &&
+        !starts_with_number(source.text))
+        return {source.name, read_lsystem(source.text, source.name)};
+    refuse("-n", !options.generation.empty(), "systems");
+    refuse("--seed", !options.seed.empty(), "systems");
+    InkOptions ink;
+    if (!options.threshold.empty())
+        ink.threshold = options.threshold == "0" ? 0 : positive("--threshold", options.threshold);
+    ink.invert = options.invert;
+    return {source.name, image ? ink_of(source.text, source.name, ink, budget)
+                               : read_points(source.text, source.name)};
+}
+
+Measured measured(const Options& options, const Budget& budget) {
+    const Input read = input(options, budget);
+    if (const auto* system = std::get_if<LSystem>(&read.content))
+        return measured(*system, options, budget);
+    Measured found = measure(std::get<PointSet>(read.content), read.name, options, budget);
     found.fit = fit_dimension(found.counts);
     return found;
 }
 
+/// By the measure of --measure that is not boxes.
+OtherMeasured other_measured(const Options& options, const Budget& budget) {
+    if (!options.plot.empty()) throw Error("--plot is for --measure boxes");
+    const Input read = input(options, budget);
+    if (const auto* points = std::get_if<PointSet>(&read.content))
+        return measured_otherwise(options.measure,
+                                  read.name + ": " + std::to_string(points->points.size()) + " " +
+                                      (points->part == "pixel" ? "pixels of ink" : "points"),
+                                  *points, grids(options), budget);
+    const NamedFigure named = drawn(std::get<LSystem>(read.content), options, budget);
+    return measured_otherwise(options.measure, named.what, *named.figure, grids(options), budget);
+}
+
 int dimension(const Options& options) {
     const Budget budget = options.bounds.budget();
+    check_measure(options.measure);
     if (options.quick && !options.table) throw Error("--quick is for --table");
     if (options.table) {
+        if (options.measure != "boxes") throw Error("--table is for --measure boxes");
         DimensionTable table{options.file, options.quick, options.json};
         if (!options.grids.empty()) table.grids = grids(options);
         return print_dimension_table(table, budget);
     }
     if (options.file.empty()) throw Error("dimension: expected FILE, or --table");
+    if (options.measure != "boxes")
+        return print_measured(other_measured(options, budget), options.json);
     if (!options.plot.empty()) picture_format(options.plot);  // before the work
     const Measured found = measured(options, budget);
     if (!options.plot.empty())
@@ -218,8 +258,9 @@ void add_dimension(Verbs& verbs) {
                     "numbers for each; with --table a folder");
     verb.add_option("-n", options->generation,
                     "the generation (default: the last with at most 10,000,000 segments; 1,000,000 "
-                    "where words must be kept)")
+                    "where words must be kept, and for measures other than boxes)")
         ->type_name("N");
+    verb.add_option("--measure", options->measure, measure_help)->type_name("NAME");
     verb.add_option("--plot", options->plot,
                     "a log-log plot of the counts: .svg, .pdf, .png, .ps or .eps")
         ->type_name("FILE");

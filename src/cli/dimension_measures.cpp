@@ -39,20 +39,22 @@ const Measure& named(const std::string& name) {
     const auto* found = std::find_if(std::begin(measures), std::end(measures),
                                      [&](const Measure& measure) { return measure.name == name; });
     if (found == std::end(measures))
-        throw Error("--measure: expected boxes, divider, mass, correlation, information, "
-                    "multifractal or lacunarity, found " +
-                    name);
+        throw Error(
+            "--measure: expected boxes, divider, mass, correlation, information, "
+            "multifractal or lacunarity, found " +
+            name);
     return *found;
 }
 
 /// The strokes that join points in their order, and the mean distance along them.
 Scaling divider_of(const PointSet& points, const Budget& budget) {
     if (points.detail > 0 || points.columns != 2)
-        throw Error("--measure divider walks along strokes: expected a system or points of the "
-                    "plane in their order, found " +
-                    (points.detail > 0 ? points.part + "s"
-                                       : "points with " + std::to_string(points.columns) +
-                                             (points.columns == 1 ? " column" : " columns")));
+        throw Error(
+            "--measure divider walks along strokes: expected a system or points of the "
+            "plane in their order, found " +
+            (points.detail > 0 ? points.part + "s"
+                               : "points with " + std::to_string(points.columns) +
+                                     (points.columns == 1 ? " column" : " columns")));
     Stroke stroke;
     double length = 0;
     for (const auto& point : points.points) {
@@ -106,22 +108,24 @@ nlohmann::ordered_json json_of(const OtherMeasured& found) {
 std::string spectrum_page(const std::vector<GeneralisedDimension>& spectrum) {
     std::string text = fmt::format("  {:>4}  {:>8}  {:>8}  {:>8}\n", "q", "D_q", "low", "high");
     for (const auto& [order, scaling] : spectrum)
-        text += scaling.estimate
-                    ? fmt::format("  {:>4}  {:>8.4f}  {:>8.4f}  {:>8.4f}\n", order,
-                                  scaling.estimate->value, scaling.estimate->low,
-                                  scaling.estimate->high)
-                    : fmt::format("  {:>4}  undecided\n", order);
+        text += scaling.estimate ? fmt::format("  {:>4}  {:>8.4f}  {:>8.4f}  {:>8.4f}\n", order,
+                                               scaling.estimate->value, scaling.estimate->low,
+                                               scaling.estimate->high)
+                                 : fmt::format("  {:>4}  undecided\n", order);
     return text + "\n  for q below 0 of boxes three times as wide, which nothing barely touches\n";
 }
 
 std::string scales_page(const Measure& measure, const Scaling& scaling) {
-    std::string text = fmt::format("  {:>12}  {:>14}  {:>8}\n", measure.scale, measure.value, "slope");
+    std::string text =
+        fmt::format("  {:>12}  {:>14}  {:>8}\n", measure.scale, measure.value, "slope");
     for (std::size_t i = 0; i < scaling.sizes.size(); ++i)
-        text += fmt::format("{} {:>12.6g}  {:>14.6g}  {:>8}\n", is_used(scaling, i) ? '*' : ' ',
-                            scaling.sizes[i], scaling.values[i],
-                            i < scaling.slopes.size() ? fmt::format("{:.4f}", scaling.slopes[i]) : "");
+        text +=
+            fmt::format("{} {:>12.6g}  {:>14.6g}  {:>8}\n", is_used(scaling, i) ? '*' : ' ',
+                        scaling.sizes[i], scaling.values[i],
+                        i < scaling.slopes.size() ? fmt::format("{:.4f}", scaling.slopes[i]) : "");
     return text +
-           "\n  the slope is the dimension that this scale and the next finer one give; * scales used\n";
+           "\n  the slope is the dimension that this scale and the next finer one give; * scales "
+           "used\n";
 }
 
 std::string page_of(const OtherMeasured& found) {
@@ -134,8 +138,8 @@ std::string page_of(const OtherMeasured& found) {
                                            scaling.estimate->high)
                              : ": undecided\n";
     text += "  " + scaling.because + "\n\n";
-    return text + (found.spectrum.empty() ? scales_page(measure, scaling)
-                                          : spectrum_page(found.spectrum));
+    return text +
+           (found.spectrum.empty() ? scales_page(measure, scaling) : spectrum_page(found.spectrum));
 }
 
 /// The order that the verb gives as the estimate of a spectrum.

@@ -99,7 +99,8 @@ Scaling correlation(const PointSet& all, const CorrelationSample& sample, const 
 }
 
 Scaling correlation(const Figure& figure, const CorrelationSample& sample, const Budget& budget) {
-    return correlation(even_sample(figure, sample.points, Spread::independent, sample.seed, budget), sample, budget);
+    return correlation(even_sample(figure, sample.points, Spread::independent, sample.seed, budget),
+                       sample, budget);
 }
 
 }  // namespace algae

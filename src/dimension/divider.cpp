@@ -118,8 +118,9 @@ Scaling divider(const std::vector<Stroke>& strokes, double detail, const Budget&
     range.scales = "openings";
     fit_scaling(result, powers, range, {1, 1, 0}, HUGE_VAL);
     if (left_out > 0)
-        result.because += fmt::format("; {} stroke{} less wide than an eighth of the widest left out",
-                                      left_out, left_out == 1 ? "" : "s");
+        result.because +=
+            fmt::format("; {} stroke{} less wide than an eighth of the widest left out", left_out,
+                        left_out == 1 ? "" : "s");
     return result;
 }
 

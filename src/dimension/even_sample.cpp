@@ -14,7 +14,9 @@ namespace algae {
 namespace {
 
 /// A number from 0 to 1, without 1; the distributions of the standard library differ by machine.
-double share(std::mt19937_64& random) { return std::ldexp(static_cast<double>(random() >> 11), -53); }
+double share(std::mt19937_64& random) {
+    return std::ldexp(static_cast<double>(random() >> 11), -53);
+}
 
 /// So many places between 0 and 1, in order.
 std::vector<double> places(std::size_t count, Spread spread, std::uint64_t seed) {

@@ -60,7 +60,8 @@ private:
     void add_scale(const std::vector<CellMass>& cells, std::size_t scale, int columns,
                    double whole) {
         boxes_[scale] += static_cast<double>(cells.size());
-        const bool wide = std::any_of(orders_.begin(), orders_.end(), [](double q) { return q < 0; });
+        const bool wide =
+            std::any_of(orders_.begin(), orders_.end(), [](double q) { return q < 0; });
         const std::vector<double> around =
             wide ? masses_around(cells, columns) : std::vector<double>();
         for (std::size_t k = 0; k < cells.size(); ++k) {
@@ -126,8 +127,8 @@ std::vector<GeneralisedDimension> generalised_dimensions(const Figure& figure,
         halved_sizes(whole, std::min(range.finest, whole), most_scales);
     Sums sums(orders, sizes.size());
     for (const Point offset : even_offsets(offsets)) {
-        auto cells = drawn_masses(
-            figure, Grid::before(figure.box(), sizes.back(), offset, whole), budget);
+        auto cells =
+            drawn_masses(figure, Grid::before(figure.box(), sizes.back(), offset, whole), budget);
         const double length = whole_of(cells);
         sums.add_grid(std::move(cells), 2, length, budget);
     }
@@ -147,8 +148,8 @@ std::vector<GeneralisedDimension> generalised_dimensions(const PointSet& points,
         if (!(weight >= 0))
             throw Error("expected weights of 0 or more, found " + std::to_string(weight));
     const double whole = longest_side(points);
-    const std::vector<double> sizes = halved_sizes(
-        whole, std::min(ScaleRange::details * points.detail, whole), most_scales);
+    const std::vector<double> sizes =
+        halved_sizes(whole, std::min(ScaleRange::details * points.detail, whole), most_scales);
     Sums sums(orders, sizes.size());
     for (const auto& shares : even_places(offsets)) {
         const auto codes = cell_codes(points, sizes.size(), shares, budget);
@@ -161,8 +162,8 @@ std::vector<GeneralisedDimension> generalised_dimensions(const PointSet& points,
     }
     auto different = points.points;
     std::sort(different.begin(), different.end());
-    const auto count = static_cast<double>(
-        std::unique(different.begin(), different.end()) - different.begin());
+    const auto count =
+        static_cast<double>(std::unique(different.begin(), different.end()) - different.begin());
     ScaleRange range{HUGE_VAL, whole / ScaleRange::parts_of_whole};
     for (std::size_t i = 0; i < sizes.size(); ++i)
         if (points.detail > 0 || sums.boxes(i) * points_in_cell <= count) range.finest = sizes[i];

@@ -41,14 +41,14 @@ std::vector<std::uint32_t> filled_before(const CellRectangle& cells, const Budge
     return sums;
 }
 
-double of_side(const CellRectangle& cells, const std::vector<std::uint32_t>& sums,
-               std::size_t side, const Budget& budget) {
+double of_side(const CellRectangle& cells, const std::vector<std::uint32_t>& sums, std::size_t side,
+               const Budget& budget) {
     const std::size_t height = cells.rows == 1 ? 1 : side, width = cells.columns + 1;
     if (side == 0 || side > cells.columns || height > cells.rows)
-        throw Error("expected boxes of 1 to " +
-                    std::to_string(cells.rows == 1 ? cells.columns
-                                                   : std::min(cells.columns, cells.rows)) +
-                    " cells, found " + std::to_string(side));
+        throw Error(
+            "expected boxes of 1 to " +
+            std::to_string(cells.rows == 1 ? cells.columns : std::min(cells.columns, cells.rows)) +
+            " cells, found " + std::to_string(side));
     Wide sum = 0, squares = 0;
     for (std::size_t row = 0; row + height <= cells.rows; ++row) {
         budget.check();
@@ -111,14 +111,14 @@ CellRectangle drawn_cells(const Figure& figure, std::size_t most, const Budget& 
     budget.check_memory(cells.columns * cells.rows / 8, "the cells of a grid");
     cells.filled.resize(cells.columns * cells.rows);
     const double half = (whole + cells.cell) / 2;
-    const Grid grid{
-        {(box.low.x + box.high.x) / 2 - half, (box.low.y + box.high.y) / 2 - half}, cells.cell};
+    const Grid grid{{(box.low.x + box.high.x) / 2 - half, (box.low.y + box.high.y) / 2 - half},
+                    cells.cell};
     DrawnSegments canvas([&](Point start, Point end, bool) {
         const GridPoint from = grid.at(start), to = grid.at(end);
         std::int64_t column = from.column(), row = from.row();
         const auto mark = [&] {
-            const auto at = static_cast<std::size_t>(row) * cells.columns +
-                            static_cast<std::size_t>(column);
+            const auto at =
+                static_cast<std::size_t>(row) * cells.columns + static_cast<std::size_t>(column);
             if (column < 0 || row < 0 || at >= cells.filled.size())
                 throw Error("expected all points of the figure to lie within its box");
             cells.filled[at] = true;
@@ -163,8 +163,7 @@ CellRectangle filled_cells(const PointSet& points, const Budget& budget) {
     };
     const bool square = !(points.detail > 0);
     cells.columns = place(square ? low[0] + whole : high[0], low[0]) + 1;
-    cells.rows =
-        points.columns == 1 ? 1 : place(square ? low[1] + whole : high[1], low[1]) + 1;
+    cells.rows = points.columns == 1 ? 1 : place(square ? low[1] + whole : high[1], low[1]) + 1;
     budget.check_memory(cells.columns * cells.rows / 8, "the cells of a grid");
     cells.filled.resize(cells.columns * cells.rows);
     for (const auto& point : points.points)

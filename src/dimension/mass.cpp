@@ -61,7 +61,8 @@ void check_centres(const Sandboxes& sandboxes) {
 
 Scaling fitted(std::vector<double> radii, std::vector<double> means, ScaleRange range,
                double space) {
-    range.follow_rises = true;  // balls beyond the ends of the set hold too little, the less the smaller
+    range.follow_rises =
+        true;  // balls beyond the ends of the set hold too little, the less the smaller
     Scaling result;
     result.sizes = std::move(radii);
     result.values = std::move(means);
@@ -87,7 +88,8 @@ Scaling mass(const Figure& figure, const Sandboxes& sandboxes, const Budget& bud
     check_centres(sandboxes);
     const double whole = scales_of(figure.box(), 2, 1).coarsest;
     const double detail = figure.facts().step;
-    const PointSet centres = even_sample(figure, sandboxes.centres, Spread::stretches, sandboxes.seed, budget);
+    const PointSet centres =
+        even_sample(figure, sandboxes.centres, Spread::stretches, sandboxes.seed, budget);
     ScaleRange range{ScaleRange::details * detail, whole / ScaleRange::parts_of_whole};
     range.scales = "radii";
     std::vector<double> radii =
@@ -113,8 +115,7 @@ Scaling mass(const PointSet& points, const Sandboxes& sandboxes, const Budget& b
     Masses masses(radii);
     for (const auto& centre : centres.points) {
         budget.check();
-        for (const auto& point : points.points)
-            masses.add_point(distance(point, centre));
+        for (const auto& point : points.points) masses.add_point(distance(point, centre));
     }
     std::vector<double> means = masses.means(static_cast<double>(centres.points.size()));
     for (double& mean : means) mean -= 1;  // the centre itself

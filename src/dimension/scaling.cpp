@@ -39,8 +39,9 @@ void fit_scaling(Scaling& scaling, const std::vector<double>& powers, const Scal
                  Widening widening, double most) {
     const std::vector<double>& sizes = scaling.sizes;
     if (powers.empty() || powers.size() != sizes.size())
-        throw Error(fmt::format("expected one value for each of at least one scale, found {} for {}",
-                                powers.size(), sizes.size()));
+        throw Error(
+            fmt::format("expected one value for each of at least one scale, found {} for {}",
+                        powers.size(), sizes.size()));
     scaling.slopes.clear();
     for (std::size_t i = 0; i + 1 < sizes.size(); ++i)
         scaling.slopes.push_back((powers[i] - powers[i + 1]) / std::log(sizes[i] / sizes[i + 1]));

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "cli/run.hpp"
@@ -87,4 +88,61 @@ TEST_CASE("dimension refuses what it cannot measure") {
     const Run long_work = run("dimension koch -n 60");
     CHECK(long_work.status == 3);
     CHECK(long_work.err.find("use a lower -n") != std::string::npos);
+}
+
+TEST_CASE("dimension --measure gives the other measures and their keys") {
+    for (const char* measure : {"divider", "mass", "correlation", "information", "multifractal", "lacunarity"}) {
+        CAPTURE(measure);
+        const std::string arguments = std::string("dimension koch -n 7 --measure ") + measure;
+        const Run shown = run(arguments + " --json");
+        CHECK(shown.status == 0);
+        const json found = json::parse(shown.out);
+        CHECK(found["measure"] == measure);
+        CHECK(found["input"].is_string());
+        CHECK(found["because"].is_string());
+        CHECK(found["estimate"]["low"] <= std::log(4) / std::log(3));
+        CHECK(found["estimate"]["high"] >= std::log(4) / std::log(3));
+        CHECK(std::abs(found["estimate"]["value"].get<double>() - std::log(4) / std::log(3)) < 0.1);
+        REQUIRE(found["scales"].size() >= 4);
+        for (const char* key : {"size", "value", "slope", "used"})
+            CHECK(found["scales"][0].contains(key));
+        CHECK(found.contains("spectrum") == (found["measure"] == "multifractal"));
+        CHECK(run(arguments).out.find("expected between") != std::string::npos);
+    }
+    const json spectrum =
+        json::parse(run("dimension koch -n 7 --measure multifractal --json").out)["spectrum"];
+    REQUIRE(spectrum.size() == 11);
+    CHECK(spectrum[0]["q"] == -5);
+    CHECK(spectrum[5]["value"] == json::parse(run("dimension koch -n 7 --measure multifractal --json").out)["estimate"]["value"]);
+}
+
+TEST_CASE("dimension --measure takes points and images, and refuses what it cannot") {
+    const Scratch scratch;
+    std::string line;
+    for (int i = 0; i < 3000; ++i) line += std::to_string(i) + " " + std::to_string(2 * i) + "\n";
+    const std::string points = scratch.file("line.csv", line), picture = scratch.file("koch.png"),
+                      space = scratch.file("space.csv", "1 2 3\n4 5 6\n");
+    CHECK(run("draw koch -n 5 -o '" + picture + "'").status == 0);
+    for (const char* measure : {"divider", "mass", "correlation", "information", "multifractal"}) {
+        CAPTURE(measure);
+        const json found =
+            json::parse(run("dimension '" + points + "' --json --measure " + measure).out);
+        CHECK(std::abs(found["estimate"]["value"].get<double>() - 1) < 0.05);
+    }
+    for (const char* measure : {"mass", "correlation", "information", "lacunarity"}) {
+        CAPTURE(measure);
+        CHECK(run("dimension '" + picture + "' --measure " + measure).status != 2);
+    }
+    const auto message = [](const std::string& arguments) {
+        const Run refused = run("dimension " + arguments);
+        CHECK(refused.status == 2);
+        return refused.err;
+    };
+    CHECK(message("koch --measure weight") ==
+          "algae: --measure: expected boxes, divider, mass, correlation, information, multifractal "
+          "or lacunarity, found weight\n");
+    CHECK(message("koch --measure mass --plot a.svg") == "algae: --plot is for --measure boxes\n");
+    CHECK(message("'" + picture + "' --measure divider").find("found pixels") != std::string::npos);
+    CHECK(message("'" + space + "' --measure lacunarity").find("3 columns") != std::string::npos);
+    CHECK(run("dimension koch -n 2 --measure mass").status == 3);
 }

@@ -32,7 +32,8 @@ PointSet random_cube(int columns, std::size_t count) {
     for (std::size_t i = 0; i < count; ++i) {
         std::array<double, 3> point{};
         for (int k = 0; k < columns; ++k)
-            point[static_cast<std::size_t>(k)] = static_cast<double>(random() % 1'000'003) / 1'000'003;
+            point[static_cast<std::size_t>(k)] =
+                static_cast<double>(random() % 1'000'003) / 1'000'003;
         points.points.push_back(point);
     }
     return points;
@@ -65,13 +66,14 @@ TEST_CASE("pairs by cells are the pairs of a double loop") {
 }
 
 TEST_CASE("the correlation sum finds the dimension of lines, curves and squares") {
-    check_holds(correlation(*drawn("axiom F; F -> FF; angle 60", 14), {}, Budget()), 1, 0.02);
+    const CorrelationSample sample{8'000, 1};
+    check_holds(correlation(*drawn("axiom F; F -> FF; angle 60", 14), sample, Budget()), 1, 0.02);
     check_holds(correlation(*drawn("axiom F; F -> F+F--F+F; angle 60", 9), {}, Budget()),
                 std::log(4) / std::log(3), 0.04);
     check_holds(correlation(*drawn("axiom F; F -> FfF; f -> fff; angle 90", 12), {}, Budget()),
                 std::log(2) / std::log(3), 0.06);
-    check_holds(correlation(random_cube(1, 20'000), {}, Budget()), 1, 0.03);
-    check_holds(correlation(random_cube(2, 20'000), {}, Budget()), 2, 0.1);
+    check_holds(correlation(random_cube(1, 8'000), sample, Budget()), 1, 0.03);
+    check_holds(correlation(random_cube(2, 8'000), sample, Budget()), 2, 0.1);
 }
 
 TEST_CASE("the correlation sum refuses single points") {
@@ -79,6 +81,6 @@ TEST_CASE("the correlation sum refuses single points") {
                          "expected at least 2 points to take the distance of, found 1", Error);
     CHECK_THROWS_WITH_AS(correlation(PointSet{2, {{1, 1, 0}, {1, 1, 0}}}, {}, Budget()),
                          "all points are the same: expected something to measure", Error);
-    CHECK_THROWS_AS(correlation(*drawn("axiom f; f -> ff", 3), {}, Budget()), Error);
+    CHECK_THROWS_AS(correlation(*drawn("axiom f; f -> ff", 3), sample, Budget()), Error);
     CHECK(!correlation(random_cube(2, 30), {}, Budget()).estimate);
 }

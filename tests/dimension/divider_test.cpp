@@ -60,9 +60,11 @@ TEST_CASE("the Koch curve has four times the steps for a third of the opening") 
 
 TEST_CASE("steps are those found by going along the stroke a little at a time") {
     CHECK(rc::check("steps", [] {
-        const auto coordinate = rc::gen::map(rc::gen::inRange(0, 1000), [](int k) { return k / 97.0; });
+        const auto coordinate =
+            rc::gen::map(rc::gen::inRange(0, 1000), [](int k) { return k / 97.0; });
         Stroke stroke;
-        for (int i = *rc::gen::inRange(2, 6); i > 0; --i) stroke.push_back({*coordinate, *coordinate});
+        for (int i = *rc::gen::inRange(2, 6); i > 0; --i)
+            stroke.push_back({*coordinate, *coordinate});
         const double opening = *rc::gen::inRange(100, 400) / 101.0;
         const double slow = steps_by_small_steps(stroke, opening);
         const double steps = divider_steps(stroke, opening, Budget());
@@ -85,7 +87,8 @@ TEST_CASE("dividers find the dimension of curves") {
 }
 
 TEST_CASE("strokes less wide than the openings are left out, and said so") {
-    const Scaling comb = divider(std::vector<Stroke>{{{0, 0}, {64, 0}}, {{3, 0}, {3, 1}}}, 0.125, Budget());
+    const Scaling comb =
+        divider(std::vector<Stroke>{{{0, 0}, {64, 0}}, {{3, 0}, {3, 1}}}, 0.125, Budget());
     REQUIRE(comb.estimate);
     CHECK(comb.estimate->value == doctest::Approx(1));
     CHECK(comb.because.ends_with("; 1 stroke less wide than an eighth of the widest left out"));
@@ -94,9 +97,9 @@ TEST_CASE("strokes less wide than the openings are left out, and said so") {
 TEST_CASE("dividers refuse what has no width") {
     CHECK_THROWS_WITH_AS(divider(*drawn("axiom f; f -> ff", 3), Budget()),
                          "nothing is drawn: expected something to measure", Error);
-    CHECK_THROWS_WITH_AS(divider(std::vector<Stroke>{{{1, 1}, {1, 1}}}, 1, Budget()),
-                         "expected a stroke that is wider or higher than a point, found a size of 0",
-                         Error);
+    CHECK_THROWS_WITH_AS(
+        divider(std::vector<Stroke>{{{1, 1}, {1, 1}}}, 1, Budget()),
+        "expected a stroke that is wider or higher than a point, found a size of 0", Error);
     CHECK(!divider(*drawn("axiom F; F -> F+F--F+F; angle 60", 2), Budget()).estimate);
     Budget small;
     small.memory = 1000;

@@ -87,8 +87,9 @@ TEST_CASE("the Koch curve has its dimension for every order, negative ones too")
 }
 
 TEST_CASE("order 0 is the box dimension, counts and estimate") {
-    for (const char* text : {"axiom F; F -> F+F--F+F; angle 60", "axiom F; F -> F[+F]F[-F]F; angle 25.7",
-                             "axiom F; F -> FfF; f -> fff; angle 90"}) {
+    for (const char* text :
+         {"axiom F; F -> F+F--F+F; angle 60", "axiom F; F -> F[+F]F[-F]F; angle 25.7",
+          "axiom F; F -> FfF; f -> fff; angle 90"}) {
         const auto figure = drawn(text, 6);
         const std::vector<double> zero{0};
         const Scaling found = generalised_dimensions(*figure, zero, 4, Budget())[0].scaling;
@@ -146,7 +147,8 @@ TEST_CASE("sums over boxes are those of a list of boxes, and of boxes three time
                     double around = 0;
                     for (const auto& [other, part] : boxes) {
                         bool near = true;
-                        for (std::size_t k = 0; k < 3; ++k) near = near && std::abs(box[k] - other[k]) <= 1;
+                        for (std::size_t k = 0; k < 3; ++k)
+                            near = near && std::abs(box[k] - other[k]) <= 1;
                         if (near) around += part;
                     }
                     sum += order == 1 ? -share * std::log(share)
@@ -167,7 +169,8 @@ TEST_CASE("lengths in boxes add up, and are those of many small pieces") {
     CHECK(sum == doctest::Approx(125));
     CHECK(rc::check("lengths", [] {
         const auto angle = *rc::gen::inRange(0, 3600) / 10.0;
-        const std::string text = "axiom F; F -> F; angle 90; step 7; start 0 0 " + std::to_string(angle);
+        const std::string text =
+            "axiom F; F -> F; angle 90; step 7; start 0 0 " + std::to_string(angle);
         const auto line = drawn(text.c_str(), 0);
         const Grid squares = Grid::before(line->box(), 1, {0.21, 0.43}, 1);
         std::map<std::uint64_t, double> lengths;
@@ -176,7 +179,8 @@ TEST_CASE("lengths in boxes add up, and are those of many small pieces") {
             const double way = (k + 0.5) / 10'000;
             const GridPoint at = squares.at({way * std::cos(radians), way * std::sin(radians)});
             lengths[Morton(static_cast<std::uint64_t>(at.column()),
-                           static_cast<std::uint64_t>(at.row())).code] += 1e-4;
+                           static_cast<std::uint64_t>(at.row()))
+                        .code] += 1e-4;
         }
         for (const CellMass& cell : drawn_masses(*line, squares, Budget()))
             RC_ASSERT(std::abs(cell.mass - lengths[cell.code]) < 1e-3);
@@ -192,7 +196,8 @@ TEST_CASE("what has no measure is refused") {
                          "expected a weight for each point, found 1 weights for 2 points", Error);
     CHECK_THROWS_WITH_AS(generalised_dimensions(pair, std::vector<double>{0, 0}, two, 1, Budget()),
                          "expected something with a length or a weight to measure, found 0.000000 "
-                         "of it", Error);
+                         "of it",
+                         Error);
     CHECK_THROWS_WITH_AS(generalised_dimensions(*drawn("axiom f; f -> ff", 3), two, 1, Budget()),
                          "nothing is drawn: expected something to measure", Error);
     CHECK(!generalised_dimensions(pair, {}, two, 1, Budget())[0].scaling.estimate);

@@ -53,7 +53,8 @@ TEST_CASE("a full rectangle has lacunarity 1 for every box") {
 TEST_CASE("a checkerboard has the lacunarity that counting by hand gives") {
     // 6 by 6 cells, 18 filled. Boxes of 1: half hold 1 cell: (1/2) / (1/4) = 2. Of 2: all hold 2. Of
     // 3: 16 places, half hold 5 and half 4: 20.5 / 4.5^2.
-    const auto board = rectangle(6, 6, [](auto column, auto row) { return (column + row) % 2 == 0; });
+    const auto board =
+        rectangle(6, 6, [](auto column, auto row) { return (column + row) % 2 == 0; });
     const auto found = lacunarities(board, std::vector<std::size_t>{1, 2, 3, 6}, Budget());
     CHECK(found[0] == 2);
     CHECK(found[1] == 1);
@@ -65,7 +66,8 @@ TEST_CASE("lacunarity by sums over rectangles is that of counting in every box")
     CHECK(rc::check("lacunarity", [] {
         const auto columns = *rc::gen::inRange<std::size_t>(1, 12),
                    rows = *rc::gen::inRange<std::size_t>(1, 12);
-        auto cells = rectangle(columns, rows, [](auto, auto) { return *rc::gen::arbitrary<bool>(); });
+        auto cells =
+            rectangle(columns, rows, [](auto, auto) { return *rc::gen::arbitrary<bool>(); });
         cells.filled[*rc::gen::inRange<std::size_t>(0, columns * rows)] = true;
         const auto side =
             *rc::gen::inRange<std::size_t>(1, (rows == 1 ? columns : std::min(columns, rows)) + 1);
@@ -88,7 +90,8 @@ TEST_CASE("lacunarity by sums over rectangles is that of counting in every box")
 }
 
 TEST_CASE("lacunarity falls as the dimension less that of the space") {
-    check_holds(lacunarity(rectangle(729, 729, in_carpet), Budget()), std::log(8) / std::log(3), 0.06);
+    check_holds(lacunarity(rectangle(729, 729, in_carpet), Budget()), std::log(8) / std::log(3),
+                0.06);
     const auto line = drawn_cells(*drawn("axiom F; F -> FF; angle 60", 11), 1024, Budget());
     check_holds(lacunarity(line, Budget()), 1, 0.05);
     const auto koch = drawn_cells(*drawn("axiom F; F -> F+F--F+F; angle 60", 9), 1024, Budget());

@@ -72,12 +72,15 @@ TEST_CASE("how many halved radii hold a distance is what comparing says") {
 
 TEST_CASE("masses of a figure are sums over all centres and segments, one radius at a time") {
     CHECK(rc::check("masses", [] {
-        const auto figure = drawn(
-            *rc::gen::elementOf(std::vector{"axiom F; F -> F+F--F+F; angle 60",
-                                            "axiom F; F -> F[+F]F[-F]F; angle 25.7"}), 3);
-        const Sandboxes sandboxes{*rc::gen::inRange<std::size_t>(1, 9), *rc::gen::arbitrary<std::uint64_t>()};
+        const auto figure =
+            drawn(*rc::gen::elementOf(std::vector{"axiom F; F -> F+F--F+F; angle 60",
+                                                  "axiom F; F -> F[+F]F[-F]F; angle 25.7"}),
+                  3);
+        const Sandboxes sandboxes{*rc::gen::inRange<std::size_t>(1, 9),
+                                  *rc::gen::arbitrary<std::uint64_t>()};
         const Scaling found = mass(*figure, sandboxes, Budget());
-        const PointSet centres = even_sample(*figure, sandboxes.centres, Spread::stretches, sandboxes.seed, Budget());
+        const PointSet centres =
+            even_sample(*figure, sandboxes.centres, Spread::stretches, sandboxes.seed, Budget());
         struct List : Canvas {
             std::vector<std::pair<Point, Point>> segments;
             Point here;
@@ -98,7 +101,8 @@ TEST_CASE("masses of a figure are sums over all centres and segments, one radius
             for (const auto& centre : centres.points)
                 for (const auto& [from, to] : list.segments)
                     sum += length_within(from, to, {centre[0], centre[1]}, found.sizes[i]);
-            RC_ASSERT(std::abs(found.values[i] - sum / static_cast<double>(sandboxes.centres)) < 1e-9);
+            RC_ASSERT(std::abs(found.values[i] - sum / static_cast<double>(sandboxes.centres)) <
+                      1e-9);
         }
     }));
 }
@@ -115,8 +119,8 @@ TEST_CASE("sandboxes find the dimension of lines, curves and squares") {
 TEST_CASE("sandboxes refuse what has no length") {
     CHECK_THROWS_WITH_AS(mass(*drawn("axiom f; f -> ff", 3), {}, Budget()),
                          "nothing is drawn: expected something to measure", Error);
-    CHECK_THROWS_WITH_AS(mass(square(9), {0, 1}, Budget()),
-                         "expected at least one centre, found 0", Error);
+    CHECK_THROWS_WITH_AS(mass(square(9), {0, 1}, Budget()), "expected at least one centre, found 0",
+                         Error);
     CHECK_THROWS_WITH_AS(mass(PointSet{2, {{1, 1, 0}, {1, 1, 0}}}, {}, Budget()),
                          "all points are the same: expected something to measure", Error);
     CHECK(!mass(*drawn("axiom F; F -> F+F--F+F; angle 60", 2), {}, Budget()).estimate);
@@ -126,7 +130,8 @@ TEST_CASE("an even sample has a point in each stretch of the length") {
     const auto figure = drawn("axiom F; F -> FF; angle 60", 5);
     const PointSet sample = even_sample(*figure, 64, Spread::stretches, 7, Budget());
     REQUIRE(sample.points.size() == 64);
-    for (std::size_t i = 0; i < 64; ++i) CHECK(std::floor(sample.points[i][0] * 2) == static_cast<double>(i));
+    for (std::size_t i = 0; i < 64; ++i)
+        CHECK(std::floor(sample.points[i][0] * 2) == static_cast<double>(i));
     CHECK(even_sample(*figure, 64, Spread::stretches, 7, Budget()).points == sample.points);
     CHECK(even_sample(*figure, 64, Spread::stretches, 8, Budget()).points != sample.points);
     CHECK(even_sample(*figure, 99, Spread::independent, 8, Budget()).points.size() == 99);

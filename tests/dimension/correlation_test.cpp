@@ -68,19 +68,19 @@ TEST_CASE("pairs by cells are the pairs of a double loop") {
 TEST_CASE("the correlation sum finds the dimension of lines, curves and squares") {
     const CorrelationSample sample{8'000, 1};
     check_holds(correlation(*drawn("axiom F; F -> FF; angle 60", 14), sample, Budget()), 1, 0.02);
-    check_holds(correlation(*drawn("axiom F; F -> F+F--F+F; angle 60", 9), {}, Budget()),
+    check_holds(correlation(*drawn("axiom F; F -> F+F--F+F; angle 60", 9), sample, Budget()),
                 std::log(4) / std::log(3), 0.04);
-    check_holds(correlation(*drawn("axiom F; F -> FfF; f -> fff; angle 90", 12), {}, Budget()),
+    check_holds(correlation(*drawn("axiom F; F -> FfF; f -> fff; angle 90", 12), sample, Budget()),
                 std::log(2) / std::log(3), 0.06);
     check_holds(correlation(random_cube(1, 8'000), sample, Budget()), 1, 0.03);
     check_holds(correlation(random_cube(2, 8'000), sample, Budget()), 2, 0.1);
 }
 
 TEST_CASE("the correlation sum refuses single points") {
-    CHECK_THROWS_WITH_AS(correlation(PointSet{2, {{1, 1, 0}}}, {}, Budget()),
+    CHECK_THROWS_WITH_AS(correlation(PointSet{2, {{1, 1, 0}}}, sample, Budget()),
                          "expected at least 2 points to take the distance of, found 1", Error);
-    CHECK_THROWS_WITH_AS(correlation(PointSet{2, {{1, 1, 0}, {1, 1, 0}}}, {}, Budget()),
+    CHECK_THROWS_WITH_AS(correlation(PointSet{2, {{1, 1, 0}, {1, 1, 0}}}, sample, Budget()),
                          "all points are the same: expected something to measure", Error);
-    CHECK_THROWS_AS(correlation(*drawn("axiom f; f -> ff", 3), sample, Budget()), Error);
+    CHECK_THROWS_AS(correlation(*drawn("axiom f; f -> ff", 3), {}, Budget()), Error);
     CHECK(!correlation(random_cube(2, 30), {}, Budget()).estimate);
 }

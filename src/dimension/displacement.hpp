@@ -30,7 +30,7 @@ public:
 
     static constexpr std::size_t largest_rank = 64;
     /// Of the matrix over the integers that mu is looked for in.
-    static constexpr std::size_t largest_matrix = 600;
+    static constexpr std::size_t largest_matrix = 256;
 
     std::size_t rank() const { return basis_.size(); }
     /// mu, to the precision of doubles, and its size.

@@ -91,7 +91,7 @@ Measured measure_limit(const LSystem& system, const ExactDimension& exact, const
     found.what =
         (system.title.empty() ? system.name : system.title) + ", the limit of all generations";
     found.counts = counts.boxes;
-    found.fit = fit_limit(counts, exact.meeting);
+    found.fit = fit_limit(counts, exact.meeting, greatest_dimension(exact));
     return found;
 }
 
@@ -275,10 +275,11 @@ void add_dimension(Verbs& verbs) {
     verb.add_flag("--invert", options->invert, "images: lighter pixels are ink");
     verb.add_option("--seed", options->seed, "of the word of a system with choices")
         ->type_name("S");
-    verb.add_flag("--table", options->table,
-                  "a line for every system of the gallery, or of the folder FILE: the dimension from "
-                  "the rules, its boundary, and measured on the limit with 8 grids (or --grids) and "
-                  "about 50,000 cells, less exactly than without --table; minutes for the gallery");
+    verb.add_flag(
+        "--table", options->table,
+        "a line for every system of the gallery, or of the folder FILE: the dimension from "
+        "the rules, its boundary, and measured on the limit with 8 grids (or --grids) and "
+        "about 50,000 cells, less exactly than without --table; minutes for the gallery");
     verb.add_flag("--quick", options->quick, "with --table: without measuring");
     verb.add_flag("--json", options->json, "print one JSON object; with --table an array");
     options->bounds.add_to(verb);

@@ -85,7 +85,7 @@ Row row_of(const Entry& entry, const DimensionTable& table, const Budget& budget
     try {
         row.fit =
             fit_limit(limit_counts(RecurrentSet(entry.system, *rules, budget), counting, budget),
-                      row.exact.meeting);
+                      row.exact.meeting, greatest_dimension(row.exact));
         if (!row.fit->estimate) row.unmeasured = row.fit->because;
     } catch (const BoundReached& bound) {
         row.unmeasured = bound.what();

@@ -159,4 +159,9 @@ ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
     }
 }
 
+double greatest_dimension(const ExactDimension& exact) {
+    if (exact.status != Status::upper_bound) return 2;
+    return std::min(exact.value->enclosure(64).midpoint(), 2.0);
+}
+
 }  // namespace algae

@@ -43,4 +43,7 @@ struct ExactDimension {
 /// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
 ExactDimension exact_dimension(const LSystem& system, const Budget& budget = {});
 
+/// What no set in the plane for which the rules give this upper bound exceeds; 2 for other ones.
+double greatest_dimension(const ExactDimension& exact);
+
 }  // namespace algae

@@ -53,8 +53,10 @@ private:
     double rho_;
 };
 
-Estimate interval(double value, double half) {
-    return {std::min(value, 2.0), std::max(value - half, 0.0), std::min(value + half, 2.0)};
+/// What is measured above the bound stands at it.
+Estimate interval(double value, double half, double bound) {
+    const double within = std::min(value, bound);
+    return {within, std::max(within - half, 0.0), std::min(value + half, bound)};
 }
 
 std::string short_text(double value) {
@@ -64,7 +66,7 @@ std::string short_text(double value) {
 }
 
 /// With the boundary term taken out.
-void fit_two_terms(const BoxCounts& counts, double rho, BoxFit& fit) {
+void fit_two_terms(const BoxCounts& counts, double rho, double bound, BoxFit& fit) {
     const Means means(counts, rho);
     const std::size_t last = counts.counts.size() - 1;
     double shortest = INFINITY;
@@ -77,7 +79,7 @@ void fit_two_terms(const BoxCounts& counts, double rho, BoxFit& fit) {
         const double half = 3 * error + std::abs(value - before) + 1e-5;
         if (!(half < shortest)) continue;
         shortest = half;
-        fit.estimate = interval(value, half);
+        fit.estimate = interval(value, half, bound);
         fit.first = last - baseline;
         fit.slope = value;
     }
@@ -95,7 +97,7 @@ void fit_two_terms(const BoxCounts& counts, double rho, BoxFit& fit) {
 }
 
 /// By extrapolation of the local slopes.
-void fit_slopes(const BoxCounts& counts, bool is_lost, BoxFit& fit) {
+void fit_slopes(const BoxCounts& counts, bool is_lost, double bound, BoxFit& fit) {
     const Means means(counts, 0);
     const std::size_t last = counts.counts.size() - 1;
     const double now = means.slope(last - 1, last), before = means.slope(last - 2, last - 1);
@@ -107,8 +109,8 @@ void fit_slopes(const BoxCounts& counts, bool is_lost, BoxFit& fit) {
     const double added = step * factor / (1 - factor);
     const double error = means.error([&](std::size_t i) { return means.slope(last - 1, last, i); });
     double half = std::abs(added) + std::abs(step) + 3 * error + 1e-4;
-    if (is_lost) half = std::max(half, 2 - now);
-    fit.estimate = interval(now + added, half);
+    if (is_lost) half = std::max(half, bound - now);
+    fit.estimate = interval(now + added, half, bound);
     fit.first = last - 3;
     fit.last = last;
     fit.slope = now;
@@ -123,7 +125,7 @@ void fit_slopes(const BoxCounts& counts, bool is_lost, BoxFit& fit) {
 
 }  // namespace
 
-BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting) {
+BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting, double bound) {
     const BoxCounts& counts = limit.boxes;
     BoxFit fit;
     for (std::size_t j = 0; j + 1 < counts.counts.size(); ++j)
@@ -140,9 +142,9 @@ BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting) {
                 : 0;
     const bool is_lost = meeting && rho * counts.mean(last - 1) > lost * counts.mean(last);
     if (meeting && !is_lost)
-        fit_two_terms(counts, rho, fit);
+        fit_two_terms(counts, rho, bound, fit);
     else
-        fit_slopes(counts, is_lost, fit);
+        fit_slopes(counts, is_lost, bound, fit);
     return fit;
 }
 

@@ -20,7 +20,7 @@ namespace algae {
 ///
 /// The interval: three standard errors over the places of the grid, leaving one out at a time, and
 /// the change from the estimate one scale coarser; of extrapolated slopes, what was added to the last
-/// one once more. Sets in the plane have no dimension above 2.
-BoxFit fit_limit(const LimitCounts& counts, const std::optional<Rate>& meeting);
+/// one once more. Nothing is above `bound`: 2 for sets in the plane, or what the rules give.
+BoxFit fit_limit(const LimitCounts& counts, const std::optional<Rate>& meeting, double bound = 2);
 
 }  // namespace algae

@@ -61,6 +61,18 @@ TEST_CASE("the boxes of Levy's curve do not pretend to be sure") {
     CHECK(found.fit.estimate->high - found.fit.estimate->low > 0.1);
 }
 
+TEST_CASE("nothing is measured above what the rules allow") {
+    const Counted found = counted("axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", quick);
+    REQUIRE(found.exact.status == ExactDimension::Status::upper_bound);
+    const double most = greatest_dimension(found.exact);
+    CHECK(most == doctest::Approx(1.5849625));
+    const BoxFit fit = fit_limit(found.counts, found.exact.meeting, most);
+    REQUIRE(fit.estimate);
+    CHECK(fit.estimate->low < fit.estimate->value);
+    CHECK(fit.estimate->value <= most);
+    CHECK(fit.estimate->high <= most);
+}
+
 TEST_CASE("boxes of the limit are those of a far generation") {
     // Against the vertices of generation 7, which lie 1/2187 apart, over grids of its own: in cells of
     // 1/72 they miss few.

@@ -108,6 +108,7 @@ std::optional<Real> growth_of_ways(const WrittenSystem& system, int angle) {
             const auto rule = system.successors.find(a);
             if (rule == system.successors.end()) continue;
             Motion whole;
+            Real sizes = 0;
             int depth = 0;
             for (const char b : rule->second[0]) {
                 if (b == '[') ++depth;
@@ -116,8 +117,11 @@ std::optional<Real> growth_of_ways(const WrittenSystem& system, int angle) {
                 whole.way += std::polar<Real>(1, static_cast<Real>(whole.degrees) *
                                                      std::numbers::pi_v<Real> / 180) *
                              motions[b].way;
+                sizes += std::abs(motions[b].way);
                 whole.degrees = (whole.degrees + motions[b].degrees) % 360;
             }
+            // What cancels but for rounding is 0: it might grow faster than the ways themselves.
+            if (std::abs(whole.way) < 1e-12L * sizes) whole.way = 0;
             next[a] = whole;
         }
         motions = std::move(next);

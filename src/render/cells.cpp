@@ -33,20 +33,31 @@ void CellCanvas::polygon(std::span<const Point> corners) {
 
 void CellCanvas::set_width(double width) {
     if (width == width_) return;
-    paint();
+    paint_marks();
     width_ = width;
     mask_.set_diameter(width);
 }
 
 void CellCanvas::colour(std::uint32_t index) {
     colour_ = index;
+    if (painted_) {
+        paint_marks();
+        painted_.reset();
+    }
     choose_shade();
 }
 
+void CellCanvas::paint(const Colour& colour) {
+    if (painted_ == colour) return;
+    paint_marks();
+    painted_ = colour;
+}
+
 void CellCanvas::choose_shade() {
+    if (painted_) return;
     const std::uint32_t shade = pen_.palette->shade(colour_, position_);
     if (shade == shade_) return;
-    paint();
+    paint_marks();
     shade_ = shade;
 }
 
@@ -55,10 +66,10 @@ void CellCanvas::pause() const {
     share_.report(position_);
 }
 
-void CellCanvas::paint() {
+void CellCanvas::paint_marks() {
     if (mask_.is_blank()) return;
     Mask::Coverage covered = mask_.take();
-    const Colour colour = pen_.palette->colour(shade_);
+    const Colour colour = painted_ ? *painted_ : pen_.palette->colour(shade_);
     cairo_set_source_rgb(context_, colour.red, colour.green, colour.blue);
     cairo_surface_t* surface =
         cairo_image_surface_create_for_data(covered.values.data(), CAIRO_FORMAT_A8, covered.width,
@@ -69,7 +80,7 @@ void CellCanvas::paint() {
 }
 
 void CellCanvas::finish() {
-    paint();
+    paint_marks();
     check_cairo(context_);
 }
 

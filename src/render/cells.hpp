@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "base/budget.hpp"
 #include "render/layout.hpp"
@@ -37,6 +38,7 @@ public:
     void width(double factor) override { set_width(pen_.width * std::fabs(factor) * cells_); }
     void width_as_length(double length) override { set_width(frame_.scale * length); }
     void colour(std::uint32_t index) override;
+    void paint(const Colour& colour) override;
     void position(double fraction) override { position_ = fraction; }
     bool wants_position() const override { return along_ || static_cast<bool>(share_); }
 
@@ -48,7 +50,7 @@ public:
 private:
     void choose_shade();
     void set_width(double width);  // in cells
-    void paint();
+    void paint_marks();
     void pause() const;
 
     cairo_t* context_;
@@ -62,6 +64,7 @@ private:
     Mask mask_;
     double position_ = 0, width_;
     std::uint32_t colour_ = 0, shade_ = 0;
+    std::optional<Colour> painted_;  // instead of a colour of the palette
     std::uint64_t lines_ = 0, polygons_ = 0, paintings_ = 0;
     std::vector<Point> corners_;
 };

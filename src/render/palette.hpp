@@ -12,6 +12,9 @@ namespace algae {
 /// degrees by position in the word, in a bounded number of shades.
 class Palette {
 public:
+    /// The number of no colour.
+    static constexpr std::uint32_t no_shade = 0xffffffff;
+
     /// Throws Error on an unknown colour. An empty list is black alone.
     Palette(const std::vector<std::string>& colours, std::uint32_t hues);
 

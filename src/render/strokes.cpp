@@ -94,10 +94,23 @@ void StrokeCanvas::width_as_length(double length) { set_width(frame_.scale * len
 
 void StrokeCanvas::colour(std::uint32_t index) {
     colour_ = index;
+    if (painted_) {
+        painted_.reset();
+        shade_ = Palette::no_shade;
+    }
     choose_shade();
 }
 
+void StrokeCanvas::paint(const Colour& colour) {
+    if (painted_ == colour) return;
+    flush();
+    goes_on_ = false;
+    painted_ = colour;
+    cairo_set_source_rgb(context_, colour.red, colour.green, colour.blue);
+}
+
 void StrokeCanvas::choose_shade() {
+    if (painted_) return;
     const std::uint32_t shade = pen_.palette->shade(colour_, position_);
     if (shade == shade_) return;
     flush();

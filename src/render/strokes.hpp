@@ -48,6 +48,7 @@ public:
     void width(double factor) override;
     void width_as_length(double length) override;
     void colour(std::uint32_t index) override;
+    void paint(const Colour& colour) override;
     void position(double fraction) override { position_ = fraction; }
     bool wants_position() const override { return along_; }
 
@@ -70,6 +71,7 @@ private:
     bool along_;
     double position_ = 0;
     std::uint32_t colour_ = 0, shade_ = 0;
+    std::optional<Colour> painted_;  // instead of a colour of the palette
     Point here_{}, before_{};  // where the pen is and was, in the picture
     bool pen_up_ = true;
     bool goes_on_ = false;  // the next path begins with the last line once more

@@ -59,6 +59,8 @@ public:
     virtual void width_as_length(double length) = 0;
     /// The index of the colour in the figure's list, from here on.
     virtual void colour(std::uint32_t index) = 0;
+    /// A colour that is in no list, from here on.
+    virtual void paint(const Colour& /*colour*/) {}
     /// How far along the word the figure is, from 0 to 1: for a hue that runs with it, and for
     /// progress. Called before each stroke or polygon if `wants_position()`.
     virtual void position(double fraction) = 0;

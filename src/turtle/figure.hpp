@@ -4,7 +4,6 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "base/budget.hpp"
@@ -13,6 +12,7 @@
 #include "system/lsystem.hpp"
 #include "turtle/canvas.hpp"
 #include "turtle/coordinate.hpp"
+#include "turtle/derived_modules.hpp"
 
 namespace algae {
 
@@ -53,13 +53,6 @@ public:
     /// before: then the work depends on box and resolution, not on the length of the word.
     /// Throws Error if brackets or braces do not match, with the generation and the position, counted from 0.
     virtual void draw(Canvas& canvas, double resolution, const Budget& budget) const = 0;
-};
-
-/// What is drawn where a system leaves a choice.
-struct FigureChoices {
-    std::optional<std::uint64_t> seed;  // none: 1 for systems with probabilities
-    std::vector<std::size_t> tables;    // one for each step; none: by the schedule or the seed
-    bool random_tables = false;         // by the seed, even if there is a schedule
 };
 
 /// The figure of generation `n` of a system, derived as Rewriting says where it is no D0L system.

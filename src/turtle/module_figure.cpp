@@ -45,6 +45,7 @@ public:
             canvas_.width(width.amount);
     }
     void colour(std::uint32_t index) override { canvas_.colour(index); }
+    void paint(const Colour& colour) override { canvas_.paint(colour); }
 
 private:
     Canvas& canvas_;

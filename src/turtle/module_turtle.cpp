@@ -275,10 +275,11 @@ private:
     }
 
     void restore(const TurtleState& state) {
-        const bool wider = state.width != state_.width, other = state.colour != state_.colour;
+        const bool wider = state.width != state_.width, other = state.colour != state_.colour ||
+                                                           state.paint != state_.paint;
         state_ = state;
         if (wider) events_.width(state_.width);
-        if (other) events_.colour(state_.colour);
+        if (other) tell_colour();
         events_.returned(state_);
     }
 
@@ -292,7 +293,22 @@ private:
         events_.width(state_.width);
     }
 
+    void tell_colour() {
+        if (state_.paint)
+            events_.paint(*state_.paint);
+        else
+            events_.colour(state_.colour);
+    }
+
+    void set_paint(ModuleKind kind, const double* values) {
+        if (std::any_of(values, values + 3, [](double part) { return !(part >= 0 && part <= 1); }))
+            fail(kind, values, "expected red, green and blue, each from 0 to 1");
+        state_.paint = Colour{values[0], values[1], values[2]};
+        tell_colour();
+    }
+
     void set_colour(ModuleKind kind, const double* values) {
+        if (turtle_.rules_.kinds.arity(kind) == 3) return set_paint(kind, values);
         constexpr double most = 4294967295;
         if (has_amount(kind)) {
             if (!(*values >= 0 && *values <= most && *values == std::floor(*values)))
@@ -301,7 +317,8 @@ private:
         } else {
             ++state_.colour;
         }
-        events_.colour(state_.colour);
+        state_.paint.reset();
+        tell_colour();
     }
 
     void leave_stamp(ModuleKind kind, const double* values) {
@@ -347,7 +364,8 @@ private:
     /// Where parameters may be words.
     void check_numbers(Operation operation, ModuleKind kind, const double* values) const {
         const std::uint32_t arity = turtle_.rules_.kinds.arity(kind);
-        const std::uint32_t read = operation == Operation::plot ? arity : std::min(arity, 1U);
+        const bool all = operation == Operation::plot || operation == Operation::colour;
+        const std::uint32_t read = all ? arity : std::min(arity, 1U);
         if (std::any_of(values, values + read, WordValues::is_word))
             fail(kind, values, "expected a number for the turtle, found a word");
     }
@@ -395,10 +413,12 @@ private:
                          "the heading is vertical, so that there is no level direction to roll to");
                 break;
             case Operation::push:
-                if (cut_)
+                if (cut_) {
                     ++cut_depth_;
-                else
+                } else {
                     saved_.push_back({state_, polygons_.size()});
+                    events_.branched(state_);
+                }
                 break;
             case Operation::pop:
                 close_branch(kind, values);

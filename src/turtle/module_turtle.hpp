@@ -30,7 +30,8 @@ struct TurtleState {
     Attitude attitude;
     double step = 1;  // length of a step, in the units of the figure
     StrokeWidth width;
-    std::uint32_t colour = 0;
+    std::uint32_t colour = 0;      // in the list of the file
+    std::optional<Colour> paint;   // instead of it, after '(r,g,b)
 };
 
 /// What hears of a turtle's walk, in the order of the word. All points are in the units of the file.
@@ -47,6 +48,8 @@ public:
     virtual void stroke(const Vector& /*from*/, const TurtleState&) {}
     /// The same with the pen up.
     virtual void move(const Vector& /*from*/, const TurtleState&) {}
+    /// A branch begins; it ends when the turtle returns.
+    virtual void branched(const TurtleState&) {}
     /// The turtle is back at the beginning of a branch.
     virtual void returned(const TurtleState&) {}
     /// A filled polygon, its corners in order.
@@ -54,9 +57,10 @@ public:
     /// A filled shape of this size centred at the turtle, turned as it looks. Sends the polygon of
     /// `stamp_corners` unless somebody knows better.
     virtual void stamp(StampShape shape, double size, const TurtleState& state);
-    /// The width and the colour from here on.
+    /// The width from here on, and the colour: one of the list, or one of its own.
     virtual void width(const StrokeWidth&) {}
     virtual void colour(std::uint32_t /*index*/) {}
+    virtual void paint(const Colour&) {}
 };
 
 /// The corners of a stamp in the plane of heading and left: a square of this side, its sides along
@@ -78,7 +82,8 @@ std::vector<Vector> stamp_corners(StampShape shape, double size, const TurtleSta
 /// - + and - turn left and right, & and ^ pitch down and up, \ and / roll left and right, by degrees;
 ///   | turns back; $ and @ roll until L is level.
 /// - `*` multiplies the turtle's own step by `scale`, `*(k)` by k. `!` multiplies the width by `narrow`,
-///   `!(w)` sets it to the length w. ' goes on to the next colour, '(k) to colour k.
+///   `!(w)` sets it to the length w. ' goes on to the next colour, '(k) to colour k,
+///   '(r,g,b) to the colour with these parts, each from 0 to 1.
 /// - [ ] { } . and % are those of the plane.
 /// - A symbol of `plot` with two or three parameters draws a line to that point and stands there.
 /// - A symbol of `stamp` leaves its shape, of the size of two steps, or of as many as it says.

@@ -62,5 +62,6 @@ void add_dimension(Verbs& verbs);
 void add_tree(Verbs& verbs);
 void add_figures(Verbs& verbs);
 void add_gallery(Verbs& verbs);
+void add_ifs(Verbs& verbs);
 
 }  // namespace algae::cli

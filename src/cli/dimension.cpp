@@ -10,6 +10,7 @@
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/relatives.hpp"
 #include "dimension/exact_dimension.hpp"
 #include "dimension/fit.hpp"
 #include "dimension/limit_fit.hpp"
@@ -198,7 +199,29 @@ Input input(const Options& options, const Budget& budget) {
                                : read_points(source.text, source.name)};
 }
 
+std::vector<std::pair<RelativeOption, std::string>> relative_changes(const Options& options) {
+    if (options.points || options.invert || !options.threshold.empty())
+        throw Error("--points, --threshold and --invert are for images and points, and " +
+                    options.file + " holds none");
+    return {{{"-n", "generation", {}, {}}, options.generation},
+            {{"--seed", "seed", {}, {}}, options.seed}};
+}
+
+Measured measured_relative(const Options& options, const Budget& budget) {
+    const auto relative = open_relative(options.file, budget, relative_changes(options));
+    const RelativeFigure figure = relative->measured_figure(budget);
+    Measured found;
+    found.exact = relative->exact_dimension(budget);
+    found.what = figure.name;
+    BoxScales scales = scales_of(figure.figure->box(), 2, 1);
+    scales.count = scales_down_to(figure.figure->facts().step, scales.coarsest);
+    found.counts = box_counts(*figure.figure, scales, even_offsets(grids(options)), budget);
+    found.fit = fit_dimension(found.counts);
+    return found;
+}
+
 Measured measured(const Options& options, const Budget& budget) {
+    if (is_relative(options.file)) return measured_relative(options, budget);
     const Input read = input(options, budget);
     if (const auto* system = std::get_if<LSystem>(&read.content))
         return measured(*system, options, budget);
@@ -210,6 +233,12 @@ Measured measured(const Options& options, const Budget& budget) {
 /// By the measure of --measure that is not boxes.
 OtherMeasured other_measured(const Options& options, const Budget& budget) {
     if (!options.plot.empty()) throw Error("--plot is for --measure boxes");
+    if (is_relative(options.file)) {
+        const auto relative = open_relative(options.file, budget, relative_changes(options));
+        const RelativeFigure figure = relative->measured_figure(budget);
+        return measured_otherwise(options.measure, figure.name, *figure.figure, grids(options),
+                                  budget);
+    }
     const Input read = input(options, budget);
     if (const auto* points = std::get_if<PointSet>(&read.content))
         return measured_otherwise(options.measure,

@@ -10,6 +10,7 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/plates.hpp"
+#include "cli/relatives.hpp"
 #include "render/picture.hpp"
 #include "rewrite/terminal_words.hpp"
 
@@ -93,10 +94,24 @@ PlateChoices choices(const Options& options, const LSystem& system) {
     return found;
 }
 
+/// Files of relatives: what -n and --seed say stands in their statements.
+int draw_relative_file(const Options& options, PictureFormat format, const PictureOptions& picture,
+                       const Budget& budget) {
+    for (const auto& [option, given] : {std::pair("--seeds", !options.seeds.empty()), {"--tables", !options.tables.empty()},
+                                        {"--environment", !options.environment.empty()}})
+        if (given) throw Error(std::string(option) + " is for systems, and " + options.file + " is none");
+    const auto relative = open_relative(options.file, budget,
+                                        {{{"-n", "generation", {}, {}}, options.generation}, {{"--seed", "seed", {}, {}}, options.seed}});
+    const Drawn drawn = draw_relative(*relative, options.output, format, picture, options.captions, options.caption, budget);
+    if (options.json) print(relative_json(*relative, drawn, options.output, budget).dump(2) + "\n");
+    return success;
+}
+
 int draw(const Options& options) {
     const PictureFormat format = format_of(options);
     const PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
+    if (is_relative(options.file)) return draw_relative_file(options, format, picture, budget);
     const LSystem system = open_system(options.file, budget);
     const auto generations = options.generation.empty() ? shown_generations(system) : range("-n", options.generation);
     FigurePlates plates(system, generations, choices(options, system), budget);

@@ -12,6 +12,7 @@
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "cli/plates.hpp"
+#include "cli/relatives.hpp"
 #include "expect/expectations.hpp"
 
 namespace algae::cli {
@@ -38,13 +39,39 @@ std::vector<fs::path> system_files(const fs::path& folder) {
     if (!fs::is_directory(folder)) throw Error(folder.string() + ": expected a folder of .lsys files");
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file() && entry.path().extension() == ".lsys") files.push_back(entry.path());
+        if (entry.is_regular_file() && (entry.path().extension() == ".lsys" || is_relative(entry.path().string()))) files.push_back(entry.path());
     if (files.empty()) throw Error(folder.string() + ": holds no .lsys files");
     std::sort(files.begin(), files.end());
     return files;
 }
 
+/// Where the picture of a file goes, in this format.
+std::string picture_path(const Options& options, const fs::path& file, const std::string& format) {
+    const fs::path folder =
+        (fs::path(options.out) / fs::relative(file.parent_path(), options.folder)).lexically_normal();
+    fs::create_directories(folder);
+    return (folder / file.stem()).string() + '.' + format;
+}
+
+void draw_relative_file(const Options& options, Outcome& outcome, const Budget& budget) {
+    const std::unique_ptr<Relative> relative = open_relative(outcome.file.string(), budget);
+    if (options.check) return;
+    const std::vector<RelativeFigure> figures = relative->figures(budget);
+    std::vector<Plate> plates;
+    for (const RelativeFigure& figure : figures)
+        plates.push_back({figure.figure.get(), figure.name, options.captions || figures.size() > 1 ? figure.caption : ""});
+    for (const std::string& format : list("--formats", options.formats)) {
+        const std::string path = picture_path(options, outcome.file, format);
+        if (plates.size() == 1)
+            draw_picture(plates.front(), path, picture_format(path), {}, budget);
+        else
+            draw_panels(plates, path, picture_format(path), {}, budget);
+        outcome.pictures.push_back(path);
+    }
+}
+
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
+    if (is_relative(outcome.file.string())) return draw_relative_file(options, outcome, budget);
     const LSystem system = open_system(outcome.file.string(), budget);
     for (const Disappointment& unmet : unmet_expectations(system, budget)) {
         outcome.problems.push_back(to_string(unmet.place) + ": error: " + unmet.message);
@@ -53,11 +80,8 @@ void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     if (options.check) return;
     FigurePlates plates(system, shown_generations(system), {}, budget);
     if (options.captions) plates.caption_with_facts();
-    const fs::path folder =
-        (fs::path(options.out) / fs::relative(outcome.file.parent_path(), options.folder)).lexically_normal();
-    fs::create_directories(folder);
     for (const std::string& format : list("--formats", options.formats)) {
-        const std::string path = (folder / outcome.file.stem()).string() + '.' + format;
+        const std::string path = picture_path(options, outcome.file, format);
         const PictureFormat kind = picture_format(path);
         if (plates.figures.size() == 1)
             draw_picture(plates.plates().front(), path, kind, {}, budget);

@@ -4,6 +4,7 @@
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/output.hpp"
+#include "notation/relative_reader.hpp"
 #include "notation/format.hpp"
 #include "render/output.hpp"
 
@@ -20,7 +21,8 @@ struct Options {
 
 int format(const Options& options) {
     const SourceText source = open_text(options.file, options.bounds.budget());
-    const std::string text = format_lsystem(source.text, source.name);
+    const std::string text = relative_kind(source.name) ? format_relative(source.text, source.name)
+                                                         : format_lsystem(source.text, source.name);
     if (options.check) return source.text == text ? success : refuted;
     if (!options.in_place) {
         print(text);

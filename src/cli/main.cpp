@@ -77,6 +77,7 @@ int main(int argc, char** argv) {
     add_tree(verbs);
     add_figures(verbs);
     add_gallery(verbs);
+    add_ifs(verbs);
     if (argc < 2) {
         std::fputs(app.help().c_str(), stderr);
         return bad_input;

@@ -1,0 +1,343 @@
+#include "notation/relative_file.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <set>
+
+#include "base/error.hpp"
+#include "notation/characters.hpp"
+#include "notation/expression_grammar.hpp"
+#include "notation/findings.hpp"
+#include "notation/source.hpp"
+#include "notation/suggestion.hpp"
+#include "system/colour.hpp"
+
+namespace algae {
+
+namespace {
+
+bool is_space(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
+
+bool takes_whole_line(std::string_view key) { return key == "title" || key == "source"; }
+
+bool is_colour_code(std::string_view text) {
+    return text.size() >= 7 &&
+           std::all_of(text.begin() + 1, text.begin() + 7,
+                       [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }) &&
+           (text.size() == 7 || is_space(text[7]));
+}
+
+/// Where the comment of a line begins; its end if it has none.
+std::size_t comment_start(std::string_view line, std::string_view key) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '#' && (i == 0 || is_space(line[i - 1])) &&
+            !(key == "colour" && is_colour_code(line.substr(i))))
+            return i;
+    return line.size();
+}
+
+/// The words of `line` from `begin` to `end`.
+std::vector<RelativeWord> words_of(std::string_view line, std::size_t begin, std::size_t end) {
+    std::vector<RelativeWord> found;
+    std::size_t here = begin;
+    while (here < end) {
+        if (is_space(line[here])) {
+            ++here;
+            continue;
+        }
+        std::size_t stop = here;
+        int depth = 0;
+        for (; stop < end && (depth > 0 || !is_space(line[stop])); ++stop)
+            depth += line[stop] == '(' ? 1 : line[stop] == ')' ? -1 : 0;
+        RelativeWord word{{}, here};
+        for (; here < stop; ++here)
+            if (!is_space(line[here])) word.text += line[here];
+        found.push_back(std::move(word));
+    }
+    return found;
+}
+
+std::string listed(const std::vector<RelativeKey>& keys) {
+    std::string out;
+    for (const RelativeKey& key : keys) out += (out.empty() ? "" : ", ") + key.name;
+    return out;
+}
+
+std::string shown(double value) {
+    char text[32];
+    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
+    return {text, end};
+}
+
+}  // namespace
+
+const RelativeStatement* RelativeFile::find(std::string_view key) const {
+    const auto found = std::find_if(statements.begin(), statements.end(),
+                                    [&](const RelativeStatement& s) { return s.key == key; });
+    return found == statements.end() ? nullptr : &*found;
+}
+
+void RelativeFile::add(const std::string& key, const std::vector<std::string>& words) {
+    RelativeStatement statement;
+    statement.key = key;
+    statement.place.file = name;
+    for (const std::string& word : words) statement.words.push_back({word, 0});
+    statements.push_back(std::move(statement));
+}
+
+void RelativeFile::set(const std::string& key, const std::vector<std::string>& words,
+                       const std::string& option) {
+    const auto found = std::find_if(statements.begin(), statements.end(),
+                                    [&](const RelativeStatement& s) { return s.key == key; });
+    RelativeFile changed;
+    changed.name = option;
+    changed.add(key, words);
+    if (found == statements.end())
+        statements.push_back(changed.statements.front());
+    else
+        *found = changed.statements.front();
+}
+
+void RelativeFile::fail(const RelativeStatement& statement, const RelativeWord& word,
+                        const std::string& message) const {
+    if (statement.line.empty()) throw Diagnostics({{statement.place, message, {}, 0}});
+    Diagnostic finding =
+        Source(statement.line, statement.place.file).finding(word.offset, message);
+    finding.place.line = statement.place.line;
+    throw Diagnostics({finding});
+}
+
+void RelativeFile::fail(const RelativeStatement& statement, const std::string& message) const {
+    const std::size_t offset = statement.line.find(statement.key);
+    fail(statement, {{}, offset == std::string::npos ? 0 : offset}, message);
+}
+
+void RelativeFile::fail(const std::string& message) const { throw Error(name + ": " + message); }
+
+void RelativeFile::check_words(const RelativeStatement& statement, std::size_t least,
+                               std::size_t most, const std::string& arguments) const {
+    const std::size_t found = statement.words.size();
+    if (found >= least && found <= most) return;
+    fail(statement, "expected " + statement.key + " " + arguments + ", found " +
+                        std::to_string(found) + (found == 1 ? " value" : " values"));
+}
+
+Quantity RelativeFile::quantity(const RelativeStatement& statement,
+                                const RelativeWord& word) const {
+    try {
+        const Source source(word.text, statement.place.file);
+        const Quantity value = evaluate(parse_expression(word.text, source), {});
+        if (std::isfinite(value.value)) return value;
+    } catch (const SyntaxError&) {
+    } catch (const Diagnostics& error) {
+        fail(statement, word, error.findings().front().message);
+    }
+    fail(statement, word, "expected a number, found " + algae::quoted(word.text));
+}
+
+double RelativeFile::number(const RelativeStatement& statement, const RelativeWord& word,
+                            double least, double most) const {
+    const double value = quantity(statement, word).value;
+    if (value >= least && value <= most) return value;
+    const std::string wanted = std::isinf(most)    ? "of at least " + shown(least)
+                               : std::isinf(least) ? "of at most " + shown(most)
+                                                   : "from " + shown(least) + " to " + shown(most);
+    fail(statement, word,
+         "expected " + statement.key + " with a number " + wanted + ", found " + algae::quoted(word.text));
+}
+
+std::uint64_t RelativeFile::natural(const RelativeStatement& statement, const RelativeWord& word,
+                                    std::uint64_t least, std::uint64_t most) const {
+    std::uint64_t value = 0;
+    const char* const end = word.text.data() + word.text.size();
+    const auto [stop, problem] = std::from_chars(word.text.data(), end, value);
+    if (problem == std::errc() && stop == end && value >= least && value <= most) return value;
+    fail(statement, word,
+         "expected " + statement.key + " with a whole number from " + std::to_string(least) +
+             " to " + std::to_string(most) + ", found " + algae::quoted(word.text));
+}
+
+Point RelativeFile::point(const RelativeStatement& statement, const RelativeWord& word) const {
+    const std::string& text = word.text;
+    std::size_t comma = std::string::npos;
+    int depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        depth += text[i] == '(' ? 1 : text[i] == ')' ? -1 : 0;
+        if (text[i] == ',' && depth == 1 && comma == std::string::npos) comma = i;
+    }
+    if (text.size() < 5 || text.front() != '(' || text.back() != ')' || comma == std::string::npos)
+        fail(statement, word, "expected a point such as (1,0), found " + algae::quoted(text));
+    return {quantity(statement, {text.substr(1, comma - 1), word.offset}).value,
+            quantity(statement, {text.substr(comma + 1, text.size() - comma - 2), word.offset})
+                .value};
+}
+
+std::optional<double> RelativeFile::number(std::string_view key, double least, double most) const {
+    const RelativeStatement* statement = find(key);
+    if (!statement) return std::nullopt;
+    check_words(*statement, 1, 1, "NUMBER");
+    return number(*statement, statement->words.front(), least, most);
+}
+
+std::optional<std::uint64_t> RelativeFile::natural(std::string_view key, std::uint64_t least,
+                                                   std::uint64_t most) const {
+    const RelativeStatement* statement = find(key);
+    if (!statement) return std::nullopt;
+    check_words(*statement, 1, 1, "N");
+    return natural(*statement, statement->words.front(), least, most);
+}
+
+std::optional<std::pair<std::uint64_t, std::uint64_t>> RelativeFile::range(
+    std::string_view key, std::uint64_t most) const {
+    const RelativeStatement* statement = find(key);
+    if (!statement) return std::nullopt;
+    check_words(*statement, 1, 1, "N or N..M");
+    const RelativeWord& word = statement->words.front();
+    const std::size_t dots = word.text.find("..");
+    const auto part = [&](const std::string& text) {
+        return natural(*statement, {text, word.offset}, 0, most);
+    };
+    const std::uint64_t first = part(word.text.substr(0, dots));
+    const std::uint64_t last =
+        dots == std::string::npos ? first : part(word.text.substr(dots + 2));
+    if (last < first) fail(*statement, word, "the range " + algae::quoted(word.text) + " goes down");
+    return std::pair(first, last);
+}
+
+std::optional<std::string> RelativeFile::text(std::string_view key) const {
+    const RelativeStatement* statement = find(key);
+    if (!statement) return std::nullopt;
+    check_words(*statement, 1, 1, "TEXT");
+    return statement->words.front().text;
+}
+
+std::optional<std::string> RelativeFile::choice(std::string_view key,
+                                                const std::vector<std::string>& choices) const {
+    const RelativeStatement* statement = find(key);
+    if (!statement) return std::nullopt;
+    std::string wanted;
+    for (const std::string& one : choices) wanted += (wanted.empty() ? "" : "|") + one;
+    check_words(*statement, 1, 1, wanted);
+    const std::string& word = statement->words.front().text;
+    if (std::find(choices.begin(), choices.end(), word) == choices.end())
+        fail(*statement, statement->words.front(),
+             "expected " + statement->key + " " + wanted + ", found " + algae::quoted(word) +
+                 did_you_mean(word, choices));
+    return word;
+}
+
+void RelativeFile::describe(Relative& relative) const {
+    relative.name = name;
+    relative.title = text("title").value_or("");
+    relative.source = text("source").value_or("");
+    if (const RelativeStatement* colours = find("colour"))
+        for (const RelativeWord& word : colours->words) {
+            try {
+                if (word.text != "along") colour_named(word.text);
+            } catch (const Error& error) {
+                fail(*colours, word, error.what());
+            }
+            relative.settings.colours.push_back(word.text);
+        }
+    if (const RelativeStatement* width = find("width")) {
+        check_words(*width, 1, 1, "POINTS");
+        number(*width, width->words.front(), 0.001, 1000);
+        relative.settings.width = quantity(*width, width->words.front());
+    }
+}
+
+const std::vector<RelativeKey>& common_relative_keys() {
+    static const std::vector<RelativeKey> keys{{"title", "TEXT"},
+                                               {"source", "TEXT"},
+                                               {"colour", "COLOUR ..."},
+                                               {"width", "POINTS"}};
+    return keys;
+}
+
+RelativeFile read_relative_file(std::string_view text, const std::string& name,
+                                const std::vector<RelativeKey>& own_keys) {
+    std::vector<RelativeKey> keys = common_relative_keys();
+    keys.insert(keys.end(), own_keys.begin(), own_keys.end());
+    std::vector<std::string> names;
+    for (const RelativeKey& key : keys) names.push_back(key.name);
+
+    const Source source(text, name);
+    Findings findings(source);
+    findings.throw_if_no_text();
+    RelativeFile file;
+    file.name = name;
+    std::vector<std::string> comments;
+    std::set<std::string> said;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::string_view line = text.substr(start, end - start);
+        const std::size_t offset = start;
+        start = end + 1;
+        std::size_t begin = 0;
+        while (begin < line.size() && is_space(line[begin])) ++begin;
+        if (begin == line.size()) continue;
+        std::size_t key_end = begin;
+        while (key_end < line.size() && !is_space(line[key_end])) ++key_end;
+        RelativeStatement statement;
+        statement.key = line.substr(begin, key_end - begin);
+        const std::size_t stop = comment_start(line, statement.key);
+        if (stop < line.size()) statement.behind = trimmed(line.substr(stop));
+        if (stop == begin) {
+            comments.push_back(std::move(statement.behind));
+            continue;
+        }
+        const auto known = std::find_if(keys.begin(), keys.end(), [&](const RelativeKey& key) {
+            return key.name == statement.key;
+        });
+        if (known == keys.end()) {
+            findings.add(offset + begin, "unknown statement " + algae::quoted(statement.key) +
+                                             did_you_mean(statement.key, names) +
+                                             "; expected one of " + listed(keys));
+            continue;
+        }
+        if (!known->repeats && !said.insert(statement.key).second) {
+            findings.add(offset + begin, statement.key + " is said twice");
+            continue;
+        }
+        if (takes_whole_line(statement.key)) {
+            const std::string_view rest = trimmed(line.substr(key_end, stop - key_end));
+            if (!rest.empty())
+                statement.words.push_back(
+                    {std::string(rest), static_cast<std::size_t>(rest.data() - line.data())});
+        } else {
+            statement.words = words_of(line, key_end, stop);
+        }
+        if (statement.words.empty() && !known->arguments.empty()) {
+            findings.add(offset + begin,
+                         "expected " + known->name + " " + known->arguments + ", found no value");
+            continue;
+        }
+        statement.place = source.place(offset + begin);
+        statement.line = line;
+        statement.above = std::move(comments);
+        comments.clear();
+        file.statements.push_back(std::move(statement));
+    }
+    findings.throw_if_any();
+    file.below = std::move(comments);
+    for (const char* first : {"source", "title"})
+        std::stable_partition(file.statements.begin(), file.statements.end(),
+                              [&](const RelativeStatement& s) { return s.key == first; });
+    return file;
+}
+
+std::string print_relative_file(const RelativeFile& file) {
+    std::string out;
+    for (const RelativeStatement& statement : file.statements) {
+        for (const std::string& comment : statement.above) out += comment + '\n';
+        out += statement.key;
+        for (const RelativeWord& word : statement.words) out += ' ' + word.text;
+        if (!statement.behind.empty()) out += ' ' + statement.behind;
+        out += '\n';
+    }
+    for (const std::string& comment : file.below) out += comment + '\n';
+    return out;
+}
+
+}  // namespace algae

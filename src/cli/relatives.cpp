@@ -20,7 +20,8 @@ std::vector<std::string> words(const std::string& text) {
     return found;
 }
 
-void change(RelativeFile& file, const std::vector<std::pair<RelativeOption, std::string>>& changes) {
+void change(RelativeFile& file,
+            const std::vector<std::pair<RelativeOption, std::string>>& changes) {
     for (const auto& [option, text] : changes)
         if (!text.empty()) file.set(option.key, words(text), option.option);
 }
@@ -37,10 +38,12 @@ std::unique_ptr<Relative> open_relative(
     if (!kind) return read_relative(source.text, source.name);  // throws what is expected
     RelativeFile read = read_relative_file(source.text, source.name, kind->keys);
     for (const auto& [option, text] : changes) {
-        const bool known = std::any_of(kind->keys.begin(), kind->keys.end(),
-                                       [&](const RelativeKey& key) { return key.name == option.key; });
+        const bool known =
+            std::any_of(kind->keys.begin(), kind->keys.end(),
+                        [&](const RelativeKey& key) { return key.name == option.key; });
         if (!text.empty() && !known)
-            throw Error(option.option + " is not for " + kind->what + ", and " + source.name + " is one");
+            throw Error(option.option + " is not for " + kind->what + ", and " + source.name +
+                        " is one");
     }
     change(read, changes);
     return kind->make(read);
@@ -99,7 +102,8 @@ int run_relative(const RelativeOptions& options) {
     if (!options.output.empty()) {
         if (options.output == "-" && options.format.empty())
             throw Error("-o -: say which format with --format: svg, pdf, png, ps or eps");
-        format = picture_format(options.format.empty() ? options.output : "figure." + options.format);
+        format =
+            picture_format(options.format.empty() ? options.output : "figure." + options.format);
     }
     PictureOptions picture;
     if (!options.width.empty()) picture.width = positive("--width", options.width);
@@ -131,15 +135,18 @@ CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::st
     auto chosen = std::make_shared<RelativeOptions>();
     chosen->verb = verb;
     CLI::App& app = add_verb(verbs, verb, description, examples, chosen, run);
-    app.add_option("FILE", chosen->file,
-                   "a file ending in ." + verb + ", or - for standard input; options say what the file would");
+    app.add_option(
+        "FILE", chosen->file,
+        "a file ending in ." + verb + ", or - for standard input; options say what the file would");
     app.add_option("-o,--output", chosen->output,
                    "the picture: .svg, .pdf, .png, .ps or .eps; - for standard output")
         ->type_name("FILE");
     app.add_option("--format", chosen->format, "the format, where the name does not say it")
         ->type_name("FORMAT");
-    app.add_option("--width", chosen->width, "of the picture, in points (png: pixels)")->type_name("W");
-    app.add_option("--height", chosen->height, "of the picture, in points (png: pixels)")->type_name("H");
+    app.add_option("--width", chosen->width, "of the picture, in points (png: pixels)")
+        ->type_name("W");
+    app.add_option("--height", chosen->height, "of the picture, in points (png: pixels)")
+        ->type_name("H");
     app.add_flag("--captions", chosen->captions, "what each figure shows underneath");
     app.add_option("--caption", chosen->caption, "a text underneath")->type_name("TEXT");
     app.add_flag("--json", chosen->json, "print one JSON object");

@@ -25,7 +25,8 @@ struct RelativeOptions {
     std::string verb;  // its name is the end of the file's name as well
     std::string file, output, format, width, height, caption;
     bool captions = false, json = false;
-    std::vector<std::pair<RelativeOption, std::string>> said;  // with what stands on the command line
+    std::vector<std::pair<RelativeOption, std::string>>
+        said;  // with what stands on the command line
     Bounds bounds;
 };
 

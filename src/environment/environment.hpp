@@ -29,8 +29,8 @@ struct Query {
     Attitude attitude;
 };
 
-/// A word as its turtle goes over it: what it draws and what it is asked on the way.
-struct Scene {
+/// The course of a turtle over a word: what it draws and what it is asked on the way.
+struct Course {
     std::uint64_t generation = 0;
     std::vector<Segment> segments;  // in the order of the word
     std::vector<Query> queries;     // likewise
@@ -44,15 +44,15 @@ class Environment {
 public:
     virtual ~Environment() = default;
 
-    /// For each of these queries of the scene the new parameters, as many as it has. Called once a
+    /// For each of these queries of the course the new parameters, as many as it has. Called once a
     /// generation, in the order of generations. Throws Error, naming generation and module, if
     /// something goes wrong.
-    virtual std::vector<std::vector<double>> answers(const Scene& scene,
+    virtual std::vector<std::vector<double>> answers(const Course& course,
                                                      std::span<const Query* const> queries,
                                                      const Budget& budget) = 0;
 };
 
 /// The module as messages name it: "?E(1,2) at position 7 of generation 3".
-std::string place_of(const Query& query, const Scene& scene);
+std::string place_of(const Query& query, const Course& course);
 
 }  // namespace algae

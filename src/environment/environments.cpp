@@ -69,23 +69,23 @@ const Environments::Asked& Environments::asked_by(const std::string& name) const
                          [&](const Asked& asked) { return asked.name == name; });
 }
 
-std::vector<std::vector<double>> Environments::answers(const Scene& scene, const Budget& budget) {
+std::vector<std::vector<double>> Environments::answers(const Course& course, const Budget& budget) {
     std::vector<const Environment*> environments;  // by query
-    for (const Query& query : scene.queries) {
+    for (const Query& query : course.queries) {
         const Asked& asked = asked_by(query.name);
         const std::size_t count = query.parameters.size();
         if (!asked.arities.empty() &&
             std::count(asked.arities.begin(), asked.arities.end(), count) == 0)
-            throw Error(place_of(query, scene) + ": expected " + in_words(asked.arities) +
+            throw Error(place_of(query, course) + ": expected " + in_words(asked.arities) +
                         ", which `" + asked.kind + "` fills, found " + std::to_string(count));
         environments.push_back(asked.environment.get());
     }
-    std::vector<std::vector<double>> out(scene.queries.size());
+    std::vector<std::vector<double>> out(course.queries.size());
     for (const auto& environment : all_) {
         std::vector<const Query*> queries;
         for (std::size_t i = 0; i < out.size(); ++i)
-            if (environments[i] == environment.get()) queries.push_back(&scene.queries[i]);
-        auto answers = environment->answers(scene, queries, budget);
+            if (environments[i] == environment.get()) queries.push_back(&course.queries[i]);
+        auto answers = environment->answers(course, queries, budget);
         std::size_t next = 0;
         for (std::size_t i = 0; i < out.size(); ++i)
             if (environments[i] == environment.get()) out[i] = std::move(answers.at(next++));

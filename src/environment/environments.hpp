@@ -16,9 +16,9 @@ public:
     /// are none. Throws Error if a module has no environment.
     explicit Environments(const LSystem& system, std::shared_ptr<Environment> external = nullptr);
 
-    /// By query of the scene, the new parameters. Throws what the environments throw, and Error if a
+    /// By query of the course, the new parameters. Throws what the environments throw, and Error if a
     /// module has not as many parameters as its environment fills.
-    std::vector<std::vector<double>> answers(const Scene& scene, const Budget& budget);
+    std::vector<std::vector<double>> answers(const Course& course, const Budget& budget);
 
 private:
     struct Asked {

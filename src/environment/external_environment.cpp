@@ -32,7 +32,7 @@ ordered_json numbers(const Vector& vector) {
     return numbers(values);
 }
 
-std::string question(const Scene& scene, std::span<const Query* const> queries) {
+std::string question(const Course& course, std::span<const Query* const> queries) {
     ordered_json all = ordered_json::array();
     for (const Query* query : queries)
         all.push_back({{"module", query->name},
@@ -42,7 +42,7 @@ std::string question(const Scene& scene, std::span<const Query* const> queries) 
                        {"heading", numbers(query->attitude.heading())},
                        {"left", numbers(query->attitude.left())},
                        {"up", numbers(query->attitude.up())}});
-    return ordered_json{{"generation", scene.generation}, {"queries", all}}.dump();
+    return ordered_json{{"generation", course.generation}, {"queries", all}}.dump();
 }
 
 /// The beginning of what a program wrote, in quotes, as it can be shown.
@@ -56,8 +56,8 @@ std::string shown(const std::string& text) {
 /// Reads the line that answers these queries.
 class Answer {
 public:
-    Answer(const std::string& command, const Scene& scene, std::span<const Query* const> queries)
-        : command_(command), scene_(scene), queries_(queries) {}
+    Answer(const std::string& command, const Course& course, std::span<const Query* const> queries)
+        : command_(command), course_(course), queries_(queries) {}
 
     std::vector<std::vector<double>> read(const std::string& line) const {
         const json all = json::parse(line, nullptr, false);
@@ -76,14 +76,14 @@ public:
 private:
     [[noreturn]] void fail(const std::string& what) const {
         throw Error("the environment program '" + command_ + "', generation " +
-                    std::to_string(scene_.generation) + ": " + what);
+                    std::to_string(course_.generation) + ": " + what);
     }
 
     std::vector<double> parameters(const json& answer, const Query& query) const {
         const std::size_t count = query.parameters.size();
         const std::string expected = "expected an array of " + std::to_string(count) +
                                      (count == 1 ? " number" : " numbers") + " for " +
-                                     place_of(query, scene_) + ", found ";
+                                     place_of(query, course_) + ", found ";
         if (!answer.is_array() || answer.size() != count) fail(expected + shown(answer.dump()));
         std::vector<double> out;
         for (const json& value : answer) {
@@ -94,21 +94,21 @@ private:
     }
 
     const std::string& command_;
-    const Scene& scene_;
+    const Course& course_;
     std::span<const Query* const> queries_;
 };
 
 }  // namespace
 
-std::vector<std::vector<double>> ExternalEnvironment::answers(const Scene& scene,
+std::vector<std::vector<double>> ExternalEnvironment::answers(const Course& course,
                                                               std::span<const Query* const> queries,
                                                               const Budget& budget) {
     std::size_t longest = 1 << 16;  // bytes: room for more than the numbers need
     for (const Query* query : queries) longest += 64 + 64 * query->parameters.size();
-    const std::string what = "the answer to generation " + std::to_string(scene.generation);
+    const std::string what = "the answer to generation " + std::to_string(course.generation);
     const std::string line =
-        program_.answer(question(scene, queries), what, longest, budget, wait_);
-    return Answer(command_, scene, queries).read(line);
+        program_.answer(question(course, queries), what, longest, budget, wait_);
+    return Answer(command_, course, queries).read(line);
 }
 
 }  // namespace algae

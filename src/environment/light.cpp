@@ -10,8 +10,8 @@ namespace {
 /// Heights and plans: what is seen from above.
 class Plan {
 public:
-    explicit Plan(const Scene& scene) : space_(scene.is_in_space()) {
-        for (const Segment& line : scene.segments)
+    explicit Plan(const Course& course) : space_(course.is_in_space()) {
+        for (const Segment& line : course.segments)
             lines_.push_back({of(line.from), of(line.to), line.module});
     }
     double height(const Vector& point) const { return space_ ? point.z : point.y; }
@@ -25,25 +25,25 @@ private:
 
 }  // namespace
 
-std::vector<std::vector<double>> LightEnvironment::answers(const Scene& scene,
+std::vector<std::vector<double>> LightEnvironment::answers(const Course& course,
                                                            std::span<const Query* const> queries,
                                                            const Budget& budget) {
-    const Plan plan(scene);
+    const Plan plan(course);
     const SegmentGrid grid(plan.lines(), radius_, budget);
     std::vector<std::vector<double>> out;
     for (const Query* query : queries) {
         budget.check();
         const Vector place = plan.of(query->position);
         const double height = plan.height(query->position);
-        Joint joint(scene.segments, *query);
+        Joint joint(course.segments, *query);
         grid.any_near(place, [&](std::size_t i) {
             joint.look_at(i);
             return false;
         });
         double column = radius_;
         grid.any_near(place, [&](std::size_t i) {
-            double low = plan.height(scene.segments[i].from),
-                   high = plan.height(scene.segments[i].to);
+            double low = plan.height(course.segments[i].from),
+                   high = plan.height(course.segments[i].to);
             Vector lower = plan.lines()[i].from, upper = plan.lines()[i].to;
             if (low > high) {
                 std::swap(low, high);

@@ -13,8 +13,8 @@ namespace {
 class SceneWriter : public TurtleEvents {
 public:
     SceneWriter(const ModuleKinds& kinds, const std::vector<std::string>& names,
-                const ModuleString& word, Scene& scene, const Budget& budget)
-        : kinds_(kinds), names_(names), word_(word), scene_(scene), budget_(budget) {}
+                const ModuleString& word, Course& course, const Budget& budget)
+        : kinds_(kinds), names_(names), word_(word), course_(course), budget_(budget) {}
 
     bool wants_modules() const override { return true; }
 
@@ -24,7 +24,7 @@ public:
         const double* const values = word_.values.data() + offset_;
         offset_ += kinds_.arity(kind);
         if (names_[kind].empty()) return;
-        scene_.queries.push_back({names_[kind],
+        course_.queries.push_back({names_[kind],
                                   module,
                                   {values, values + kinds_.arity(kind)},
                                   state.position,
@@ -33,9 +33,9 @@ public:
 
     void stroke(const Vector& from, const TurtleState& state) override {
         if (from == state.position) return;
-        scene_.segments.push_back({from, state.position, module_});
-        if (scene_.segments.size() % 4096 == 0)
-            budget_.check_memory(scene_.segments.capacity() * sizeof(Segment),
+        course_.segments.push_back({from, state.position, module_});
+        if (course_.segments.size() % 4096 == 0)
+            budget_.check_memory(course_.segments.capacity() * sizeof(Segment),
                                  "what an environment sees");
     }
 
@@ -43,7 +43,7 @@ private:
     const ModuleKinds& kinds_;
     const std::vector<std::string>& names_;
     const ModuleString& word_;
-    Scene& scene_;
+    Course& course_;
     const Budget& budget_;
     std::size_t module_ = 0, offset_ = 0;
 };
@@ -60,14 +60,14 @@ std::vector<std::string> communication_names(const LSystem& system, const Module
 
 }  // namespace
 
-Scene scene_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+Course course_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
                std::uint64_t generation, std::uint64_t seed, const Budget& budget) {
-    Scene scene;
-    scene.generation = generation;
+    Course course;
+    course.generation = generation;
     const std::vector<std::string> names = communication_names(system, kinds);
-    SceneWriter writer(kinds, names, word, scene, budget);
+    SceneWriter writer(kinds, names, word, course, budget);
     ModuleTurtle(system, kinds, generation, seed).walk(word, writer, budget);
-    return scene;
+    return course;
 }
 
 OpenDevelopment::OpenDevelopment(const LSystem& system, const RewritingChoices& choices,
@@ -95,11 +95,11 @@ void OpenDevelopment::go_to(std::uint64_t n, const std::vector<std::size_t>& tab
 void OpenDevelopment::fill(const Budget& budget) {
     if (!is_open_) return;
     const CompiledRules& rules = rewriting_.rules();
-    const Scene scene = scene_of(*rules.system, rules.kinds, word_, generation_, seed_, budget);
-    const auto answers = environments_.answers(scene, budget);
+    const Course course = course_of(*rules.system, rules.kinds, word_, generation_, seed_, budget);
+    const auto answers = environments_.answers(course, budget);
     std::size_t module = 0, offset = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
-        for (; module < scene.queries[i].module; ++module)
+        for (; module < course.queries[i].module; ++module)
             offset += rules.kinds.arity(word_.kinds[module]);
         for (std::size_t k = 0; k < answers[i].size(); ++k)
             word_.values[offset + k] = answers[i][k] + 0.0;  // no negative zero

@@ -49,8 +49,9 @@ struct Game {
 std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::uint64_t count,
                                         const Budget& budget) {
     if (system.states.size() > 1)
-        throw Error(system.name + ": has " + std::to_string(system.states.size()) +
-                    " states, and the chaos game is for one; its attractor is drawn without points");
+        throw Error(
+            system.name + ": has " + std::to_string(system.states.size()) +
+            " states, and the chaos game is for one; its attractor is drawn without points");
     Game game;
     game.count = count;
     game.seed = system.seed;
@@ -65,8 +66,11 @@ std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::ui
     game.last.pop_back();
     for (const auto& map : system.maps) game.maps.push_back(map.map);
     Box box;
-    game.play([&](std::span<const Dot> dots) { for (const Dot& dot : dots) box.add(dot.place); },
-              budget);
+    game.play(
+        [&](std::span<const Dot> dots) {
+            for (const Dot& dot : dots) box.add(dot.place);
+        },
+        budget);
     return std::make_unique<PointFigure>(
         [game = std::move(game)](const TakeDots& take, const Budget& within) {
             game.play(take, within);

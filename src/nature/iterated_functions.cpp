@@ -13,7 +13,8 @@ namespace {
 
 std::string shown(double value) {
     char text[32];
-    return {text, std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr};
+    return {text,
+            std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr};
 }
 
 /// "0.99", exactly where all of them are exact.
@@ -61,15 +62,15 @@ void IteratedFunctions::check() const {
     if (!said) return;
     double sum = 0;
     for (const Map& map : maps) {
-        if (!map.probability) throw Error(name + ": " + map.name + " has no probability, others do");
+        if (!map.probability)
+            throw Error(name + ": " + map.name + " has no probability, others do");
         if (!(map.probability->value > 0))
             throw Error(name + ": the probability of " + map.name + " is " +
                         shown(map.probability->value) + ", expected more than 0");
         sum += map.probability->value;
     }
     if (std::fabs(sum - 1) > 1e-12)
-        throw Error(name + ": the probabilities add up to " + sum_text(maps, sum) +
-                    ", expected 1");
+        throw Error(name + ": the probabilities add up to " + sum_text(maps, sum) + ", expected 1");
 }
 
 double IteratedFunctions::contraction() const {
@@ -89,9 +90,8 @@ std::vector<double> IteratedFunctions::chances() const {
     double largest = 0, sum = 0;
     for (const Map& map : maps) largest = std::max(largest, std::fabs(determinant(map.map)));
     for (const Map& map : maps) {
-        found.push_back(largest > 0
-                            ? std::max(std::fabs(determinant(map.map)), largest / 100)
-                            : 1.0);
+        found.push_back(largest > 0 ? std::max(std::fabs(determinant(map.map)), largest / 100)
+                                    : 1.0);
         sum += found.back();
     }
     for (double& chance : found) chance /= sum;
@@ -102,7 +102,8 @@ std::vector<RelativeFigure> IteratedFunctions::figures(const Budget& budget) con
     const std::string what = title.empty() ? name : title;
     std::vector<RelativeFigure> found;
     const std::uint64_t count = points.value_or(50'000);
-    found.push_back({chaos_game(*this, count, budget), what + ", " + std::to_string(count) + " points", what});
+    found.push_back(
+        {chaos_game(*this, count, budget), what + ", " + std::to_string(count) + " points", what});
     return found;
 }
 

@@ -26,10 +26,10 @@ public:
     struct Map {
         std::array<Quantity, 6> numbers;  // a b c d e f, as exact as they are written
         AffineMap map;
-        std::size_t from = 0, to = 0;       // states
+        std::size_t from = 0, to = 0;  // states
         std::optional<Quantity> probability;
-        std::optional<Expression> ratio;    // where it is a similarity: of distances, exactly
-        std::string name;                   // "map 2", as messages call it
+        std::optional<Expression> ratio;  // where it is a similarity: of distances, exactly
+        std::string name;                 // "map 2", as messages call it
     };
 
     std::vector<std::string> states{""};

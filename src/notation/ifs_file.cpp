@@ -52,29 +52,27 @@ std::optional<Expression> ratio_of(const std::array<Quantity, 6>& n) {
     const Quantity &a = n[0], &c = n[2];
     if (c.exact && c.exact->is_zero() && a.exact) return number(abs(*a.exact));
     if (a.exact && a.exact->is_zero() && c.exact) return number(abs(*c.exact));
-    if (a.exact && c.exact)
-        return root(number(*a.exact * *a.exact + *c.exact * *c.exact));
+    if (a.exact && c.exact) return root(number(*a.exact * *a.exact + *c.exact * *c.exact));
     return root(binary("+", square(a.expression), square(c.expression)));
 }
 
 /// The words before `->`, and the state behind it.
 std::size_t take_state(const RelativeFile& file, const RelativeStatement& statement,
-                       std::vector<RelativeWord>& words,
-                       const std::vector<std::string>& states) {
+                       std::vector<RelativeWord>& words, const std::vector<std::string>& states) {
     const auto arrow = std::find_if(words.begin(), words.end(),
                                     [](const RelativeWord& word) { return word.text == "->"; });
     if (arrow == words.end()) {
         if (states.size() > 1)
-            file.fail(statement, "expected -> and a state behind the numbers: the system has several");
+            file.fail(statement,
+                      "expected -> and a state behind the numbers: the system has several");
         return 0;
     }
-    if (words.end() - arrow != 2)
-        file.fail(statement, *arrow, "expected one state behind ->");
+    if (words.end() - arrow != 2) file.fail(statement, *arrow, "expected one state behind ->");
     const std::string name = (arrow + 1)->text;
     const auto state = std::find(states.begin(), states.end(), name);
     if (state == states.end())
-        file.fail(statement, *(arrow + 1), "no state of that name; expected one that a line `state " +
-                                               name + "` begins");
+        file.fail(statement, *(arrow + 1),
+                  "no state of that name; expected one that a line `state " + name + "` begins");
     words.erase(arrow, words.end());
     return static_cast<std::size_t>(state - states.begin());
 }
@@ -110,8 +108,7 @@ Map read_map(const RelativeFile& file, const RelativeStatement& statement,
         made.numbers = {part("cos", false), part("sin", true), part("sin", false),
                         part("cos", false), values[2],         values[3]};
         made.ratio = values[0].expression;
-        if (values[0].value < 0)
-            file.fail(statement, words[0], "expected a ratio of at least 0");
+        if (values[0].value < 0) file.fail(statement, words[0], "expected a ratio of at least 0");
     }
     const auto& n = made.numbers;
     made.map = {n[0].value, n[1].value, n[2].value, n[3].value, n[4].value, n[5].value};
@@ -141,7 +138,8 @@ std::unique_ptr<Relative> make(const RelativeFile& file) {
             file.check_words(statement, 1, 1, "NAME");
             const std::string& name = statement.words.front().text;
             if (std::find(states.begin(), states.end(), name) != states.end())
-                file.fail(statement, statement.words.front(), "the state " + name + " is said twice");
+                file.fail(statement, statement.words.front(),
+                          "the state " + name + " is said twice");
             states.push_back(name);
         }
     if (!states.empty()) system->states = states;
@@ -159,7 +157,8 @@ std::unique_ptr<Relative> make(const RelativeFile& file) {
         map.from = state.value_or(0);
         map.name = "map " + std::to_string(++in_state);
         if (!states.empty()) map.name += " of the state " + states[map.from];
-        if (statement.place.line > 0) map.name += " (line " + std::to_string(statement.place.line) + ")";
+        if (statement.place.line > 0)
+            map.name += " (line " + std::to_string(statement.place.line) + ")";
         system->maps.push_back(std::move(map));
     }
     system->points = file.natural("points", 1, std::uint64_t{1} << 40);
@@ -169,7 +168,8 @@ std::unique_ptr<Relative> make(const RelativeFile& file) {
         file.check_words(*from, 1, 1, "(x,y)");
         system->from = file.point(*from, from->words.front());
     }
-    if (const RelativeStatement* start = file.find("start")) system->start = read_start(file, *start);
+    if (const RelativeStatement* start = file.find("start"))
+        system->start = read_start(file, *start);
     system->check();
     return system;
 }

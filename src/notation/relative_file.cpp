@@ -102,8 +102,7 @@ void RelativeFile::set(const std::string& key, const std::vector<std::string>& w
 void RelativeFile::fail(const RelativeStatement& statement, const RelativeWord& word,
                         const std::string& message) const {
     if (statement.line.empty()) throw Diagnostics({{statement.place, message, {}, 0}});
-    Diagnostic finding =
-        Source(statement.line, statement.place.file).finding(word.offset, message);
+    Diagnostic finding = Source(statement.line, statement.place.file).finding(word.offset, message);
     finding.place.line = statement.place.line;
     throw Diagnostics({finding});
 }
@@ -144,7 +143,8 @@ double RelativeFile::number(const RelativeStatement& statement, const RelativeWo
                                : std::isinf(least) ? "of at most " + shown(most)
                                                    : "from " + shown(least) + " to " + shown(most);
     fail(statement, word,
-         "expected " + statement.key + " with a number " + wanted + ", found " + algae::quoted(word.text));
+         "expected " + statement.key + " with a number " + wanted + ", found " +
+             algae::quoted(word.text));
 }
 
 std::uint64_t RelativeFile::natural(const RelativeStatement& statement, const RelativeWord& word,
@@ -168,9 +168,9 @@ Point RelativeFile::point(const RelativeStatement& statement, const RelativeWord
     }
     if (text.size() < 5 || text.front() != '(' || text.back() != ')' || comma == std::string::npos)
         fail(statement, word, "expected a point such as (1,0), found " + algae::quoted(text));
-    return {quantity(statement, {text.substr(1, comma - 1), word.offset}).value,
-            quantity(statement, {text.substr(comma + 1, text.size() - comma - 2), word.offset})
-                .value};
+    return {
+        quantity(statement, {text.substr(1, comma - 1), word.offset}).value,
+        quantity(statement, {text.substr(comma + 1, text.size() - comma - 2), word.offset}).value};
 }
 
 std::optional<double> RelativeFile::number(std::string_view key, double least, double most) const {
@@ -199,9 +199,9 @@ std::optional<std::pair<std::uint64_t, std::uint64_t>> RelativeFile::range(
         return natural(*statement, {text, word.offset}, 0, most);
     };
     const std::uint64_t first = part(word.text.substr(0, dots));
-    const std::uint64_t last =
-        dots == std::string::npos ? first : part(word.text.substr(dots + 2));
-    if (last < first) fail(*statement, word, "the range " + algae::quoted(word.text) + " goes down");
+    const std::uint64_t last = dots == std::string::npos ? first : part(word.text.substr(dots + 2));
+    if (last < first)
+        fail(*statement, word, "the range " + algae::quoted(word.text) + " goes down");
     return std::pair(first, last);
 }
 
@@ -248,10 +248,8 @@ void RelativeFile::describe(Relative& relative) const {
 }
 
 const std::vector<RelativeKey>& common_relative_keys() {
-    static const std::vector<RelativeKey> keys{{"title", "TEXT"},
-                                               {"source", "TEXT"},
-                                               {"colour", "COLOUR ..."},
-                                               {"width", "POINTS"}};
+    static const std::vector<RelativeKey> keys{
+        {"title", "TEXT"}, {"source", "TEXT"}, {"colour", "COLOUR ..."}, {"width", "POINTS"}};
     return keys;
 }
 

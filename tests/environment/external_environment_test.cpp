@@ -8,18 +8,18 @@ using namespace algae;
 
 namespace {
 
-Scene two_queries() {
-    Scene scene;
-    scene.generation = 3;
-    scene.queries.push_back({"?E", 2, {0.5, 4}, {1, 2.5, -1e-20}, {}});
-    scene.queries.push_back({"?E", 7, {1}, {}, {}});
-    return scene;
+Course two_queries() {
+    Course course;
+    course.generation = 3;
+    course.queries.push_back({"?E", 2, {0.5, 4}, {1, 2.5, -1e-20}, {}});
+    course.queries.push_back({"?E", 7, {1}, {}, {}});
+    return course;
 }
 
 std::vector<std::vector<double>> answers(const std::string& command) {
-    const Scene scene = two_queries();
-    const Query* const queries[] = {&scene.queries[0], &scene.queries[1]};
-    return ExternalEnvironment(command).answers(scene, queries, {});
+    const Course course = two_queries();
+    const Query* const queries[] = {&course.queries[0], &course.queries[1]};
+    return ExternalEnvironment(command).answers(course, queries, {});
 }
 
 /// What is said against a line that a program writes.

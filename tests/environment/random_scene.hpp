@@ -15,13 +15,13 @@ struct RandomScene {
         std::size_t drawn;  // lines before it
         oracle::Place place;
     };
-    Scene scene;
+    Course course;
     std::vector<oracle::Line> lines;
     std::vector<Asked> asked;
 
     std::vector<const Query*> queries() const {
         std::vector<const Query*> out;
-        for (const Query& query : scene.queries) out.push_back(&query);
+        for (const Query& query : course.queries) out.push_back(&query);
         return out;
     }
 };
@@ -43,7 +43,7 @@ inline RandomScene random_scene() {
         if (kind == 0) {
             here = places[static_cast<std::size_t>(below(static_cast<int>(places.size())))];
         } else if (kind == 1) {
-            out.scene.queries.push_back({"?E", module, {0}, vector(here), {}});
+            out.course.queries.push_back({"?E", module, {0}, vector(here), {}});
             out.asked.push_back({out.lines.size(), here});
         } else {
             oracle::Place next = here;
@@ -51,7 +51,7 @@ inline RandomScene random_scene() {
                 next[static_cast<std::size_t>(axis)] += below(2 * most + 1) - most;
             if (next == here) continue;
             out.lines.push_back({here, next});
-            out.scene.segments.push_back({vector(here), vector(next), module});
+            out.course.segments.push_back({vector(here), vector(next), module});
             places.push_back(here = next);
         }
     }

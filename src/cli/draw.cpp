@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/draw_motion.hpp"
 #include "cli/environment_option.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
@@ -23,6 +24,7 @@ struct Options {
     std::string width, height, margin, line_width, background, font_size, columns, caption;
     std::string colours;
     bool panels = false, common_scale = false, captions = false, json = false;
+    MotionOptions motion;
     Bounds bounds;
 };
 
@@ -45,10 +47,18 @@ PictureOptions picture_options(const Options& options) {
     return picture;
 }
 
-PictureFormat format_of(const Options& options) {
-    if (!options.format.empty()) return picture_format("figure." + options.format);
-    if (options.output == "-") throw Error("-o -: say which format with --format: svg, pdf, png, ps or eps");
-    return picture_format(options.output);
+/// The name whose end says the format.
+std::string named_format(const Options& options) {
+    if (!options.format.empty()) return "figure." + options.format;
+    if (options.output == "-") throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps, gif or webp");
+    return options.output;
+}
+
+/// The generations of a picture; an animation begins with generation 0.
+std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, const LSystem& system, bool moves) {
+    if (!options.generation.empty()) return range("-n", options.generation);
+    const auto shown = shown_generations(system);
+    return moves && shown.first == shown.second ? std::pair(std::uint64_t{0}, shown.second) : shown;
 }
 
 nlohmann::json numbers(const std::vector<Coordinate>& coordinates) {
@@ -108,12 +118,18 @@ int draw_relative_file(const Options& options, PictureFormat format, const Pictu
 }
 
 int draw(const Options& options) {
-    const PictureFormat format = format_of(options);
+    const std::string named = named_format(options);
+    const std::optional<AnimationFormat> animation = animation_format(named);
+    const PictureFormat format = animation ? PictureFormat::png : picture_format(named);
+    if (!animation) options.motion.check_unused();
+    const AnimationTiming timing = options.motion.timing(0.8);
+    if (animation && options.panels)
+        throw Error("--panels: an animation shows its figures one after the other; expected svg, pdf, png, ps or eps");
     const PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
     if (is_relative(options.file)) return draw_relative_file(options, format, picture, budget);
     const LSystem system = open_system(options.file, budget);
-    const auto generations = options.generation.empty() ? shown_generations(system) : range("-n", options.generation);
+    const auto generations = generations_of(options, system, animation.has_value());
     FigurePlates plates(system, generations, choices(options, system), budget);
     if (!options.caption.empty()) plates.caption(options.caption);
     else if (options.captions) plates.caption_with_facts();
@@ -126,13 +142,15 @@ int draw(const Options& options) {
     const bool panels =
         options.panels || ((options.generation.empty() || of_seeds) && !single && !pages);
     const auto draw_to = [&](auto& target) {
+        if (animation)
+            return draw_animation(plates.plates(), target, *animation, picture, timing, budget, &bar);
         if (single && !panels)
             return draw_picture(plates.plates().front(), target, format, picture, budget, &bar);
         if (pages) return draw_pages(plates.plates(), target, format, picture, budget, &bar);
         return draw_panels(plates.plates(), target, format, picture, budget, &bar);
     };
-    if (!single && !pages && !panels)
-        throw Error("-n " + options.generation + ": several generations need --panels, or pdf or ps for pages");
+    if (!single && !pages && !panels && !animation)
+        throw Error("-n " + options.generation + ": several generations need --panels, pdf or ps for pages, or gif or webp for an animation");
     const Drawn drawn = options.output == "-" ? draw_to(std::cout) : draw_to(options.output);
     if (drawn.as_image)
         std::cerr << "algae: note: too many strokes for a vector format, drawn as an image within it\n";
@@ -148,27 +166,29 @@ void add_draw(Verbs& verbs) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = add_verb(verbs, "draw", "The turtle figure of a generation",
                               "  algae draw koch -n 4 -o koch.svg\n"
-                              "  algae draw plant-f -n 0..5 --panels --captions -o plants.pdf",
+                              "  algae draw plant-f -n 0..5 --panels --captions -o plants.pdf\n"
+                              "  algae draw dragon -n 0..10 --frame-time 0.5 -o dragon.gif",
                               options, draw);
     verb.add_option("FILE", options->file, file_help)->required();
-    verb.add_option("-n", options->generation, "the generation, or a range such as 0..6: pages of a pdf, or --panels (default: what the file says)")->type_name("N[..M]");
-    verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps; - for standard output")->type_name("FILE")->required();
+    verb.add_option("-n", options->generation, "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, or --panels (default: what the file says)")->type_name("N[..M]");
+    verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp; - for standard output")->type_name("FILE")->required();
     verb.add_option("--format", options->format, "the format, where the name does not say it")->type_name("FORMAT");
     verb.add_flag("--panels", options->panels, "several generations side by side");
     verb.add_option("--columns", options->columns, "panels in a row")->type_name("N");
-    verb.add_flag("--common-scale", options->common_scale, "the same scale for all generations");
-    verb.add_option("--width", options->width, "of the picture, in points (png: pixels)")->type_name("W");
-    verb.add_option("--height", options->height, "of the picture, in points (png: pixels)")->type_name("H");
+    verb.add_flag("--common-scale", options->common_scale, "the same scale for all generations; in an animation, the same part of the plane");
+    verb.add_option("--width", options->width, "of the picture, in points (png, gif, webp: pixels)")->type_name("W");
+    verb.add_option("--height", options->height, "of the picture, in points (png, gif, webp: pixels)")->type_name("H");
     verb.add_option("--margin", options->margin, "blank border (default 10)")->type_name("M");
     verb.add_option("--line-width", options->line_width, "of strokes, in points or pixels (default 1)")->type_name("W");
     verb.add_option("--colour", options->colours, "names or #rrggbb, the next for each '; or: along, a hue that runs with the word")->type_name("COLOUR,...");
-    verb.add_option("--background", options->background, "a colour, or transparent (default: white in png, none elsewhere)")->type_name("COLOUR");
+    verb.add_option("--background", options->background, "a colour, or transparent (default: white in png, gif and webp, none elsewhere)")->type_name("COLOUR");
     verb.add_flag("--captions", options->captions, "system, generation and angle underneath");
     verb.add_option("--caption", options->caption, "a text underneath")->type_name("TEXT");
     verb.add_option("--font-size", options->font_size, "of captions")->type_name("S");
     verb.add_option("--seed", options->seed, "the word of a system with choices that this seed picks (what the file says; 1 for systems with probabilities)")->type_name("S");
     verb.add_option("--seeds", options->seeds, "a figure for each of these seeds, such as 1..9, side by side")->type_name("A..B");
     verb.add_option("--tables", options->tables, "the table of each step: light,dark or, of one character each, abab or 1212")->type_name("SEQUENCE");
+    options->motion.add_to(verb);
     add_environment_option(verb, options->environment);
     verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object; integers from 2^53 on are strings");
     options->bounds.add_to(verb);

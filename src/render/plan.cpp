@@ -194,7 +194,12 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
             static_cast<double>(rows - 1) * wishes.gap + static_cast<double>(rows) * wishes.caption,
         format);
 
-    if (arrangement == Arrangement::pages) {
+    if (arrangement == Arrangement::frames && options.common_scale) {
+        Box all;
+        for (const Box& box : boxes) all.add(box);
+        boxes.assign(boxes.size(), all);
+    }
+    if (arrangement == Arrangement::pages || arrangement == Arrangement::frames) {
         const std::vector<Layout> pages = page_layouts(boxes, wishes);
         result.page.width = pages.front().width;
         result.page.height = pages.front().height;

@@ -11,14 +11,14 @@
 
 namespace algae {
 
-enum class Arrangement { one, pages, panels };
+enum class Arrangement { one, pages, panels, frames };
 
 /// Everything about a picture that is decided, and checked, before the first stroke.
 struct Plan {
     PictureFormat format = PictureFormat::svg;
     Arrangement arrangement = Arrangement::one;
     PictureOptions options;
-    Layout page;                 // panels: all cells; pages: a cell for each, on pages of one size
+    Layout page;                 // panels: all cells; pages and frames: a cell for each, all of one size
     double margin = 0;           // around each cell, wide enough for the widest stroke
     std::vector<double> widths;  // of each figure's strokes
     std::optional<Colour> background;

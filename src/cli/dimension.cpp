@@ -84,15 +84,12 @@ Measured measure_limit(const LSystem& system, const ExactDimension& exact, const
                        const Budget& budget) {
     LimitCounting counting;
     counting.places = grids(options);
-    counting.coinciding = exact.value->text() != exact.similarity->text();
-    if (counting.coinciding) counting.most_cells /= 2;  // each costs more there
-    const LimitCounts counts =
-        limit_counts(RecurrentSet(system, *as_d0l(system), budget), counting, budget);
+    LimitMeasure measure = measure_limit(exact, counting, budget);
     Measured found;
     found.what =
         (system.title.empty() ? system.name : system.title) + ", the limit of all generations";
-    found.counts = counts.boxes;
-    found.fit = fit_limit(counts, exact.meeting, greatest_dimension(exact));
+    found.counts = std::move(measure.counts.boxes);
+    found.fit = std::move(measure.fit);
     return found;
 }
 
@@ -161,8 +158,7 @@ bool is_named_as_points(std::string_view file) {
 Measured measured(const LSystem& system, const Options& options, const Budget& budget) {
     ExactDimension exact = exact_dimension(system, budget);
     Measured found;
-    if (options.generation.empty() && exact.status != ExactDimension::Status::none &&
-        as_d0l(system)) {
+    if (options.generation.empty() && exact.limit) {
         found = measure_limit(system, exact, options, budget);
     } else {
         found = measure(system, options, budget);

@@ -13,11 +13,9 @@
 #include "cli/input.hpp"
 #include "cli/output.hpp"
 #include "dimension/exact_dimension.hpp"
-#include "dimension/limit_counts.hpp"
 #include "dimension/limit_fit.hpp"
 #include "notation/gallery.hpp"
 #include "notation/read.hpp"
-#include "system/d0l.hpp"
 
 namespace algae::cli {
 
@@ -73,19 +71,16 @@ struct Row {
 
 Row row_of(const Entry& entry, const DimensionTable& table, const Budget& budget) {
     Row row{entry.name, entry.system.title, exact_dimension(entry.system, budget), {}, {}};
-    const View<D0L> rules = as_d0l(entry.system);
     if (row.exact.status == Found::none || table.quick) return row;
-    if (!rules) {
-        row.unmeasured = "no limit to measure: " + rules.reason();
+    if (!row.exact.limit) {
+        row.unmeasured = "the rules do not lead to similar parts of one size";
         return row;
     }
     LimitCounting counting;
     counting.places = table.grids;
     counting.most_cells = table_cells;
     try {
-        row.fit =
-            fit_limit(limit_counts(RecurrentSet(entry.system, *rules, budget), counting, budget),
-                      row.exact.meeting, greatest_dimension(row.exact));
+        row.fit = measure_limit(row.exact, counting, budget).fit;
         if (!row.fit->estimate) row.unmeasured = row.fit->because;
     } catch (const BoundReached& bound) {
         row.unmeasured = bound.what();
@@ -104,9 +99,9 @@ std::string short_formula(const DimensionFormula& formula) {
                                                 : fmt::format("{} of degree {}", name, degree);
     };
     const Polynomial& rate = ratio.rate().minimal_polynomial();
-    const auto& square = ratio.ratio().square_polynomial();
+    const auto& square = ratio.ratio().square();
     return "log " + part(ratio.rate().exact(), "root", rate.degree()) + " / log " +
-           part(ratio.ratio().text(), "mu", square ? 2 * square->degree() : 0);
+           part(ratio.ratio().text(), "mu", square ? 2 * square->minimal_polynomial().degree() : 0);
 }
 
 std::string shortened(std::string text) {

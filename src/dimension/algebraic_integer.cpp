@@ -10,7 +10,7 @@ namespace algae {
 namespace {
 
 constexpr long first_bits = 64, most_bits = 1L << 16;
-constexpr long largest_degree = 16;  // of which powers are worked out
+constexpr long largest_power = 400;  // degree times exponent of which powers are worked out
 constexpr long largest_exponent = 24;
 
 /// The real roots, the largest one first.
@@ -22,6 +22,11 @@ std::vector<Ball> real_roots(const Polynomial& polynomial, long bits) {
         return compare(left, right) == Order::greater;
     });
     return found;
+}
+
+bool can_be_raised(const AlgebraicInteger& base, long exponent) {
+    const long degree = base.minimal_polynomial().degree();
+    return degree == 1 || exponent == 1 || degree * exponent <= largest_power;
 }
 
 Ball power_of(const Ball& base, unsigned exponent) {
@@ -97,10 +102,11 @@ Ball AlgebraicInteger::enclosure(long bits) const {
 
 AlgebraicInteger power(const AlgebraicInteger& base, unsigned exponent) {
     if (const auto number = base.integer()) return AlgebraicInteger(power(*number, exponent));
-    if (base.minimal_polynomial().degree() > largest_degree)
-        throw BoundReached("powers of a root of a polynomial of degree " +
-                           std::to_string(base.minimal_polynomial().degree()) +
-                           " are not worked out");
+    if (exponent == 1) return base;
+    if (!can_be_raised(base, exponent))
+        throw BoundReached(
+            "the power " + std::to_string(exponent) + " of a root of a polynomial of degree " +
+            std::to_string(base.minimal_polynomial().degree()) + " is not worked out");
     const IntegerMatrix matrix = companion(base.minimal_polynomial());
     std::vector<Polynomial> factors;
     for (const auto& [factor, times] :
@@ -121,7 +127,9 @@ std::optional<Rational> exponent_between(const AlgebraicInteger& left,
         const double a = std::round(near * static_cast<double>(b));
         if (a < 1 || a > largest_exponent) continue;
         const Rational candidate(static_cast<long>(a), b);
-        if (!exponent.contains(candidate)) continue;
+        if (!exponent.contains(candidate) || !can_be_raised(left, b) ||
+            !can_be_raised(right, static_cast<long>(a)))
+            continue;
         if (power(left, static_cast<unsigned>(b)) == power(right, static_cast<unsigned>(a)))
             return candidate;
     }

@@ -46,12 +46,13 @@ private:
 };
 
 /// By the characteristic polynomial of a power of the companion matrix. Throws BoundReached where
-/// that is too large.
+/// degree and exponent multiply to more than 400.
 ///
 /// Example: power(*AlgebraicInteger::largest_root(Polynomial({-2, 0, 1})), 2).integer() == Integer(2)
 AlgebraicInteger power(const AlgebraicInteger& base, unsigned exponent);
 
-/// log left / log right, if powers of both with exponents of at most 24 are equal and right is not 1.
+/// log left / log right, if powers of both with exponents of at most 24 are equal and right is not 1;
+/// powers that `power` refuses are not compared.
 ///
 /// Example: exponent_between(AlgebraicInteger(8), AlgebraicInteger(4)) == Rational(3, 2)
 std::optional<Rational> exponent_between(const AlgebraicInteger& left,

@@ -12,8 +12,7 @@ Descent::Descent(const RecurrentSet& set)
         turns.push_back(polar(
             1, 2 * std::numbers::pi * static_cast<double>(h) / static_cast<double>(headings)));
     const auto part_of = [&](const RecurrentSet::Part& part, Number unit) {
-        const auto heading =
-            static_cast<std::size_t>((part.heading % set.order() + set.order()) % set.order());
+        const auto heading = static_cast<std::size_t>(normal_heading(part.heading, set.order()));
         return Part{part.piece, heading, Number(set.displacement().value(part.offset)) * unit};
     };
     for (std::size_t p = 0; p < set.size(); ++p) {

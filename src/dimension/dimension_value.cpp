@@ -56,14 +56,10 @@ DimensionValue::DimensionValue(const Rational& factor, const AlgebraicInteger& o
 
 std::optional<DimensionValue> DimensionValue::of(const LogRatio& ratio) {
     if (const auto value = ratio.rational()) return DimensionValue(*value);
-    const auto& square = ratio.ratio().square_polynomial();
+    const auto& square = ratio.ratio().square();
     const auto rate = AlgebraicInteger::largest_root(ratio.rate().minimal_polynomial());
     if (!square || !rate) return std::nullopt;
-    const auto enclose = [&](long bits) {
-        const Ball size = ratio.ratio().enclosure(bits);
-        return size * size;
-    };
-    return DimensionValue(Rational(2), *rate, AlgebraicInteger({*square}, enclose));
+    return DimensionValue(Rational(2), *rate, *square);
 }
 
 std::optional<Rational> DimensionValue::rational() const {

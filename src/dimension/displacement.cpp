@@ -21,15 +21,9 @@ std::vector<bool> moving_pieces(const Unfolding& unfolding) {
         moving[p] = unfolding.moves[p] != CyclotomicRing(unfolding.order).zero();
     for (bool changed = true; changed;) {
         changed = false;
-        for (std::size_t p = 0; p < unfolding.size(); ++p) {
-            std::size_t depth = 0;
-            for (const Unfolding::Item& item : unfolding.items[p]) {
-                if (item.kind == Unfolding::Item::Kind::push) ++depth;
-                if (item.kind == Unfolding::Item::Kind::pop) --depth;
-                if (item.kind != Unfolding::Item::Kind::piece || depth > 0) continue;
+        for (std::size_t p = 0; p < unfolding.size(); ++p)
+            for (const Unfolding::Item& item : unfolding.paths[p])
                 if (moving[item.piece] && !moving[p]) moving[p] = changed = true;
-            }
-        }
     }
     return moving;
 }
@@ -112,16 +106,11 @@ std::complex<double> late_way(const Unfolding& unfolding, std::size_t piece,
     for (std::size_t level = 0; level < levels; ++level) {
         std::vector<std::complex<double>> next(ways.size());
         for (std::size_t p = 0; p < ways.size(); ++p) {
-            std::size_t depth = 0;
-            for (const Unfolding::Item& item : unfolding.items[p]) {
-                if (item.kind == Unfolding::Item::Kind::push) ++depth;
-                if (item.kind == Unfolding::Item::Kind::pop) --depth;
-                if (item.kind == Unfolding::Item::Kind::piece && depth == 0)
-                    next[p] +=
-                        std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(item.heading) /
-                                            static_cast<double>(unfolding.order)) *
-                        ways[item.piece];
-            }
+            for (const Unfolding::Item& item : unfolding.paths[p])
+                next[p] +=
+                    std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(item.heading) /
+                                        static_cast<double>(unfolding.order)) *
+                    ways[item.piece];
             next[p] /= factor;
         }
         ways = std::move(next);
@@ -156,12 +145,8 @@ Displacement::Displacement(const Unfolding& unfolding, const Budget& budget)
     for (std::size_t place = 0; place < leading.pieces().size(); ++place) {
         const auto image = [&](std::int64_t heading) {
             std::vector<Integer> sum(rank);
-            std::size_t depth = 0;
-            for (const Unfolding::Item& item : unfolding.items[leading.pieces()[place]]) {
-                if (item.kind == Unfolding::Item::Kind::push) ++depth;
-                if (item.kind == Unfolding::Item::Kind::pop) --depth;
-                if (item.kind != Unfolding::Item::Kind::piece || depth > 0 || !moving[item.piece])
-                    continue;
+            for (const Unfolding::Item& item : unfolding.paths[leading.pieces()[place]]) {
+                if (!moving[item.piece]) continue;
                 const auto part =
                     coordinates(powers, leading.place(item.piece), item.heading + heading);
                 for (std::size_t i = 0; i < rank; ++i) sum[i] += part[i];
@@ -228,8 +213,7 @@ Displacement::Vector Displacement::product(const Vector& row, const Matrix& matr
 }
 
 Displacement::Vector Displacement::turned(const Vector& vector, std::int64_t heading) const {
-    heading %= order_;
-    if (heading < 0) heading += order_;
+    heading = normal_heading(heading, order_);
     return heading == 0 ? vector : product(vector, turns_[static_cast<std::size_t>(heading)]);
 }
 

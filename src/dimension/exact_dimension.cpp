@@ -150,7 +150,10 @@ ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
     }
     try {
         if (!rules) return parametric_dimension(system, budget);
-        return Search(RecurrentSet(system, *rules, budget), budget).result();
+        const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);
+        ExactDimension found = Search(*limit, budget).result();
+        found.limit = limit;
+        return found;
     } catch (const Interrupted&) {
         throw;
     } catch (const Error& reason) {

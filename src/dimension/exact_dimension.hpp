@@ -1,11 +1,13 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "base/budget.hpp"
 #include "dimension/dimension_formula.hpp"
+#include "dimension/recurrent_set.hpp"
 #include "system/lsystem.hpp"
 
 namespace algae {
@@ -26,6 +28,8 @@ struct ExactDimension {
     std::optional<DimensionFormula> boundary;
     /// The rate at which pairs of parts that meet multiply, where there are finitely many ways.
     std::optional<Rate> meeting;
+    /// The parts of the limit, where they were found; its generations can be measured on them.
+    std::shared_ptr<const RecurrentSet> limit;
     /// What was verified, or could not be, in sentences.
     std::vector<std::string> conditions;
 };

@@ -49,13 +49,8 @@ LeadingFactor::LeadingFactor(const Unfolding& unfolding, const std::vector<bool>
             " coordinates, more than " + std::to_string(Displacement::largest_matrix));
     for (const std::size_t piece : pieces_) {
         std::vector<Entry>& row = rows_.emplace_back();
-        std::size_t depth = 0;
-        for (const Unfolding::Item& item : unfolding.items[piece]) {
-            if (item.kind == Unfolding::Item::Kind::push) ++depth;
-            if (item.kind == Unfolding::Item::Kind::pop) --depth;
-            if (item.kind == Unfolding::Item::Kind::piece && depth == 0 && moving[item.piece])
-                row.push_back({places_[item.piece], item.heading});
-        }
+        for (const Unfolding::Item& item : unfolding.paths[piece])
+            if (moving[item.piece]) row.push_back({places_[item.piece], item.heading});
         widest_ = std::max(widest_, row.size());
     }
     if (ring.degree() > 1)

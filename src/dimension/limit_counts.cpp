@@ -1,16 +1,14 @@
 #include "dimension/limit_counts.hpp"
 
 #include <algorithm>
-#include <atomic>
 #include <cmath>
-#include <exception>
-#include <mutex>
 #include <numbers>
 #include <random>
 #include <thread>
 #include <unordered_set>
 
 #include "base/error.hpp"
+#include "base/parts.hpp"
 #include "dimension/descent.hpp"
 
 namespace algae {
@@ -142,32 +140,6 @@ private:
     std::unordered_set<std::uint64_t> seen_;
 };
 
-/// Calls work(i) for i below count, on all processors; throws what one of them throws.
-template <class Work>
-void in_parallel(std::size_t count, const Work& work) {
-    std::atomic<std::size_t> next = 0;
-    std::exception_ptr failure;
-    std::mutex failing;
-    const auto run = [&] {
-        for (std::size_t i = next++; i < count; i = next++) {
-            try {
-                work(i);
-            } catch (...) {
-                const std::lock_guard lock(failing);
-                if (!failure) failure = std::current_exception();
-                next = count;
-            }
-        }
-    };
-    std::vector<std::thread> threads;
-    for (unsigned t = 1;
-         t < std::min<std::size_t>(std::max(1u, std::thread::hardware_concurrency()), count); ++t)
-        threads.emplace_back(run);
-    run();
-    for (std::thread& thread : threads) thread.join();
-    if (failure) std::rethrow_exception(failure);
-}
-
 }  // namespace
 
 LimitCounts limit_counts(const RecurrentSet& set, const LimitCounting& options,
@@ -209,12 +181,14 @@ LimitCounts limit_counts(const RecurrentSet& set, const LimitCounting& options,
                                 std::thread::hardware_concurrency(),
                             "a grid of cells");
         std::vector<std::uint64_t> counts(places.size());
-        in_parallel(places.size(), [&](std::size_t i) {
+        const PartWorker count_at = [&](std::size_t i) {
             const double own = angle + places[i].angle;
             counts[i] = Counter(descent, scale, own, places[i].offset,
                                 extent_of(descent, own, fine), options.coinciding, budget)
                             .count();
-        });
+        };
+        each_part(
+            places.size(), 0, budget, [&] { return count_at; }, 1);
         boxes.counts.push_back(std::move(counts));
         const double now = boxes.mean(j);
         if (j + 1 >= least_scales &&

@@ -148,4 +148,13 @@ BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting, d
     return fit;
 }
 
+LimitMeasure measure_limit(const ExactDimension& exact, LimitCounting counting,
+                           const Budget& budget) {
+    counting.coinciding = exact.value->text() != exact.similarity->text();
+    if (counting.coinciding) counting.most_cells /= 2;
+    LimitCounts counts = limit_counts(*exact.limit, counting, budget);
+    BoxFit fit = fit_limit(counts, exact.meeting, greatest_dimension(exact));
+    return {std::move(counts), std::move(fit)};
+}
+
 }  // namespace algae

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "dimension/exact_dimension.hpp"
 #include "dimension/fit.hpp"
 #include "dimension/limit_counts.hpp"
 #include "growth/rate.hpp"
@@ -22,5 +23,16 @@ namespace algae {
 /// the change from the estimate one scale coarser; of extrapolated slopes, what was added to the last
 /// one once more. Nothing is above `bound`: 2 for sets in the plane, or what the rules give.
 BoxFit fit_limit(const LimitCounts& counts, const std::optional<Rate>& meeting, double bound = 2);
+
+/// What is measured on the limit that the rules lead to.
+struct LimitMeasure {
+    LimitCounts counts;
+    BoxFit fit;
+};
+
+/// Counts and fits with what is known exactly: `exact.limit` must be there. Where parts coincide, which
+/// costs more for each cell, half as many cells are touched.
+LimitMeasure measure_limit(const ExactDimension& exact, LimitCounting counting,
+                           const Budget& budget = {});
 
 }  // namespace algae

@@ -64,21 +64,6 @@ std::string short_decimal(const Ball& value) {
     return significant_decimal([&](long) { return value; }, 6);
 }
 
-/// The minimal polynomial of a power of a root, that near a number.
-Polynomial of_power(const Polynomial& polynomial, long exponent, double near) {
-    const IntegerMatrix matrix = power(companion(polynomial), Integer(exponent));
-    Polynomial best;
-    double distance = INFINITY;
-    for (const auto& [factor, times] : factorise(characteristic_polynomial(matrix)).powers) {
-        const ComplexBall root = root_near(factor, near, 128);
-        const double d = std::hypot(root.real.midpoint() - near, root.imaginary.midpoint());
-        if (d >= distance) continue;
-        distance = d;
-        best = factor;
-    }
-    return best;
-}
-
 /// In brackets where a logarithm of it would be read otherwise.
 std::string bracketed(const std::string& number) {
     long depth = 0;
@@ -94,27 +79,22 @@ std::string bracketed(const std::string& number) {
 }  // namespace
 
 ScalingRatio::ScalingRatio(const Integer& value)
-    : factor_({-value, Integer(1)}),
-      near_(value.to_double()),
-      square_(Polynomial({-(value * value), Integer(1)})) {}
+    : factor_({-value, Integer(1)}), near_(value.to_double()), square_(value * value) {}
 
 ScalingRatio::ScalingRatio(const Displacement& displacement)
     : factor_(displacement.factor_polynomial()), near_(displacement.factor()) {
     if (factor_.degree() > largest_degree) return;
-    const double square = std::norm(near_);
-    double distance = INFINITY;
-    for (const auto& [factor, exponent] : factorise(products_of_roots(factor_)).powers) {
-        const ComplexBall root = root_near(factor, square, 128);
-        const double d = std::hypot(root.real.midpoint() - square, root.imaginary.midpoint());
-        if (d >= distance) continue;
-        distance = d;
-        square_ = factor;
-    }
+    std::vector<Polynomial> factors;
+    for (const auto& [factor, exponent] : factorise(products_of_roots(factor_)).powers)
+        factors.push_back(factor);
+    square_ = AlgebraicInteger(factors, [&](long bits) {
+        const Ball size = enclosure(bits);
+        return size * size;
+    });
 }
 
 std::optional<Integer> ScalingRatio::integer_square() const {
-    if (!square_ || square_->degree() != 1) return std::nullopt;
-    return -square_->coefficient(0);
+    return square_ ? square_->integer() : std::nullopt;
 }
 
 Ball ScalingRatio::enclosure(long bits) const {
@@ -131,34 +111,25 @@ std::string ScalingRatio::text() const {
     if (factor_.degree() == 2 && std::abs(near_.imag()) < 1e-9)
         return to_string(near_.real() > 0 ? quadratic_near(factor_, size)
                                           : negated(quadratic_near(factor_, -size)));
-    if (const auto power = square_ ? pure_power(*square_) : std::nullopt)
+    if (const auto power = square_ ? pure_power(square_->minimal_polynomial()) : std::nullopt)
         return to_string(power->first) + "^(1/" + std::to_string(2 * power->second) + ")";
-    if (square_ && square_->degree() == 2)
-        return "sqrt(" + to_string(quadratic_near(*square_, size * size)) + ")";
+    if (square_ && square_->minimal_polynomial().degree() == 2)
+        return "sqrt(" + to_string(quadratic_near(square_->minimal_polynomial(), size * size)) +
+               ")";
     const std::string near = short_decimal(enclosure(128));
     if (!square_) return near;
-    return near + ", the square root of a root of " + to_string(*square_);
+    return near + ", the square root of a root of " + to_string(square_->minimal_polynomial());
 }
 
 std::optional<Rational> LogRatio::rational() const {
     if (rate_ == Rate(1)) return Rational(0);
-    const auto& square = ratio_.square_polynomial();
+    const auto& square = ratio_.square();
     if (!square) return std::nullopt;
-    // The number is p/q exactly if rate^(2q) == (|mu|^2)^p.
-    constexpr long largest_denominator = 24;
-    constexpr long largest_power = 400;  // times the degree
-    const double value = enclosure(128).midpoint();
-    for (long q = 1; q <= largest_denominator; ++q) {
-        const long p = std::lround(value * static_cast<double>(q));
-        if (std::abs(value * static_cast<double>(q) - static_cast<double>(p)) > 1e-9) continue;
-        if (p < 1 || p * square->degree() > largest_power || 2 * q * rate_.degree() > largest_power)
-            continue;
-        const double near =
-            std::exp(static_cast<double>(2 * q) * std::log(rate_.enclosure(64).midpoint()));
-        if (of_power(rate_.minimal_polynomial(), 2 * q, near) == of_power(*square, p, near))
-            return Rational(p, q);
-    }
-    return std::nullopt;
+    const AlgebraicInteger rate({rate_.minimal_polynomial()},
+                                [&](long bits) { return rate_.enclosure(bits); });
+    const auto half = exponent_between(rate, *square);
+    if (!half) return std::nullopt;
+    return *half * Rational(2);
 }
 
 Ball LogRatio::enclosure(long bits) const {

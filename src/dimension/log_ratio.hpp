@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "dimension/algebraic_integer.hpp"
 #include "dimension/displacement.hpp"
 #include "exact/ball.hpp"
 #include "exact/rational.hpp"
@@ -17,8 +18,8 @@ public:
     /// A natural number.
     explicit ScalingRatio(const Integer& value);
 
-    /// The minimal polynomial of |mu|^2, if its degree could be borne.
-    const std::optional<Polynomial>& square_polynomial() const { return square_; }
+    /// |mu|^2, if the degree of mu is at most 12.
+    const std::optional<AlgebraicInteger>& square() const { return square_; }
     /// |mu|^2, if it is rational; it is then an integer.
     std::optional<Integer> integer_square() const;
     Ball enclosure(long bits) const;
@@ -28,7 +29,7 @@ public:
 private:
     Polynomial factor_;
     std::complex<double> near_;
-    std::optional<Polynomial> square_;
+    std::optional<AlgebraicInteger> square_;
 };
 
 /// log rate / log ratio.
@@ -38,8 +39,8 @@ public:
 
     const Rate& rate() const { return rate_; }
     const ScalingRatio& ratio() const { return ratio_; }
-    /// The number itself, if it is rational with a denominator up to 24: powers of rate and ratio are
-    /// compared by their minimal polynomials.
+    /// The number itself, if it is rational, in lowest terms with numbers up to 24 for half of it
+    /// (`exponent_between`).
     std::optional<Rational> rational() const;
     Ball enclosure(long bits) const;
     /// "log 4 / log 3", "log 8 / log 4 = 3/2", "log 6 / log sqrt 10", "log 6 / log ((3+sqrt(5))/2)".

@@ -9,11 +9,6 @@ namespace algae {
 
 namespace {
 
-std::int64_t normal(std::int64_t heading, std::int64_t order) {
-    heading %= order;
-    return heading < 0 ? heading + order : heading;
-}
-
 bool is_zero(const Displacement::Vector& vector) {
     for (const std::int64_t x : vector)
         if (x != 0) return false;
@@ -34,7 +29,7 @@ bool may_meet(const RecurrentSet& set, std::size_t piece, const Placement& other
 }  // namespace
 
 Placement placed(const RecurrentSet& set, const Placement& whole, const RecurrentSet::Part& part) {
-    Placement found{part.piece, normal(whole.heading + part.heading, set.order()),
+    Placement found{part.piece, normal_heading(whole.heading + part.heading, set.order()),
                     set.displacement().scaled(whole.offset)};
     set.displacement().add(found.offset, set.displacement().turned(part.offset, whole.heading));
     return found;
@@ -43,7 +38,7 @@ Placement placed(const RecurrentSet& set, const Placement& whole, const Recurren
 Placement seen_from(const RecurrentSet& set, const Placement& first, const Placement& other) {
     Displacement::Vector offset = other.offset;
     set.displacement().subtract(offset, first.offset);
-    return {other.piece, normal(other.heading - first.heading, set.order()),
+    return {other.piece, normal_heading(other.heading - first.heading, set.order()),
             set.displacement().turned(offset, -first.heading)};
 }
 

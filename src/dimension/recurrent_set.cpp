@@ -75,35 +75,14 @@ RecurrentSet::Disc around(const std::vector<RecurrentSet::Disc>& discs) {
 }  // namespace
 
 RecurrentSet::RecurrentSet(const LSystem& system, const D0L& rules, const Budget& budget)
-    : RecurrentSet(unfolded(system, rules, budget), rules, budget) {}
+    : RecurrentSet(unfolded(system, rules, budget), budget) {}
 
-RecurrentSet::RecurrentSet(std::pair<Unfolding, Displacement> parts, const D0L& rules,
-                           const Budget& budget)
+RecurrentSet::RecurrentSet(std::pair<Unfolding, Displacement> parts, const Budget& budget)
     : unfolding_(std::move(parts.first)), displacement_(std::move(parts.second)) {
     const std::vector<bool> lasting = drawing_for_ever(unfolding_);
     for (std::size_t p = 0; p < unfolding_.size(); ++p)
         parts_.push_back(lasting[p] ? walked(unfolding_.items[p], lasting) : std::vector<Part>());
-    std::vector<Unfolding::Item> axiom;
-    std::vector<std::int64_t> saved;
-    std::int64_t heading = 0;
-    for (const Symbol a : rules.axiom) {
-        const auto& brackets = rules.rules.brackets;
-        if (brackets && a == brackets->open) {
-            saved.push_back(heading);
-            axiom.push_back({Kind::push, 0, 0});
-        } else if (brackets && a == brackets->close) {
-            heading = saved.back();
-            saved.pop_back();
-            axiom.push_back({Kind::pop, 0, 0});
-        } else {
-            const auto place = static_cast<std::size_t>(
-                std::find(unfolding_.letters.begin(), unfolding_.letters.end(), a) -
-                unfolding_.letters.begin());
-            axiom.push_back({Kind::piece, place, heading});
-            heading = (heading + unfolding_.turns[place]) % unfolding_.order;
-        }
-    }
-    axiom_ = walked(axiom, lasting);
+    axiom_ = walked(unfolding_.axiom, lasting);
     if (axiom_.empty()) throw Error("nothing is drawn in late generations");
 
     GrowthMatrix matrix;

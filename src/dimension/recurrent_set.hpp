@@ -53,7 +53,7 @@ public:
     bool is_reached(std::size_t piece) const { return reached_[piece]; }
 
 private:
-    RecurrentSet(std::pair<Unfolding, Displacement> parts, const D0L& rules, const Budget& budget);
+    RecurrentSet(std::pair<Unfolding, Displacement> parts, const Budget& budget);
     std::vector<Part> walked(const std::vector<Unfolding::Item>& items,
                              const std::vector<bool>& lasting) const;
     void find_reached();

@@ -96,11 +96,6 @@ private:
     std::int64_t unit_ = 1, order_ = 1;
 };
 
-std::int64_t normal(std::int64_t heading, std::int64_t order) {
-    heading %= order;
-    return heading < 0 ? heading + order : heading;
-}
-
 /// The items of h(a) where the letters of the level below turn by `turns`, and what h(a) turns by.
 std::pair<std::vector<Unfolding::Item>, std::int64_t> items(const Reader& reader,
                                                             const Word& successor,
@@ -123,27 +118,44 @@ std::pair<std::vector<Unfolding::Item>, std::int64_t> items(const Reader& reader
             continue;
         }
         found.push_back({Kind::piece, first_piece + reader.place(b), heading});
-        heading = normal(heading + turns[reader.place(b)], reader.order());
+        heading = normal_heading(heading + turns[reader.place(b)], reader.order());
     }
     return {std::move(found), heading};
 }
 
-/// The way from the beginning of a piece to its end.
-CyclotomicInteger way(const CyclotomicRing& ring, const std::vector<Unfolding::Item>& items,
-                      const std::vector<CyclotomicInteger>& moves, std::size_t first_piece) {
+/// The pieces outside branches, which lead from the beginning to the end.
+std::vector<Unfolding::Item> path(const std::vector<Unfolding::Item>& items) {
     using Kind = Unfolding::Item::Kind;
-    CyclotomicInteger here = ring.zero();
+    std::vector<Unfolding::Item> found;
     std::size_t depth = 0;
     for (const Unfolding::Item& item : items) {
         if (item.kind == Kind::push) ++depth;
         if (item.kind == Kind::pop) --depth;
-        if (item.kind == Kind::piece && depth == 0)
-            ring.add_rotated(here, moves[item.piece - first_piece], item.heading);
+        if (item.kind == Kind::piece && depth == 0) found.push_back(item);
     }
-    return here;
+    return found;
+}
+
+/// The ways of one level from those of the level below, where letters turn by `turns`.
+std::vector<CyclotomicInteger> next_ways(const Reader& reader, const D0L& rules,
+                                         const CyclotomicRing& ring,
+                                         const std::vector<std::int64_t>& turns,
+                                         const std::vector<CyclotomicInteger>& ways) {
+    std::vector<CyclotomicInteger> next;
+    for (const Symbol a : reader.letters) {
+        CyclotomicInteger& here = next.emplace_back(ring.zero());
+        for (const auto& item : path(items(reader, rules.successor(a), turns, 0).first))
+            ring.add_rotated(here, ways[item.piece], item.heading);
+    }
+    return next;
 }
 
 }  // namespace
+
+std::int64_t normal_heading(std::int64_t heading, std::int64_t order) {
+    heading %= order;
+    return heading < 0 ? heading + order : heading;
+}
 
 Unfolding unfolding(const LSystem& system, const D0L& rules, std::size_t phase_factor) {
     const Reader reader(system, rules);
@@ -178,35 +190,23 @@ Unfolding unfolding(const LSystem& system, const D0L& rules, std::size_t phase_f
     out.preperiod = seen.at(turns);
     const std::size_t period = levels.size() - seen.at(turns);
     out.phases = period * phase_factor;
-    for (std::size_t level = 0; level < out.preperiod; ++level) {
-        std::vector<CyclotomicInteger> next;
-        for (const Symbol a : reader.letters)
-            next.push_back(
-                way(ring, items(reader, rules.successor(a), levels[level], 0).first, moves, 0));
-        moves = std::move(next);
-    }
+    for (std::size_t level = 0; level < out.preperiod; ++level)
+        moves = next_ways(reader, rules, ring, levels[level], moves);
     for (std::size_t phase = 0; phase < out.phases; ++phase) {
         const std::size_t before = (phase + out.phases - 1) % out.phases;
         const auto& below = levels[out.preperiod + before % period];
         const auto& own = levels[out.preperiod + phase % period];
-        if (phase > 0) {
-            std::vector<CyclotomicInteger> next;
-            for (std::size_t a = 0; a < count; ++a)
-                next.push_back(
-                    way(ring, items(reader, rules.successor(reader.letters[a]), below, 0).first,
-                        moves, 0));
-            moves = std::move(next);
-        }
+        if (phase > 0) moves = next_ways(reader, rules, ring, below, moves);
         for (std::size_t a = 0; a < count; ++a) {
             out.items.push_back(
                 items(reader, rules.successor(reader.letters[a]), below, before * count).first);
+            out.paths.push_back(path(out.items.back()));
             out.turns.push_back(own[a]);
             out.moves.push_back(moves[a]);
             out.draws.push_back(draws[a]);
         }
     }
-    for (const Symbol a : rules.axiom)
-        if (!reader.is_bracket(a)) out.axiom.push_back(reader.place(a));
+    out.axiom = items(reader, rules.axiom, levels[out.preperiod], 0).first;
     return out;
 }
 

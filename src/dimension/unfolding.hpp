@@ -32,13 +32,19 @@ struct Unfolding {
     std::uint64_t preperiod = 0;
     std::vector<Symbol> letters;           // piece p is letters[p % letters.size()]
     std::vector<std::vector<Item>> items;  // by piece
+    std::vector<std::vector<Item>> paths;  // by piece: those outside branches
     std::vector<std::int64_t> turns;       // by piece: of its word
     std::vector<CyclotomicInteger> moves;  // by piece: of its word of level preperiod + phase
     std::vector<bool> draws;               // by piece: whether the letter itself draws
-    std::vector<std::size_t> axiom;        // letters of the axiom as pieces of phase 0
+    std::vector<Item> axiom;               // its letters are pieces of phase 0
 
     std::size_t size() const { return items.size(); }
 };
+
+/// The heading from 0 to order - 1 that is this one.
+///
+/// Example: normal_heading(-1, 6) == 5
+std::int64_t normal_heading(std::int64_t heading, std::int64_t order);
 
 /// The unfolding of a system, with so many times more phases than its turns need. Throws Error with
 /// the reason where a turtle's way is not made of exact unit steps and turns: angles that are no

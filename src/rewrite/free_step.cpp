@@ -7,7 +7,7 @@
 
 #include "base/error.hpp"
 #include "rewrite/free_step_room.hpp"
-#include "rewrite/parts.hpp"
+#include "base/parts.hpp"
 
 namespace algae {
 

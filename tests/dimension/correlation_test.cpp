@@ -7,24 +7,11 @@
 #include <random>
 
 #include "base/error.hpp"
-#include "notation/read.hpp"
+#include "dimension/measured.hpp"
 
 using namespace algae;
 
 namespace {
-
-std::unique_ptr<Figure> drawn(const char* text, std::uint64_t n) {
-    return figure(read_lsystem(text, "test"), n, Budget());
-}
-
-void check_holds(const Scaling& scaling, double dimension, double within) {
-    CAPTURE(scaling.because);
-    REQUIRE(scaling.estimate);
-    CAPTURE(scaling.estimate->value);
-    CHECK(scaling.estimate->low <= dimension);
-    CHECK(scaling.estimate->high >= dimension);
-    CHECK(std::abs(scaling.estimate->value - dimension) < within);
-}
 
 PointSet random_cube(int columns, std::size_t count) {
     std::mt19937_64 random(11);

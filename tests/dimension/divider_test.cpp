@@ -6,17 +6,13 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "notation/read.hpp"
+#include "dimension/measured.hpp"
 
 using namespace algae;
 
 namespace {
 
 const double koch_dimension = std::log(4) / std::log(3);
-
-std::unique_ptr<Figure> drawn(const char* text, std::uint64_t n) {
-    return figure(read_lsystem(text, "test"), n, Budget());
-}
 
 /// Goes along the stroke in very small steps and counts where it has come an opening away.
 double steps_by_small_steps(const Stroke& stroke, double opening) {

@@ -9,18 +9,14 @@
 #include "base/error.hpp"
 #include "dimension/cell_masses.hpp"
 #include "dimension/fit.hpp"
+#include "dimension/measured.hpp"
 #include "dimension/morton.hpp"
-#include "notation/read.hpp"
 
 using namespace algae;
 
 namespace {
 
 const std::vector<double> orders{-5, -4, -3, -2, -1, 0, 1, 2, 3, 4, 5};
-
-std::unique_ptr<Figure> drawn(const char* text, std::uint64_t n) {
-    return figure(read_lsystem(text, "test"), n, Budget());
-}
 
 /// Cantor's set to a depth, with a share p of what lies in each third in its left part.
 std::pair<PointSet, std::vector<double>> binomial_cantor(double p, int depth) {
@@ -46,13 +42,7 @@ double binomial_dimension(double p, double q) {
 
 void check_holds(const GeneralisedDimension& found, double dimension, double within) {
     CAPTURE(found.order);
-    CAPTURE(found.scaling.because);
-    REQUIRE(found.scaling.estimate);
-    CAPTURE(found.scaling.estimate->value);
-    CAPTURE(dimension);
-    CHECK(found.scaling.estimate->low <= dimension + 1e-9);
-    CHECK(found.scaling.estimate->high >= dimension - 1e-9);
-    CHECK(std::abs(found.scaling.estimate->value - dimension) < within);
+    check_holds(found.scaling, dimension, within);
 }
 
 }  // namespace

@@ -6,15 +6,11 @@
 #include <cmath>
 
 #include "base/error.hpp"
-#include "notation/read.hpp"
+#include "dimension/measured.hpp"
 
 using namespace algae;
 
 namespace {
-
-std::unique_ptr<Figure> drawn(const char* text, std::uint64_t n) {
-    return figure(read_lsystem(text, "test"), n, Budget());
-}
 
 template <class Filled>
 CellRectangle rectangle(std::size_t columns, std::size_t rows, Filled filled) {
@@ -29,15 +25,6 @@ bool in_carpet(std::size_t column, std::size_t row) {
     for (; column > 0 && row > 0; column /= 3, row /= 3)
         if (column % 3 == 1 && row % 3 == 1) return false;
     return true;
-}
-
-void check_holds(const Scaling& scaling, double dimension, double within) {
-    CAPTURE(scaling.because);
-    REQUIRE(scaling.estimate);
-    CAPTURE(scaling.estimate->value);
-    CHECK(scaling.estimate->low <= dimension);
-    CHECK(scaling.estimate->high >= dimension);
-    CHECK(std::abs(scaling.estimate->value - dimension) < within);
 }
 
 }  // namespace

@@ -9,24 +9,11 @@
 #include "dimension/even_sample.hpp"
 #include "dimension/halved_radii.hpp"
 #include "dimension/known_curves.hpp"
-#include "notation/read.hpp"
+#include "dimension/measured.hpp"
 
 using namespace algae;
 
 namespace {
-
-std::unique_ptr<Figure> drawn(const char* text, std::uint64_t n) {
-    return figure(read_lsystem(text, "test"), n, Budget());
-}
-
-void check_holds(const Scaling& scaling, double dimension, double within) {
-    CAPTURE(scaling.because);
-    REQUIRE(scaling.estimate);
-    CAPTURE(scaling.estimate->value);
-    CHECK(scaling.estimate->low <= dimension);
-    CHECK(scaling.estimate->high >= dimension);
-    CHECK(std::abs(scaling.estimate->value - dimension) < within);
-}
 
 PointSet square(int side) {
     PointSet points;

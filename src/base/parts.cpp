@@ -1,4 +1,4 @@
-#include "rewrite/parts.hpp"
+#include "base/parts.hpp"
 
 #include <algorithm>
 #include <atomic>
@@ -9,7 +9,7 @@
 namespace algae {
 
 void each_part(std::size_t count, unsigned threads, const Budget& budget,
-               const std::function<PartWorker()>& worker) {
+               const std::function<PartWorker()>& worker, std::size_t least) {
     std::atomic<std::size_t> next{0};
     std::atomic<bool> failed{false};
     std::vector<std::exception_ptr> errors(count);
@@ -27,12 +27,10 @@ void each_part(std::size_t count, unsigned threads, const Budget& budget,
             }
         }
     };
-    constexpr std::size_t parts_for_a_thread = 16;
     const std::size_t wanted =
         threads > 0 ? threads : std::max(1u, std::thread::hardware_concurrency());
     std::vector<std::thread> others;
-    for (std::size_t i = 1; i < std::min(wanted, count / parts_for_a_thread); ++i)
-        others.emplace_back(run);
+    for (std::size_t i = 1; i < std::min(wanted, count / least); ++i) others.emplace_back(run);
     run();
     for (std::thread& thread : others) thread.join();
     for (const std::exception_ptr& error : errors)

@@ -60,9 +60,9 @@ private:
 /// What is left of a polygon while ears are cut off.
 class Ears {
 public:
-    Ears(const std::vector<Point>& points, double least_area)
+    Ears(const std::vector<Point>& points, double farthest)
         : points_(points),
-          least_(least_area),
+          farthest_(farthest),
           before_(points.size()),
           after_(points.size()),
           grid_(points, reflex(points)) {
@@ -77,7 +77,7 @@ public:
         std::size_t left = points_.size(), tried = 0;
         for (std::size_t steps = 0; left > 2; ++steps) {
             if (steps % 4096 == 0) budget.check();
-            const bool convex = area(at) > least_;
+            const bool convex = is_convex(at);
             const bool forced = tried > left;  // sides cross, or rounding: there is no ear
             if (convex && (forced || is_empty(at))) {
                 triangles.push_back({before_[at], at, after_[at]});
@@ -106,6 +106,13 @@ private:
                 found.push_back(i);
         return found;
     }
+    /// Whether it is by more than rounding: what lies on a straight side is not.
+    bool is_convex(std::uint32_t i) const {
+        const Point a = points_[before_[i]], b = points_[i], c = points_[after_[i]];
+        const double sides = std::fabs(b.x - a.x) + std::fabs(b.y - a.y) + std::fabs(c.x - a.x) +
+                             std::fabs(c.y - a.y);
+        return turn(a, b, c) > 1e-15 * farthest_ * sides;
+    }
     double area(std::uint32_t i) const {
         return turn(points_[before_[i]], points_[i], points_[after_[i]]);
     }
@@ -123,7 +130,7 @@ private:
     }
 
     const std::vector<Point>& points_;
-    double least_;
+    double farthest_;
     std::vector<std::uint32_t> before_, after_;
     Grid grid_;
 };
@@ -157,8 +164,11 @@ std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vect
                                                             const Budget& budget) {
     if (corners.size() < 3) return {};
     Vector normal = twice_area(corners);
-    double reach = 0, largest = 0;
-    for (const Vector& c : corners) reach = std::max(reach, length(c - corners[0]));
+    double reach = 0, farthest = 0, largest = 0;
+    for (const Vector& c : corners) {
+        reach = std::max(reach, length(c - corners[0]));
+        farthest = std::max(farthest, length(c));
+    }
     const double least = 1e-12 * reach * reach;
     if (!(length(normal) > least))  // what winds both ways, such as an 8: as its largest part
         for (std::size_t i = 2; i < corners.size(); ++i) {
@@ -167,7 +177,7 @@ std::vector<std::array<std::uint32_t, 3>> polygon_triangles(std::span<const Vect
         }
     if (!(length(normal) > least)) return {};
     if (corners.size() == 3) return {{{0, 1, 2}}};
-    return Ears(projected(corners, normal), least).cut(budget);
+    return Ears(projected(corners, normal), farthest).cut(budget);
 }
 
 }  // namespace algae

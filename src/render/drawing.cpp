@@ -8,12 +8,14 @@
 
 #include "render/cells.hpp"
 #include "render/document.hpp"
+#include "render/layers.hpp"
 #include "render/palette.hpp"
 
 namespace algae {
 namespace {
 
 constexpr double image_resolution = 4;  // pixels a point of an image in a vector format
+constexpr double detail_of_layers = 0.5;  // points: how fine a view is in a vector format
 constexpr double chord_pixels = 0.35;   // parts of a figure smaller than this become chords
 constexpr std::uint64_t few_strokes = 20'000, many_strokes = 500'000;
 constexpr std::uint32_t hues = 360, hues_of_cells = 128;
@@ -36,6 +38,17 @@ void draw_cells(cairo_t* context, const PixelRectangle& area, const Frame& frame
     const std::optional<std::uint64_t> strokes = figure.strokes();
     const bool join = !strokes || *strokes > many_strokes;
     figure.draw(canvas, join ? chord_pixels / frame.scale : 0, budget);
+    canvas.finish();
+    drawn.lines += canvas.lines();
+    drawn.polygons += canvas.polygons();
+}
+
+/// Draws one figure whose parts hide each other on an image surface.
+void draw_layers(cairo_t* context, const PixelRectangle& area, const Frame& frame,
+                 const Figure& figure, const Pen& pen, const Budget& budget, const Share& share,
+                 Drawn& drawn) {
+    LayerCanvas canvas(cairo_get_target(context), area, frame, pen, budget, share);
+    figure.draw(canvas, 1 / frame.scale, budget);
     canvas.finish();
     drawn.lines += canvas.lines();
     drawn.polygons += canvas.polygons();
@@ -80,8 +93,9 @@ void draw_image(cairo_t* context, const Cell& cell, const Plan& plan, const Figu
     const Frame frame{cell.frame.scale * more, (cell.frame.x - left) * more,
                       (cell.frame.y - top) * more};
     pen.width *= more;
-    draw_cells(on_image.get(), {0, 0, static_cast<int>(width), static_cast<int>(height)}, frame,
-               figure, pen, budget, share, drawn);
+    const auto draw = figure.is_layered() ? draw_layers : draw_cells;
+    draw(on_image.get(), {0, 0, static_cast<int>(width), static_cast<int>(height)}, frame, figure,
+         pen, budget, share, drawn);
     cairo_save(context);
     cairo_translate(context, left, top);
     cairo_scale(context, 1 / more, 1 / more);
@@ -98,19 +112,23 @@ void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Fig
     const bool pixels = plan.format == PictureFormat::png;
     const std::optional<std::uint64_t> strokes = figure.strokes();
     const bool too_many = !strokes || *strokes > options.most_strokes;
+    const bool layered = figure.is_layered();
     const bool fine =
-        options.route == Route::cells ||
-        (options.route == Route::automatic && (pixels ? is_fine(figure, cell.frame) : too_many));
+        !(layered && pixels) &&
+        (options.route == Route::cells ||
+         (options.route == Route::automatic && (pixels ? is_fine(figure, cell.frame) : too_many)));
     const Palette palette(colours_of(figure, options), fine ? hues_of_cells : hues);
     const Pen pen{width, options.flat_ends, &palette};
     drawn.fine = drawn.fine || fine;
-    if (fine && pixels) {
+    if (layered && pixels) {
+        draw_layers(context, pixels_of(cell, plan), cell.frame, figure, pen, budget, share, drawn);
+    } else if (fine && pixels) {
         draw_cells(context, pixels_of(cell, plan), cell.frame, figure, pen, budget, share, drawn);
     } else if (fine) {
         draw_image(context, cell, plan, figure, pen, budget, share, drawn);
     } else {
         StrokeCanvas canvas(context, cell.frame, pen, budget, share, strokes);
-        figure.draw(canvas, 0, budget);
+        figure.draw(canvas, layered ? detail_of_layers / cell.frame.scale : 0, budget);
         canvas.finish();
         drawn.lines += canvas.lines();
         drawn.polygons += canvas.polygons();

@@ -51,6 +51,7 @@ public:
     void paint(const Colour& colour) override;
     void position(double fraction) override { position_ = fraction; }
     bool wants_position() const override { return along_; }
+    double line_width() const override { return pen_.width / frame_.scale; }
 
     /// Draws what is still held back. Call once, at the end.
     void finish();

@@ -65,6 +65,8 @@ public:
     /// progress. Called before each stroke or polygon if `wants_position()`.
     virtual void position(double fraction) = 0;
     virtual bool wants_position() const { return false; }
+    /// The figure's own line width in the units of the file; 0 if the canvas has none.
+    virtual double line_width() const { return 0; }
 };
 
 }  // namespace algae

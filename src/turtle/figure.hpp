@@ -13,6 +13,7 @@
 #include "turtle/canvas.hpp"
 #include "turtle/coordinate.hpp"
 #include "turtle/derived_modules.hpp"
+#include "turtle/pose.hpp"
 
 namespace algae {
 
@@ -53,6 +54,17 @@ public:
     /// before: then the work depends on box and resolution, not on the length of the word.
     /// Throws Error if brackets or braces do not match, with the generation and the position, counted from 0.
     virtual void draw(Canvas& canvas, double resolution, const Budget& budget) const = 0;
+
+    /// Whether what is drawn later hides what is drawn before: a picture of something in space. Then
+    /// `resolution` is the size of a pixel or a point, and says how fine its facets are.
+    virtual bool is_layered() const { return false; }
+    /// Where a point of what is drawn lies in the plane, or nothing if it lies nowhere. A figure in
+    /// the plane has no points above it.
+    virtual std::optional<Point> place(const Vector& point) const {
+        return point.z == 0 ? std::optional(Point{point.x, point.y}) : std::nullopt;
+    }
+    /// Whether lengths are the same everywhere in the figure.
+    virtual bool has_scale() const { return true; }
 };
 
 /// The figure of generation `n` of a system, derived as Rewriting says where it is no D0L system.

@@ -23,7 +23,8 @@ Vector unit(const Vector& way) {
 
 Point flat(const Seen& seen) { return {seen.x, seen.y}; }
 
-/// A convex or other simple polygon with some edges moved outward by `reach`.
+/// A simple polygon whose edges move outward by `reach` where a facet that is painted later adjoins,
+/// and if `everywhere`, where none does.
 void widen(const SeenFacet& facet, double reach, bool everywhere, std::vector<Point>& corners) {
     const std::size_t count = facet.corners.size();
     corners.clear();
@@ -41,8 +42,11 @@ void widen(const SeenFacet& facet, double reach, bool everywhere, std::vector<Po
     for (std::size_t i = 0; i < count; ++i) {
         const Vector& corner = facet.corners[i];
         const std::size_t before = (i + count - 1) % count;
-        const double p = everywhere || facet.adjoins[before] ? out : 0,
-                     q = everywhere || facet.adjoins[i] ? out : 0;
+        const auto moved = [&](std::size_t edge) {
+            const Adjoining other = facet.adjoins[edge];
+            return other == Adjoining::later || (everywhere && other == Adjoining::nothing) ? out : 0;
+        };
+        const double p = moved(before), q = moved(i);
         Point at{corner.x, corner.y};
         if (p != 0 || q != 0) {
             // Where the two moved edges meet; where they are nearly parallel, half way.

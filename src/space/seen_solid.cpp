@@ -153,7 +153,7 @@ SeenThing seen(std::span<const Vector> corners, std::span<const char> adjoins, c
         facet.corners.push_back({seen.x, seen.y, seen.depth});
         middle = middle + (1 / static_cast<double>(corners.size())) * corner;
     }
-    facet.adjoins.assign(adjoins.begin(), adjoins.end());
+    for (const char edge : adjoins) facet.adjoins.push_back(edge ? Adjoining::later : Adjoining::nothing);
     Vector normal = unit(doubled_area(corners));
     if (dot(normal, projection.to_camera(middle)) < 0) normal = -1.0 * normal;
     const Seen at = projection(middle);
@@ -161,11 +161,8 @@ SeenThing seen(std::span<const Vector> corners, std::span<const char> adjoins, c
     const Vector outward = unit(doubled_area(facet.corners));
     block.bounds.push_back({outward, dot(outward, {at.x, at.y, at.depth})});
     const std::vector<Vector> seen_corners = facet.corners;
-    const std::vector<char> edges = facet.adjoins;
     block.facets.push_back(std::move(facet));
     complete(block, seen_corners);
-    block.facets.front().adjoins = edges;
-    block.facets.front().adjoins.resize(seen_corners.size(), 0);
     return block;
 }
 

@@ -38,12 +38,11 @@ enum class Adjoining : char {
 /// A flat, lit part of a surface, in the camera's coordinates.
 struct SeenFacet {
     std::vector<Vector> corners;
-    std::vector<char>
-        adjoins;  // by edge, from the corner of that number on: another facet goes on there
+    std::vector<Adjoining> adjoins;  // by edge, from the corner of that number on
     Colour colour;
 };
 
-/// Where inside.x * x + inside.y * y + inside.z * z <= bound.
+/// Where outward.x * x + outward.y * y + outward.z * z <= bound.
 struct HalfSpace {
     Vector outward;
     double bound = 0;

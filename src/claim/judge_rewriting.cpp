@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t longest_shown = 200;
 
 /// A system and the two words that a statement is about, their modules numbered alike.
-struct Course {
+struct Derived {
     Rewriting rewriting;
     ModuleString from, to;
     std::uint64_t steps;
@@ -43,7 +43,7 @@ std::pair<ModuleString, ModuleString> parted(const ModuleString& word, const Mod
             {{letter, word.kinds.end()}, {value, word.values.end()}}};
 }
 
-Course course(const Statement& statement) {
+Derived course(const Statement& statement) {
     LSystem both = *statement.rewriting;  // its axiom: the two words one after the other
     if (statement.modules_from) both.axiom = *statement.modules_from;
     const std::size_t first = both.axiom.letters.size();
@@ -64,7 +64,7 @@ struct Chance {
     std::size_t words = 0;
 };
 
-Chance chance_of(const Course& course, const Budget& budget) {
+Chance chance_of(const Derived& course, const Budget& budget) {
     const auto all = distribution(course.rewriting, course.from, course.steps, {}, budget);
     Chance chance{{}, all.size()};
     for (const LikelyWord& likely : all)
@@ -72,7 +72,7 @@ Chance chance_of(const Course& course, const Budget& budget) {
     return chance;
 }
 
-std::string chance_sentence(const Course& course, const Chance& chance) {
+std::string chance_sentence(const Derived& course, const Chance& chance) {
     const std::string derived = course.name + ": " + course.text(course.from) + " derives " +
                                 counted(chance.words, "word") + course.in_steps();
     if (chance.probability.is_zero())
@@ -84,7 +84,7 @@ std::string chance_sentence(const Course& course, const Chance& chance) {
 }
 
 /// The words from the first to the last.
-Judgement derived(const Course& course, const Budget& budget) {
+Judgement derived(const Derived& course, const Budget& budget) {
     ModuleString word = course.from;
     std::string arrows = course.text(word);
     bool all_shown = true;
@@ -101,7 +101,7 @@ Judgement derived(const Course& course, const Budget& budget) {
 }
 
 /// The words of an open system, whose communication modules its environments fill.
-Judgement developed(const Statement& statement, const Course& course, const Budget& budget) {
+Judgement developed(const Statement& statement, const Derived& course, const Budget& budget) {
     LSystem own = *statement.rewriting;
     if (statement.modules_from) own.axiom = *statement.modules_from;
     OpenDevelopment development(own, {}, nullptr, budget);
@@ -124,7 +124,7 @@ Judgement developed(const Statement& statement, const Course& course, const Budg
                           : Judgement::refuted({line + ", and nothing else."}, by);
 }
 
-bool is_random(const Course& course) {
+bool is_random(const Derived& course) {
     const auto& tables = course.rewriting.rules().tables;
     return std::any_of(tables.begin(), tables.end(),
                        [](const RuleSet& set) { return set.has_probabilities; });
@@ -133,7 +133,7 @@ bool is_random(const Course& course) {
 }  // namespace
 
 Judgement judge_rewriting(const Statement& statement, const Budget& budget) {
-    const Course begun = course(statement);
+    const Derived begun = course(statement);
     if (class_of(*statement.rewriting).open) return developed(statement, begun, budget);
     if (!is_random(begun)) return derived(begun, budget);
     const Chance chance = chance_of(begun, budget);
@@ -143,7 +143,7 @@ Judgement judge_rewriting(const Statement& statement, const Budget& budget) {
 }
 
 Judgement judge_chance(const Statement& statement, const Budget& budget) {
-    const Course begun = course(statement);
+    const Derived begun = course(statement);
     const Chance chance = chance_of(begun, budget);
     const std::vector<std::string> argument{chance_sentence(begun, chance)};
     return chance.probability == *statement.probability ? Judgement::proved(argument, proof())

@@ -6,7 +6,7 @@
 namespace algae {
 
 std::vector<std::vector<double>> CollisionEnvironment::answers(
-    const Course& course, std::span<const Query* const> queries, const Budget& budget) {
+    const Traversal& course, std::span<const Query* const> queries, const Budget& budget) {
     const SegmentGrid grid(course.segments, radius_, budget);
     std::vector<std::vector<double>> out;
     for (const Query* query : queries) {

@@ -10,7 +10,7 @@ namespace algae {
 class CollisionEnvironment : public Environment {
 public:
     explicit CollisionEnvironment(double radius) : radius_(radius) {}
-    std::vector<std::vector<double>> answers(const Course& course,
+    std::vector<std::vector<double>> answers(const Traversal& course,
                                              std::span<const Query* const> queries,
                                              const Budget& budget) override;
 

@@ -6,13 +6,13 @@
 
 namespace algae {
 
-bool Course::is_in_space() const {
+bool Traversal::is_in_space() const {
     return std::any_of(segments.begin(), segments.end(), [](const Segment& segment) {
         return segment.from.z != 0 || segment.to.z != 0;
     });
 }
 
-std::string place_of(const Query& query, const Course& course) {
+std::string place_of(const Query& query, const Traversal& course) {
     std::string out = query.name;
     for (std::size_t i = 0; i < query.parameters.size(); ++i)
         out += (i == 0 ? "(" : ",") + number_text(query.parameters[i]);

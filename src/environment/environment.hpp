@@ -29,8 +29,8 @@ struct Query {
     Attitude attitude;
 };
 
-/// The course of a turtle over a word: what it draws and what it is asked on the way.
-struct Course {
+/// The way of a turtle over a word: what it draws and what it is asked on the way.
+struct Traversal {
     std::uint64_t generation = 0;
     std::vector<Segment> segments;  // in the order of the word
     std::vector<Query> queries;     // likewise
@@ -47,12 +47,12 @@ public:
     /// For each of these queries of the course the new parameters, as many as it has. Called once a
     /// generation, in the order of generations. Throws Error, naming generation and module, if
     /// something goes wrong.
-    virtual std::vector<std::vector<double>> answers(const Course& course,
+    virtual std::vector<std::vector<double>> answers(const Traversal& course,
                                                      std::span<const Query* const> queries,
                                                      const Budget& budget) = 0;
 };
 
 /// The module as messages name it: "?E(1,2) at position 7 of generation 3".
-std::string place_of(const Query& query, const Course& course);
+std::string place_of(const Query& query, const Traversal& course);
 
 }  // namespace algae

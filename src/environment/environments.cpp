@@ -69,7 +69,7 @@ const Environments::Asked& Environments::asked_by(const std::string& name) const
                          [&](const Asked& asked) { return asked.name == name; });
 }
 
-std::vector<std::vector<double>> Environments::answers(const Course& course, const Budget& budget) {
+std::vector<std::vector<double>> Environments::answers(const Traversal& course, const Budget& budget) {
     std::vector<const Environment*> environments;  // by query
     for (const Query& query : course.queries) {
         const Asked& asked = asked_by(query.name);

@@ -18,7 +18,7 @@ public:
 
     /// By query of the course, the new parameters. Throws what the environments throw, and Error if a
     /// module has not as many parameters as its environment fills.
-    std::vector<std::vector<double>> answers(const Course& course, const Budget& budget);
+    std::vector<std::vector<double>> answers(const Traversal& course, const Budget& budget);
 
 private:
     struct Asked {

@@ -32,7 +32,7 @@ ordered_json numbers(const Vector& vector) {
     return numbers(values);
 }
 
-std::string question(const Course& course, std::span<const Query* const> queries) {
+std::string question(const Traversal& course, std::span<const Query* const> queries) {
     ordered_json all = ordered_json::array();
     for (const Query* query : queries)
         all.push_back({{"module", query->name},
@@ -56,7 +56,7 @@ std::string shown(const std::string& text) {
 /// Reads the line that answers these queries.
 class Answer {
 public:
-    Answer(const std::string& command, const Course& course, std::span<const Query* const> queries)
+    Answer(const std::string& command, const Traversal& course, std::span<const Query* const> queries)
         : command_(command), course_(course), queries_(queries) {}
 
     std::vector<std::vector<double>> read(const std::string& line) const {
@@ -94,13 +94,13 @@ private:
     }
 
     const std::string& command_;
-    const Course& course_;
+    const Traversal& course_;
     std::span<const Query* const> queries_;
 };
 
 }  // namespace
 
-std::vector<std::vector<double>> ExternalEnvironment::answers(const Course& course,
+std::vector<std::vector<double>> ExternalEnvironment::answers(const Traversal& course,
                                                               std::span<const Query* const> queries,
                                                               const Budget& budget) {
     std::size_t longest = 1 << 16;  // bytes: room for more than the numbers need

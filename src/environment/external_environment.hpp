@@ -26,7 +26,7 @@ public:
                                  std::chrono::milliseconds wait = LineProcess::patience)
         : command_(command), program_(command), wait_(wait) {}
 
-    std::vector<std::vector<double>> answers(const Course& course,
+    std::vector<std::vector<double>> answers(const Traversal& course,
                                              std::span<const Query* const> queries,
                                              const Budget& budget) override;
 

@@ -10,7 +10,7 @@ namespace {
 /// Heights and plans: what is seen from above.
 class Plan {
 public:
-    explicit Plan(const Course& course) : space_(course.is_in_space()) {
+    explicit Plan(const Traversal& course) : space_(course.is_in_space()) {
         for (const Segment& line : course.segments)
             lines_.push_back({of(line.from), of(line.to), line.module});
     }
@@ -25,7 +25,7 @@ private:
 
 }  // namespace
 
-std::vector<std::vector<double>> LightEnvironment::answers(const Course& course,
+std::vector<std::vector<double>> LightEnvironment::answers(const Traversal& course,
                                                            std::span<const Query* const> queries,
                                                            const Budget& budget) {
     const Plan plan(course);

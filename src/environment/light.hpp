@@ -13,7 +13,7 @@ namespace algae {
 class LightEnvironment : public Environment {
 public:
     explicit LightEnvironment(double radius) : radius_(radius) {}
-    std::vector<std::vector<double>> answers(const Course& course,
+    std::vector<std::vector<double>> answers(const Traversal& course,
                                              std::span<const Query* const> queries,
                                              const Budget& budget) override;
 

@@ -13,7 +13,7 @@ namespace {
 class SceneWriter : public TurtleEvents {
 public:
     SceneWriter(const ModuleKinds& kinds, const std::vector<std::string>& names,
-                const ModuleString& word, Course& course, const Budget& budget)
+                const ModuleString& word, Traversal& course, const Budget& budget)
         : kinds_(kinds), names_(names), word_(word), course_(course), budget_(budget) {}
 
     bool wants_modules() const override { return true; }
@@ -43,7 +43,7 @@ private:
     const ModuleKinds& kinds_;
     const std::vector<std::string>& names_;
     const ModuleString& word_;
-    Course& course_;
+    Traversal& course_;
     const Budget& budget_;
     std::size_t module_ = 0, offset_ = 0;
 };
@@ -60,9 +60,9 @@ std::vector<std::string> communication_names(const LSystem& system, const Module
 
 }  // namespace
 
-Course course_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+Traversal traversal_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
                std::uint64_t generation, std::uint64_t seed, const Budget& budget) {
-    Course course;
+    Traversal course;
     course.generation = generation;
     const std::vector<std::string> names = communication_names(system, kinds);
     SceneWriter writer(kinds, names, word, course, budget);
@@ -95,7 +95,7 @@ void OpenDevelopment::go_to(std::uint64_t n, const std::vector<std::size_t>& tab
 void OpenDevelopment::fill(const Budget& budget) {
     if (!is_open_) return;
     const CompiledRules& rules = rewriting_.rules();
-    const Course course = course_of(*rules.system, rules.kinds, word_, generation_, seed_, budget);
+    const Traversal course = traversal_of(*rules.system, rules.kinds, word_, generation_, seed_, budget);
     const auto answers = environments_.answers(course, budget);
     std::size_t module = 0, offset = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {

@@ -10,7 +10,7 @@ namespace algae {
 
 /// What the turtle draws and is asked on its way over the word of a generation. `seed` is that of
 /// the derivation. Throws what ModuleTurtle throws.
-Course course_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+Traversal traversal_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
                std::uint64_t generation, std::uint64_t seed = 1, const Budget& budget = {});
 
 /// The words of an open L-system, one after the other (Mech and Prusinkiewicz 1996): before each step

@@ -44,7 +44,7 @@ std::vector<double> Whereabouts::answer(const Query& query) const {
     return first_of(heading, count);
 }
 
-std::vector<std::vector<double>> Whereabouts::answers(const Course&,
+std::vector<std::vector<double>> Whereabouts::answers(const Traversal&,
                                                       std::span<const Query* const> queries,
                                                       const Budget&) {
     std::vector<std::vector<double>> out;

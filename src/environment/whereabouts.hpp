@@ -13,7 +13,7 @@ class Whereabouts : public Environment {
 public:
     /// Of one of these kinds.
     explicit Whereabouts(const EnvironmentSetting& setting) : setting_(setting) {}
-    std::vector<std::vector<double>> answers(const Course& course,
+    std::vector<std::vector<double>> answers(const Traversal& course,
                                              std::span<const Query* const> queries,
                                              const Budget& budget) override;
 

@@ -8,8 +8,8 @@ using namespace algae;
 
 namespace {
 
-Course two_queries() {
-    Course course;
+Traversal two_queries() {
+    Traversal course;
     course.generation = 3;
     course.queries.push_back({"?E", 2, {0.5, 4}, {1, 2.5, -1e-20}, {}});
     course.queries.push_back({"?E", 7, {1}, {}, {}});
@@ -17,7 +17,7 @@ Course two_queries() {
 }
 
 std::vector<std::vector<double>> answers(const std::string& command) {
-    const Course course = two_queries();
+    const Traversal course = two_queries();
     const Query* const queries[] = {&course.queries[0], &course.queries[1]};
     return ExternalEnvironment(command).answers(course, queries, {});
 }

@@ -13,7 +13,7 @@ using namespace algae;
 
 namespace {
 
-std::vector<double> first_answers(Environment& environment, const Course& course) {
+std::vector<double> first_answers(Environment& environment, const Traversal& course) {
     std::vector<const Query*> queries;
     for (const Query& query : course.queries) queries.push_back(&query);
     std::vector<double> out;
@@ -58,7 +58,7 @@ TEST_CASE("light is what the widest free column lets through") {
 }
 
 TEST_CASE("what meets the turtle is in nobody's way") {
-    Course course;
+    Traversal course;
     const auto line = [&](Vector from, Vector to) {
         course.segments.push_back({from, to, 10 * course.segments.size()});
     };
@@ -82,7 +82,7 @@ TEST_CASE("what meets the turtle is in nobody's way") {
 }
 
 TEST_CASE("up is z as soon as the word leaves the plane") {
-    Course course;
+    Traversal course;
     course.segments.push_back({{-1, 1, 0}, {1, 1, 0}, 0});
     course.queries.push_back({"?E", 1, {0}, {0.5, 0, 0}, {}});
     LightEnvironment light(4);
@@ -92,7 +92,7 @@ TEST_CASE("up is z as soon as the word leaves the plane") {
 }
 
 TEST_CASE("the grid takes lines of any length and place") {
-    Course course;
+    Traversal course;
     for (const double far : {0.0, 1e3, 1e9, 1e18, 1e300, -1e300})
         course.segments.push_back({{far, 0, 0}, {far + 1, 1, 0}, course.segments.size()});
     course.segments.push_back({{-1e6, 5, 0}, {1e6, 5, 0}, course.segments.size()});
@@ -109,7 +109,7 @@ TEST_CASE("the grid takes lines of any length and place") {
 }
 
 TEST_CASE("a hundred thousand lines and questions take no hundred thousand squared steps") {
-    Course course;
+    Traversal course;
     for (int i = 0; i < 100'000; ++i) {
         const Vector from{static_cast<double>(i % 300), static_cast<double>(i / 300), 0};
         course.segments.push_back(

@@ -15,7 +15,7 @@ struct RandomScene {
         std::size_t drawn;  // lines before it
         oracle::Place place;
     };
-    Course course;
+    Traversal course;
     std::vector<oracle::Line> lines;
     std::vector<Asked> asked;
 

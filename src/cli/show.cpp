@@ -91,6 +91,15 @@ nlohmann::ordered_json as_json(const LSystem& system, const Class& kind) {
     for (const Settings::Stamp& stamp : system.settings.stamps)
         out["stamps"].push_back(nlohmann::ordered_json{
             {"symbol", system.alphabet.name(stamp.symbol)}, {"shape", shape_name(stamp.shape)}});
+    out["solids"] = nlohmann::json::array();
+    for (const SolidSetting& solid : system.settings.solids)
+        out["solids"].push_back(nlohmann::ordered_json{{"symbol", system.alphabet.name(solid.symbol)},
+                                                       {"kind", solid.kind},
+                                                       {"measures", solid.measures}});
+    out["surfaces"] = nlohmann::json::array();
+    for (const SurfaceSetting& surface : system.settings.surfaces)
+        out["surfaces"].push_back(nlohmann::ordered_json{
+            {"symbol", system.alphabet.name(surface.symbol)}, {"kind", surface.kind}});
     return out;
 }
 
@@ -152,6 +161,13 @@ std::string as_text(const LSystem& system, const Class& kind) {
     for (const Settings::Stamp& stamp : system.settings.stamps)
         stamps.push_back(system.alphabet.name(stamp.symbol) + ' ' + shape_name(stamp.shape));
     list("stamps", stamps);
+    std::vector<std::string> solids, surfaces;
+    for (const SolidSetting& solid : system.settings.solids)
+        solids.push_back(system.alphabet.name(solid.symbol) + ' ' + print_solid(solid));
+    list("solids", solids);
+    for (const SurfaceSetting& surface : system.settings.surfaces)
+        surfaces.push_back(system.alphabet.name(surface.symbol) + ' ' + print_surface(surface));
+    list("surfaces", surfaces);
     line("deterministic", answer(kind.deterministic));
     line("propagating", answer(kind.propagating));
     line("bracketed", answer(kind.bracketed));

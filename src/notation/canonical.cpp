@@ -68,6 +68,33 @@ std::string print_range(const std::pair<std::uint64_t, std::uint64_t>& range) {
     return std::to_string(first) + (last == first ? "" : ".." + std::to_string(last));
 }
 
+std::string print_direction(const Direction& direction) {
+    return joined({piece(direction.azimuth), piece(direction.elevation)});
+}
+
+/// What symbols leave in space, and where steps bend to.
+void add_space(const Settings& settings, const Printer& printer, Lines& lines) {
+    for (const SolidSetting& solid : settings.solids)
+        lines.setting("solid", printer.apart({solid.symbol}) + ' ' + print_solid(solid));
+    for (const SurfaceSetting& surface : settings.surfaces)
+        lines.setting("surface", printer.apart({surface.symbol}) + ' ' + print_surface(surface));
+    if (const auto& to = settings.tropism)
+        lines.setting("tropism", joined({piece(to->x), piece(to->y), piece(to->z)}));
+    lines.number("susceptibility", settings.susceptibility);
+}
+
+/// How figures in space are looked at.
+void add_views(const Settings& settings, Lines& lines) {
+    if (const auto& camera = settings.camera) {
+        std::vector<std::string> parts{print_direction(camera->from)};
+        if (camera->perspective) parts.emplace_back("perspective");
+        if (camera->opening) parts.push_back(piece(*camera->opening));
+        lines.setting("camera", joined(parts));
+    }
+    if (settings.light) lines.setting("light", print_direction(*settings.light));
+    lines.number("fog", settings.fog);
+}
+
 void add_settings(const Settings& settings, const Printer& printer, Lines& lines) {
     lines.number("angle", settings.angle);
     lines.number("step", settings.step);
@@ -79,9 +106,11 @@ void add_settings(const Settings& settings, const Printer& printer, Lines& lines
     lines.setting("plot", printer.apart(settings.plotters));
     for (const Settings::Stamp& stamp : settings.stamps)
         lines.setting("stamp", printer.apart({stamp.symbol}) + ' ' + shape_name(stamp.shape));
+    add_space(settings, printer, lines);
     lines.number("width", settings.width);
     lines.setting("colour", joined(settings.colours));
     if (settings.clockwise) lines.setting("turn", "clockwise");
+    add_views(settings, lines);
     if (settings.generations) lines.setting("generation", print_range(*settings.generations));
     if (settings.seeds) lines.setting("seed", print_range(*settings.seeds));
 }
@@ -92,6 +121,18 @@ std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting
     std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
     for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
     return joined(parts);
+}
+
+std::string print_solid(const SolidSetting& solid) {
+    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures));
+}
+
+std::string print_surface(const SurfaceSetting& surface) {
+    std::string out = surface.kind;
+    for (const Triple& point : surface.points)
+        out += " (" + to_text(point.x.expression) + ", " + to_text(point.y.expression) + ", " +
+               to_text(point.z.expression) + ')';
+    return out;
 }
 
 std::vector<CanonicalLine> canonical_lines(const LSystem& system) {

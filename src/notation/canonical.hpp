@@ -20,4 +20,8 @@ std::vector<CanonicalLine> canonical_lines(const LSystem& system);
 /// What fills a module, as it stands behind `environment`: `?E clip 0 0 4 3`.
 std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment);
 
+/// What stands behind the symbol of a solid or of a surface: `box width height`, `leaf`.
+std::string print_solid(const SolidSetting& solid);
+std::string print_surface(const SurfaceSetting& surface);
+
 }  // namespace algae

@@ -30,13 +30,16 @@ enum class Stage {
     interpretation,
     plot,
     stamp,
+    solid,
+    surface,
     other,
     unknown
 };
 constexpr Stage all_stages[] = {Stage::alphabet, Stage::constant,  Stage::inner,
                                 Stage::axiom,    Stage::rule,      Stage::ignore,
                                 Stage::terminals, Stage::interpretation, Stage::plot,
-                                Stage::stamp,    Stage::other,     Stage::unknown};
+                                Stage::stamp,    Stage::solid,     Stage::surface,
+                                Stage::other,    Stage::unknown};
 
 Stage stage(const Clause& clause) {
     if (is_rule(clause)) return Stage::rule;
@@ -51,6 +54,8 @@ Stage stage(const Clause& clause) {
     if (name == "interpret") return Stage::interpretation;
     if (name == "plot") return Stage::plot;
     if (name == "stamp") return Stage::stamp;
+    if (name == "solid") return Stage::solid;
+    if (name == "surface") return Stage::surface;
     const auto& names = setting_names();
     return std::find(names.begin(), names.end(), name) != names.end() ? Stage::other
                                                                       : Stage::unknown;
@@ -58,7 +63,7 @@ Stage stage(const Clause& clause) {
 
 bool may_repeat(std::string_view name) {
     for (const char* repeated : {"id", "alphabet", "let", "system", "table", "interpret",
-                                 "environment", "stamp", "expect"})
+                                 "environment", "stamp", "solid", "surface", "expect"})
         if (name == repeated) return true;
     return false;
 }

@@ -104,11 +104,7 @@ void read_stamp(std::string_view value, Reading& reading) {
         throw SyntaxError{value.data(), "expected one symbol and a shape, found " +
                                             std::to_string(symbols.size()) + " symbols"};
     auto& stamps = reading.system.settings.stamps;
-    for (const Settings::Stamp& stamp : stamps)
-        if (stamp.symbol == symbols.front())
-            throw SyntaxError{value.data(), "the symbol " +
-                                                quoted(reading.system.alphabet.name(stamp.symbol)) +
-                                                " has a stamp already"};
+    check_unnamed(symbols.front(), value.data(), reading);
     for (const StampShape known : {StampShape::square, StampShape::circle, StampShape::triangle})
         if (shape == shape_name(known)) {
             stamps.push_back({symbols.front(), known});
@@ -180,8 +176,8 @@ const std::vector<std::string>& setting_names() {
     static const std::vector<std::string> names{
         "title",     "source",    "id",     "alphabet", "let",        "axiom", "table", "schedule", "ignore",
         "terminals", "interpret", "environment", "angle",  "step",     "shrink",     "start", "spin",
-        "scale",     "narrow",    "plot",      "stamp",  "width",     "colour", "turn",     "generation",
-        "seed",      "expect"};
+        "scale",     "narrow",    "plot",      "stamp",  "solid",     "surface", "tropism", "susceptibility",
+        "width",     "colour",    "turn",   "camera",   "light",      "fog",   "generation", "seed",  "expect"};
     return names;
 }
 
@@ -229,6 +225,8 @@ void read_setting(const Clause& clause, Reading& reading) {
         read_stamp(value, reading);
     } else if (name == "expect") {
         read_expectation(clause, reading);
+    } else if (is_space_setting(name)) {
+        read_space_setting(clause, reading);
     } else if (name == "environment") {
         read_environment(clause, reading);
     } else if (name == "start") {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "notation/reading.hpp"
@@ -27,6 +28,18 @@ void read_alphabet(const Clause& clause, Reading& reading);
 /// Reads what fills the communication modules of one name, `environment ?E clip 0 0 4 3`. Throws
 /// `SyntaxError`.
 void read_environment(const Clause& clause, Reading& reading);
+
+/// Throws `SyntaxError` if the symbol has a stamp, a solid or a surface already.
+void check_unnamed(Symbol symbol, const char* place, const Reading& reading);
+
+/// Whether a setting is one of those for figures in space.
+///
+/// Example: is_space_setting("camera") && !is_space_setting("angle")
+bool is_space_setting(std::string_view name);
+
+/// Reads a setting for figures in space: solid, surface, tropism, susceptibility, camera, light, fog.
+/// Throws `SyntaxError`.
+void read_space_setting(const Clause& clause, Reading& reading);
 
 /// Reads any other setting whose value is no word. Throws `SyntaxError`.
 void read_setting(const Clause& clause, Reading& reading);

@@ -11,6 +11,7 @@
 
 #include "system/settings.hpp"
 #include "turtle/pose.hpp"
+#include "turtle/solid_shape.hpp"
 
 namespace algae {
 
@@ -50,8 +51,6 @@ struct Face {
     std::uint32_t first = 0, corners = 0;
     Paint paint;
 };
-
-enum class SolidShape : std::uint8_t { box, cylinder, cone, sphere };
 
 /// A solid by its middle, the way it is turned, and its measures. A box has `size` along heading,
 /// left and up of `attitude`. A cylinder and a cone have the height `size.x` along the heading and the

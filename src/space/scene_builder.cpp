@@ -66,6 +66,11 @@ void SceneBuilder::polygon(std::span<const Vector> corners) {
     scene_.add_face(corners, paint_now());
 }
 
+void SceneBuilder::solid(SolidShape shape, const Vector& size, const TurtleState& state) {
+    if (scene_.solids.size() % 65536 == 0) check_memory();
+    scene_.solids.push_back({shape, state.position, state.attitude, size, paint_now()});
+}
+
 void SceneBuilder::name_branches() {
     std::vector<std::uint32_t> next(scene_.rods.size(), Rod::none);  // the one that goes on
     for (std::uint32_t i = 0; i < scene_.rods.size(); ++i) {

@@ -24,6 +24,7 @@ public:
     void branched(const TurtleState&) override { saved_.push_back(last_); }
     void returned(const TurtleState&) override;
     void polygon(std::span<const Vector> corners) override;
+    void solid(SolidShape shape, const Vector& size, const TurtleState& state) override;
     void colour(std::uint32_t index) override { paint_ = {index, {}}; }
     void paint(const Colour& colour) override { paint_.colour = colour; }
 

@@ -4,17 +4,47 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
+#include "environment/open_modules.hpp"
+#include "shape/boxes.hpp"
+#include "space/box_scene.hpp"
 #include "space/scene_builder.hpp"
 #include "system/accessible.hpp"
+#include "system/classes.hpp"
+#include "turtle/surface.hpp"
 
 namespace algae {
 
 namespace {
 
-bool turns_out(const LSystem& system, Symbol symbol) {
+/// Whether the turtle leaves the plane for a symbol that interpretations leave alone.
+bool leaves_plane(const LSystem& system, Symbol symbol) {
+    const Settings& settings = system.settings;
+    for (const SolidSetting& solid : settings.solids)
+        if (solid.symbol == symbol) return true;
+    for (const SurfaceSetting& surface : settings.surfaces)
+        if (surface.symbol == symbol) return !is_flat(surface);
     const std::string& name = system.alphabet.name(symbol);
     return name == "&" || name == "^" || name == "\\" || name == "/" || name == "$";
+}
+
+/// Whether a symbol of `plot` is written with three coordinates.
+bool plots_in_space(const LSystem& system) {
+    const auto& plotters = system.settings.plotters;
+    const auto plots = [&](const ModuleWord& word) {
+        return std::any_of(word.arguments.begin(), word.arguments.end(), [&](const auto& module) {
+            const Symbol symbol = word.letters[module.first];
+            return module.second.size() == 3 &&
+                   std::count(plotters.begin(), plotters.end(), symbol) > 0;
+        });
+    };
+    if (plotters.empty()) return false;
+    if (plots(system.axiom)) return true;
+    for (const auto* all : {&system.rules, &system.interpretation})
+        for (const Production& rule : *all)
+            if (plots(rule.successor)) return true;
+    return false;
 }
 
 /// The letters that words and what the turtle makes of them may have.
@@ -38,14 +68,24 @@ std::vector<Symbol> walked_letters(const LSystem& system) {
 }  // namespace
 
 bool leaves_plane(const LSystem& system) {
+    if (system.settings.tropism && system.settings.tropism->z.value != 0) return true;
+    if (plots_in_space(system) || class_of(system).shape) return true;
     const std::vector<Symbol> letters = walked_letters(system);
     return std::any_of(letters.begin(), letters.end(),
-                       [&](Symbol symbol) { return turns_out(system, symbol); });
+                       [&](Symbol symbol) { return leaves_plane(system, symbol); });
 }
 
 SpaceDerivation scene(const LSystem& system, std::uint64_t n, const Budget& budget,
-                      const FigureChoices& choices) {
-    const DerivedModules derived = derived_modules(system, n, choices, budget);
+                      const FigureChoices& choices, std::shared_ptr<Environment> external) {
+    if (class_of(system).shape) {
+        const View<ShapeSystem> shapes = as_shape(system);
+        SpaceDerivation out;
+        out.scene = box_scene(system, boxes_after(*shapes, shapes->axiom, n, budget));
+        out.scene.name = figure_name(system, n);
+        out.facts.box = box_of(out.scene);
+        return out;
+    }
+    const DerivedModules derived = open_modules(system, n, choices, std::move(external), budget);
     return scene(system, derived.kinds, derived.word, n, derived.seed, budget);
 }
 

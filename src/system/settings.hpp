@@ -7,6 +7,8 @@
 #include <vector>
 
 #include "system/expression.hpp"
+#include "system/solid_setting.hpp"
+#include "system/space_settings.hpp"
 #include "word/alphabet.hpp"
 
 namespace algae {
@@ -43,6 +45,13 @@ struct Settings {
         bool operator==(const Stamp&) const = default;
     };
     std::vector<Stamp> stamps;        // `stamp S square`: S leaves a filled shape where it stands
+    std::vector<SolidSetting> solids;      // `solid F box width`: F is a box, its parameter the width
+    std::vector<SurfaceSetting> surfaces;  // `surface K leaf`: K leaves a surface
+    std::optional<Triple> tropism;    // direction that steps bend to, as strong as it is long; none
+    std::optional<Quantity> susceptibility;  // factor on how far they bend; 1
+    std::optional<CameraSetting> camera;     // of figures in space; -60 15
+    std::optional<Direction> light;   // where it comes from; over the camera's left shoulder
+    std::optional<Quantity> fog;      // share that the farthest part takes of the background; 0
     std::vector<std::string> colours;  // `colour`: names or #rrggbb, the first for the start, the
                                        // symbol ' goes on to the next; `along`: hue by position
     std::optional<std::pair<std::uint64_t, std::uint64_t>> generations;  // `generation 0..6`

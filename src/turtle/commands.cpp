@@ -130,9 +130,9 @@ Commands::Commands(const LSystem& system, const std::vector<Symbol>& letters)
 }
 
 void refuse_space(const LSystem& system, Symbol symbol) {
-    throw Error("the symbol " + system.alphabet.name(symbol) + " turns the turtle out of the plane: " +
+    throw Error("the symbol " + system.alphabet.name(symbol) + " leaves the plane: " +
                 (system.name.empty() ? "this" : system.name) +
-                " is a figure in space, and only plane figures can be drawn");
+                " is a figure in space, expected one in the plane");
 }
 
 }  // namespace algae

@@ -14,7 +14,10 @@ namespace {
 
 /// Whether commands without parameters say all that a turtle is to do with words of letters.
 bool is_plain(const LSystem& system) {
-    if (!system.settings.stamps.empty()) return false;
+    const Settings& settings = system.settings;
+    if (!settings.stamps.empty() || !settings.solids.empty() || !settings.surfaces.empty() ||
+        settings.tropism)
+        return false;
     return std::all_of(
         system.interpretation.begin(), system.interpretation.end(), [](const Production& rule) {
             return !rule.condition && !rule.probability && rule.predecessor.parameters.empty() &&

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/error.hpp"
 #include "turtle/commands.hpp"
 #include "turtle/surveyor.hpp"
 
@@ -60,6 +61,9 @@ ModuleFigure::ModuleFigure(const LSystem& system, const ModuleKinds& kinds, Modu
                            std::uint64_t generation, std::uint64_t seed, const Budget& budget)
     : settings_(system.settings), turtle_(system, kinds, generation, seed), word_(std::move(word)) {
     if (const auto symbol = turtle_.symbol_of_space(word_)) refuse_space(system, *symbol);
+    if (settings_.tropism && settings_.tropism->z.value != 0)
+        throw Error("the tropism of " + turtle_.name() +
+                    " bends it out of the plane: expected a figure in the plane");
     Surveyor surveyor;
     PlaneEvents events(surveyor, word_.kinds.size());
     const TurtleState end = turtle_.walk(word_, events, budget);

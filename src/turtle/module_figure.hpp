@@ -9,7 +9,7 @@ namespace algae {
 /// are doubles.
 class ModuleFigure : public Figure {
 public:
-    /// Walks the word once. Throws Error if a symbol turns the turtle out of the plane, and as
+    /// Walks the word once. Throws Error if a symbol or a tropism leaves the plane, and as
     /// ModuleTurtle does. `seed` is for interpretations with probabilities.
     ModuleFigure(const LSystem& system, const ModuleKinds& kinds, ModuleString word,
                  std::uint64_t generation, std::uint64_t seed, const Budget& budget);

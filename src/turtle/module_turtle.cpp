@@ -8,6 +8,7 @@
 #include "rewrite/draws.hpp"
 #include "rewrite/module_text.hpp"
 #include "rewrite/word_values.hpp"
+#include "turtle/surface.hpp"
 
 namespace algae {
 
@@ -66,17 +67,26 @@ std::vector<Vector> stamp_corners(StampShape shape, double size, const TurtleSta
     return out;
 }
 
+std::string figure_name(const LSystem& system, std::uint64_t generation) {
+    return "generation " + std::to_string(generation) +
+           (system.name.empty() ? "" : " of " + system.name);
+}
+
 ModuleTurtle::ModuleTurtle(const LSystem& system, const ModuleKinds& kinds,
                            std::uint64_t generation, std::uint64_t seed)
     : rules_(compiled_rules(interpretation_of(system), {}, &kinds)),
-      name_("generation " + std::to_string(generation) +
-            (system.name.empty() ? "" : " of " + system.name)),
+      susceptibility_(value_or(system.settings.susceptibility, 1)),
+      name_(figure_name(system, generation)),
       angle_(value_or(system.settings.angle, 90)),
       scale_(value_or(system.settings.scale, 1)),
       narrow_(value_or(system.settings.narrow, 1)),
       generation_(generation),
       seed_(seed) {
     const Settings& settings = system.settings;
+    for (const SolidSetting& solid : settings.solids) solids_.emplace(solid.symbol, solid);
+    for (const SurfaceSetting& surface : settings.surfaces)
+        surfaces_.emplace(surface.symbol, surface_faces(surface));
+    if (const auto& to = settings.tropism) tropism_ = Vector{to->x.value, to->y.value, to->z.value};
     for (std::size_t kind = 0; kind < kinds.size(); ++kind)
         own_kinds_.push_back(rules_.kinds.kind(kinds.letter(static_cast<ModuleKind>(kind)),
                                                kinds.arity(static_cast<ModuleKind>(kind))));
@@ -115,6 +125,8 @@ ModuleTurtle::Operation ModuleTurtle::operation_of(ModuleKind kind) const {
         return Operation::plot;
     for (const Settings::Stamp& stamp : settings.stamps)
         if (stamp.symbol == letter) return Operation::stamp;
+    if (solids_.contains(letter)) return Operation::solid;
+    if (surfaces_.contains(letter)) return Operation::surface;
     const std::string& name = system.alphabet.name(letter);
     if (name == "F" || name.starts_with("F_")) return Operation::draw;
     if (name == "f" || name.starts_with("f_")) return Operation::move;
@@ -165,6 +177,11 @@ ModuleTurtle::Operation ModuleTurtle::operation_of(ModuleKind kind) const {
 std::optional<Symbol> ModuleTurtle::symbol_of_space(const ModuleString& word) const {
     std::vector<char> seen(rules_.kinds.size());
     std::vector<ModuleKind> open;
+    const auto is_hollow = [&](Symbol letter) {
+        for (const SurfaceSetting& surface : rules_.system->settings.surfaces)
+            if (surface.symbol == letter) return !is_flat(surface);
+        return false;
+    };
     const auto meet = [&](ModuleKind kind) {
         if (!seen[kind]) open.push_back(kind);
         seen[kind] = 1;
@@ -176,7 +193,9 @@ std::optional<Symbol> ModuleTurtle::symbol_of_space(const ModuleString& word) co
         const Operation operation = operations_[kind];
         const Symbol letter = rules_.kinds.letter(kind);
         const bool turns = operation >= Operation::down && operation <= Operation::roll_right;
-        if (turns || (operation == Operation::level && rules_.system->alphabet.name(letter) == "$"))
+        if (turns || operation == Operation::solid || is_hollow(letter) ||
+            (operation == Operation::plot && rules_.kinds.arity(kind) > 2) ||
+            (operation == Operation::level && rules_.system->alphabet.name(letter) == "$"))
             return letter;
         if (!interpreted_[kind]) continue;
         for (const Alternatives& alternatives : rules_.tables.front().of[kind])
@@ -272,11 +291,15 @@ private:
     void go(bool drawn, bool marked, ModuleKind kind, const double* values) {
         const double way = state_.step * amount(kind, values, 1);
         go_to(state_.position + way * state_.attitude.heading(), drawn, marked, kind, values);
+        if (!drawn || !turtle_.tropism_) return;
+        const Vector& to = *turtle_.tropism_;
+        const double pull = length(cross(state_.attitude.heading(), to));
+        state_.attitude.bend(to, turtle_.susceptibility_ * pull);
     }
 
     void restore(const TurtleState& state) {
-        const bool wider = state.width != state_.width, other = state.colour != state_.colour ||
-                                                           state.paint != state_.paint;
+        const bool wider = state.width != state_.width,
+                   other = state.colour != state_.colour || state.paint != state_.paint;
         state_ = state;
         if (wider) events_.width(state_.width);
         if (other) tell_colour();
@@ -307,16 +330,16 @@ private:
         tell_colour();
     }
 
+    std::uint32_t colour_number(double number, ModuleKind kind, const double* values) const {
+        constexpr double most = 4294967295;
+        if (!(number >= 0 && number <= most && number == std::floor(number)))
+            fail(kind, values, "expected the number of a colour, counted from 0");
+        return static_cast<std::uint32_t>(number);
+    }
+
     void set_colour(ModuleKind kind, const double* values) {
         if (turtle_.rules_.kinds.arity(kind) == 3) return set_paint(kind, values);
-        constexpr double most = 4294967295;
-        if (has_amount(kind)) {
-            if (!(*values >= 0 && *values <= most && *values == std::floor(*values)))
-                fail(kind, values, "expected the number of a colour, counted from 0");
-            state_.colour = static_cast<std::uint32_t>(*values);
-        } else {
-            ++state_.colour;
-        }
+        state_.colour = has_amount(kind) ? colour_number(*values, kind, values) : state_.colour + 1;
         state_.paint.reset();
         tell_colour();
     }
@@ -330,6 +353,48 @@ private:
                 events_.stamp(stamp.shape, size * std::fabs(state_.step), state_);
                 return;
             }
+    }
+
+    /// Turns or moves the turtle, or leaves a solid.
+    void do_solid(ModuleKind kind, const double* values) {
+        const std::uint32_t count = turtle_.rules_.kinds.arity(kind);
+        const SolidModule& module = turtle_.solids_.at(turtle_.rules_.kinds.letter(kind));
+        Vector size = module.size(values, count);
+        if (module.is_rotation()) {
+            state_.attitude.roll(turns_.by(-size.x));  // to the left is clockwise about the heading
+            state_.attitude.pitch(turns_.by(size.y));
+            state_.attitude.yaw(turns_.by(size.z));
+            return;
+        }
+        size = std::fabs(state_.step) * size;
+        const auto shape = module.shape();
+        if (!shape) {
+            const Attitude& look = state_.attitude;
+            go_to(state_.position + size.x * look.heading() + size.y * look.left() +
+                      size.z * look.up(),
+                  false, true, kind, values);
+            return;
+        }
+        if (!std::isfinite(size.x + size.y + size.z) || std::min({size.x, size.y, size.z}) < 0)
+            fail(kind, values, "expected measures of at least 0");
+        if (const auto number = module.colour(values, count))
+            events_.colour(colour_number(*number, kind, values));
+        events_.solid(*shape, size, state_);
+        tell_colour();
+    }
+
+    void leave_surface(ModuleKind kind, const double* values) {
+        const double size = amount(kind, values, 1) * std::fabs(state_.step);
+        if (!(size >= 0 && std::isfinite(size)))
+            fail(kind, values, "expected a size of at least 0");
+        const Attitude& look = state_.attitude;
+        for (const auto& face : turtle_.surfaces_.at(turtle_.rules_.kinds.letter(kind))) {
+            corners_.clear();
+            for (const Vector& at : face)
+                corners_.push_back(state_.position + size * at.x * look.heading() +
+                                   size * at.y * look.left() + size * at.z * look.up());
+            events_.polygon(corners_);
+        }
     }
 
     void rescale(ModuleKind kind, const double* values) {
@@ -364,7 +429,8 @@ private:
     /// Where parameters may be words.
     void check_numbers(Operation operation, ModuleKind kind, const double* values) const {
         const std::uint32_t arity = turtle_.rules_.kinds.arity(kind);
-        const bool all = operation == Operation::plot || operation == Operation::colour;
+        const bool all = operation == Operation::plot || operation == Operation::colour ||
+                         operation == Operation::solid;
         const std::uint32_t read = all ? arity : std::min(arity, 1U);
         if (std::any_of(values, values + read, WordValues::is_word))
             fail(kind, values, "expected a number for the turtle, found a word");
@@ -453,6 +519,12 @@ private:
             case Operation::stamp:
                 leave_stamp(kind, values);
                 break;
+            case Operation::solid:
+                do_solid(kind, values);
+                break;
+            case Operation::surface:
+                leave_surface(kind, values);
+                break;
         }
     }
 
@@ -540,6 +612,7 @@ private:
     std::size_t position_ = 0;
     std::vector<Saved> saved_;
     std::vector<std::vector<Vector>> polygons_;  // open ones, the innermost last
+    std::vector<Vector> corners_;                // of a surface's face
     std::vector<std::vector<double>> rooms_;     // parameters of interpretations, by depth
     std::uint64_t interpreted_ = 0, choices_ = 0;
     ModuleKind top_ = 0;

@@ -2,7 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <memory>
+#include <map>
 #include <optional>
 #include <span>
 #include <string>
@@ -13,6 +13,7 @@
 #include "rewrite/rule_set.hpp"
 #include "system/lsystem.hpp"
 #include "turtle/pose.hpp"
+#include "turtle/solid_module.hpp"
 
 namespace algae {
 
@@ -30,8 +31,8 @@ struct TurtleState {
     Attitude attitude;
     double step = 1;  // length of a step, in the units of the figure
     StrokeWidth width;
-    std::uint32_t colour = 0;      // in the list of the file
-    std::optional<Colour> paint;   // instead of it, after '(r,g,b)
+    std::uint32_t colour = 0;     // in the list of the file
+    std::optional<Colour> paint;  // instead of it, after '(r,g,b)
 };
 
 /// What hears of a turtle's walk, in the order of the word. All points are in the units of the file.
@@ -57,6 +58,9 @@ public:
     /// A filled shape of this size centred at the turtle, turned as it looks. Sends the polygon of
     /// `stamp_corners` unless somebody knows better.
     virtual void stamp(StampShape shape, double size, const TurtleState& state);
+    /// A solid around the turtle, turned as it looks: of a box `size` is along heading, left and up;
+    /// a cylinder and a cone have the height size.x and the radius size.y, a sphere the radius size.x.
+    virtual void solid(SolidShape, const Vector& /*size*/, const TurtleState&) {}
     /// The width from here on, and the colour: one of the list, or one of its own.
     virtual void width(const StrokeWidth&) {}
     virtual void colour(std::uint32_t /*index*/) {}
@@ -69,6 +73,9 @@ public:
 ///
 /// Example: stamp_corners(StampShape::square, 2, {}).front() == Vector{1, 1, 0}
 std::vector<Vector> stamp_corners(StampShape shape, double size, const TurtleState& state);
+
+/// "generation 5 of koch", as messages call it.
+std::string figure_name(const LSystem& system, std::uint64_t generation);
 
 /// A turtle for words of modules, in the plane and in space (Prusinkiewicz and Lindenmayer 1990,
 /// 1.5 and 1.10.3; Hanan 1992). Positions are doubles.
@@ -87,6 +94,14 @@ std::vector<Vector> stamp_corners(StampShape shape, double size, const TurtleSta
 /// - [ ] { } . and % are those of the plane.
 /// - A symbol of `plot` with two or three parameters draws a line to that point and stands there.
 /// - A symbol of `stamp` leaves its shape, of the size of two steps, or of as many as it says.
+/// - A symbol of `solid` leaves its solid, or turns or moves the turtle with the pen up; its parameters
+///   are measures in steps and degrees (see SolidModule). A rotation is counter-clockwise, first
+///   about the heading, then about the left and then about the up that come of it.
+/// - A symbol of `surface` leaves it, once or as many times as large as it says; see surface_faces.
+///
+/// Where the file has a `tropism` T, the turtle is turned after each stroke by the angle e |H x T| in
+/// radians about H x T, so that H goes towards T, e being the `susceptibility` (Prusinkiewicz and
+/// Lindenmayer 1990, 2.3.4). T is not made a unit vector.
 ///
 /// `interpret` rules are applied to each module, and to what they give, until none matches. Where
 /// they have probabilities, the numbers are those of Draws for the seed with all bits turned round,
@@ -107,13 +122,13 @@ public:
     TurtleState walk(const ModuleString& word, TurtleEvents& events,
                      const Budget& budget = {}) const;
 
-    /// The symbol by which the word, or an interpretation that it may use, turns the turtle out of the
-    /// plane: & ^ \ / or $. Nothing for a figure in the plane.
+    /// The symbol by which the word, or an interpretation that it may use, leaves the plane: & ^ \ / $,
+    /// a solid, a surface that is not flat or a plot of three coordinates. Nothing for a figure in the plane.
     std::optional<Symbol> symbol_of_space(const ModuleString& word) const;
 
     /// The turtle before the first module.
     const TurtleState& start() const { return start_; }
-    /// "generation 5 of koch", as messages call it.
+    /// The figure_name.
     const std::string& name() const { return name_; }
 
 private:
@@ -142,7 +157,9 @@ private:
         colour,
         cut,
         plot,
-        stamp
+        stamp,
+        solid,
+        surface
     };
 
     Operation operation_of(ModuleKind kind) const;
@@ -152,6 +169,10 @@ private:
     std::vector<ModuleKind> own_kinds_;  // by kind of the word
     std::vector<Operation> operations_;  // by own kind; where no interpretation matches
     std::vector<char> interpreted_;      // by own kind: some interpretation may match
+    std::map<Symbol, SolidModule> solids_;
+    std::map<Symbol, std::vector<std::vector<Vector>>> surfaces_;  // their faces
+    std::optional<Vector> tropism_;
+    double susceptibility_ = 1;
     std::string name_;
     TurtleState start_;
     double angle_ = 90;

@@ -120,6 +120,19 @@ public:
         heading_ = -1.0 * heading_;
         left_ = -1.0 * left_;
     }
+    /// Turns by an angle in radians about the axis heading x `to`, so that the heading goes towards `to`;
+    /// nothing if they are parallel.
+    void bend(const Vector& to, double radians) {
+        const Vector across = cross(heading_, to);
+        const double size = length(across);
+        if (!(size > 0)) return;
+        const Vector axis = (1 / size) * across;
+        const double cosine = std::cos(radians), sine = std::sin(radians);
+        for (Vector* const vector : {&heading_, &left_, &up_})
+            *vector = cosine * *vector + sine * cross(axis, *vector) +
+                      (1 - cosine) * dot(axis, *vector) * axis;
+        if (++turns_ % 16 == 0) straighten();
+    }
     /// Rolls until left is level and up does not look down: L' = V x H / |V x H| with V = (0,0,1).
     /// False, and nothing done, if the heading is vertical, so that every left is level.
     bool level() {

@@ -35,6 +35,9 @@ TEST_CASE("the canonical text of one of everything") {
                   "start 0 1+1 (1 < 2)\nshrink (1/sqrt((2)));step 1;angle 25.70\n"
                   "environment  ?E clip 0 (1) (1 < 2) 2.50; environment ?P  position\n"
                   "seed 1 .. 3; stamp F_l circle; stamp  S   square\nplot F G\n"
+                  "fog .5;light -30 1+1; camera 30 (20) perspective 40; susceptibility 0.20\n"
+                  "tropism 0 0 -1;surface K polygon (0,0,0) (1, 0 ,1/2)(1,1,0);surface L leaf\n"
+                  "solid T _typeTranslation _x _z; solid B box height width colour\n"
                   "interpret L->F\nterminals ab\nignore +-\n"
                   "axiom F wallF F_lF_ 2X_1 2(1e0)[ A( x1 ) ]\nlet x1=0.30\nalphabet wall; id b\n"
                   "a<b>c? d,e(x):x>1->f\nid c\nF -(0.5)-> ; F-(1/2)->div( Y,3 ,1r ){ B C}\n"
@@ -49,7 +52,12 @@ TEST_CASE("the canonical text of one of everything") {
         "environment ?E clip 0 1 (1 < 2) 2.5\nenvironment ?P position\n"
         "angle 25.7\nstep 1\nshrink 1/sqrt(2)\nstart 0 1+1 (1 < 2)\nspin 45\nscale 2\nnarrow 1/2\n"
         "plot F G\nstamp F_l circle\nstamp S square\n"
-        "width 0.5\ncolour red #ff8000\nturn clockwise\ngeneration 2..4\nseed 1..3\nexpect length 3: 148\n");
+        "solid T translation x z\nsolid B box height width colour\n"
+        "surface K polygon (0, 0, 0) (1, 0, 1/2) (1, 1, 0)\nsurface L leaf\n"
+        "tropism 0 0 -1\nsusceptibility 0.2\n"
+        "width 0.5\ncolour red #ff8000\nturn clockwise\n"
+        "camera 30 20 perspective 40\nlight -30 1+1\nfog 0.5\n"
+        "generation 2..4\nseed 1..3\nexpect length 3: 148\n");
 }
 
 TEST_CASE("words take blanks only where names would run together") {

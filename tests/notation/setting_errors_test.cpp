@@ -241,3 +241,88 @@ TEST_CASE("stamps, plots and seeds that are none") {
           "  plot G\n"
           "  ^");
 }
+
+TEST_CASE("solids and surfaces that are none") {
+    CHECK(findings("axiom S\nsolid S\nsolid ST box\nsolid T cube\nsolid T cone width\n"
+                   "solid U box width _width\nsurface K\nsurface K leave\nsurface K leaf (0,0,0)\n"
+                   "surface K polygon (0,0,0) (1,0,0)\nsurface K polygon (0,0,0) (1,0)\n"
+                   "surface K patch (0,0,0)\nsurface K polygon 1") ==
+          "x.lsys:2:8: error: expected a symbol and box, cylinder, cone, sphere, rotation or "
+          "translation, found the end of the line\n"
+          "  solid S\n"
+          "         ^\n"
+          "x.lsys:3:7: error: expected one symbol, found 2 symbols\n"
+          "  solid ST box\n"
+          "        ^\n"
+          "x.lsys:4:9: error: expected box, cylinder, cone, sphere, rotation or translation, found "
+          "'cube'; did you mean 'cone'?\n"
+          "  solid T cube\n"
+          "          ^\n"
+          "x.lsys:5:14: error: expected radius, height or colour, found 'width'\n"
+          "  solid T cone width\n"
+          "               ^\n"
+          "x.lsys:6:19: error: the measure '_width' is given twice\n"
+          "  solid U box width _width\n"
+          "                    ^\n"
+          "x.lsys:7:10: error: expected a symbol and leaf, petal, disc, polygon or patch, found the "
+          "end of the line\n"
+          "  surface K\n"
+          "           ^\n"
+          "x.lsys:8:11: error: expected leaf, petal, disc, polygon or patch, found 'leave'; did you "
+          "mean 'leaf'?\n"
+          "  surface K leave\n"
+          "            ^\n"
+          "x.lsys:9:16: error: expected the end of the line, found '(0,0,0)'\n"
+          "  surface K leaf (0,0,0)\n"
+          "                 ^\n"
+          "x.lsys:10:11: error: expected at least three points for a polygon, found 2\n"
+          "  surface K polygon (0,0,0) (1,0,0)\n"
+          "            ^\n"
+          "x.lsys:11:27: error: expected a point (x,y,z), found 2 numbers\n"
+          "  surface K polygon (0,0,0) (1,0)\n"
+          "                            ^\n"
+          "x.lsys:12:11: error: expected 16 points for a patch, row by row, found 1\n"
+          "  surface K patch (0,0,0)\n"
+          "            ^\n"
+          "x.lsys:13:19: error: expected a point (x,y,z), found '1'\n"
+          "  surface K polygon 1\n"
+          "                    ^");
+    CHECK(findings("axiom S\nstamp S circle\nsolid S box\nsurface K leaf\nsolid K box") ==
+          "x.lsys:3:7: error: the symbol 'S' has a stamp already\n"
+          "  solid S box\n"
+          "        ^\n"
+          "x.lsys:4:9: error: the symbol 'K' has a solid already\n"
+          "  surface K leaf\n"
+          "          ^");
+}
+
+TEST_CASE("views and tropisms that are none") {
+    CHECK(findings("axiom S\ntropism 0 0 0\nsusceptibility 1 2\ncamera 1\nlight 3 91\nfog 2") ==
+          "x.lsys:2:9: error: expected a direction, found the zero vector\n"
+          "  tropism 0 0 0\n"
+          "          ^\n"
+          "x.lsys:3:18: error: expected the end of the line after a number, found '2'\n"
+          "  susceptibility 1 2\n"
+          "                   ^\n"
+          "x.lsys:4:9: error: expected an azimuth and an elevation in degrees, found the end of the "
+          "line\n"
+          "  camera 1\n"
+          "          ^\n"
+          "x.lsys:5:9: error: expected an elevation from -90 to 90 degrees, found '91'\n"
+          "  light 3 91\n"
+          "          ^\n"
+          "x.lsys:6:5: error: expected a share from 0 to 1, found '2'\n"
+          "  fog 2\n"
+          "      ^");
+    CHECK(findings("axiom S\ntropism 0 0\ncamera 1 2 isometric") ==
+          "x.lsys:2:12: error: expected three coordinates, found the end of the line\n"
+          "  tropism 0 0\n"
+          "             ^\n"
+          "x.lsys:3:12: error: expected perspective, found 'isometric'\n"
+          "  camera 1 2 isometric\n"
+          "             ^");
+    CHECK(findings("axiom S\ncamera 1 2 perspective 180") ==
+          "x.lsys:2:24: error: expected degrees above 0 and below 180, found '180'\n"
+          "  camera 1 2 perspective 180\n"
+          "                         ^");
+}

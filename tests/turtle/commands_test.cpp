@@ -117,8 +117,8 @@ TEST_CASE("symbols of a turtle in space are refused by name") {
         Drawn drawn;
         drawn.system.name = "bush";
         CHECK_THROWS_WITH_AS(drawn.of(name),
-                             ("the symbol " + std::string(name) + " turns the turtle out of the plane: bush is a figure in "
-                              "space, and only plane figures can be drawn").c_str(),
+                             ("the symbol " + std::string(name) + " leaves the plane: bush is a figure in space, expected "
+                              "one in the plane").c_str(),
                              Error);
     }
 }

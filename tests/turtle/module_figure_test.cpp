@@ -165,11 +165,9 @@ TEST_CASE("widths that are lengths reach the canvas, and the facts") {
 
 TEST_CASE("what cannot be drawn in the plane says why") {
     CHECK(refusal("axiom A(1); A(x) -> F(x)&(30)A(x)") ==
-          "the symbol & turns the turtle out of the plane: x.lsys is a figure in space, and only "
-          "plane figures can be drawn");
+          "the symbol & leaves the plane: x.lsys is a figure in space, expected one in the plane");
     CHECK(refusal("axiom A(1); interpret A(x) -> F(x)/(30)") ==
-          "the symbol / turns the turtle out of the plane: x.lsys is a figure in space, and only "
-          "plane figures can be drawn");
+          "the symbol / leaves the plane: x.lsys is a figure in space, expected one in the plane");
     CHECK(refusal("axiom A; A -> div(X, 1r){ A }").find("shape rules") != std::string::npos);
     CHECK(refusal("axiom F?E(0)").find("communication modules") != std::string::npos);
 }

@@ -1,0 +1,26 @@
+#include "system/solid_setting.hpp"
+
+namespace algae {
+
+const std::vector<SolidKind>& solid_kinds() {
+    static const std::vector<SolidKind> kinds = [] {
+        const SolidKind::Name colour{"colour", "_color"}, height{"height", "_height"},
+            radius{"radius", "_radius"}, x{"x", "_x"}, y{"y", "_y"}, z{"z", "_z"};
+        return std::vector<SolidKind>{
+            {{"box", "_typeCube"}, {{"width", "_width"}, height, {"depth", "_depth"}, colour}},
+            {{"cylinder", "_typeCylinder"}, {radius, height, colour}},
+            {{"cone", "_typeCone"}, {{"radius", "_bottomRadius"}, height, colour}},
+            {{"sphere", "_typeSphere"}, {radius, colour}},
+            {{"rotation", "_typeRotation"}, {x, y, z}},
+            {{"translation", "_typeTranslation"}, {x, y, z}}};
+    }();
+    return kinds;
+}
+
+const SolidKind* solid_kind(std::string_view name) {
+    for (const SolidKind& kind : solid_kinds())
+        if (kind.name.name == name || kind.name.reserved == name) return &kind;
+    return nullptr;
+}
+
+}  // namespace algae

@@ -17,6 +17,7 @@
 #include "rewrite/expectation.hpp"
 #include "rewrite/module_text.hpp"
 #include "shape/boxes.hpp"
+#include "space/space_figure.hpp"
 #include "system/classes.hpp"
 #include "turtle/figure.hpp"
 #include "turtle/trace.hpp"
@@ -56,7 +57,8 @@ std::string without_blanks(const std::string& text) {
 class Answers {
 public:
     Answers(const LSystem& system, const Budget& budget)
-        : system_(system), budget_(budget), d0l_(as_d0l(system)), ol_(as_ol(system)), il_(as_il(system)) {
+        : system_(system), budget_(budget), d0l_(as_d0l(system)), ol_(as_ol(system)), il_(as_il(system)),
+          is_in_space_(leaves_plane(system)) {
         if (system.settings.seeds) choices_.seed = system.settings.seeds->first;
     }
 
@@ -68,9 +70,21 @@ public:
         if (kind == "lengths") return lengths(n);
         if (kind == "word") return word(n);
         if (kind == "mean") return mean(n);
+        if (is_in_space_ && kind == "segments")
+            return std::to_string(scene_of(n).facts.segments);
         if (kind == "segments") return to_string(figure_of(n).segments());
         if (kind == "distinct") return std::to_string(trace_of(n).distinct_segments);
         if (kind == "vertices") return std::to_string(trace_of(n).vertices);
+        if (is_in_space_ && kind == "end")
+            return coordinates(corner(scene_of(n).end.position), expected.value);
+        if (is_in_space_ && kind == "box") {
+            const SpaceBox& box = scene_of(n).facts.box;
+            std::vector<Coordinate> corners;
+            if (!box.empty) corners = corner(box.low);
+            for (const Coordinate& high : corner(box.high))
+                if (!box.empty) corners.push_back(high);
+            return coordinates(corners, expected.value);
+        }
         if (kind == "end") return coordinates(figure_of(n).facts().end, expected.value);
         if (kind == "box") {
             const Facts& facts = figure_of(n).facts();
@@ -91,7 +105,19 @@ private:
     const Trace& trace_of(std::uint64_t n) {
         const auto known = traces_.find(n);
         return known != traces_.end() ? known->second
-                                      : traces_.emplace(n, trace(figure_of(n), budget_)).first->second;
+                                      : traces_.emplace(n, traced(n)).first->second;
+    }
+    Trace traced(std::uint64_t n) {
+        return is_in_space_ ? trace(scene_of(n), budget_) : trace(figure_of(n), budget_);
+    }
+    const SpaceDerivation& scene_of(std::uint64_t n) {
+        const auto known = scenes_.find(n);
+        return known != scenes_.end()
+                   ? known->second
+                   : scenes_.emplace(n, scene(system_, n, budget_, choices_)).first->second;
+    }
+    static std::vector<Coordinate> corner(const Vector& place) {
+        return {Coordinate(place.x), Coordinate(place.y), Coordinate(place.z)};
     }
     /// Lengths and words of systems with interactions are derived.
     bool interacts() const { return !ol_ && il_; }
@@ -160,9 +186,11 @@ private:
     View<D0L> d0l_;
     View<OL> ol_;
     View<IL> il_;
+    bool is_in_space_;
     FigureChoices choices_;
     std::optional<OpenDevelopment> development_;
     std::map<std::uint64_t, std::unique_ptr<Figure>> figures_;
+    std::map<std::uint64_t, SpaceDerivation> scenes_;
     std::map<std::uint64_t, Trace> traces_;
 };
 

@@ -21,7 +21,7 @@ struct Disappointment {
 /// Kinds: length N; lengths N (the set of lengths, for 0L systems); mean N (the expected length of a
 /// stochastic 0L system, an exact fraction); word N; segments N, distinct N,
 /// vertices N (drawn segments, different ones, different ends of them); end N (x y); box N (x y of
-/// the lower left and the upper right corner). A decimal stands for the value rounded to its
+/// the lower left and the upper right corner); of figures in space x y z. A decimal stands for the value rounded to its
 /// digits, in the parameters of a word too; a fraction there for the double nearest to it. Systems
 /// with choices derive the word of the first seed of their setting `seed`, or of seed 1. The word of a
 /// system of shape rules is that of its boxes' symbols. An unknown kind, and a

@@ -7,29 +7,6 @@
 
 namespace algae {
 
-namespace {
-
-/// The half sides of the box along the axes around a solid centred at the origin.
-Vector reach(const Solid& solid) {
-    const auto extent = [&](double heading, double left, double up) {
-        const double x = heading * solid.size.x / 2, y = left * solid.size.y / 2, z = up * solid.size.z / 2;
-        switch (solid.shape) {
-            case SolidShape::box:
-                return std::fabs(x) + std::fabs(y) + std::fabs(z);
-            case SolidShape::cylinder:
-            case SolidShape::cone:  // the disc of its base reaches as far as a cylinder's; its tip less
-                return std::fabs(x) + solid.size.y * std::sqrt(std::max(0.0, 1 - heading * heading));
-            case SolidShape::sphere:
-                break;
-        }
-        return solid.size.x;
-    };
-    const Vector &h = solid.attitude.heading(), &l = solid.attitude.left(), &u = solid.attitude.up();
-    return {extent(h.x, l.x, u.x), extent(h.y, l.y, u.y), extent(h.z, l.z, u.z)};
-}
-
-}  // namespace
-
 void SpaceBox::add(const Vector& point) {
     if (empty) {
         low = high = point;
@@ -51,8 +28,48 @@ double SpaceBox::diagonal() const { return length(high - low); }
 void Scene::add_face(std::span<const Vector> points, const Paint& paint) {
     if (corners.size() + points.size() > std::numeric_limits<std::uint32_t>::max())
         throw BoundReached(name + " has more than 2^32 corners of polygons");
-    faces.push_back({static_cast<std::uint32_t>(corners.size()), static_cast<std::uint32_t>(points.size()), paint});
+    faces.push_back({static_cast<std::uint32_t>(corners.size()),
+                     static_cast<std::uint32_t>(points.size()), paint});
     corners.insert(corners.end(), points.begin(), points.end());
+}
+
+SpaceBox box_of(const Solid& solid) {
+    const Vector &h = solid.attitude.heading(), &l = solid.attitude.left(),
+                 &u = solid.attitude.up();
+    const Vector ahead = (solid.size.x / 2) * h;
+    SpaceBox box;
+    const auto add_around = [&](const Vector& middle, const Vector& half) {
+        box.add(middle - half);
+        box.add(middle + half);
+    };
+    // A disc across the heading reaches as far along an axis as its radius times the sine of the
+    // angle between the two.
+    const Vector disc =
+        solid.size.y * Vector{std::hypot(l.x, u.x), std::hypot(l.y, u.y), std::hypot(l.z, u.z)};
+    switch (solid.shape) {
+        case SolidShape::box: {
+            const Vector aside = (solid.size.y / 2) * l, above = (solid.size.z / 2) * u;
+            const auto sum = [](double x, double y, double z) {
+                return std::fabs(x) + std::fabs(y) + std::fabs(z);
+            };
+            add_around(solid.middle,
+                       {sum(ahead.x, aside.x, above.x), sum(ahead.y, aside.y, above.y),
+                        sum(ahead.z, aside.z, above.z)});
+            break;
+        }
+        case SolidShape::cylinder:
+            add_around(solid.middle + ahead, disc);
+            add_around(solid.middle - ahead, disc);
+            break;
+        case SolidShape::cone:
+            box.add(solid.middle + ahead);
+            add_around(solid.middle - ahead, disc);
+            break;
+        case SolidShape::sphere:
+            add_around(solid.middle, {solid.size.x, solid.size.x, solid.size.x});
+            break;
+    }
+    return box;
 }
 
 SpaceBox box_of(const Scene& scene) {
@@ -62,11 +79,7 @@ SpaceBox box_of(const Scene& scene) {
         box.add(rod.to);
     }
     for (const Vector& corner : scene.corners) box.add(corner);
-    for (const Solid& solid : scene.solids) {
-        const Vector half = reach(solid);
-        box.add(solid.middle - half);
-        box.add(solid.middle + half);
-    }
+    for (const Solid& solid : scene.solids) box.add(box_of(solid));
     return box;
 }
 

@@ -17,8 +17,8 @@ namespace algae {
 
 /// What something is painted with: a colour of its own, or one of the list of its scene.
 struct Paint {
-    std::uint32_t index = 0;        // in the scene's list, which comes round again
-    std::optional<Colour> colour;   // instead of it
+    std::uint32_t index = 0;       // in the scene's list, which comes round again
+    std::optional<Colour> colour;  // instead of it
     bool operator==(const Paint&) const = default;
 };
 
@@ -39,11 +39,11 @@ struct Rod {
     static constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
     Vector from, to;
-    double radius = 0;           // in the units of the file; 0: a line
-    double line_width = 1;       // of a line, as a multiple of the scene's
+    double radius = 0;      // in the units of the file; 0: a line
+    double line_width = 1;  // of a line, as a multiple of the scene's
     Paint paint;
-    std::uint32_t before = none; // the rod at whose end this one begins, if it begins at one
-    bool branch = false;         // it begins a branch there, and another rod goes on
+    std::uint32_t before = none;  // the rod at whose end this one begins, if it begins at one
+    bool branch = false;          // it begins a branch there, and another rod goes on
 };
 
 /// A flat polygon; its corners are a run of the scene's.
@@ -82,6 +82,9 @@ struct Scene {
     /// How many rods, faces and solids there are.
     std::size_t parts() const { return rods.size() + faces.size() + solids.size(); }
 };
+
+/// The smallest box around a solid.
+SpaceBox box_of(const Solid& solid);
 
 /// The box around the axes of the rods and around faces and solids: without the thickness of rods.
 SpaceBox box_of(const Scene& scene);

@@ -12,6 +12,7 @@
 #include "space/scene_builder.hpp"
 #include "system/accessible.hpp"
 #include "system/classes.hpp"
+#include "turtle/segment_set.hpp"
 #include "turtle/surface.hpp"
 
 namespace algae {
@@ -100,7 +101,21 @@ SpaceDerivation scene(const LSystem& system, const ModuleKinds& kinds, const Mod
     out.facts.length = total_length(out.scene);
     out.facts.box = box_of(out.scene);
     out.facts.step = std::fabs(turtle.start().step);
+    for (const Rod& rod : out.scene.rods)
+        if (const double size = length(rod.to - rod.from); size > 0)
+            out.facts.step = std::min(out.facts.step, size);
+    // Rounding over a long walk is far less than a millionth of this.
+    out.facts.step = std::max(out.facts.step, out.facts.box.diagonal() * 1e-5);
     return out;
+}
+
+Trace trace(const SpaceDerivation& derivation, const Budget& budget) {
+    SegmentSet segments(derivation.facts.step * 1e-6, budget);
+    for (const Rod& rod : derivation.scene.rods) {
+        const std::uint32_t from = segments.number(rod.from);
+        segments.add(from, segments.number(rod.to));
+    }
+    return segments.result();
 }
 
 }  // namespace algae

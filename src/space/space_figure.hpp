@@ -10,6 +10,7 @@
 #include "system/lsystem.hpp"
 #include "turtle/derived_modules.hpp"
 #include "turtle/module_turtle.hpp"
+#include "turtle/trace.hpp"
 
 namespace algae {
 
@@ -18,7 +19,7 @@ struct SpaceFacts {
     std::uint64_t segments = 0;  // drawn, with multiplicity
     double length = 0;           // of all of them
     SpaceBox box;                // around what is drawn
-    double step = 1;             // of the turtle at its start, above 0
+    double step = 1;             // of the turtle at its start, or the shortest segment
 };
 
 /// A turtle's walk through space: what it left, and where it stopped.
@@ -55,5 +56,8 @@ SpaceDerivation scene(const LSystem& system, std::uint64_t n, const Budget& budg
 /// interpretations that have probabilities.
 SpaceDerivation scene(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
                       std::uint64_t n, std::uint64_t seed, const Budget& budget);
+
+/// How many different segments and ends of them a scene has; see trace of a Figure.
+Trace trace(const SpaceDerivation& derivation, const Budget& budget);
 
 }  // namespace algae

@@ -9,20 +9,12 @@
 #include <sstream>
 #include <string>
 
-#include "notation/gallery.hpp"
-#include "notation/read.hpp"
+#include "space/of_gallery.hpp"
 #include "space/space_figure.hpp"
 
 using namespace algae;
 
 namespace {
-
-LSystem of_gallery(const std::string& name) {
-    for (const GalleryEntry& entry : gallery())
-        if (entry.name == name) return read_lsystem(entry.text, name);
-    FAIL("no ", name, " in the gallery");
-    return {};
-}
 
 bool near(double a, double b) { return std::fabs(a - b) < 1e-12 * (1 + std::fabs(a)); }
 

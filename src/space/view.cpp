@@ -74,7 +74,7 @@ SpaceView::SpaceView(Scene scene, const Settings& settings, const SceneFacts& fa
     : scene_(std::move(scene)),
       settings_(settings),
       choices_(choices),
-      projection_(choices.camera, thick_box(scene_)) {
+      projection_(choices.camera, choices.sight ? *choices.sight : thick_box(scene_)) {
     check_size(scene_, budget);
     if (!choices_.light) choices_.light = usual_light(choices_.camera);
     const Lighting checked(*choices_.light, choices_.fog, choices_.background, 0, 0);
@@ -108,6 +108,17 @@ SpaceView::SpaceView(Scene scene, const Settings& settings, const SceneFacts& fa
     for (const Solid& solid : scene_.solids)
         for (const Vector& corner : corners_of(solid))
             add(corner, solid.shape == SolidShape::sphere ? solid.size.x : 0);
+
+    if (choices_.sight)
+        for (int corner = 0; corner < 8; ++corner) {
+            const Vector &low = choices_.sight->low, &high = choices_.sight->high;
+            const double depth = projection_({(corner & 1) != 0 ? low.x : high.x,
+                                              (corner & 2) != 0 ? low.y : high.y,
+                                              (corner & 4) != 0 ? low.z : high.z})
+                                     .depth;
+            farthest_ = corner == 0 ? depth : std::min(farthest_, depth);
+            nearest_ = corner == 0 ? depth : std::max(nearest_, depth);
+        }
 
     facts_.segments = Integer(static_cast<std::uint64_t>(scene_.rods.size()));
     facts_.end = {Coordinate(facts.end.x), Coordinate(facts.end.y), Coordinate(facts.end.z)};

@@ -16,6 +16,8 @@ struct ViewChoices {
     /// What is kept free beside lines without thickness where they pass in front of others, as a
     /// multiple of the line width. None: 1 for a scene without branches, otherwise 0.
     std::optional<double> gap;
+    /// What the camera is set up for, and the fog. None: the scene.
+    std::optional<SpaceBox> sight;
 };
 
 /// What is known of a scene that its rods do not tell.

@@ -5,7 +5,9 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "cli/draw_explain.hpp"
 #include "cli/draw_motion.hpp"
+#include "cli/draw_progress.hpp"
 #include "cli/environment_option.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
@@ -49,6 +51,7 @@ PictureOptions picture_options(const Options& options) {
 
 /// The name whose end says the format.
 std::string named_format(const Options& options) {
+    if (options.output.empty()) throw Error("--output is required");
     if (!options.format.empty()) return "figure." + options.format;
     if (options.output == "-") throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps, gif or webp");
     return options.output;
@@ -117,14 +120,42 @@ int draw_relative_file(const Options& options, PictureFormat format, const Pictu
     return success;
 }
 
+[[noreturn]] void refuse_panels() {
+    throw Error("--panels: animations and explanations show one figure at a time");
+}
+
+int draw_explained(const Options& options) {
+    if (!options.output.empty()) named_format(options);
+    options.motion.check_unused();
+    const Budget budget = options.bounds.budget();
+    const LSystem system = open_system(options.file, budget);
+    return explain(system,
+                   {options.generation, choices(options, system), options.output, options.format,
+                    picture_options(options), options.json},
+                   budget);
+}
+
+int draw_progressive(const Options& options) {
+    named_format(options);
+    const Budget budget = options.bounds.budget();
+    const LSystem system = open_system(options.file, budget);
+    return draw_progress(system,
+                         {options.generation, choices(options, system), options.output,
+                          options.format, picture_options(options), options.motion,
+                          options.captions, options.caption, options.json},
+                         budget);
+}
+
 int draw(const Options& options) {
+    if (options.panels && (options.motion.explain || options.motion.progressive)) refuse_panels();
+    if (options.motion.explain) return draw_explained(options);
+    if (options.motion.progressive) return draw_progressive(options);
     const std::string named = named_format(options);
     const std::optional<AnimationFormat> animation = animation_format(named);
     const PictureFormat format = animation ? PictureFormat::png : picture_format(named);
-    if (!animation) options.motion.check_unused();
     const AnimationTiming timing = options.motion.timing(0.8);
-    if (animation && options.panels)
-        throw Error("--panels: an animation shows its figures one after the other; expected svg, pdf, png, ps or eps");
+    options.motion.check(animation.has_value());
+    if (animation && options.panels) refuse_panels();
     const PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
     if (is_relative(options.file)) return draw_relative_file(options, format, picture, budget);
@@ -171,7 +202,7 @@ void add_draw(Verbs& verbs) {
                               options, draw);
     verb.add_option("FILE", options->file, file_help)->required();
     verb.add_option("-n", options->generation, "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, or --panels (default: what the file says)")->type_name("N[..M]");
-    verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp; - for standard output")->type_name("FILE")->required();
+    verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp; - for standard output")->type_name("FILE");
     verb.add_option("--format", options->format, "the format, where the name does not say it")->type_name("FORMAT");
     verb.add_flag("--panels", options->panels, "several generations side by side");
     verb.add_option("--columns", options->columns, "panels in a row")->type_name("N");

@@ -1,5 +1,7 @@
 #include "cli/draw_motion.hpp"
 
+#include <algorithm>
+
 #include "base/error.hpp"
 #include "cli/environment_option.hpp"
 #include "cli/numbers.hpp"
@@ -13,6 +15,14 @@ void MotionOptions::add_to(CLI::App& verb) {
         ->type_name("SECONDS");
     verb.add_option("--loop", loop,
                     "of an animation: how often it is shown; 0, the default, for ever")
+        ->type_name("N");
+    verb.add_flag(
+        "--progressive", progressive,
+        "one generation symbol by symbol, with the turtle where it is: gif, webp, or pages "
+        "of pdf or ps");
+    verb.add_option("--max-frames", max_frames,
+                    "of --progressive: several symbols a frame where there would be more (default "
+                    "240)")
         ->type_name("N");
     verb.add_flag(
         "--explain", explain,

@@ -149,6 +149,10 @@ ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
         return none;
     }
     try {
+        const Settings& settings = system.settings;
+        if (settings.tropism) throw Error("strokes bend to a tropism");
+        if (!settings.solids.empty()) throw Error("symbols leave solids");
+        if (!settings.surfaces.empty()) throw Error("symbols leave surfaces");
         if (!rules) return parametric_dimension(system, budget);
         const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);
         ExactDimension found = Search(*limit, budget).result();

@@ -64,9 +64,9 @@ void read_camera(const Clause& clause, Reading& reading) {
     }
     if (parts.size() > 3) {
         camera.opening = reading.quantity(parse_expression(parts[3], reading.source));
-        if (!(camera.opening->value > 0 && camera.opening->value < 180))
+        if (!(camera.opening->value >= 1 && camera.opening->value <= 120))
             throw SyntaxError{parts[3].data(),
-                              "expected degrees above 0 and below 180, found " + quoted(parts[3])};
+                              "expected degrees from 1 to 120, found " + quoted(parts[3])};
     }
     if (parts.size() > 4) throw unexpected("the end of the line", parts[4].data());
     reading.system.settings.camera = std::move(camera);

@@ -36,6 +36,14 @@ bool needs_space(const std::string& name) {
     return name == "&" || name == "^" || name == "\\" || name == "/" || name == "$";
 }
 
+/// Whether the symbol has one of these solids or surfaces.
+template <class Setting>
+bool leaves(const std::vector<Setting>& settings, Symbol symbol) {
+    for (const Setting& setting : settings)
+        if (setting.symbol == symbol) return true;
+    return false;
+}
+
 /// The interpretation rules by predecessor.
 std::map<Symbol, const Production*> interpretation(const LSystem& system) {
     std::map<Symbol, const Production*> rules;
@@ -104,7 +112,9 @@ private:
         }
         known_[a] = State::read;
         const std::string& name = system_.alphabet.name(a);
-        if (needs_space(name)) refuse_space(system_, a);
+        if (needs_space(name) || leaves(system_.settings.solids, a)) refuse_space(system_, a);
+        if (leaves(system_.settings.surfaces, a))
+            throw Error("the symbol " + name + " leaves a surface, expected segments only");
         if (const auto command = own_command(name, system_.settings)) commands_[a].push_back(*command);
     }
 

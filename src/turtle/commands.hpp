@@ -30,7 +30,7 @@ enum class Command : unsigned char {
 /// only symbols without one are left. Symbols that mean nothing to a turtle have no commands.
 class Commands {
 public:
-    /// Throws Error if a symbol asks for a turtle in space (& ^ \ / and so on), if the
+    /// Throws Error if a symbol asks for a turtle in space (& ^ \ / and so on) or leaves a surface, if the
     /// interpretation goes round in circles, or needs more than plain rules.
     explicit Commands(const LSystem& system, const std::vector<Symbol>& letters);
 

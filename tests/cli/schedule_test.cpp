@@ -59,7 +59,8 @@ TEST_CASE("show tells of schedules, systems within, environments and stamps") {
         "all.lsys",
         "system leaf {\naxiom x\nx -> F[+x]x\nignore + F\n}\nsystem bud { axiom y }\n"
         "axiom A(leaf(2))?E(0)S[<bud(0)>]\nA(w) -> [<w>]A(w)\n"
-        "environment ?E clip 0 (1 < 2) 4 3\nstamp S square\nstamp T circle\nplot P Q\n");
+        "environment ?E clip 0 (1 < 2) 4 3\nstamp S square\nstamp T circle\nplot P Q\n"
+        "solid B box height\nsurface K polygon (0,0,0) (1,0,0) (1,1,0)\n");
     const std::string shown = run("show " + file).out;
     for (const char* lines : {"systems within leaf {\n"
                               "                   axiom x\n"
@@ -70,7 +71,9 @@ TEST_CASE("show tells of schedules, systems within, environments and stamps") {
                               "                   axiom y\n"
                               "               }\n",
                               "environments   ?E clip 0 (1 < 2) 4 3\n", "plot           P Q\n",
-                              "stamps         S square\n               T circle\n"}) {
+                              "stamps         S square\n               T circle\n",
+                              "solids         B box height\n",
+                              "surfaces       K polygon (0, 0, 0) (1, 0, 0) (1, 1, 0)\n"}) {
         CAPTURE(shown);
         CHECK(shown.find(lines) != std::string::npos);
     }
@@ -83,10 +86,13 @@ TEST_CASE("show tells of schedules, systems within, environments and stamps") {
     CHECK(found["plot"] == json{"P", "Q"});
     CHECK(found["stamps"] == json::parse(R"([{"symbol": "S", "shape": "square"},
         {"symbol": "T", "shape": "circle"}])"));
+    CHECK(found["solids"] ==
+          json::parse(R"([{"symbol": "B", "kind": "box", "measures": ["height"]}])"));
+    CHECK(found["surfaces"] == json::parse(R"([{"symbol": "K", "kind": "polygon"}])"));
     CHECK(found["schedule"] == json::array());
     CHECK(json::parse(run("show light-and-dark --json").out)["schedule"] ==
           json{"light", "light", "dark"});
     const json plain = json::parse(run("show koch --json").out);
-    for (const char* key : {"systems", "tables", "schedule", "environments", "plot", "stamps"})
+    for (const char* key : {"systems", "tables", "schedule", "environments", "plot", "stamps", "solids", "surfaces"})
         CHECK(plain[key] == json::array());
 }

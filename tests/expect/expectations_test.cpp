@@ -95,3 +95,14 @@ TEST_CASE("of a system with choices the expected word is that of its first seed"
     CHECK(first_unmet(scheduled + "seed 5\nexpect word 2: FF[+FF]FF\nexpect segments 3: 18\n") == "");
     CHECK(first_unmet(scheduled + "expect segments 2: 5\n") == "x.lsys:2:1: expected segments 2: 5, found 6");
 }
+
+TEST_CASE("what is expected of figures in space has three coordinates") {
+    const std::string turns = "axiom F^(90)F(2)[F]&(90)+(90)F(2)|F(2)\n";
+    CHECK(first_unmet(turns + "expect segments 0: 5\nexpect distinct 0: 4\nexpect vertices 0: 5\n"
+                              "expect end 0: 1 0 2\nexpect box 0: 0 0 0 1 2 3") == "");
+    CHECK(first_unmet(turns + "expect end 0: 1 0") ==
+          "x.lsys:2:1: expected end 0: 1 0, found 1 0 2.000000");
+    CHECK(first_unmet("axiom A(1,2,3)\nA -> I(B)\nexpect box 1: 0 -3 0 1 0 2") == "");
+    CHECK(first_unmet("axiom &\nexpect box 0: 1") ==
+          "x.lsys:2:1: expected box 0: 1, found nothing drawn");
+}

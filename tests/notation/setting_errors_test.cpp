@@ -321,7 +321,7 @@ TEST_CASE("views and tropisms that are none") {
           "  camera 1 2 isometric\n"
           "             ^");
     CHECK(findings("axiom S\ncamera 1 2 perspective 180") ==
-          "x.lsys:2:24: error: expected degrees above 0 and below 180, found '180'\n"
+          "x.lsys:2:24: error: expected degrees from 1 to 120, found '180'\n"
           "  camera 1 2 perspective 180\n"
           "                         ^");
 }

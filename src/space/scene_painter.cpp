@@ -11,7 +11,9 @@ namespace {
 
 constexpr Colour grey{0.62, 0.62, 0.6}, black{0, 0, 0};
 constexpr double fine = 1.6;      // pixels: tubes thinner than this are strokes
-constexpr double overlap = 0.5;   // pixels that a facet reaches under one painted later
+// Pixels are squares: what covers one that an edge touches reaches sqrt 2 pixels from the edge.
+constexpr double under = 1.3;     // pixels that a facet reaches under one that is painted later
+constexpr double overlap = 0.5;   // pixels that two that adjoin both reach over their edge
 constexpr double thinnest = 0.5;  // pixels: thinner rods would fade away
 constexpr double sharp =
     -0.5;  // cosine between the two sides of a joint above which it gets a ball
@@ -23,9 +25,9 @@ Vector unit(const Vector& way) {
 
 Point flat(const Seen& seen) { return {seen.x, seen.y}; }
 
-/// A simple polygon whose edges move outward by `reach` where a facet that is painted later adjoins,
-/// and if `everywhere`, where none does.
-void widen(const SeenFacet& facet, double reach, bool everywhere, std::vector<Point>& corners) {
+/// A facet whose edges are moved outward where others adjoin, or may. Of a solid, a facet reaches
+/// under those that are painted later; of polygons nobody knows which is.
+void widen(const SeenFacet& facet, double pixel, bool of_solid, std::vector<Point>& corners) {
     const std::size_t count = facet.corners.size();
     corners.clear();
     double area = 0;
@@ -33,7 +35,7 @@ void widen(const SeenFacet& facet, double reach, bool everywhere, std::vector<Po
         const Vector &a = facet.corners[i], &b = facet.corners[(i + 1) % count];
         area += a.x * b.y - a.y * b.x;
     }
-    const double out = area < 0 ? -reach : reach;
+    const double out = area < 0 ? -pixel : pixel;
     const auto normal = [&](std::size_t i) {
         const Vector &a = facet.corners[i], &b = facet.corners[(i + 1) % count];
         const double x = b.y - a.y, y = a.x - b.x, size = std::hypot(x, y);
@@ -43,21 +45,29 @@ void widen(const SeenFacet& facet, double reach, bool everywhere, std::vector<Po
         const Vector& corner = facet.corners[i];
         const std::size_t before = (i + count - 1) % count;
         const auto moved = [&](std::size_t edge) {
-            const Adjoining other = facet.adjoins[edge];
-            return other == Adjoining::later || (everywhere && other == Adjoining::nothing) ? out : 0;
+            switch (facet.adjoins[edge]) {
+                case Adjoining::nothing:  // another solid may stand beside this
+                    return of_solid ? overlap * out : 0;
+                case Adjoining::later:
+                    return (of_solid ? under : overlap) * out;
+                case Adjoining::earlier:
+                    break;
+            }
+            return 0.0;
         };
         const double p = moved(before), q = moved(i);
         Point at{corner.x, corner.y};
         if (p != 0 || q != 0) {
-            // Where the two moved edges meet; where they are nearly parallel, half way.
+            // Where the two moved edges meet; at a sharp tip, the end of each.
             const Point m = normal(before), n = normal(i);
             const double sine = m.x * n.y - m.y * n.x;
             if (std::fabs(sine) > 0.25) {
                 at.x += (p * n.y - q * m.y) / sine;
                 at.y += (q * m.x - p * n.x) / sine;
             } else {
-                at.x += (p * m.x + q * n.x) / 2;
-                at.y += (p * m.y + q * n.y) / 2;
+                corners.push_back({corner.x + p * m.x, corner.y + p * m.y});
+                at.x += q * n.x;
+                at.y += q * n.y;
             }
         }
         corners.push_back(at);
@@ -257,7 +267,7 @@ void ScenePainter::paint_tube(const SeenStick& stick) {
         pixels < 2.5 ? 3
                      : static_cast<int>(std::clamp(2 + pixels / 1.5, 4.0,
                                                    lit_.scene.rods.size() > 2000 ? 20.0 : 40.0));
-    const double reach = pixel > 0 ? 2 * overlap / pixels * 2 : 0;
+    const double reach = pixel > 0 ? 2 * under / pixels : 0;
     for (int i = 0; i < strips; ++i) {
         const double left = -std::cos(std::numbers::pi * i / strips);
         const double right = -std::cos(std::numbers::pi * (i + 1) / strips);
@@ -338,11 +348,9 @@ void ScenePainter::paint_ball(const Seen& middle, double radius, const Colour& c
 }
 
 void ScenePainter::paint_thing(const SeenBlock& block) {
-    // Solids that stand side by side adjoin as their facets do.
-    const double reach = overlap * lit_.resolution;
     for (const SeenFacet& facet : block.facets) {
         if (facet.corners.size() < 3) continue;
-        widen(facet, reach, !block.flat, corners_);
+        widen(facet, lit_.resolution, !block.flat, corners_);
         polygon(facet.colour, corners_);
     }
 }

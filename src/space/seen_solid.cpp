@@ -125,7 +125,7 @@ void add_round(BlockBuilder& builder, const Solid& solid, int sides) {
 
 int sides_of(double radius, double resolution) {
     const double seen = resolution > 0 ? radius / resolution : 100;
-    return seen < 4 ? 8 : seen < 12 ? 16 : seen < 50 ? 32 : 64;
+    return seen < 4 ? 8 : seen < 12 ? 16 : seen < 100 ? 32 : 64;
 }
 
 SeenThing seen(const Solid& solid, const Colour& colour, int sides, const Projection& projection,

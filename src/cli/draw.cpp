@@ -25,6 +25,9 @@ struct Options {
     std::string file, generation, output, format, seed, seeds, tables, environment;
     std::string width, height, margin, line_width, background, font_size, columns, caption;
     std::string colours;
+    std::vector<std::string> labels;
+    bool scale_bar = false;
+    SpaceOptions space;
     bool panels = false, common_scale = false, captions = false, json = false;
     MotionOptions motion;
     Bounds bounds;
@@ -46,6 +49,8 @@ PictureOptions picture_options(const Options& options) {
     if (!options.background.empty()) picture.background = options.background;
     if (!options.colours.empty()) picture.colours = list("--colour", options.colours);
     picture.common_scale = options.common_scale;
+    picture.scale_bar = options.scale_bar;
+    for (const std::string& label : options.labels) picture.labels.push_back(point_label(label));
     return picture;
 }
 
@@ -104,6 +109,9 @@ PlateChoices choices(const Options& options, const LSystem& system) {
     if (!options.seeds.empty()) found.seeds = range("--seeds", options.seeds);
     if (!options.tables.empty()) found.tables = table_sequence(system.tables, options.tables);
     found.environment = options.environment;
+    found.space = options.space;
+    if (!options.background.empty()) found.background = options.background;
+    if (!options.colours.empty()) found.colours = list("--colour", options.colours);
     return found;
 }
 
@@ -111,7 +119,9 @@ PlateChoices choices(const Options& options, const LSystem& system) {
 int draw_relative_file(const Options& options, PictureFormat format, const PictureOptions& picture,
                        const Budget& budget) {
     for (const auto& [option, given] : {std::pair("--seeds", !options.seeds.empty()), {"--tables", !options.tables.empty()},
-                                        {"--environment", !options.environment.empty()}})
+                                        {"--environment", !options.environment.empty()},
+                                        {"--camera", !options.space.camera.empty()}, {"--light", !options.space.light.empty()},
+                                        {"--fog", !options.space.fog.empty()}})
         if (given) throw Error(std::string(option) + " is for systems, and " + options.file + " is none");
     const auto relative = open_relative(options.file, budget,
                                         {{{"-n", "generation", {}, {}}, options.generation}, {{"--seed", "seed", {}, {}}, options.seed}});
@@ -198,7 +208,8 @@ void add_draw(Verbs& verbs) {
     CLI::App& verb = add_verb(verbs, "draw", "The turtle figure of a generation",
                               "  algae draw koch -n 4 -o koch.svg\n"
                               "  algae draw plant-f -n 0..5 --panels --captions -o plants.pdf\n"
-                              "  algae draw dragon -n 0..10 --frame-time 0.5 -o dragon.gif",
+                              "  algae draw dragon -n 0..10 --frame-time 0.5 -o dragon.gif\n"
+                              "  algae draw hilbert-3d --camera 30,20,perspective -o hilbert.png",
                               options, draw);
     verb.add_option("FILE", options->file, file_help)->required();
     verb.add_option("-n", options->generation, "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, or --panels (default: what the file says)")->type_name("N[..M]");
@@ -219,6 +230,9 @@ void add_draw(Verbs& verbs) {
     verb.add_option("--seed", options->seed, "the word of a system with choices that this seed picks (what the file says; 1 for systems with probabilities)")->type_name("S");
     verb.add_option("--seeds", options->seeds, "a figure for each of these seeds, such as 1..9, side by side")->type_name("A..B");
     verb.add_option("--tables", options->tables, "the table of each step: light,dark or, of one character each, abab or 1212")->type_name("SEQUENCE");
+    options->space.add_to(verb);
+    verb.add_flag("--scale-bar", options->scale_bar, "a bar below the figure with its length, in the units of the file");
+    verb.add_option("--label", options->labels, "a text at a point of the figure; may be given several times")->type_name("TEXT@x,y[,z]")->expected(1)->take_all();
     options->motion.add_to(verb);
     add_environment_option(verb, options->environment);
     verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object; integers from 2^53 on are strings");

@@ -3,6 +3,8 @@
 #include "base/error.hpp"
 #include "cli/environment_option.hpp"
 #include "environment/open_figure.hpp"
+#include "space/space_figure.hpp"
+#include "system/classes.hpp"
 #include "system/d0l.hpp"
 #include "system/ol.hpp"
 
@@ -24,13 +26,23 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
                         " tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
     }
     many_seeds_ = seeds && seeds->first != seeds->second;
+    const bool in_space = !class_of(system).open && leaves_plane(system);
+    if (!in_space) choices.space.check_unused(system.name);
+    LSystem painted = system;
+    if (!choices.colours.empty()) painted.settings.colours = choices.colours;
+    const ViewChoices view_of = view_choices(choices.space, system, choices.background);
+    const auto view = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
+        SpaceDerivation found = scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()});
+        return std::make_unique<SpaceView>(std::move(found.scene), painted.settings, SceneFacts{found.end.position, found.facts.step}, view_of, budget);
+    };
     const auto add = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
         FigurePlate& plate = figures.emplace_back();
         plate.generation = n;
         plate.seed = seed;
         plate.name = "generation " + std::to_string(n) + " of " + system.name;
         if (many_seeds_) plate.name += ", seed " + std::to_string(*seed);
-        plate.figure = open_figure(system, n, budget, {seed, choices.tables, choices.seeds.has_value()},
+        if (in_space) plate.figure = view(n, seed);
+        else plate.figure = open_figure(system, n, budget, {seed, choices.tables, choices.seeds.has_value()},
                                    external_environment(choices.environment, system));
     };
     for (std::uint64_t n = generations.first; n <= generations.second; ++n) {

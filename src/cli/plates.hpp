@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "cli/space_options.hpp"
 #include "render/picture.hpp"
 #include "system/lsystem.hpp"
 #include "turtle/figure.hpp"
@@ -26,6 +27,9 @@ struct PlateChoices {
     std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;  // a word for each
     std::vector<std::size_t> tables;                               // one for each step
     std::string environment;                                       // the program of --environment
+    SpaceOptions space;                                            // for figures in space
+    std::optional<std::string> background;                         // of the picture
+    std::vector<std::string> colours;                              // instead of those of the file
 };
 
 /// The words of a system that a picture shows: its generations, each for every seed.

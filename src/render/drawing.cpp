@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 
+#include "render/annotations.hpp"
 #include "render/cells.hpp"
 #include "render/document.hpp"
 #include "render/layers.hpp"
@@ -137,8 +138,8 @@ void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Fig
 
 /// Writes a caption in the middle under a cell, in smaller letters if it is too long. Where a
 /// machine has no fonts, Cairo draws its own.
-void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption, double font_size,
-                  const std::optional<Colour>& background) {
+void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption, double top,
+                  double font_size, const std::optional<Colour>& background) {
     if (caption.empty()) return;
     cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                            CAIRO_FONT_WEIGHT_NORMAL);
@@ -155,7 +156,7 @@ void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption
     const double grey = dark ? 1 : 0;
     cairo_set_source_rgb(context, grey, grey, grey);
     cairo_move_to(context, cell.left + (cell.width - extents.x_advance) / 2,
-                  cell.caption_top + 1.4 * font_size);
+                  top + 1.4 * font_size);
     cairo_show_text(context, caption.c_str());
     cairo_new_path(context);
     check_cairo(context);
@@ -176,7 +177,9 @@ void draw_plate(cairo_t* context, const Plan& plan, std::size_t i, const Plate& 
         drawn.blank.push_back(i);
     else
         draw_figure(context, cell, plan, figure, plan.widths[i], budget, share, drawn);
-    draw_caption(context, cell, plate.caption, plan.font_size, plan.background);
+    draw_annotations(context, plan, cell, figure);
+    const double top = cell.caption_top + (plan.options.scale_bar ? 1.6 * plan.font_size : 0);
+    draw_caption(context, cell, plate.caption, top, plan.font_size, plan.background);
 }
 
 }  // namespace algae

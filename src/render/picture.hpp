@@ -29,6 +29,12 @@ PictureFormat picture_format(std::string_view path);
 /// Example: format_name(PictureFormat::svg) == std::string("svg")
 const char* format_name(PictureFormat format);
 
+/// A text at a point of a figure, in the units of the file.
+struct PointLabel {
+    std::string text;
+    Vector place;
+};
+
 /// How a picture is made. Lengths are points (1/72 inch) in svg, pdf, ps and eps, pixels in png.
 struct PictureOptions {
     /// The size of the whole picture. With one of the two, the other follows from the figure; with
@@ -50,6 +56,9 @@ struct PictureOptions {
     bool common_scale = false;
     /// Panels: how many in a row. Nothing: up to 5 in one row, then rows of equal length.
     std::optional<std::size_t> columns;
+    /// A bar below the figure that shows a round length in the units of the file.
+    bool scale_bar = false;
+    std::vector<PointLabel> labels;
     /// Strokes end flat at their ends instead of round.
     bool flat_ends = false;
 

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "system/colour.hpp"
+#include "render/annotations.hpp"
 #include "render/palette.hpp"
 
 namespace algae {
@@ -164,6 +165,7 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
         result.margin = std::max(result.margin,
                                  result.widths.back() * widest_stroke(*plate.figure, budget) / 2);
         captions = captions || !plate.caption.empty();
+        check_annotations(plate, options);
     }
 
     if (!(result.margin <= largest(format) / 2))
@@ -178,7 +180,8 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     const double longer = std::max(options.width.value_or(0), options.height.value_or(0));
     result.font_size = options.font_size.value_or(
         caption_size(longer > 0 ? longer : wishes.longest, wishes.columns));
-    wishes.caption = captions ? 1.6 * result.font_size : 0;
+    const double lines = (captions ? 1 : 0) + (options.scale_bar ? 1 : 0);
+    wishes.caption = lines * 1.6 * result.font_size;
     const std::size_t rows = arrangement == Arrangement::panels
                                  ? (plates.size() + wishes.columns - 1) / wishes.columns
                                  : 1;

@@ -61,7 +61,7 @@ void widen(const SeenFacet& facet, double pixel, bool of_solid, std::vector<Poin
             // Where the two moved edges meet; at a sharp tip, the end of each.
             const Point m = normal(before), n = normal(i);
             const double sine = m.x * n.y - m.y * n.x;
-            if (std::fabs(sine) > 0.25) {
+            if (std::fabs(sine) > 0.7) {
                 at.x += (p * n.y - q * m.y) / sine;
                 at.y += (q * m.x - p * n.x) / sine;
             } else {

@@ -4,7 +4,6 @@
 #include "cli/environment_option.hpp"
 #include "environment/open_figure.hpp"
 #include "space/space_figure.hpp"
-#include "system/classes.hpp"
 #include "system/d0l.hpp"
 #include "system/ol.hpp"
 
@@ -26,13 +25,14 @@ FigurePlates::FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::
                         " tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
     }
     many_seeds_ = seeds && seeds->first != seeds->second;
-    const bool in_space = !class_of(system).open && leaves_plane(system);
+    const bool in_space = leaves_plane(system);
     if (!in_space) choices.space.check_unused(system.name);
     LSystem painted = system;
     if (!choices.colours.empty()) painted.settings.colours = choices.colours;
     const ViewChoices view_of = view_choices(choices.space, system, choices.background);
     const auto view = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
-        SpaceDerivation found = scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()});
+        SpaceDerivation found = scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()},
+                                      external_environment(choices.environment, system));
         return std::make_unique<SpaceView>(std::move(found.scene), painted.settings, SceneFacts{found.end.position, found.facts.step}, view_of, budget);
     };
     const auto add = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {

@@ -89,11 +89,11 @@ void SpaceOptions::check_unused(const std::string& name) const {
         if (!value->empty()) throw Error(std::string(option) + " is for figures in space, and those of " + name + " stay in the plane");
 }
 
-ViewChoices view_choices(const SpaceOptions& options, const LSystem&, const std::optional<std::string>& background) {
-    ViewChoices choices;
-    choices.camera = options.chosen_camera().value_or(Camera{});
-    choices.light = options.chosen_light();
-    choices.fog = options.chosen_fog().value_or(0);
+ViewChoices view_choices(const SpaceOptions& options, const LSystem& system, const std::optional<std::string>& background) {
+    ViewChoices choices = view_choices(system.settings);
+    if (const auto camera = options.chosen_camera()) choices.camera = *camera;
+    if (const auto light = options.chosen_light()) choices.light = *light;
+    if (const auto fog = options.chosen_fog()) choices.fog = *fog;
     if (background && *background != "transparent") choices.background = colour_named(*background);
     return choices;
 }

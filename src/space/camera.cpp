@@ -25,7 +25,7 @@ void check_camera(const Camera& camera) {
     if (!std::isfinite(camera.azimuth))
         throw Error("the camera's azimuth is not a finite number of degrees");
     check_angle("elevation", camera.elevation, -90, 90);
-    if (camera.perspective) check_angle("opening", camera.opening, 1, 120);
+    if (camera.perspective) check_angle("opening", camera.opening, 1, 170);
 }
 
 Vector direction_of(double azimuth, double elevation) {

@@ -10,7 +10,7 @@ struct Camera {
     double azimuth = -60;   // where the camera stands: degrees from +x towards +y, seen from above
     double elevation = 15;  // degrees above the horizon, -90 to 90
     bool perspective = false;  // near things are larger
-    double opening = 40;  // of a perspective: degrees of the cone that holds the figure, 1 to 120
+    double opening = 40;  // of a perspective: degrees of the cone that holds the figure, 1 to 170
 
     bool operator==(const Camera&) const = default;
 };

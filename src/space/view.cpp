@@ -69,6 +69,17 @@ std::vector<char> adjoining_edges(const Scene& scene) {
 
 }  // namespace
 
+ViewChoices view_choices(const Settings& settings) {
+    ViewChoices choices;
+    if (const auto& camera = settings.camera) {
+        choices.camera = {camera->from.azimuth.value, camera->from.elevation.value, camera->perspective};
+        if (camera->opening) choices.camera.opening = camera->opening->value;
+    }
+    if (const auto& light = settings.light) choices.light = Light{light->azimuth.value, light->elevation.value};
+    if (settings.fog) choices.fog = settings.fog->value;
+    return choices;
+}
+
 SpaceView::SpaceView(Scene scene, const Settings& settings, const SceneFacts& facts,
                      const ViewChoices& choices, const Budget& budget)
     : scene_(std::move(scene)),

@@ -20,6 +20,11 @@ struct ViewChoices {
     std::optional<SpaceBox> sight;
 };
 
+/// How the settings of a file want their scenes to be looked at.
+///
+/// Example: view_choices(read_lsystem("axiom F; camera 30 20", "").settings).camera == Camera{30, 20}
+ViewChoices view_choices(const Settings& settings);
+
 /// What is known of a scene that its rods do not tell.
 struct SceneFacts {
     Vector end;       // where the turtle stopped

@@ -68,7 +68,7 @@ TEST_CASE("straight lines stay straight, in depth too") {
 
 TEST_CASE("cameras and lights out of bounds") {
     CHECK_THROWS_WITH_AS(check_camera(Camera{0, 91}), "the camera's elevation is 91 degrees, expected -90 to 90", Error);
-    CHECK_THROWS_WITH_AS(check_camera(Camera{0, 0, true, 0.5}), "the camera's opening is 0.5 degrees, expected 1 to 120", Error);
+    CHECK_THROWS_WITH_AS(check_camera(Camera{0, 0, true, 0.5}), "the camera's opening is 0.5 degrees, expected 1 to 170", Error);
     CHECK_THROWS_WITH_AS(check_camera(Camera{std::nan(""), 0}), "the camera's azimuth is not a finite number of degrees", Error);
     CHECK_THROWS_AS(check_light(Light{0, -100}), Error);
     CHECK_THROWS_AS(Lighting({0, 0}, 1.5, {}, 0, 1), Error);

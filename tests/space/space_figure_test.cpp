@@ -3,10 +3,12 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <cmath>
 #include <string>
 
 #include "base/error.hpp"
 #include "notation/read.hpp"
+#include "system/colour.hpp"
 
 using namespace algae;
 
@@ -70,6 +72,14 @@ TEST_CASE("colours are those of the list, or their own") {
         drawn("axiom '(1,2,0)F"),
         "generation 0, position 0: '(1,2,0): expected red, green and blue, each from 0 to 1",
         Error);
+}
+
+TEST_CASE("colours along the word are hues") {
+    const Scene scene = drawn("axiom F&F|F'F; colour along red").scene;
+    REQUIRE(scene.rods.size() == 4);
+    CHECK(scene.rods[0].paint.colour == hue(0));
+    CHECK(scene.rods[1].paint.colour == hue(360 * std::floor(256 * 2.0 / 7) / 256));
+    CHECK(scene.rods[3].paint == Paint{1, {}});
 }
 
 TEST_CASE("a system leaves the plane if a symbol that it reaches does") {

@@ -163,6 +163,18 @@ TEST_CASE("widths that are lengths reach the canvas, and the facts") {
     CHECK(tree->facts().widest == 0.5);
 }
 
+TEST_CASE("colours by their parts reach the canvas, and end with their branch") {
+    class Painted : public Recording {
+    public:
+        void paint(const Colour& colour) override { paints.push_back(colour); }
+        std::vector<Colour> paints;
+    };
+    Painted canvas;
+    figure_of("axiom F'(1,0.5,0)F['(0,0,1)F]F'(2)F", 0)->draw(canvas, 0, {});
+    CHECK(canvas.paints == std::vector<Colour>{{1, 0.5, 0}, {0, 0, 1}, {1, 0.5, 0}});
+    CHECK(canvas.strokes.back().colour == 2);
+}
+
 TEST_CASE("what cannot be drawn in the plane says why") {
     CHECK(refusal("axiom A(1); A(x) -> F(x)&(30)A(x)") ==
           "the symbol & leaves the plane: x.lsys is a figure in space, expected one in the plane");

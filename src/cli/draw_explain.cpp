@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "render/explanation_page.hpp"
 #include "render/explanation_table.hpp"
+#include "space/space_figure.hpp"
 #include "turtle/derived_modules.hpp"
 #include "turtle/explanation.hpp"
 
@@ -113,6 +114,7 @@ std::string as_text(const Explanation& explanation) {
 
 int explain(const LSystem& system, const ExplainRequest& request, const Budget& budget) {
     const PlateChoices& choices = request.choices;
+    if (!leaves_plane(system)) choices.space.check_unused(system.name);
     std::uint64_t n = 0;
     if (request.generation.empty()) {
         const std::uint64_t shown =

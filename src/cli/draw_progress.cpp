@@ -8,10 +8,10 @@
 #include "cli/command.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "cli/space_options.hpp"
 #include "rewrite/module_text.hpp"
 #include "space/partial_view.hpp"
 #include "space/space_figure.hpp"
-#include "system/colour.hpp"
 #include "turtle/derived_modules.hpp"
 #include "turtle/partial_figure.hpp"
 
@@ -65,13 +65,6 @@ LSystem painted(LSystem system, const PictureOptions& picture) {
     return system;
 }
 
-ViewChoices view_of(const PictureOptions& picture) {
-    ViewChoices choices;
-    if (picture.background && *picture.background != "transparent")
-        choices.background = colour_named(*picture.background);
-    return choices;
-}
-
 }  // namespace
 
 int draw_progress(const LSystem& system, const ProgressRequest& request, const Budget& budget) {
@@ -94,10 +87,14 @@ int draw_progress(const LSystem& system, const ProgressRequest& request, const B
                     " is the empty word: a turtle has nothing to do");
     const std::vector<std::size_t> symbols = frames_of_progress(length, bound);
     const std::size_t stride = symbols[1];
-    const auto figures = leaves_plane(system)
-                             ? partial_views(painted(system, request.picture), derived, n, symbols,
-                                             view_of(request.picture), budget)
-                             : partial_figures(system, derived, n, symbols, budget);
+    const bool in_space = leaves_plane(system);
+    if (!in_space) request.choices.space.check_unused(system.name);
+    const auto figures =
+        in_space
+            ? partial_views(painted(system, request.picture), derived, n, symbols,
+                            view_choices(request.choices.space, system, request.choices.background),
+                            budget)
+            : partial_figures(system, derived, n, symbols, budget);
 
     const std::vector<std::string> texts =
         request.captions ? symbol_texts(system, derived) : std::vector<std::string>();

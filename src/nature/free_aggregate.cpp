@@ -60,6 +60,7 @@ void FreeAggregate::add(Point centre) {
     make_room(radius_ + 2);
     centres_.push_back(centre);
     next_.push_back(none);
+    touched_.push_back(static_cast<std::uint32_t>(touched_.size()));
     enter(static_cast<std::uint32_t>(centres_.size() - 1));
 }
 
@@ -108,6 +109,7 @@ Point FreeAggregate::grow() {
                 const Point other = centres_[found.disc];
                 const double share = 1 / found.distance;
                 add({other.x + share * (place.x - other.x), other.y + share * (place.y - other.y)});
+                touched_.back() = found.disc;
                 return centres_.back();
             }
         } else {

@@ -32,6 +32,8 @@ public:
 
     /// The centres, in the order in which they came.
     const std::vector<Point>& centres() const { return centres_; }
+    /// The disc that each one came to touch; of the seed and of those that were put there, itself.
+    const std::vector<std::uint32_t>& touched() const { return touched_; }
     /// Of the circle around all centres.
     double radius() const { return radius_; }
 
@@ -50,6 +52,7 @@ private:
     std::uint64_t seed_;
     Budget budget_;
     std::vector<Point> centres_;
+    std::vector<std::uint32_t> touched_;
     std::vector<std::uint32_t> next_;   // the next disc of the same cell
     std::vector<std::uint32_t> first_;  // of each cell
     Occupancy occupancy_;

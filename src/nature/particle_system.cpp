@@ -24,7 +24,7 @@ void check_share(const std::string& what, const ParticleKind& kind, double share
         throw Error(fmt::format("{} of {}: expected 0 to 1, found {}", what, kind.name, share));
 }
 
-void check_positive(const std::string& what, const ParticleKind& kind, const Chance& chance) {
+void check_positive(const std::string& what, const ParticleKind& kind, const Scatter& chance) {
     if (!(chance.spread >= 0 && chance.mean - chance.spread >= 0) || !std::isfinite(chance.mean))
         throw Error(fmt::format("{} of {}: expected numbers from 0 on, found {} +- {}", what,
                                 kind.name, chance.mean, chance.spread));
@@ -48,7 +48,7 @@ void check(const ParticleSystem& system) {
         if (kind.bursts_into == ParticleKind::none) continue;
         if (kind.bursts_into >= system.kinds.size())
             throw Error(fmt::format("{} bursts into a kind that there is not", kind.name));
-        const Chance& life = system.kinds[kind.bursts_into].life;
+        const Scatter& life = system.kinds[kind.bursts_into].life;
         if (life.mean - life.spread < 1)
             throw Error(
                 fmt::format("{}: what something bursts into lives for at least 1 frame, "
@@ -58,7 +58,7 @@ void check(const ParticleSystem& system) {
 }
 
 /// A whole number from one that is not: rounded so that equal chances stay equal.
-std::uint64_t count_of(const Chance& chance, std::uint64_t number) {
+std::uint64_t count_of(const Scatter& chance, std::uint64_t number) {
     const double value = chance.spread == 0
                              ? std::round(chance.mean)
                              : std::floor(chance.mean - chance.spread +
@@ -68,7 +68,7 @@ std::uint64_t count_of(const Chance& chance, std::uint64_t number) {
 
 }  // namespace
 
-double Chance::at(std::uint64_t number) const {
+double Scatter::at(std::uint64_t number) const {
     return mean + spread * (2 * unit_interval(number) - 1);
 }
 

@@ -15,14 +15,14 @@
 namespace algae {
 
 /// A number that chance picks: evenly from `mean - spread` to `mean + spread`.
-struct Chance {
+struct Scatter {
     double mean = 0, spread = 0;
 
     /// The value for a random number.
     ///
-    /// Example: Chance{2, 1}.at(0) < 1.001
+    /// Example: Scatter{2, 1}.at(0) < 1.001
     double at(std::uint64_t number) const;
-    bool operator==(const Chance&) const = default;
+    bool operator==(const Scatter&) const = default;
 };
 
 /// What particles of a kind have when they are born, and what becomes of them. Times are frames,
@@ -31,9 +31,9 @@ struct ParticleKind {
     static constexpr std::size_t none = std::numeric_limits<std::size_t>::max();
 
     std::string name;
-    Chance speed{1, 0}, angle{90, 0};
-    Chance life{50, 0};
-    Chance size{1, 0};                     // diameter; of fragments, a share of what burst
+    Scatter speed{1, 0}, angle{90, 0};
+    Scatter life{50, 0};
+    Scatter size{1, 0};                    // diameter; of fragments, a share of what burst
     Colour born{1, 1, 1}, dying{1, 1, 1};  // the colour runs from one to the other
     double opacity_born = 1, opacity_dying = 1;
     double weight = 1;               // share of the forces that act on it
@@ -41,7 +41,7 @@ struct ParticleKind {
     double inherits = 0;             // share of the velocity of what burst
     std::size_t trail = 0;           // frames for which it leaves a trail
     std::size_t bursts_into = none;  // the kind of its fragments, when its life ends
-    Chance fragments{0, 0};          // how many
+    Scatter fragments{0, 0};         // how many
     bool operator==(const ParticleKind&) const = default;
 };
 
@@ -49,7 +49,7 @@ struct ParticleKind {
 /// that is a multiple of `every` after the first.
 struct Emitter {
     std::size_t kind = 0;
-    Chance count{1, 0};
+    Scatter count{1, 0};
     std::uint64_t first = 0, last = std::numeric_limits<std::uint64_t>::max(), every = 1;
     Point from, to;
     bool operator==(const Emitter&) const = default;

@@ -44,6 +44,8 @@ void PathFigure::draw(Canvas& canvas, double resolution, const Budget& budget) c
     std::uint64_t done = 0;
     std::uint32_t colour = 0;
     double width = 1;
+    std::optional<Colour> paint;
+    std::optional<double> length_width;
     const auto at = [&] {
         if ((++done & 0xfff) == 0) budget.check();
         if (canvas.wants_position())
@@ -51,8 +53,16 @@ void PathFigure::draw(Canvas& canvas, double resolution, const Budget& budget) c
     };
     for (const Path& path : paths_) {
         if (path.points.empty()) continue;
-        if (path.colour != colour) canvas.colour(colour = path.colour);
-        if (path.width != width) canvas.width(width = path.width);
+        if (path.paint && path.paint != paint)
+            canvas.paint(*path.paint);
+        else if (!path.paint && (paint || path.colour != colour))
+            canvas.colour(colour = path.colour);
+        paint = path.paint;
+        if (path.length_width && path.length_width != length_width)
+            canvas.width_as_length(*path.length_width);
+        else if (!path.length_width && (length_width || path.width != width))
+            canvas.width(width = path.width);
+        length_width = path.length_width;
         if (path.filled) {
             at();
             canvas.polygon(path.points);

@@ -43,6 +43,10 @@ public:
     /// The pictures that a page of it shows, at least one. Throws what making them throws.
     virtual std::vector<RelativeFigure> figures(const Budget& budget) const = 0;
 
+    /// The pictures of an animation of it; those of the page where it says nothing else.
+    virtual std::vector<RelativeFigure> frames(const Budget& budget) const {
+        return figures(budget);
+    }
     /// The one whose dimension is measured: the last of its figures.
     virtual RelativeFigure measured_figure(const Budget& budget) const {
         return std::move(figures(budget).back());

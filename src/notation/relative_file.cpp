@@ -21,6 +21,10 @@ bool is_space(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
 
 bool takes_whole_line(std::string_view key) { return key == "title" || key == "source"; }
 
+bool takes_colours(std::string_view key) {
+    return key == "colour" || key == "tint" || key == "sky";
+}
+
 bool is_colour_code(std::string_view text) {
     return text.size() >= 7 &&
            std::all_of(text.begin() + 1, text.begin() + 7,
@@ -32,7 +36,7 @@ bool is_colour_code(std::string_view text) {
 std::size_t comment_start(std::string_view line, std::string_view key) {
     for (std::size_t i = 0; i < line.size(); ++i)
         if (line[i] == '#' && (i == 0 || is_space(line[i - 1])) &&
-            !(key == "colour" && is_colour_code(line.substr(i))))
+            !(takes_colours(key) && is_colour_code(line.substr(i))))
             return i;
     return line.size();
 }

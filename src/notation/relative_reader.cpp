@@ -3,7 +3,13 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "notation/brownian_file.hpp"
+#include "notation/dla_file.hpp"
+#include "notation/function_file.hpp"
 #include "notation/ifs_file.hpp"
+#include "notation/particles_file.hpp"
+#include "notation/terrain_file.hpp"
+#include "notation/walk_file.hpp"
 
 namespace algae {
 
@@ -20,7 +26,9 @@ const RelativeKind& kind_of(const std::string& file_name) {
 }  // namespace
 
 const std::vector<RelativeKind>& relative_kinds() {
-    static const std::vector<RelativeKind> kinds{ifs_kind()};
+    static const std::vector<RelativeKind> kinds{ifs_kind(),     walk_kind(), brownian_kind(),
+                                                 terrain_kind(), dla_kind(),  particles_kind(),
+                                                 function_kind()};
     return kinds;
 }
 

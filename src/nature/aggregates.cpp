@@ -1,0 +1,175 @@
+#include "nature/aggregates.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_set>
+
+#include "base/error.hpp"
+#include "nature/free_aggregate.hpp"
+#include "nature/grid_aggregate.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr std::uint32_t shades = 64;
+
+/// From a dark blue over green to a light yellow, evenly light (after the map viridis).
+std::vector<std::string> shades_of_age() {
+    constexpr double stops[][3] = {{0.267, 0.005, 0.329}, {0.254, 0.265, 0.530},
+                                   {0.164, 0.471, 0.558}, {0.135, 0.659, 0.518},
+                                   {0.478, 0.821, 0.318}, {0.890, 0.830, 0.130}};
+    std::vector<std::string> found;
+    for (std::uint32_t i = 0; i < shades; ++i) {
+        const double at = 5.0 * i / (shades - 1);
+        const auto k = std::min<std::size_t>(static_cast<std::size_t>(at), 4);
+        const auto part = [&](std::size_t p) {
+            const double value =
+                stops[k][p] + (at - static_cast<double>(k)) * (stops[k + 1][p] - stops[k][p]);
+            return static_cast<int>(std::lround(255 * value));
+        };
+        found.push_back(fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2)));
+    }
+    return found;
+}
+
+Point point(const GridCell& cell) {
+    return {static_cast<double>(cell.x), static_cast<double>(cell.y)};
+}
+
+/// The cells, each from an earlier one beside it.
+std::vector<Link> joined(const std::vector<GridCell>& cells) {
+    const auto key = [](const GridCell& cell) {
+        return static_cast<std::uint64_t>(static_cast<std::uint32_t>(cell.x)) << 32 |
+               static_cast<std::uint32_t>(cell.y);
+    };
+    std::unordered_set<std::uint64_t> earlier;
+    earlier.reserve(cells.size());
+    std::vector<Link> links;
+    links.reserve(cells.size());
+    for (const GridCell& cell : cells) {
+        Link link{point(cell), point(cell)};
+        for (const auto& [x, y] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+            const GridCell beside{cell.x + x, cell.y + y};
+            if (!earlier.contains(key(beside))) continue;
+            link.from = point(beside);
+            break;
+        }
+        earlier.insert(key(cell));
+        links.push_back(link);
+    }
+    return links;
+}
+
+}  // namespace
+
+void Aggregates::check() const {
+    if (particles.empty()) throw Error("particles: expected at least one number");
+    for (const std::uint64_t count : particles)
+        if (count == 0 || count > most)
+            throw Error(fmt::format("particles: expected 1 to {}, found {}", most, count));
+    if (off_lattice && region) throw Error("region: clusters off the lattice have none");
+    if (by_steps && !region) throw Error("steps: expected a region, which single steps need");
+    if (region) GridAggregate(seed, region, {});
+}
+
+std::vector<Link> Aggregates::links(std::uint64_t count, const Budget& budget) const {
+    check();
+    budget.check_memory(count * (sizeof(Link) + 40), "an aggregate");
+    if (off_lattice) {
+        FreeAggregate cluster(seed, budget);
+        for (std::uint64_t i = 0; i < count; ++i) cluster.grow();
+        std::vector<Link> found;
+        found.reserve(count + 1);
+        for (std::size_t i = 0; i < cluster.centres().size(); ++i)
+            found.push_back({cluster.centres()[cluster.touched()[i]], cluster.centres()[i]});
+        return found;
+    }
+    GridAggregate cluster(seed, region, budget);
+    for (std::uint64_t i = 0; i < count && !(region && stop_at_border && cluster.fills_region());
+         ++i)
+        by_steps ? cluster.grow_by_steps() : cluster.grow();
+    return joined(cluster.cells());
+}
+
+std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
+    check();
+    const auto all = links(*std::max_element(particles.begin(), particles.end()), budget);
+    Settings drawn = settings;
+    if (drawn.colours.empty()) drawn.colours = shades_of_age();
+    std::vector<RelativeFigure> made;
+    for (const std::uint64_t wanted : particles) {
+        const std::uint64_t count = std::min<std::uint64_t>(wanted, all.size() - 1);
+        std::vector<Link> part(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count) + 1);
+        for (std::size_t i = 0; i < part.size(); ++i)
+            part[i].colour = static_cast<std::uint32_t>(i * drawn.colours.size() / part.size());
+        const std::string what = fmt::format("{} particles", count);
+        made.push_back(
+            {std::make_unique<LinkFigure>(std::move(part), off_lattice ? 0.9 : 0.7, 1, drawn),
+             (title.empty() ? name : title) + ", " + what, what});
+    }
+    return made;
+}
+
+std::vector<RelativeFact> Aggregates::facts(const Budget& budget) const {
+    const auto all = links(*std::max_element(particles.begin(), particles.end()), budget);
+    double radius = 0;
+    for (const Link& link : all) radius = std::max(radius, std::hypot(link.to.x, link.to.y));
+    std::vector<RelativeFact> found;
+    found.push_back({"particles", std::to_string(all.size() - 1), all.size() - 1});
+    found.push_back({"seed", std::to_string(seed), seed});
+    found.push_back({"grown",
+                     off_lattice ? "off the lattice"
+                     : by_steps  ? "on the square grid, step by step"
+                                 : "on the square grid, by jumps",
+                     off_lattice ? "off lattice"
+                     : by_steps  ? "steps"
+                                 : "jumps"});
+    if (region)
+        found.push_back(
+            {"region", fmt::format("{} by {} cells", 2 * *region + 1, 2 * *region + 1), *region});
+    found.push_back({"radius", fmt::format("{:.6g}", radius), radius});
+    if (const auto dimension = gyration_dimension(all, 8))
+        found.push_back(
+            {"dimension_by_radius_of_gyration",
+             fmt::format("{:.4f}, over the last doublings of the particles", *dimension),
+             *dimension});
+    return found;
+}
+
+std::optional<double> gyration_dimension(const std::vector<Link>& links, std::size_t doublings) {
+    // Sums up to each particle give the radius about the centre of mass.
+    std::vector<std::size_t> counts;
+    for (std::size_t count = links.size(); count >= 16 && counts.size() <= doublings; count /= 2)
+        counts.push_back(count);
+    if (counts.size() < 4) return std::nullopt;
+    std::reverse(counts.begin(), counts.end());
+    double x = 0, y = 0, squares = 0;
+    std::size_t next = 0;
+    std::vector<std::pair<double, double>> points;
+    for (std::size_t i = 0; i < links.size() && next < counts.size(); ++i) {
+        const Point at = links[i].to;
+        x += at.x, y += at.y, squares += at.x * at.x + at.y * at.y;
+        if (i + 1 != counts[next]) continue;
+        const double n = static_cast<double>(i + 1);
+        const double gyration = squares / n - (x * x + y * y) / (n * n);
+        points.push_back({std::log(gyration) / 2, std::log(n)});
+        ++next;
+    }
+    double mean_x = 0, mean_y = 0;
+    for (const auto& [a, b] : points) {
+        mean_x += a / static_cast<double>(points.size());
+        mean_y += b / static_cast<double>(points.size());
+    }
+    double over = 0, under = 0;
+    for (const auto& [a, b] : points) {
+        over += (a - mean_x) * (b - mean_y);
+        under += (a - mean_x) * (a - mean_x);
+    }
+    if (!(under > 0)) return std::nullopt;
+    return over / under;
+}
+
+}  // namespace algae

@@ -1,0 +1,10 @@
+#pragma once
+
+#include "notation/relative_reader.hpp"
+
+namespace algae {
+
+/// Files `*.terrain` of landscapes.
+RelativeKind terrain_kind();
+
+}  // namespace algae

@@ -63,5 +63,10 @@ void add_tree(Verbs& verbs);
 void add_figures(Verbs& verbs);
 void add_gallery(Verbs& verbs);
 void add_ifs(Verbs& verbs);
+void add_walk(Verbs& verbs);
+void add_brownian(Verbs& verbs);
+void add_terrain(Verbs& verbs);
+void add_dla(Verbs& verbs);
+void add_particles(Verbs& verbs);
 
 }  // namespace algae::cli

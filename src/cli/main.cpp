@@ -78,6 +78,11 @@ int main(int argc, char** argv) {
     add_figures(verbs);
     add_gallery(verbs);
     add_ifs(verbs);
+    add_walk(verbs);
+    add_brownian(verbs);
+    add_terrain(verbs);
+    add_dla(verbs);
+    add_particles(verbs);
     if (argc < 2) {
         std::fputs(app.help().c_str(), stderr);
         return bad_input;

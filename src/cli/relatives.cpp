@@ -8,6 +8,7 @@
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "render/animation.hpp"
 
 namespace algae::cli {
 
@@ -83,6 +84,27 @@ Drawn draw_relative(const Relative& relative, const std::string& output, Picture
     return output == "-" ? draw_to(std::cout) : draw_to(output);
 }
 
+/// All frames one after the other, each showing the same part of the plane.
+static Drawn animate_relative(const Relative& relative, const RelativeOptions& options,
+                              AnimationFormat format, PictureOptions picture,
+                              const Budget& budget) {
+    AnimationTiming timing;
+    timing.frame = 1 / (options.rate.empty() ? 20 : positive("--rate", options.rate));
+    timing.last = timing.frame;
+    picture.common_scale = true;
+    const std::vector<RelativeFigure> frames = relative.frames(budget);
+    std::vector<Plate> plates;
+    for (const RelativeFigure& frame : frames)
+        plates.push_back({frame.figure.get(), frame.name,
+                          !options.caption.empty() ? options.caption
+                          : options.captions       ? frame.caption
+                                                   : std::string()});
+    ProgressBar bar("Drawing");
+    return options.output == "-"
+               ? draw_animation(plates, std::cout, format, picture, timing, budget, &bar)
+               : draw_animation(plates, options.output, format, picture, timing, budget, &bar);
+}
+
 nlohmann::ordered_json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,
                                      const std::string& output, const Budget& budget) {
     nlohmann::ordered_json out;
@@ -99,18 +121,25 @@ nlohmann::ordered_json relative_json(const Relative& relative, const std::option
 int run_relative(const RelativeOptions& options) {
     const Budget budget = options.bounds.budget();
     std::optional<PictureFormat> format;
+    std::optional<AnimationFormat> animation;
     if (!options.output.empty()) {
         if (options.output == "-" && options.format.empty())
             throw Error("-o -: say which format with --format: svg, pdf, png, ps or eps");
-        format =
-            picture_format(options.format.empty() ? options.output : "figure." + options.format);
+        const std::string named =
+            options.format.empty() ? options.output : "figure." + options.format;
+        animation = animation_format(named);
+        format = animation ? PictureFormat::png : picture_format(named);
     }
+    if (!animation && !options.rate.empty())
+        throw Error("--rate is for animations: expected -o with .gif or .webp");
     PictureOptions picture;
     if (!options.width.empty()) picture.width = positive("--width", options.width);
     if (!options.height.empty()) picture.height = positive("--height", options.height);
     const std::unique_ptr<Relative> relative = chosen_relative(options, budget);
     std::optional<Drawn> drawn;
-    if (format)
+    if (animation)
+        drawn = animate_relative(*relative, options, *animation, picture, budget);
+    else if (format)
         drawn = draw_relative(*relative, options.output, *format, picture, options.captions,
                               options.caption, budget);
     if (options.output == "-") return success;
@@ -138,8 +167,10 @@ CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::st
     app.add_option(
         "FILE", chosen->file,
         "a file ending in ." + verb + ", or - for standard input; options say what the file would");
-    app.add_option("-o,--output", chosen->output,
-                   "the picture: .svg, .pdf, .png, .ps or .eps; - for standard output")
+    app.add_option(
+           "-o,--output", chosen->output,
+           "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp; - for "
+           "standard output")
         ->type_name("FILE");
     app.add_option("--format", chosen->format, "the format, where the name does not say it")
         ->type_name("FORMAT");
@@ -149,10 +180,17 @@ CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::st
         ->type_name("H");
     app.add_flag("--captions", chosen->captions, "what each figure shows underneath");
     app.add_option("--caption", chosen->caption, "a text underneath")->type_name("TEXT");
+    app.add_option("--rate", chosen->rate, "frames a second of an animation (default 20)")
+        ->type_name("R");
     app.add_flag("--json", chosen->json, "print one JSON object");
     for (const RelativeOption& option : options) chosen->said.push_back({option, ""});
-    for (auto& [option, text] : chosen->said)
-        app.add_option(option.option, text, option.help)->type_name(option.type);
+    for (auto& [option, text] : chosen->said) {
+        if (option.type.empty())
+            app.add_flag_callback(
+                option.option, [&said = text] { said = "yes"; }, option.help);
+        else
+            app.add_option(option.option, text, option.help)->type_name(option.type);
+    }
     chosen->bounds.add_to(app);
     return app;
 }

@@ -16,14 +16,14 @@ namespace algae::cli {
 struct RelativeOption {
     std::string option;  // "--points"
     std::string key;     // "points"
-    std::string type;    // "N"
+    std::string type;    // "N"; empty for a flag, which says yes
     std::string help;
 };
 
 /// Options that all verbs of relatives have, and those of each.
 struct RelativeOptions {
     std::string verb;  // its name is the end of the file's name as well
-    std::string file, output, format, width, height, caption;
+    std::string file, output, format, width, height, caption, rate;
     bool captions = false, json = false;
     std::vector<std::pair<RelativeOption, std::string>>
         said;  // with what stands on the command line

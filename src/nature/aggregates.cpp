@@ -75,7 +75,13 @@ void Aggregates::check() const {
     if (region) GridAggregate(seed, region, {});
 }
 
-std::vector<Link> Aggregates::links(std::uint64_t count, const Budget& budget) const {
+const std::vector<Link>& Aggregates::links(std::uint64_t count, const Budget& budget) const {
+    if (kept_count_ != count || count == 0) kept_ = grown(count, budget);
+    kept_count_ = count;
+    return kept_;
+}
+
+std::vector<Link> Aggregates::grown(std::uint64_t count, const Budget& budget) const {
     check();
     budget.check_memory(count * (sizeof(Link) + 40), "an aggregate");
     if (off_lattice) {
@@ -96,7 +102,7 @@ std::vector<Link> Aggregates::links(std::uint64_t count, const Budget& budget) c
 
 std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
     check();
-    const auto all = links(*std::max_element(particles.begin(), particles.end()), budget);
+    const auto& all = links(*std::max_element(particles.begin(), particles.end()), budget);
     Settings drawn = settings;
     if (drawn.colours.empty()) drawn.colours = shades_of_age();
     std::vector<RelativeFigure> made;
@@ -114,7 +120,7 @@ std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
 }
 
 std::vector<RelativeFact> Aggregates::facts(const Budget& budget) const {
-    const auto all = links(*std::max_element(particles.begin(), particles.end()), budget);
+    const auto& all = links(*std::max_element(particles.begin(), particles.end()), budget);
     double radius = 0;
     for (const Link& link : all) radius = std::max(radius, std::hypot(link.to.x, link.to.y));
     std::vector<RelativeFact> found;

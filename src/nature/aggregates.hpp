@@ -24,12 +24,18 @@ public:
 
     /// Throws Error on parameters out of range or that do not fit together.
     void check() const;
-    /// Particle by particle: from the one touched to its own place. The first is the seed. Throws
-    /// BoundReached, Interrupted.
-    std::vector<Link> links(std::uint64_t count, const Budget& budget) const;
+    /// Particle by particle: from the one touched to its own place. The first is the seed. The last
+    /// answer is kept. Throws BoundReached, Interrupted.
+    const std::vector<Link>& links(std::uint64_t count, const Budget& budget) const;
 
     std::vector<RelativeFigure> figures(const Budget& budget) const override;
     std::vector<RelativeFact> facts(const Budget& budget) const override;
+
+private:
+    std::vector<Link> grown(std::uint64_t count, const Budget& budget) const;
+
+    mutable std::vector<Link> kept_;
+    mutable std::uint64_t kept_count_ = 0;
 };
 
 /// The dimension that the radius of gyration of a growing cluster gives: the slope of the logarithm of

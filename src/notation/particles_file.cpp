@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "nature/particle_show.hpp"
 #include "notation/relative_values.hpp"
-#include "notation/source.hpp"
+#include "notation/characters.hpp"
 #include "notation/suggestion.hpp"
 #include "system/colour.hpp"
 

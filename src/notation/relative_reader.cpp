@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "notation/boxes_file.hpp"
 #include "notation/brownian_file.hpp"
 #include "notation/dla_file.hpp"
 #include "notation/function_file.hpp"
@@ -28,7 +29,7 @@ const RelativeKind& kind_of(const std::string& file_name) {
 const std::vector<RelativeKind>& relative_kinds() {
     static const std::vector<RelativeKind> kinds{ifs_kind(),     walk_kind(), brownian_kind(),
                                                  terrain_kind(), dla_kind(),  particles_kind(),
-                                                 function_kind()};
+                                                 function_kind(), boxes_kind()};
     return kinds;
 }
 

@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "notation/suggestion.hpp"
+#include "notation/characters.hpp"
 
 namespace algae {
 

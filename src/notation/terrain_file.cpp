@@ -5,7 +5,7 @@
 
 #include "nature/terrain.hpp"
 #include "notation/relative_values.hpp"
-#include "notation/source.hpp"
+#include "notation/characters.hpp"
 #include "notation/suggestion.hpp"
 
 namespace algae {

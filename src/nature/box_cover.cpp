@@ -1,0 +1,251 @@
+#include "nature/box_cover.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "base/error.hpp"
+#include "nature/contour.hpp"
+#include "nature/path_figure.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr int koch_steps = 8, coast_levels = 10;
+
+Stroke koch() {
+    Stroke curve{{0, 0}, {1, 0}};
+    for (int step = 0; step < koch_steps; ++step) {
+        Stroke finer{curve.front()};
+        for (std::size_t i = 1; i < curve.size(); ++i) {
+            const Point a = curve[i - 1], b = curve[i];
+            const double x = (b.x - a.x) / 3, y = (b.y - a.y) / 3, h = std::sqrt(3) / 2;
+            finer.push_back({a.x + x, a.y + y});
+            finer.push_back({a.x + 1.5 * x - h * y, a.y + 1.5 * y + h * x});
+            finer.push_back({a.x + 2 * x, a.y + 2 * y});
+            finer.push_back(b);
+        }
+        curve = std::move(finer);
+    }
+    return curve;
+}
+
+/// The longest closed coast of an island, which the sea surrounds.
+Stroke island(std::uint64_t seed, const Budget& budget) {
+    HeightField field = diamond_square({0.75, 0.3, coast_levels}, Gaussians(seed, 0), budget);
+    for (std::size_t row = 0; row < field.side; ++row)
+        for (std::size_t column = 0; column < field.side; ++column) {
+            const double x = 2 * field.spacing() * static_cast<double>(column) - 1;
+            const double y = 2 * field.spacing() * static_cast<double>(row) - 1;
+            field.at(column, row) -= 1.2 * std::pow(std::max(std::fabs(x), std::fabs(y)), 3);
+        }
+    std::vector<Stroke> lines = contour_lines(field, height_at_share(field, 0.6), budget);
+    if (lines.empty()) throw Error("there is no coast with this seed");
+    return *std::max_element(lines.begin(), lines.end(), [](const Stroke& a, const Stroke& b) {
+        return a.size() < b.size();
+    });
+}
+
+/// Moved and scaled so that the lower left corner is (0, 0) and the longer side 1.
+void fit(std::vector<Stroke>& strokes) {
+    Box box;
+    for (const Stroke& stroke : strokes)
+        for (const Point& point : stroke) box.add(point);
+    const double scale = 1 / std::max(box.breadth(), box.height());
+    for (Stroke& stroke : strokes)
+        for (Point& point : stroke)
+            point = {(point.x - box.low.x) * scale, (point.y - box.low.y) * scale};
+}
+
+Path filled_square(Point corner, double side, const Colour& paint) {
+    Path path;
+    path.points = {corner, {corner.x + side, corner.y}, {corner.x + side, corner.y + side},
+                   {corner.x, corner.y + side}};
+    path.filled = true;
+    path.paint = paint;
+    return path;
+}
+
+Path outline(Point corner, double side, const Colour& paint) {
+    Path path = filled_square(corner, side, paint);
+    path.filled = false;
+    path.points.push_back(corner);
+    path.width = 0.7;
+    return path;
+}
+
+/// The slope and the height at 0 of the line through these points with the least squares.
+std::pair<double, double> best_line(const std::vector<Point>& points) {
+    double x = 0, y = 0;
+    for (const Point& point : points) {
+        x += point.x / static_cast<double>(points.size());
+        y += point.y / static_cast<double>(points.size());
+    }
+    double over = 0, under = 0;
+    for (const Point& point : points) {
+        over += (point.x - x) * (point.y - y);
+        under += (point.x - x) * (point.x - x);
+    }
+    const double slope = under > 0 ? over / under : 0;
+    return {slope, y - slope * x};
+}
+
+const char* shape_name(BoxCover::Shape shape) {
+    switch (shape) {
+        case BoxCover::Shape::segment: return "segment";
+        case BoxCover::Shape::square: return "square";
+        case BoxCover::Shape::koch: return "koch";
+        default: return "coast";
+    }
+}
+
+}  // namespace
+
+void BoxCover::check() const {
+    if (cells.empty()) throw Error("cells: expected at least one side");
+    for (const double side : cells)
+        if (!(side <= 1 && side >= 1.0 / 4096))
+            throw Error(fmt::format("cells: expected sides from 1/4096 to 1, found {}", side));
+    if (plot && cells.size() < 2) throw Error("cells: expected at least two sides for a plot");
+}
+
+std::vector<Stroke> BoxCover::strokes(const Budget& budget) const {
+    std::vector<Stroke> made;
+    switch (shape) {
+        case Shape::segment: return {{{0, 0}, {1, 0}}};
+        case Shape::square: return {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+        case Shape::koch: made = {koch()}; break;
+        default: made = {island(seed, budget)}; break;
+    }
+    fit(made);
+    return made;
+}
+
+std::vector<Point> BoxCover::covering(double side, const Budget& budget) const {
+    const auto cells_of_one = static_cast<std::int64_t>(std::ceil(1 / side - 1e-9));
+    std::set<std::pair<std::int64_t, std::int64_t>> touched;
+    if (shape == Shape::square) {
+        for (std::int64_t y = 0; y < cells_of_one; ++y)
+            for (std::int64_t x = 0; x < cells_of_one; ++x) touched.insert({x, y});
+    } else {
+        // Points close enough together that hardly a corner of a square is cut unseen.
+        const double step = side / 64;
+        for (const Stroke& stroke : strokes(budget))
+            for (std::size_t i = 1; i < stroke.size(); ++i) {
+                if (i % 256 == 0) budget.check();
+                const Point a = stroke[i - 1], b = stroke[i];
+                const double length = std::hypot(b.x - a.x, b.y - a.y);
+                const int parts = 1 + static_cast<int>(length / step);
+                for (int k = 0; k <= parts; ++k) {
+                    const double share = static_cast<double>(k) / parts;
+                    const auto cell = [&](double from, double to) {
+                        const double at = (from + share * (to - from)) / side;
+                        return std::min(static_cast<std::int64_t>(std::floor(at + 1e-9)),
+                                        cells_of_one - 1);
+                    };
+                    touched.insert({cell(a.x, b.x), cell(a.y, b.y)});
+                }
+            }
+    }
+    std::vector<Point> corners;
+    for (const auto& [x, y] : touched)
+        corners.push_back({side * static_cast<double>(x), side * static_cast<double>(y)});
+    return corners;
+}
+
+std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
+    check();
+    const std::vector<Stroke> lines = strokes(budget);
+    std::vector<RelativeFigure> made;
+    const Colour ink{0.12, 0.23, 0.37}, box{0.86, 0.91, 0.96}, edge{0.55, 0.66, 0.78};
+    const auto add = [&](std::vector<Path> paths, const std::string& what) {
+        made.push_back({std::make_unique<PathFigure>(std::move(paths), settings),
+                        (title.empty() ? name : title) + ", " + what, what});
+    };
+    std::vector<Point> counts;
+    for (const double side : cells) {
+        const std::vector<Point> corners = covering(side, budget);
+        counts.push_back({-std::log10(side), std::log10(static_cast<double>(corners.size()))});
+        if (plot) continue;
+        std::vector<Path> paths;
+        for (const Point& corner : corners) paths.push_back(filled_square(corner, side, box));
+        for (const Point& corner : corners) paths.push_back(outline(corner, side, edge));
+        for (const Stroke& line : lines) {
+            Path path;
+            path.points = line;
+            path.paint = ink;
+            path.width = shape == Shape::segment || shape == Shape::square ? 2 : 0.9;
+            paths.push_back(std::move(path));
+        }
+        add(std::move(paths), fmt::format("m = {}, N = {}",
+                                          1 / side == std::round(1 / side) && side < 1
+                                              ? fmt::format("1/{:g}", 1 / side)
+                                              : fmt::format("{:.4g}", side),
+                                          corners.size()));
+    }
+    if (!plot) return made;
+    const auto [slope, height] = best_line(counts);
+    Point high{0, 0};
+    for (const Point& count : counts) {
+        high.x = std::max(high.x, count.x * 1.08 + 0.05);
+        high.y = std::max(high.y, count.y * 1.08 + 0.05);
+    }
+    std::vector<Path> paths;
+    const auto line = [&](Point from, Point to, const Colour& paint, double width) {
+        Path path;
+        path.points = {from, to};
+        path.paint = paint;
+        path.width = width;
+        paths.push_back(std::move(path));
+    };
+    const double tick = 0.015 * high.x;
+    line({0, 0}, {high.x, 0}, {0, 0, 0}, 1);
+    line({0, 0}, {0, high.y}, {0, 0, 0}, 1);
+    for (int k = 1; 0.5 * k < high.x; ++k) line({0.5 * k, 0}, {0.5 * k, -tick}, {0, 0, 0}, 1);
+    for (int k = 1; 0.5 * k < high.y; ++k) line({0, 0.5 * k}, {-tick, 0.5 * k}, {0, 0, 0}, 1);
+    line({0, height}, {high.x, height + slope * high.x}, {0.75, 0.3, 0.2}, 1.2);
+    for (const Point& count : counts) {
+        Path dot = filled_square({count.x - tick, count.y - tick}, 2 * tick, ink);
+        paths.push_back(std::move(dot));
+    }
+    add(std::move(paths),
+        fmt::format("log N(m) against log 1/m, marks each 0.5: slope {:.4f}, log k {:.4f}", slope, height));
+    return made;
+}
+
+RelativeFigure BoxCover::measured_figure(const Budget& budget) const {
+    std::vector<Path> paths;
+    for (Stroke& stroke : strokes(budget)) {
+        Path path;
+        path.points = std::move(stroke);
+        paths.push_back(std::move(path));
+    }
+    return {std::make_unique<PathFigure>(std::move(paths), settings), title.empty() ? name : title, ""};
+}
+
+std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {
+    check();
+    std::vector<RelativeFact> found;
+    found.push_back({"set", shape_name(shape), shape_name(shape)});
+    std::vector<Point> logarithms;
+    std::string text;
+    nlohmann::ordered_json counts = nlohmann::ordered_json::array();
+    for (const double side : cells) {
+        const std::size_t count = covering(side, budget).size();
+        text += fmt::format("{}N({:.4g}) = {}", text.empty() ? "" : ", ", side, count);
+        counts.push_back({{"side", side}, {"boxes", count}});
+        logarithms.push_back({-std::log10(side), std::log10(static_cast<double>(count))});
+    }
+    found.push_back({"boxes", text, counts});
+    if (cells.size() > 1) {
+        const double slope = best_line(logarithms).first;
+        found.push_back({"slope", fmt::format("{:.6f}", slope), slope});
+    }
+    return found;
+}
+
+}  // namespace algae

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "dimension/divider.hpp"
+#include "nature/relative.hpp"
+
+namespace algae {
+
+/// A set covered with squares of several sizes, as box counting does: the squares of a grid that the
+/// set touches, and their number.
+class BoxCover : public Relative {
+public:
+    enum class Shape { segment, square, koch, coast };
+
+    Shape shape = Shape::koch;
+    std::vector<double> cells{1, 0.5, 0.25};  // the sides of the squares
+    bool plot = false;  // then one figure: log N(m) against log(1/m), and the line that fits best
+    std::uint64_t seed = 1;  // of the coast
+
+    /// Throws Error on sides of 0, above 1 or below 1/4096.
+    void check() const;
+    /// The set as lines; the square as its outline. Its longest side is 1, its lower left corner (0, 0).
+    std::vector<Stroke> strokes(const Budget& budget) const;
+    /// The lower left corners of the squares of this side that the set touches, each once. A point on
+    /// the upper or right end of the whole belongs to the square before it.
+    std::vector<Point> covering(double side, const Budget& budget) const;
+
+    std::vector<RelativeFigure> figures(const Budget& budget) const override;
+    RelativeFigure measured_figure(const Budget& budget) const override;
+    std::vector<RelativeFact> facts(const Budget& budget) const override;
+};
+
+}  // namespace algae

@@ -45,9 +45,8 @@ Stroke island(std::uint64_t seed, const Budget& budget) {
         }
     std::vector<Stroke> lines = contour_lines(field, height_at_share(field, 0.6), budget);
     if (lines.empty()) throw Error("there is no coast with this seed");
-    return *std::max_element(lines.begin(), lines.end(), [](const Stroke& a, const Stroke& b) {
-        return a.size() < b.size();
-    });
+    return *std::max_element(lines.begin(), lines.end(),
+                             [](const Stroke& a, const Stroke& b) { return a.size() < b.size(); });
 }
 
 /// Moved and scaled so that the lower left corner is (0, 0) and the longer side 1.
@@ -63,7 +62,9 @@ void fit(std::vector<Stroke>& strokes) {
 
 Path filled_square(Point corner, double side, const Colour& paint) {
     Path path;
-    path.points = {corner, {corner.x + side, corner.y}, {corner.x + side, corner.y + side},
+    path.points = {corner,
+                   {corner.x + side, corner.y},
+                   {corner.x + side, corner.y + side},
                    {corner.x, corner.y + side}};
     path.filled = true;
     path.paint = paint;
@@ -96,10 +97,14 @@ std::pair<double, double> best_line(const std::vector<Point>& points) {
 
 const char* shape_name(BoxCover::Shape shape) {
     switch (shape) {
-        case BoxCover::Shape::segment: return "segment";
-        case BoxCover::Shape::square: return "square";
-        case BoxCover::Shape::koch: return "koch";
-        default: return "coast";
+        case BoxCover::Shape::segment:
+            return "segment";
+        case BoxCover::Shape::square:
+            return "square";
+        case BoxCover::Shape::koch:
+            return "koch";
+        default:
+            return "coast";
     }
 }
 
@@ -116,10 +121,16 @@ void BoxCover::check() const {
 std::vector<Stroke> BoxCover::strokes(const Budget& budget) const {
     std::vector<Stroke> made;
     switch (shape) {
-        case Shape::segment: return {{{0, 0}, {1, 0}}};
-        case Shape::square: return {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
-        case Shape::koch: made = {koch()}; break;
-        default: made = {island(seed, budget)}; break;
+        case Shape::segment:
+            return {{{0, 0}, {1, 0}}};
+        case Shape::square:
+            return {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
+        case Shape::koch:
+            made = {koch()};
+            break;
+        default:
+            made = {island(seed, budget)};
+            break;
     }
     fit(made);
     return made;
@@ -213,7 +224,8 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
         paths.push_back(std::move(dot));
     }
     add(std::move(paths),
-        fmt::format("log N(m) against log 1/m, marks each 0.5: slope {:.4f}, log k {:.4f}", slope, height));
+        fmt::format("log N(m) against log 1/m, marks each 0.5: slope {:.4f}, log k {:.4f}", slope,
+                    height));
     return made;
 }
 
@@ -224,7 +236,8 @@ RelativeFigure BoxCover::measured_figure(const Budget& budget) const {
         path.points = std::move(stroke);
         paths.push_back(std::move(path));
     }
-    return {std::make_unique<PathFigure>(std::move(paths), settings), title.empty() ? name : title, ""};
+    return {std::make_unique<PathFigure>(std::move(paths), settings), title.empty() ? name : title,
+            ""};
 }
 
 std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {

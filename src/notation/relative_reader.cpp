@@ -27,8 +27,8 @@ const RelativeKind& kind_of(const std::string& file_name) {
 }  // namespace
 
 const std::vector<RelativeKind>& relative_kinds() {
-    static const std::vector<RelativeKind> kinds{ifs_kind(),     walk_kind(), brownian_kind(),
-                                                 terrain_kind(), dla_kind(),  particles_kind(),
+    static const std::vector<RelativeKind> kinds{ifs_kind(),      walk_kind(), brownian_kind(),
+                                                 terrain_kind(),  dla_kind(),  particles_kind(),
                                                  function_kind(), boxes_kind()};
     return kinds;
 }

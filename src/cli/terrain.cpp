@@ -11,7 +11,7 @@ void add_terrain(Verbs& verbs) {
         "contours.pdf",
         {{"--levels", "levels", "N[..M]", "2^N squares along an edge (default 8)"},
          {"--roughness", "roughness", "H", "between 0, rough, and 1, smooth (default 0.8)"},
-         {"--height", "height", "NUMBER",
+         {"--relief", "height", "NUMBER",
           "the deviation of heights, in edges of the land (default 0.3)"},
          {"--water", "water", "SHARE", "of the land that lies below it (default 0.4)"},
          {"--view", "view", "map|contours|solid|coast|grid",

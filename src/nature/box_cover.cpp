@@ -36,12 +36,12 @@ Stroke koch() {
 
 /// The longest closed coast of an island, which the sea surrounds.
 Stroke island(std::uint64_t seed, const Budget& budget) {
-    HeightField field = diamond_square({0.75, 0.3, coast_levels}, Gaussians(seed, 0), budget);
+    HeightField field = diamond_square({0.7, 0.8, coast_levels}, Gaussians(seed, 0), budget);
     for (std::size_t row = 0; row < field.side; ++row)
         for (std::size_t column = 0; column < field.side; ++column) {
             const double x = 2 * field.spacing() * static_cast<double>(column) - 1;
             const double y = 2 * field.spacing() * static_cast<double>(row) - 1;
-            field.at(column, row) -= 1.2 * std::pow(std::max(std::fabs(x), std::fabs(y)), 3);
+            field.at(column, row) -= 1.1 * (x * x + y * y);
         }
     std::vector<Stroke> lines = contour_lines(field, height_at_share(field, 0.6), budget);
     if (lines.empty()) throw Error("there is no coast with this seed");

@@ -131,13 +131,16 @@ std::vector<std::unique_ptr<Figure>> partial_views(const LSystem& system,
                                                SceneFacts{all.end.position, all.facts.step},
                                                stage->choices, budget);
     stage->room = stage->whole->box();
-    for (const TurtleState& state : watched.states)
-        for (const Vector& offset :
-             {state.attitude.heading(), state.attitude.left(), state.attitude.up()})
-            for (const double side : {-0.6, 0.6})
-                if (const auto at =
-                        stage->whole->place(state.position + side * stage->size * offset))
-                    stage->room.add(*at);
+    for (TurtleState state : watched.states)
+        for (int upright = 0; upright < 2; ++upright) {
+            for (const Vector& corner : turtle_glyph(state, stage->size))
+                if (const auto at = stage->whole->place(corner)) stage->room.add(*at);
+            state.attitude.roll(turn_by(90));
+        }
+    // What is left of lines and gaps around them at the edge.
+    const double edge = 0.2 * stage->size;
+    stage->room.add(Point{stage->room.low.x - edge, stage->room.low.y - edge});
+    stage->room.add(Point{stage->room.high.x + edge, stage->room.high.y + edge});
     std::vector<std::unique_ptr<Figure>> figures;
     for (std::size_t i = 0; i < symbols.size(); ++i)
         figures.push_back(std::make_unique<PartialView>(stage, symbols[i], watched.states[i]));

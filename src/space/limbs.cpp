@@ -173,4 +173,10 @@ Limbs limbs_of(const Scene& scene, const Thickness& thickness, const Budget& bud
     return limbs;
 }
 
+bool is_cylinder(const Limbs& limbs, const Limb& limb) {
+    const auto nodes = limbs.nodes_of(limb);
+    return nodes.size() == 2 && !limb.round_foot && !limb.round_end &&
+           nodes[0].radius == nodes[1].radius;
+}
+
 }  // namespace algae

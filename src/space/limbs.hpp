@@ -53,4 +53,7 @@ struct Limbs {
 /// Throws Error if a coordinate or radius is not finite. O(rods) time and memory.
 Limbs limbs_of(const Scene& scene, const Thickness& thickness, const Budget& budget);
 
+/// Whether a limb is one straight piece of one radius that ends flat at both ends.
+bool is_cylinder(const Limbs& limbs, const Limb& limb);
+
 }  // namespace algae

@@ -36,7 +36,7 @@ void check(const Scene& scene, const MeshOptions& options) {
 }
 
 /// Throws BoundReached if the mesh would be too large. The bound on its corners is exact up to shading.
-TubeSize checked_size(const Scene& scene, const Limbs& limbs, unsigned facets,
+TubeSize checked_size(const Scene& scene, const Limbs& limbs, const MeshOptions& options,
                       const Budget& budget) {
     TubeSize all;
     const auto add = [&](const TubeSize& size) {
@@ -44,8 +44,10 @@ TubeSize checked_size(const Scene& scene, const Limbs& limbs, unsigned facets,
         all.corners += size.corners;
         all.points += size.points;
     };
-    for (const Limb& limb : limbs.limbs) add(tube_size(limb, facets));
-    for (const Solid& solid : scene.solids) add(solid_size(solid.shape, 2 * facets));
+    for (const Limb& limb : limbs.limbs)
+        if (options.cylinders || !is_cylinder(limbs, limb)) add(tube_size(limb, options.facets));
+    if (options.solids)
+        for (const Solid& solid : scene.solids) add(solid_size(solid.shape, 2 * options.facets));
     const std::uint64_t sheets = scene.corners.size();
     add({sheets, sheets, sheets});
     if (std::max(all.triangles * 3, all.corners) >= std::numeric_limits<std::uint32_t>::max())
@@ -68,7 +70,7 @@ Mesh mesh_of(const Scene& scene, const MeshOptions& options, const Budget& budge
     check(scene, options);
     const Thickness thick = thickness(scene);
     const Limbs limbs = limbs_of(scene, thick, budget);
-    const TubeSize size = checked_size(scene, limbs, options.facets, budget);
+    const TubeSize size = checked_size(scene, limbs, options, budget);
     MeshBuilder builder(scene.colours.size());
     builder.mesh.points.reserve(size.points);
     builder.mesh.corners.reserve(size.corners);
@@ -78,15 +80,17 @@ Mesh mesh_of(const Scene& scene, const MeshOptions& options, const Budget& budge
     std::size_t steps = 0;
     for (const Limb& limb : limbs.limbs) {
         if (steps++ % 1024 == 0) budget.check();
+        if (!options.cylinders && is_cylinder(limbs, limb)) continue;
         add_tube(builder, limbs.nodes_of(limb), limb, scene, circle, crease);
     }
     for (const Solid& solid : scene.solids) {
         if (steps++ % 1024 == 0) budget.check();
+        if (!options.solids) break;
         add_solid(builder, solid, finer, thick);
     }
     builder.mesh.closed = builder.mesh.triangles.size();
     add_sheets(builder, scene, crease, budget);
-    if (builder.mesh.triangles.empty())
+    if (builder.mesh.triangles.empty() && options.cylinders && options.solids)
         throw Error(scene.name + " draws nothing that has an extent");
     return std::move(builder.mesh);
 }

@@ -39,6 +39,8 @@ struct MeshOptions {
     unsigned facets = 8;
     /// Surfaces that meet at less than this angle, in degrees, are shaded as one smooth surface.
     double crease = 40;
+    /// Whether rods that are cylinders (see is_cylinder) and solids become triangles too.
+    bool cylinders = true, solids = true;
 };
 
 /// The triangles of a scene.

@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/draw_explain.hpp"
+#include "cli/draw_mesh.hpp"
 #include "cli/draw_motion.hpp"
 #include "cli/draw_progress.hpp"
 #include "cli/environment_option.hpp"
@@ -24,7 +25,7 @@ namespace {
 struct Options {
     std::string file, generation, output, format, seed, seeds, tables, environment;
     std::string width, height, margin, line_width, background, font_size, columns, caption;
-    std::string colours;
+    std::string colours, facets;
     std::vector<std::string> labels;
     bool scale_bar = false;
     SpaceOptions space;
@@ -58,8 +59,18 @@ PictureOptions picture_options(const Options& options) {
 std::string named_format(const Options& options) {
     if (options.output.empty()) throw Error("--output is required");
     if (!options.format.empty()) return "figure." + options.format;
-    if (options.output == "-") throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps, gif or webp");
+    if (options.output == "-") throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, " + mesh_format_names());
     return options.output;
+}
+
+/// The format of a picture. Throws Error, listing everything that may be drawn.
+PictureFormat picture_of(const std::string& named) {
+    try {
+        return picture_format(named);
+    } catch (const Error& error) {
+        throw Error(std::string(error.what()) + "; an animation ends in .gif or .webp, a figure in space in .glb, .obj, .ply, .stl, "
+                    ".x3d or .wrl, or say --format vrml1");
+    }
 }
 
 /// The generations of a picture; an animation begins with generation 0.
@@ -115,6 +126,25 @@ PlateChoices choices(const Options& options, const LSystem& system) {
     return found;
 }
 
+/// A file of a figure in space, which has nothing of a page.
+int draw_to_mesh(const Options& options, MeshFormat format) {
+    const std::pair<const char*, bool> of_pages[] = {
+        {"--seeds", !options.seeds.empty()}, {"--environment", !options.environment.empty()},
+        {"--width", !options.width.empty()}, {"--height", !options.height.empty()},
+        {"--margin", !options.margin.empty()}, {"--line-width", !options.line_width.empty()},
+        {"--font-size", !options.font_size.empty()}, {"--columns", !options.columns.empty()},
+        {"--caption", !options.caption.empty()}, {"--captions", options.captions},
+        {"--panels", options.panels}, {"--common-scale", options.common_scale},
+        {"--scale-bar", options.scale_bar}, {"--label", !options.labels.empty()},
+        {"--light", !options.space.light.empty()}, {"--fog", !options.space.fog.empty()}};
+    for (const auto& [option, given] : of_pages)
+        if (given) throw Error(std::string(option) + ": " + mesh_format_name(format) + " is no picture; it holds one figure in space");
+    options.motion.check_unused();
+    return draw_mesh_file({options.file, options.output, options.generation, options.seed, options.tables,
+                           options.colours, options.background, options.facets, options.space, options.json},
+                          format, options.bounds.budget());
+}
+
 /// Files of relatives: what -n and --seed say stands in their statements.
 int draw_relative_file(const Options& options, PictureFormat format, const PictureOptions& picture,
                        const Budget& budget) {
@@ -161,8 +191,10 @@ int draw(const Options& options) {
     if (options.motion.explain) return draw_explained(options);
     if (options.motion.progressive) return draw_progressive(options);
     const std::string named = named_format(options);
+    if (const auto mesh = mesh_format(named)) return draw_to_mesh(options, *mesh);
+    if (!options.facets.empty()) throw Error("--facets is for " + mesh_format_names());
     const std::optional<AnimationFormat> animation = animation_format(named);
-    const PictureFormat format = animation ? PictureFormat::png : picture_format(named);
+    const PictureFormat format = animation ? PictureFormat::png : picture_of(named);
     const AnimationTiming timing = options.motion.timing(0.8);
     options.motion.check(animation.has_value());
     if (animation && options.panels) refuse_panels();
@@ -213,8 +245,8 @@ void add_draw(Verbs& verbs) {
                               options, draw);
     verb.add_option("FILE", options->file, file_help)->required();
     verb.add_option("-n", options->generation, "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, or --panels (default: what the file says)")->type_name("N[..M]");
-    verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp; - for standard output")->type_name("FILE");
-    verb.add_option("--format", options->format, "the format, where the name does not say it")->type_name("FORMAT");
+    verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp, the figure in space: .glb, .obj, .ply, .stl, .x3d or .wrl; - for standard output")->type_name("FILE");
+    verb.add_option("--format", options->format, "the format, where the name does not say it; vrml1 for VRML 1.0")->type_name("FORMAT");
     verb.add_flag("--panels", options->panels, "several generations side by side");
     verb.add_option("--columns", options->columns, "panels in a row")->type_name("N");
     verb.add_flag("--common-scale", options->common_scale, "the same scale for all generations; in an animation, the same part of the plane");
@@ -234,6 +266,7 @@ void add_draw(Verbs& verbs) {
     verb.add_flag("--scale-bar", options->scale_bar, "a bar below the figure with its length, in the units of the file");
     verb.add_option("--label", options->labels, "a text at a point of the figure; may be given several times")->type_name("TEXT@x,y[,z]")->expected(1)->take_all();
     options->motion.add_to(verb);
+    add_mesh_options(verb, options->facets);
     add_environment_option(verb, options->environment);
     verb.add_flag("--json", options->json, "print segments, bounding box and end as one JSON object; integers from 2^53 on are strings");
     options->bounds.add_to(verb);

@@ -49,7 +49,7 @@ void add_mesh_options(CLI::App& verb, std::string& facets) {
 
 int draw_mesh_file(const MeshRequest& request, MeshFormat format, const Budget& budget) {
     MeshChoices choices;
-    choices.camera = request.camera;
+    if (const auto camera = request.space.chosen_camera()) choices.camera = *camera;
     if (!request.facets.empty()) {
         const std::uint64_t facets = natural("--facets", request.facets);
         if (facets < 3 || facets > 256)
@@ -78,6 +78,7 @@ int draw_mesh_file(const MeshRequest& request, MeshFormat format, const Budget& 
         if (!request.generation.empty() && generations.first != generations.second)
             throw Error("-n " + request.generation + ": " + mesh_format_name(format) +
                         " holds one generation");
+        choices.camera = view_choices(request.space, system, choices.background).camera;
         scene = scene_of(request, system, generations.second, budget);
         json["generation"] = generations.second;
     }

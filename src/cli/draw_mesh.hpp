@@ -4,6 +4,7 @@
 #include <string>
 
 #include "base/budget.hpp"
+#include "cli/space_options.hpp"
 #include "render/mesh_output.hpp"
 
 namespace algae::cli {
@@ -11,7 +12,7 @@ namespace algae::cli {
 /// What `draw` takes for files of figures in space.
 struct MeshRequest {
     std::string file, output, generation, seed, tables, colours, background, facets;
-    Camera camera;
+    SpaceOptions space;
     bool json = false;
 };
 

@@ -16,9 +16,13 @@ namespace algae {
 
 namespace {
 
+/// What has no colour: light does not show the shape of black things.
+const std::vector<std::string> uncoloured{"gray"};
+
 /// The scene with a colour of its own in each paint.
 Scene coloured(Scene scene, const std::vector<std::string>& colours) {
-    const Palette palette(colours.empty() ? scene.colours : colours, 360);
+    const auto& own = scene.colours.empty() ? uncoloured : scene.colours;
+    const Palette palette(colours.empty() ? own : colours, 360);
     const auto give = [&](Paint& paint, std::size_t number, std::size_t count) {
         if (paint.colour) return;
         const double position = static_cast<double>(number) / static_cast<double>(count);

@@ -90,7 +90,7 @@ bool can_turn(const Limbs::Node& from, const Limbs::Node& at, const Limbs::Node&
     const Vector in = at.point - from.point, out = to.point - at.point;
     const double before = length(in), after = length(out);
     const double cosine = dot(in, out) / (before * after);
-    if (!(cosine > -0.5)) return false;
+    if (!(cosine > -0.5 - 1e-9)) return false;
     // The mitre goes back by radius * tan(half the turn) on the inner side.
     const double back = at.radius * std::sqrt(std::max(0.0, (1 - cosine) / (1 + cosine)));
     return back < share_before * before && back < share_after * after;

@@ -1,8 +1,7 @@
 #pragma once
 
-#include <fmt/format.h>
-
-#include <iterator>
+#include <string>
+#include <string_view>
 
 #include "base/budget.hpp"
 #include "render/output.hpp"
@@ -18,48 +17,22 @@ class SceneText {
 public:
     SceneText(Output& output, const Budget& budget) : output_(output), budget_(budget) {}
 
-    template <class... Parts>
-    void add(fmt::format_string<Parts...> pattern, Parts&&... parts) {
-        fmt::format_to(std::back_inserter(text_), pattern, std::forward<Parts>(parts)...);
-        if (text_.size() > 1 << 16) flush();
-    }
-    void vector(const Vector& v) { add("{} {} {}", single(v.x), single(v.y), single(v.z)); }
-    void colour(const Colour& c) {
-        add("{} {} {}", single(c.red), single(c.green), single(c.blue));
-    }
-    void turn(const AxisTurn& turn) {
-        vector(turn.axis);
-        add(" {}", single(turn.radians));
-    }
+    void add(std::string_view text);
+    void vector(const Vector& v);
+    void colour(const Colour& c);
+    void turn(const AxisTurn& turn);
     /// Points with commas between.
-    void points(const std::vector<Vector>& points) {
-        for (const Vector& point : points) {
-            vector(point);
-            add(", ");
-        }
-    }
+    void points(const std::vector<Vector>& points);
     /// Corners of triangles, -1 after each, with commas, which XML and VRML97 take for blanks.
-    void triangles(const std::vector<Mesh::Triangle>& triangles) {
-        for (const auto& [a, b, c] : triangles) add("{},{},{},-1, ", a, b, c);
-    }
+    void triangles(const std::vector<Mesh::Triangle>& triangles);
     /// The points of strokes, -1 after each stroke.
-    void strokes(const SceneGraph::Lines& lines) {
-        std::uint32_t point = 0;
-        for (const std::uint32_t count : lines.strokes) {
-            for (std::uint32_t i = 0; i < count; ++i) add("{},", point++);
-            add("-1, ");
-        }
-    }
-    void flush() {
-        budget_.check();
-        output_.write(text_.data(), text_.size());
-        text_.clear();
-    }
+    void strokes(const SceneGraph::Lines& lines);
+    void flush();
 
 private:
     Output& output_;
     const Budget& budget_;
-    fmt::memory_buffer text_;
+    std::string text_;
 };
 
 }  // namespace algae

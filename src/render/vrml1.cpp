@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "render/scene_text.hpp"
 #include "render/vrml.hpp"
 
@@ -11,84 +13,87 @@ public:
         : graph_(graph), text_(output, budget), defined_(graph.colours.size()) {}
 
     void write() {
-        text_.add("#VRML V1.0 ascii\nSeparator {{\nDEF BackgroundColor Info {{ string \"");
+        put("#VRML V1.0 ascii\nSeparator {{\nDEF BackgroundColor Info {{ string \"");
         text_.colour(graph_.background);
-        text_.add("\" }}\nDirectionalLight {{ direction ");
+        put("\" }}\nDirectionalLight {{ direction ");
         text_.vector(graph_.light);
-        text_.add(" }}\nDEF Cameras Switch {{ whichChild 0\n");
+        put(" }}\nDEF Cameras Switch {{ whichChild 0\n");
         std::size_t number = 0;
         for (const SceneGraph::Viewpoint& view : graph_.viewpoints) {
-            text_.add("DEF View{} PerspectiveCamera {{ position ", ++number);
+            put("DEF View{} PerspectiveCamera {{ position ", ++number);
             text_.vector(view.place);
-            text_.add(" orientation ");
+            put(" orientation ");
             text_.turn(view.turn);
-            text_.add(" focalDistance {} heightAngle {} }}\n", single(view.distance),
-                      single(view.opening));
+            put(" focalDistance {} heightAngle {} }}\n", single(view.distance),
+                single(view.opening));
         }
-        text_.add("}}\n");
+        put("}}\n");
         for (const SceneGraph::Body& body : graph_.bodies) add(body);
         for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
         for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
-        text_.add("}}\n");
+        put("}}\n");
         text_.flush();
     }
 
 private:
+    template <class... Parts>
+    void put(fmt::format_string<Parts...> pattern, Parts&&... parts) {
+        text_.add(fmt::format(pattern, std::forward<Parts>(parts)...));
+    }
     void add(const SceneGraph::Body& body) {
-        text_.add("Separator {{ ");
+        put("Separator {{ ");
         material(body.colour);
-        text_.add("Translation {{ translation ");
+        put("Translation {{ translation ");
         text_.vector(body.middle);
-        text_.add(" }} Rotation {{ rotation ");
+        put(" }} Rotation {{ rotation ");
         text_.turn(body.turn);
-        text_.add(" }} ");
+        put(" }} ");
         const float x = single(body.size.x), y = single(body.size.y), z = single(body.size.z);
         switch (body.shape) {
             case SolidShape::box:
-                text_.add("Cube {{ width {} height {} depth {} }}", x, y, z);
+                put("Cube {{ width {} height {} depth {} }}", x, y, z);
                 break;
             case SolidShape::cylinder:
-                text_.add("Cylinder {{ radius {} height {} }}", x, y);
+                put("Cylinder {{ radius {} height {} }}", x, y);
                 break;
             case SolidShape::cone:
-                text_.add("Cone {{ bottomRadius {} height {} }}", x, y);
+                put("Cone {{ bottomRadius {} height {} }}", x, y);
                 break;
             case SolidShape::sphere:
-                text_.add("Sphere {{ radius {} }}", x);
+                put("Sphere {{ radius {} }}", x);
                 break;
         }
-        text_.add(" }}\n");
+        put(" }}\n");
     }
     void add(const SceneGraph::Surface& surface) {
-        text_.add("Separator {{ ");
+        put("Separator {{ ");
         material(surface.colour);
-        text_.add(
-            "ShapeHints {{ vertexOrdering COUNTERCLOCKWISE shapeType {} faceType CONVEX "
+        put("ShapeHints {{ vertexOrdering COUNTERCLOCKWISE shapeType {} faceType CONVEX "
             "creaseAngle {} }}\n"
             " Coordinate3 {{ point [ ",
             surface.sheet ? "UNKNOWN_SHAPE_TYPE" : "SOLID", single(graph_.crease));
         text_.points(surface.points);
-        text_.add("] }}\n IndexedFaceSet {{ coordIndex [ ");
+        put("] }}\n IndexedFaceSet {{ coordIndex [ ");
         text_.triangles(surface.triangles);
-        text_.add("] }} }}\n");
+        put("] }} }}\n");
     }
     void add(const SceneGraph::Lines& lines) {
-        text_.add("Separator {{ Material {{ diffuseColor 0 0 0 emissiveColor ");
+        put("Separator {{ Material {{ diffuseColor 0 0 0 emissiveColor ");
         text_.colour(graph_.colours[lines.colour]);
-        text_.add(" }}\n Coordinate3 {{ point [ ");
+        put(" }}\n Coordinate3 {{ point [ ");
         text_.points(lines.points);
-        text_.add("] }}\n IndexedLineSet {{ coordIndex [ ");
+        put("] }}\n IndexedLineSet {{ coordIndex [ ");
         text_.strokes(lines);
-        text_.add("] }} }}\n");
+        put("] }} }}\n");
     }
     void material(std::uint32_t colour) {
         if (defined_[colour]) {
-            text_.add("USE C{} ", colour);
+            put("USE C{} ", colour);
             return;
         }
-        text_.add("DEF C{} Material {{ diffuseColor ", colour);
+        put("DEF C{} Material {{ diffuseColor ", colour);
         text_.colour(graph_.colours[colour]);
-        text_.add(" }} ");
+        put(" }} ");
         defined_[colour] = true;
     }
 

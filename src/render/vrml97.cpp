@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include "render/scene_text.hpp"
 #include "render/vrml.hpp"
 
@@ -24,21 +26,21 @@ public:
           drawn_(graph.colours.size()) {}
 
     void write() {
-        text_.add("#VRML V2.0 utf8\nWorldInfo {{ title {} }}\n", quoted(graph_.title));
-        text_.add("NavigationInfo {{ type [ \"EXAMINE\", \"ANY\" ] }}\nBackground {{ skyColor [ ");
+        put("#VRML V2.0 utf8\nWorldInfo {{ title {} }}\n", quoted(graph_.title));
+        put("NavigationInfo {{ type [ \"EXAMINE\", \"ANY\" ] }}\nBackground {{ skyColor [ ");
         text_.colour(graph_.background);
-        text_.add(" ] }}\n");
+        put(" ] }}\n");
         for (const SceneGraph::Viewpoint& view : graph_.viewpoints) {
-            text_.add("Viewpoint {{ description {} fieldOfView {} position ", quoted(view.name),
-                      single(view.opening));
+            put("Viewpoint {{ description {} fieldOfView {} position ", quoted(view.name),
+                single(view.opening));
             text_.vector(view.place);
-            text_.add(" orientation ");
+            put(" orientation ");
             text_.turn(view.turn);
-            text_.add(" }}\n");
+            put(" }}\n");
         }
-        text_.add("DirectionalLight {{ intensity 0.6 ambientIntensity 0.3 direction ");
+        put("DirectionalLight {{ intensity 0.6 ambientIntensity 0.3 direction ");
         text_.vector(graph_.light);
-        text_.add(" }}\n");
+        put(" }}\n");
         for (const SceneGraph::Body& body : graph_.bodies) add(body);
         for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
         for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
@@ -46,67 +48,69 @@ public:
     }
 
 private:
+    template <class... Parts>
+    void put(fmt::format_string<Parts...> pattern, Parts&&... parts) {
+        text_.add(fmt::format(pattern, std::forward<Parts>(parts)...));
+    }
     void add(const SceneGraph::Body& body) {
-        text_.add("Transform {{ translation ");
+        put("Transform {{ translation ");
         text_.vector(body.middle);
-        text_.add(" rotation ");
+        put(" rotation ");
         text_.turn(body.turn);
-        text_.add(" children Shape {{ ");
+        put(" children Shape {{ ");
         appearance(body.colour);
         const float x = single(body.size.x), y = single(body.size.y), z = single(body.size.z);
         switch (body.shape) {
             case SolidShape::box:
-                text_.add("geometry Box {{ size {} {} {} }}", x, y, z);
+                put("geometry Box {{ size {} {} {} }}", x, y, z);
                 break;
             case SolidShape::cylinder:
-                text_.add("geometry Cylinder {{ radius {} height {} }}", x, y);
+                put("geometry Cylinder {{ radius {} height {} }}", x, y);
                 break;
             case SolidShape::cone:
-                text_.add("geometry Cone {{ bottomRadius {} height {} }}", x, y);
+                put("geometry Cone {{ bottomRadius {} height {} }}", x, y);
                 break;
             case SolidShape::sphere:
-                text_.add("geometry Sphere {{ radius {} }}", x);
+                put("geometry Sphere {{ radius {} }}", x);
                 break;
         }
-        text_.add(" }} }}\n");
+        put(" }} }}\n");
     }
     void add(const SceneGraph::Surface& surface) {
-        text_.add("Shape {{ ");
+        put("Shape {{ ");
         appearance(surface.colour);
-        text_.add(
-            "geometry IndexedFaceSet {{ creaseAngle {} solid {}\n coord Coordinate {{ point [ ",
+        put("geometry IndexedFaceSet {{ creaseAngle {} solid {}\n coord Coordinate {{ point [ ",
             single(graph_.crease), surface.sheet ? "FALSE" : "TRUE");
         text_.points(surface.points);
-        text_.add("] }}\n coordIndex [ ");
+        put("] }}\n coordIndex [ ");
         text_.triangles(surface.triangles);
-        text_.add("] }} }}\n");
+        put("] }} }}\n");
     }
     void add(const SceneGraph::Lines& lines) {
-        text_.add("Shape {{ appearance ");
+        put("Shape {{ appearance ");
         if (drawn_[lines.colour])
-            text_.add("USE L{} ", lines.colour);
+            put("USE L{} ", lines.colour);
         else {
-            text_.add(
-                "DEF L{} Appearance {{ material Material {{ diffuseColor 0 0 0 emissiveColor ",
+            put("DEF L{} Appearance {{ material Material {{ diffuseColor 0 0 0 emissiveColor ",
                 lines.colour);
             text_.colour(graph_.colours[lines.colour]);
-            text_.add(" }} }} ");
+            put(" }} }} ");
             drawn_[lines.colour] = true;
         }
-        text_.add("geometry IndexedLineSet {{\n coord Coordinate {{ point [ ");
+        put("geometry IndexedLineSet {{\n coord Coordinate {{ point [ ");
         text_.points(lines.points);
-        text_.add("] }}\n coordIndex [ ");
+        put("] }}\n coordIndex [ ");
         text_.strokes(lines);
-        text_.add("] }} }}\n");
+        put("] }} }}\n");
     }
     void appearance(std::uint32_t colour) {
         if (filled_[colour]) {
-            text_.add("appearance USE C{} ", colour);
+            put("appearance USE C{} ", colour);
             return;
         }
-        text_.add("appearance DEF C{} Appearance {{ material Material {{ diffuseColor ", colour);
+        put("appearance DEF C{} Appearance {{ material Material {{ diffuseColor ", colour);
         text_.colour(graph_.colours[colour]);
-        text_.add(" }} }} ");
+        put(" }} }} ");
         filled_[colour] = true;
     }
 

@@ -81,6 +81,16 @@ std::string bracketed(const std::string& number) {
 ScalingRatio::ScalingRatio(const Integer& value)
     : factor_({-value, Integer(1)}), near_(value.to_double()), square_(value * value) {}
 
+ScalingRatio ScalingRatio::square_root(const Integer& square) {
+    const Integer root(static_cast<long>(std::llround(std::sqrt(square.to_double()))));
+    ScalingRatio found(root);
+    if (root * root == square) return found;
+    found.factor_ = Polynomial({-square, Integer(0), Integer(1)});
+    found.near_ = std::sqrt(square.to_double());
+    found.square_ = Polynomial({-square, Integer(1)});
+    return found;
+}
+
 ScalingRatio::ScalingRatio(const Displacement& displacement)
     : factor_(displacement.factor_polynomial()), near_(displacement.factor()) {
     if (factor_.degree() > largest_degree) return;

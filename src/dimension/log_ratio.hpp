@@ -17,6 +17,8 @@ public:
     explicit ScalingRatio(const Displacement& displacement);
     /// A natural number.
     explicit ScalingRatio(const Integer& value);
+    /// The square root of a natural number.
+    static ScalingRatio square_root(const Integer& square);
 
     /// |mu|^2, if the degree of mu is at most 12.
     const std::optional<AlgebraicInteger>& square() const { return square_; }

@@ -18,10 +18,10 @@ constexpr long largest_dimension = 64;
 /// The logarithms of the ratios over m, and what they say of the spectral radius.
 class Ratios {
 public:
-    Ratios(std::size_t states, const std::vector<RatioSum::Entry>& entries, const WayGrowth& growth,
-           long precision)
+    Ratios(std::size_t states, const std::vector<RatioSum::Entry>& entries,
+           const std::optional<WayGrowth>& growth, long precision)
         : states_(states), entries_(entries), precision_(precision) {
-        const Ball factor = log(growth.enclosure(precision));
+        const Ball factor = growth ? log(growth->enclosure(precision)) : Ball(0, precision);
         for (const RatioSum::Entry& entry : entries)
             logs_.push_back(log(abs(enclosure(entry.ratio, precision))) - factor);
     }
@@ -91,6 +91,17 @@ bool is_plain(const std::string& text) {
 
 RatioSum::RatioSum(std::size_t states, std::vector<Entry> entries, WayGrowth growth)
     : states_(states), entries_(std::move(entries)), growth_(std::move(growth)) {
+    check();
+}
+
+RatioSum::RatioSum(std::size_t states, std::vector<Entry> entries)
+    : states_(states), entries_(std::move(entries)) {
+    check();
+}
+
+Ball RatioSum::growth(long bits) const { return growth_ ? growth_->enclosure(bits) : Ball(1, bits); }
+
+void RatioSum::check() const {
     if (Ratios(states_, entries_, growth_, 192).radius(Rational(largest_dimension)) != Order::less)
         throw Error("parts do not become smaller than the whole");
 }
@@ -119,12 +130,12 @@ Ball RatioSum::enclosure(long bits) const {
 
 std::string RatioSum::text() const {
     const std::string factor =
-        significant_decimal([&](long bits) { return growth_.enclosure(bits); }, 6);
+        significant_decimal([&](long bits) { return growth(bits); }, 6);
     const auto ways = returns(states_, entries_);
     std::vector<std::string> terms;
     std::map<std::string, std::size_t> counts;
     if (ways) {
-        const bool all_at_once = std::all_of(
+        const bool all_at_once = !growth_ || std::all_of(
             ways->begin(), ways->end(), [](const Return& way) { return way.generations == 1; });
         for (const Return& way : *ways) {
             Expression ratio = way.ratio;
@@ -147,11 +158,14 @@ std::string RatioSum::text() const {
                 const std::string count = std::to_string(counts[term]);
                 text += term == "1^s" ? count : counts[term] > 1 ? count + "*" + term : term;
             }
+            if (!growth_) return text + " = 1";
             return text + (all_at_once ? " = m^s" : " = 1") + " with m = " + factor;
         }
     }
-    return "the matrix of " + std::to_string(states_) + " by " + std::to_string(states_) +
-           " sums of (ratio/m)^s has the spectral radius 1 with m = " + factor;
+    const std::string matrix =
+        "the matrix of " + std::to_string(states_) + " by " + std::to_string(states_) + " sums of ";
+    if (!growth_) return matrix + "ratio^s has the spectral radius 1";
+    return matrix + "(ratio/m)^s has the spectral radius 1 with m = " + factor;
 }
 
 std::string RatioSum::decimal(int digits) const {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,8 @@ public:
     /// The states must all lead to each other, and have more parts than one. Throws Error where
     /// the parts do not become smaller: no s is large enough.
     RatioSum(std::size_t states, std::vector<Entry> entries, WayGrowth growth);
+    /// The same with m = 1: the ratios are those of the parts to the whole.
+    RatioSum(std::size_t states, std::vector<Entry> entries);
 
     /// With a radius of at most 2^-bits. By bisection: the spectral radius falls as s grows, and is
     /// below 1 exactly if elimination in the unit matrix less this one finds positive pivots only.
@@ -37,7 +40,10 @@ public:
 private:
     std::size_t states_;
     std::vector<Entry> entries_;
-    WayGrowth growth_;
+    std::optional<WayGrowth> growth_;  // none: m = 1
+
+    void check() const;
+    Ball growth(long bits) const;
 };
 
 }  // namespace algae

@@ -5,7 +5,10 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "nature/attractor.hpp"
 #include "nature/chaos_game.hpp"
+#include "nature/copies.hpp"
+#include "nature/similarity_dimension.hpp"
 
 namespace algae {
 
@@ -101,9 +104,69 @@ std::vector<double> IteratedFunctions::chances() const {
 std::vector<RelativeFigure> IteratedFunctions::figures(const Budget& budget) const {
     const std::string what = title.empty() ? name : title;
     std::vector<RelativeFigure> found;
-    const std::uint64_t count = points.value_or(50'000);
-    found.push_back(
-        {chaos_game(*this, count, budget), what + ", " + std::to_string(count) + " points", what});
+    if (generations) {
+        for (std::uint64_t n = generations->first; n <= generations->second; ++n)
+            found.push_back({copies(*this, n, budget), what + ", generation " + std::to_string(n),
+                             "n = " + std::to_string(n)});
+    } else if (points) {
+        const std::string count = std::to_string(*points) + " points";
+        found.push_back({chaos_game(*this, *points, budget), what + ", " + count, what + ", " + count});
+    } else {
+        found.push_back({std::make_unique<AttractorFigure>(*this), what + ", the attractor", what});
+    }
+    return found;
+}
+
+RelativeFigure IteratedFunctions::measured_figure(const Budget& budget) const {
+    if (points || generations) return Relative::measured_figure(budget);
+    return {std::make_unique<AttractorFigure>(*this),
+            (title.empty() ? name : title) + ", the attractor", ""};
+}
+
+std::optional<ExactDimension> IteratedFunctions::exact_dimension(const Budget& budget) const {
+    return similarity_dimension(*this, budget);
+}
+
+std::vector<RelativeFact> IteratedFunctions::facts(const Budget& budget) const {
+    std::vector<RelativeFact> found;
+    nlohmann::ordered_json all = nlohmann::ordered_json::array();
+    std::string text = std::to_string(maps.size());
+    const std::vector<double> chance = chances();
+    for (std::size_t m = 0; m < maps.size(); ++m) {
+        const Point fixed = fixed_point(maps[m].map);
+        const bool own = maps[m].from == maps[m].to && norm(maps[m].map) < 1;
+        nlohmann::ordered_json one{{"norm", norm(maps[m].map)}};
+        text += "\n  " + maps[m].name + ": norm " + shown(norm(maps[m].map));
+        if (own) {
+            one["fixed_point"] = {fixed.x, fixed.y};
+            text += ", fixed point (" + shown(fixed.x) + ", " + shown(fixed.y) + ")";
+        }
+        if (states.size() == 1) {
+            one["probability"] = chance[m];
+            text += ", probability " + shown(chance[m]);
+        } else {
+            one["from"] = states[maps[m].from];
+            one["to"] = states[maps[m].to];
+        }
+        all.push_back(std::move(one));
+    }
+    found.push_back({"maps", text, all});
+    const double s = contraction();
+    found.push_back({"contraction", shown(s), s});
+    const Box box = attractor_boxes(*this).front();
+    found.push_back({"bounding_box",
+                     "[" + shown(box.low.x) + ", " + shown(box.high.x) + "] x [" +
+                         shown(box.low.y) + ", " + shown(box.high.y) + "]",
+                     {{"min", {box.low.x, box.low.y}}, {"max", {box.high.x, box.high.y}}}});
+    const ExactDimension dimension = similarity_dimension(*this, budget);
+    if (dimension.value)
+        found.push_back({"similarity_dimension",
+                         dimension.value->text() + " = " + dimension.value->decimal(6) +
+                             ", an upper bound unless the open set condition holds",
+                         {{"formula", dimension.value->text()},
+                          {"value", dimension.value->enclosure(64).midpoint()}}});
+    else
+        found.push_back({"similarity_dimension", "none: " + dimension.conditions.front(), nullptr});
     return found;
 }
 

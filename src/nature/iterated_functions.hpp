@@ -57,6 +57,12 @@ public:
     std::vector<double> chances() const;
 
     std::vector<RelativeFigure> figures(const Budget& budget) const override;
+    /// The attractor, unless points or generations are asked for.
+    RelativeFigure measured_figure(const Budget& budget) const override;
+    std::optional<ExactDimension> exact_dimension(const Budget& budget) const override;
+    /// The maps with norms, fixed points and probabilities, the contraction, the box of the
+    /// attractor, the similarity dimension.
+    std::vector<RelativeFact> facts(const Budget& budget) const override;
 };
 
 }  // namespace algae

@@ -68,5 +68,7 @@ void add_brownian(Verbs& verbs);
 void add_terrain(Verbs& verbs);
 void add_dla(Verbs& verbs);
 void add_particles(Verbs& verbs);
+void add_ca(Verbs& verbs);
+void add_convert(Verbs& verbs);
 
 }  // namespace algae::cli

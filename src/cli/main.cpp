@@ -83,6 +83,8 @@ int main(int argc, char** argv) {
     add_terrain(verbs);
     add_dla(verbs);
     add_particles(verbs);
+    add_ca(verbs);
+    add_convert(verbs);
     if (argc < 2) {
         std::fputs(app.help().c_str(), stderr);
         return bad_input;

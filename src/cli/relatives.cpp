@@ -160,7 +160,7 @@ int run_relative(const RelativeOptions& options) {
 
 CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::string& description,
                             const std::string& examples, const std::vector<RelativeOption>& options,
-                            int (*run)(const RelativeOptions&)) {
+                            int (*run)(const RelativeOptions&), const std::string& text_help) {
     auto chosen = std::make_shared<RelativeOptions>();
     chosen->verb = verb;
     CLI::App& app = add_verb(verbs, verb, description, examples, chosen, run);
@@ -183,6 +183,7 @@ CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::st
     app.add_option("--rate", chosen->rate, "frames a second of an animation (default 20)")
         ->type_name("R");
     app.add_flag("--json", chosen->json, "print one JSON object");
+    if (!text_help.empty()) app.add_flag("--text", chosen->text, text_help);
     for (const RelativeOption& option : options) chosen->said.push_back({option, ""});
     for (auto& [option, text] : chosen->said) {
         if (option.type.empty())

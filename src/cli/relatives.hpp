@@ -24,17 +24,18 @@ struct RelativeOption {
 struct RelativeOptions {
     std::string verb;  // its name is the end of the file's name as well
     std::string file, output, format, width, height, caption, rate;
-    bool captions = false, json = false;
+    bool captions = false, json = false, text = false;
     std::vector<std::pair<RelativeOption, std::string>>
         said;  // with what stands on the command line
     Bounds bounds;
 };
 
 /// A verb for one kind of relatives: FILE or options, -o, --json. With `run` something else happens
-/// than `run_relative`.
+/// than `run_relative`; with `text_help` there is an option --text.
 CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::string& description,
                             const std::string& examples, const std::vector<RelativeOption>& options,
-                            int (*run)(const RelativeOptions&));
+                            int (*run)(const RelativeOptions&),
+                            const std::string& text_help = "");
 /// Draws the figures to -o and prints what is known, as a page or as JSON.
 int run_relative(const RelativeOptions& options);
 

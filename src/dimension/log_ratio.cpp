@@ -87,7 +87,7 @@ ScalingRatio ScalingRatio::square_root(const Integer& square) {
     if (root * root == square) return found;
     found.factor_ = Polynomial({-square, Integer(0), Integer(1)});
     found.near_ = std::sqrt(square.to_double());
-    found.square_ = Polynomial({-square, Integer(1)});
+    found.square_ = AlgebraicInteger(square);
     return found;
 }
 

@@ -30,6 +30,8 @@ public:
         std::optional<Quantity> probability;
         std::optional<Expression> ratio;  // where it is a similarity: of distances, exactly
         std::string name;                 // "map 2", as messages call it
+        /// How it was written, if as ratio and degrees.
+        std::optional<std::pair<Quantity, Quantity>> similarity;
     };
 
     std::vector<std::string> states{""};

@@ -96,6 +96,7 @@ Map read_map(const RelativeFile& file, const RelativeStatement& statement,
         std::copy_n(values.begin(), 6, made.numbers.begin());
         made.ratio = ratio_of(made.numbers);
     } else {
+        made.similarity = std::pair(values[0], values[1]);
         const auto part = [&](const char* function, bool negative) {
             Expression turn;
             turn.kind = Expression::Kind::call;
@@ -200,13 +201,22 @@ RelativeFile ifs_file(const IteratedFunctions& system) {
         for (const Map& map : system.maps) {
             if (map.from != state) continue;
             std::vector<std::string> words;
-            for (const Quantity& number : map.numbers) words.push_back(to_text(number.expression));
+            const auto add = [&](const Quantity& number) {
+                words.push_back(to_text(number.expression));
+            };
+            if (map.similarity) {
+                add(map.similarity->first);
+                add(map.similarity->second);
+                std::for_each(map.numbers.begin() + 4, map.numbers.end(), add);
+            } else {
+                std::for_each(map.numbers.begin(), map.numbers.end(), add);
+            }
             if (map.probability) words.push_back(to_text(map.probability->expression));
             if (system.states.size() > 1 || !system.states[state].empty()) {
                 words.push_back("->");
                 words.push_back(system.states[map.to]);
             }
-            file.add("map", words);
+            file.add(map.similarity ? "similarity" : "map", words);
         }
     }
     return file;

@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "notation/boxes_file.hpp"
 #include "notation/brownian_file.hpp"
+#include "notation/ca_file.hpp"
 #include "notation/dla_file.hpp"
 #include "notation/function_file.hpp"
 #include "notation/ifs_file.hpp"
@@ -27,9 +28,9 @@ const RelativeKind& kind_of(const std::string& file_name) {
 }  // namespace
 
 const std::vector<RelativeKind>& relative_kinds() {
-    static const std::vector<RelativeKind> kinds{ifs_kind(),      walk_kind(), brownian_kind(),
-                                                 terrain_kind(),  dla_kind(),  particles_kind(),
-                                                 function_kind(), boxes_kind()};
+    static const std::vector<RelativeKind> kinds{ifs_kind(),       ca_kind(),       walk_kind(),
+                                                 brownian_kind(),  terrain_kind(),  dla_kind(),
+                                                 particles_kind(), function_kind(), boxes_kind()};
     return kinds;
 }
 

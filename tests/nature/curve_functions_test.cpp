@@ -1,0 +1,129 @@
+#include "nature/curve_functions.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <complex>
+#include <map>
+#include <set>
+
+#include "dimension/exact_dimension.hpp"
+#include "dimension/recurrent_set.hpp"
+#include "nature/attractor.hpp"
+#include "nature/similarity_dimension.hpp"
+#include "notation/conversion.hpp"
+#include "notation/ifs_file.hpp"
+#include "notation/read.hpp"
+#include "turtle/figure.hpp"
+
+using namespace algae;
+
+namespace {
+
+using Complex = std::complex<double>;
+
+/// The ends of all strokes.
+struct Ends : Canvas {
+    std::vector<Complex> points;
+    void move_to(Point point) override { points.emplace_back(point.x, point.y); }
+    void line_to(Point point) override { points.emplace_back(point.x, point.y); }
+    void polygon(std::span<const Point>) override {}
+    void width(double) override {}
+    void width_as_length(double) override {}
+    void colour(std::uint32_t) override {}
+    void position(double) override {}
+};
+
+/// Whether every point of `first` is within `distance` of one of `second`.
+bool reaches(const std::vector<Complex>& first, const std::vector<Complex>& second,
+             double distance) {
+    std::map<std::pair<long, long>, std::vector<Complex>> cells;
+    const auto cell = [&](Complex p) {
+        return std::pair(std::lround(std::floor(p.real() / distance)),
+                         std::lround(std::floor(p.imag() / distance)));
+    };
+    for (const Complex& p : second) cells[cell(p)].push_back(p);
+    for (const Complex& p : first) {
+        const auto [x, y] = cell(p);
+        bool near = false;
+        for (long i = x - 1; i <= x + 1; ++i)
+            for (long j = y - 1; j <= y + 1 && !near; ++j)
+                if (const auto found = cells.find({i, j}); found != cells.end())
+                    for (const Complex& q : found->second) near = near || std::abs(p - q) <= distance;
+        if (!near) return false;
+    }
+    return true;
+}
+
+struct Curve {
+    const char* text;
+    std::uint64_t generation;
+    bool exact;        // every generation's way is mu times that before
+    bool overlaps;     // parts coincide, so the similarity dimension is larger
+};
+
+const Curve curves[] = {
+    {"axiom F; F -> F+F--F+F; angle 60", 8, true, false},                        // Koch
+    {"axiom F; F -> F+G; G -> F-G; angle 90", 10, true, false},                  // dragon
+    {"axiom L; L -> +RF-LFL-FR+; R -> -LF+RFR+FL-; angle 90", 8, false, false},  // Hilbert
+    {"axiom F; F -> F+G++G-F--FF-G+; G -> -F+GG++G+F--F-G; angle 60", 5, true, false},  // Gosper
+    {"axiom F; F -> F+F-F; angle 120", 10, true, false},                         // terdragon
+    {"axiom F; F -> G-F-G; G -> F+G+F; angle 60", 10, true, false},              // arrowhead
+    {"axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", 8, false, false},          // plant
+};
+
+}  // namespace
+
+TEST_CASE("the attractor of a curve's functions is near its late generations") {
+    for (const Curve& curve : curves) {
+        INFO(curve.text);
+        const LSystem system = read_lsystem(curve.text, "curve.lsys");
+        const IteratedFunctions functions = functions_of_curve(system);
+        const RecurrentSet set(system, *as_d0l(system));
+        const auto figure = algae::figure(system, curve.generation, {});
+        Ends ends;
+        figure->draw(ends, 0, {});
+        // The way of the whole in the limit, over that of this generation.
+        const auto& last = set.axiom().back();
+        const Complex way = set.displacement().value(set.displacement().way(last.piece));
+        const auto& end = figure->facts().end;
+        const Complex scale = way / Complex(end[0].value(), end[1].value());
+        for (Complex& point : ends.points) point *= scale;
+        // A stroke begins a piece of the last level, which lies in a disc.
+        double widest = 0;
+        for (std::size_t piece = 0; piece < set.size(); ++piece)
+            widest = std::max(widest, std::abs(set.disc(piece).centre) + set.disc(piece).radius);
+        const double ratio = std::pow(set.displacement().ratio(), -double(curve.generation));
+        // Where ways only come near to multiples, they differ by what is left of the step.
+        const double bound =
+            widest * ratio + std::abs(scale) * (curve.exact ? 1 : 4) + 1e-9;
+        std::vector<Complex> points;
+        const double accuracy = bound / 4;
+        send_attractor(
+            functions, accuracy,
+            [&](std::span<const Dot> dots) {
+                for (const Dot& dot : dots) points.emplace_back(dot.place.x, dot.place.y);
+            },
+            {});
+        const Box box = attractor_boxes(functions).front();
+        CHECK(bound < std::max(box.breadth(), box.height()) / 8);
+        CHECK(reaches(ends.points, points, bound + accuracy));
+        CHECK(reaches(points, ends.points, bound));
+    }
+}
+
+TEST_CASE("the similarity dimension of a curve's functions is the curve's exact dimension") {
+    for (const Curve& curve : curves) {
+        INFO(curve.text);
+        const LSystem system = read_lsystem(curve.text, "curve.lsys");
+        const ExactDimension exact = exact_dimension(system);
+        REQUIRE(exact.similarity);
+        const std::string text = converted(curve.text, "curve.lsys", "lsys", "ifs", {});
+        const auto read = read_relative(text, "curve.ifs");
+        const ExactDimension mine =
+            similarity_dimension(dynamic_cast<const IteratedFunctions&>(*read));
+        REQUIRE(mine.value);
+        CHECK(mine.value->text() == exact.similarity->text());
+        if (!curve.overlaps) CHECK(mine.value->text() == exact.value->text());
+    }
+}

@@ -1,0 +1,229 @@
+#include "nature/iterated_functions.hpp"
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <cmath>
+#include <map>
+
+#include "base/error.hpp"
+#include "nature/attractor.hpp"
+#include "nature/chaos_game.hpp"
+#include "nature/copies.hpp"
+#include "nature/similarity_dimension.hpp"
+#include "notation/ifs_file.hpp"
+#include "oracle/addresses.hpp"
+
+using namespace algae;
+
+namespace {
+
+const char* const fern =
+    "map 0 0 0 0.16 0 0 0.01\n"
+    "map 0.85 0.04 -0.04 0.85 0 1.6 0.85\n"
+    "map 0.2 -0.26 0.23 0.22 0 1.6 0.07\n"
+    "map -0.15 0.28 0.26 0.24 0 0.44 0.07\n";
+const char* const gasket =
+    "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\nmap 1/2 0 0 1/2 1/4 sqrt(3)/4\n";
+
+IteratedFunctions functions(const std::string& text) {
+    return dynamic_cast<const IteratedFunctions&>(*read_relative(text, "maps.ifs"));
+}
+
+std::string message(const std::string& text) {
+    try {
+        functions(text);
+    } catch (const Error& error) {
+        return error.what();
+    }
+    return "none";
+}
+
+std::vector<oracle::Placed> placed(const IteratedFunctions& system) {
+    std::vector<oracle::Placed> found;
+    for (const auto& [numbers, map, from, to, chance, ratio, name, similar] : system.maps)
+        found.push_back({{map.a, map.b, map.c, map.d, map.e, map.f}, from, to});
+    return found;
+}
+
+std::vector<std::pair<double, double>> sent(const IteratedFunctions& system, double accuracy) {
+    std::vector<std::pair<double, double>> found;
+    send_attractor(
+        system, accuracy,
+        [&](std::span<const Dot> dots) {
+            for (const Dot& dot : dots) found.emplace_back(dot.place.x, dot.place.y);
+        },
+        {});
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("Barnsley's fern: norms, fixed points and box") {
+    const IteratedFunctions system = functions(fern);
+    const std::vector<double> norms{0.16, 0.850941, 0.340712, 0.379152};
+    const std::vector<Point> fixed{
+        {0, 0}, {2.655602, 9.958506}, {-0.608365, 1.871892}, {0.153769, 0.631553}};
+    for (std::size_t m = 0; m < 4; ++m) {
+        CHECK(norm(system.maps[m].map) == doctest::Approx(norms[m]).epsilon(1e-5));
+        CHECK(fixed_point(system.maps[m].map).x == doctest::Approx(fixed[m].x).epsilon(1e-5));
+        CHECK(fixed_point(system.maps[m].map).y == doctest::Approx(fixed[m].y).epsilon(1e-5));
+    }
+    // Only the second map is a similarity.
+    for (std::size_t m = 0; m < 4; ++m) {
+        const AffineMap& map = system.maps[m].map;
+        CHECK((std::fabs(norm(map) - least_stretch(map)) < 1e-12) == (m == 1));
+        CHECK(system.maps[m].ratio.has_value() == (m == 1));
+    }
+    const Box box = attractor_boxes(system).front();
+    CHECK(box.low.x == doctest::Approx(-2.182).epsilon(0.003));
+    CHECK(box.high.x == doctest::Approx(2.656).epsilon(0.003));
+    CHECK(std::fabs(box.low.y) < 0.02);
+    CHECK(box.high.y == doctest::Approx(9.998).epsilon(0.003));
+}
+
+TEST_CASE("the chaos game plots so many points, each map as often as its chance says") {
+    const auto figure = chaos_game(functions(fern), 50'000, {});
+    CHECK(figure->segments() == Integer(50'000));
+    struct Counting : Canvas {
+        std::map<std::uint32_t, int> dots;
+        std::uint32_t now = 0;
+        void move_to(Point) override {}
+        void line_to(Point) override { ++dots[now]; }
+        void polygon(std::span<const Point>) override {}
+        void width(double) override {}
+        void width_as_length(double) override {}
+        void colour(std::uint32_t index) override { now = index; }
+        void paint(const Colour&) override {}
+        void position(double) override {}
+    } canvas;
+    figure->draw(canvas, 0, {});
+    const std::vector<double> chances{0.01, 0.85, 0.07, 0.07};
+    for (std::uint32_t m = 0; m < 4; ++m) {
+        const double expected = 50'000 * chances[m];
+        CHECK(std::fabs(canvas.dots[m] - expected) < 5 * std::sqrt(expected));
+    }
+}
+
+TEST_CASE("points sent of an attractor lie on it and leave no gaps") {
+    CHECK(rc::check([] {
+        const auto number = [](int size) { return *rc::gen::inRange(-size, size + 1) / 100.0; };
+        IteratedFunctions system;
+        system.states = *rc::gen::arbitrary<bool>() ? std::vector<std::string>{""}
+                                                    : std::vector<std::string>{"a", "b"};
+        const auto state = [&] {
+            return static_cast<std::size_t>(
+                *rc::gen::inRange(0, static_cast<int>(system.states.size())));
+        };
+        for (std::size_t m = 0; m < 3; ++m) {
+            IteratedFunctions::Map map;
+            map.map = {number(30), number(30), number(30), number(30), number(100), number(100)};
+            map.from = m < system.states.size() ? m : state();
+            map.to = state();
+            map.name = "map";
+            system.maps.push_back(map);
+        }
+        system.check();
+        constexpr double accuracy = 0.02;
+        const auto mine = sent(system, accuracy);
+        const auto all = oracle::addressed_points(placed(system), 8, 0, 0);
+        // After 8 maps of norm at most 0.6 an address is within 0.6^8 of the set's size, below 4.
+        const double rest = 4 * std::pow(0.6, 8);
+        RC_ASSERT(oracle::farthest_from(all, mine) <= accuracy + rest);
+        RC_ASSERT(oracle::farthest_from(mine, all) <= rest);
+        const Box box = attractor_boxes(system).front();
+        for (const auto& [x, y] : mine) {
+            RC_ASSERT(x >= box.low.x - 1e-9);
+            RC_ASSERT(x <= box.high.x + 1e-9);
+            RC_ASSERT(y >= box.low.y - 1e-9);
+            RC_ASSERT(y <= box.high.y + 1e-9);
+        }
+    }));
+}
+
+TEST_CASE("copies come nearer to the attractor with every generation") {
+    const IteratedFunctions system = functions(gasket);
+    CHECK(copies(system, 5, {})->paths().size() == 243);
+    const auto points = sent(system, 0.005);
+    double before = INFINITY;
+    for (std::uint64_t n = 0; n < 5; ++n) {
+        std::vector<std::pair<double, double>> corners;
+        const auto figure = copies(system, n, {});
+        for (const Path& path : figure->paths())
+            for (const Point& point : path.points) corners.emplace_back(point.x, point.y);
+        const double distance = std::max(oracle::farthest_from(corners, points), 0.0);
+        CHECK(distance <= before / 2 + 0.01);
+        before = distance;
+    }
+}
+
+TEST_CASE("similarity dimensions") {
+    const auto text = [](const std::string& maps) {
+        return similarity_dimension(functions(maps)).value->text();
+    };
+    CHECK(text(gasket) == "log 3 / log 2");
+    CHECK(text("similarity 1/3 0 0 0\nsimilarity 1/3 60 1/3 0\nsimilarity 1/3 -60 1/2 sqrt(3)/6\n"
+               "similarity 1/3 0 2/3 0\n") == "log 4 / log 3");
+    CHECK(text("similarity sqrt(1/2) 45 0 0\nsimilarity sqrt(1/2) 135 1 0\n") ==
+          "log 2 / log sqrt 2 = 2");
+    CHECK(text("map 0.5 0 0 0.5 0 0\nmap 0.25 0 0 0.25 0.75 0\n") == "0.5^s + 0.25^s = 1");
+    const auto unequal =
+        similarity_dimension(functions("map 0.5 0 0 0.5 0 0\nmap 0.25 0 0 0.25 0.75 0\n"));
+    CHECK(unequal.value->decimal(6) == "0.694242");  // log of the golden section over log 2
+    CHECK(similarity_dimension(functions(fern)).status == ExactDimension::Status::none);
+}
+
+TEST_CASE("what is wrong with a file of maps") {
+    CHECK(message("map 1.5 0 0 0.5 0 0\n") ==
+          "maps.ifs: map 1 (line 1) does not contract: its norm is 1.5, expected less than 1");
+    CHECK(message("map 0.5 0 0 0.5 0 0 0.5\nmap 0.5 0 0 0.5 1 0 0.4\n") ==
+          "maps.ifs: the probabilities add up to 0.9, expected 1");
+    CHECK(message("map 0.5 0 0 0.5 0 0 0.5\nmap 0.5 0 0 0.5 1 0\n") ==
+          "maps.ifs: map 2 (line 2) has no probability, others do");
+    CHECK(message("map 0.5 0 0 0.5 0\n") ==
+          "maps.ifs:1:1: error: expected map a b c d e f [probability], found 5 values\n"
+          "  map 0.5 0 0 0.5 0\n  ^");
+    CHECK(message("map 0.5 0 x 0.5 0 0\n") == "maps.ifs:1:11: error: unknown name 'x'\n"
+                                              "  map 0.5 0 x 0.5 0 0\n            ^");
+    CHECK(message("title t\n") ==
+          "maps.ifs: has no maps; expected lines such as `map 0.5 0 0 0.5 0 0`");
+    CHECK(message("mapp 1 2\n") ==
+          "maps.ifs:1:1: error: unknown statement 'mapp'; did you mean 'map'?; expected one of "
+          "title, source, colour, width, state, map, similarity, points, generation, seed, from, "
+          "start\n  mapp 1 2\n  ^");
+    CHECK(message("state a\nmap 0.5 0 0 0.5 0 0 -> b\n") ==
+          "maps.ifs:2:24: error: no state of that name; expected one that a line `state b` begins\n"
+          "  map 0.5 0 0 0.5 0 0 -> b\n                         ^");
+    CHECK(message("points 0\nmap 0.5 0 0 0.5 0 0\n") ==
+          "maps.ifs:1:8: error: expected points with a whole number from 1 to 1099511627776, found "
+          "'0'\n  points 0\n         ^");
+}
+
+TEST_CASE("what is printed reads back as the same") {
+    for (const std::string text :
+         {std::string(fern), std::string(gasket),
+          std::string("# above\ntitle  A title   # behind\nmap 1/2 0 0 (1 / 2) 0 0 # b\n# end\n")}) {
+        const std::string printed = format_relative(text, "maps.ifs");
+        CHECK(format_relative(printed, "maps.ifs") == printed);
+        const IteratedFunctions system = functions(text);
+        const RelativeFile file = ifs_file(system);
+        const IteratedFunctions again = functions(print_relative_file(file));
+        CHECK(ifs_file(again) == file);
+        CHECK(again.maps.size() == system.maps.size());
+        for (std::size_t m = 0; m < system.maps.size(); ++m)
+            CHECK(again.maps[m].map == system.maps[m].map);
+    }
+    CHECK(rc::check([] {
+        RelativeFile file;
+        const auto count = *rc::gen::inRange(0, 6);
+        for (int i = 0; i < count; ++i) {
+            std::vector<std::string> words;
+            const auto length = *rc::gen::inRange(1, 5);
+            for (int k = 0; k < length; ++k)
+                words.push_back(*rc::gen::element<std::string>("1", "-2.5", "1/3", "(0,1)", "->", "a",
+                                                               "sqrt(3)/4"));
+            file.add("map", words);
+        }
+        RC_ASSERT(read_relative_file(print_relative_file(file), "f.ifs", ifs_kind().keys) == file);
+    }));
+}

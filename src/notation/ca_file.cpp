@@ -153,12 +153,12 @@ private:
             auto& row = rows.emplace_back();
             for (const char character : said.words.front().text) {
                 const auto cell = character == '.'   ? std::optional<std::uint8_t>(0)
-                                  : character == '#' ? std::optional<std::uint8_t>(1)
+                                  : character == 'O' ? std::optional<std::uint8_t>(1)
                                                      : state(character, states);
                 if (!cell)
                     file_.fail(said, said.words.front(),
                                "expected states from 0 to " +
-                                   std::to_string(states - 1) + ", or . and # for 0 and 1, found '" +
+                                   std::to_string(states - 1) + ", or . and O for 0 and 1, found '" +
                                    std::string(1, character) + "'");
                 row.push_back(*cell);
             }

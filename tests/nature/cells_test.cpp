@@ -131,7 +131,7 @@ TEST_CASE("Life goes by numbers of neighbours, and a glider glides") {
         });
     }));
     const CellularAutomaton glider =
-        automaton("life B3/S23\ncells 8 8\nrow .#.\nrow ..#\nrow ###\n");
+        automaton("life B3/S23\ncells 8 8\nrow .O.\nrow ..O\nrow OOO\n");
     CellGrid moved(8, 8, Budget());
     for (std::size_t y = 0; y < 8; ++y)
         for (std::size_t x = 0; x < 8; ++x)
@@ -211,7 +211,7 @@ TEST_CASE("what is wrong with a file of cells") {
           "cells.ca:2:7: error: expected cells with a whole number from 1 to 1099511627776, found '0'\n"
           "  cells 0\n        ^");
     CHECK(message("rule 30\nstart 012") ==
-          "cells.ca:2:7: error: expected states from 0 to 1, or . and # for 0 and 1, found '2'\n"
+          "cells.ca:2:7: error: expected states from 0 to 1, or . and O for 0 and 1, found '2'\n"
           "  start 012\n        ^");
     CHECK_THROWS_WITH_AS(system_of_cells(automaton("rule 30")),
                          "cells.ca: its edges are joined, and no context of a word reaches from its "

@@ -200,7 +200,7 @@ TEST_CASE("what is wrong with a file of maps") {
 }
 
 TEST_CASE("what is printed reads back as the same") {
-    for (const std::string text :
+    for (const std::string& text :
          {std::string(fern), std::string(gasket),
           std::string("# above\ntitle  A title   # behind\nmap 1/2 0 0 (1 / 2) 0 0 # b\n# end\n")}) {
         const std::string printed = format_relative(text, "maps.ifs");

@@ -38,10 +38,12 @@ void add_ca(Verbs& verbs) {
          {"--states", "states", "K", "of a cell (default 2)"},
          {"--radius", "radius", "R", "of the neighbourhood (default 1)"},
          {"--cells", "cells", "N", "on the line, or \"COLUMNS ROWS\" (default 101)"},
-         {"--start", "start", "START", "single (a 1 in the middle, the default), random, or the states of the cells"},
+         {"--start", "start", "START",
+          "single (a 1 in the middle, the default), random, or the states of the cells"},
          {"--boundary", "boundary", "B", "periodic (a ring, the default), or \"fixed STATE\""},
          {"--seed", "seed", "S", "of a random start (default 1)"},
-         {"-n", "generation", "N[..M]", "the last generation, or the first and the last (default 50)"}},
+         {"-n", "generation", "N[..M]",
+          "the last generation, or the first and the last (default 50)"}},
         run, "print the states, a line for each generation");
 }
 

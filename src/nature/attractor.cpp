@@ -57,8 +57,8 @@ std::vector<double> radii(const IteratedFunctions& system) {
     for (int round = 0; round < most_rounds; ++round) {
         std::vector<double> next = radius;
         for (const Map& map : system.maps)
-            next[map.from] = std::max(next[map.from], std::hypot(map.map.e, map.map.f) +
-                                                          norm(map.map) * radius[map.to]);
+            next[map.from] = std::max(
+                next[map.from], std::hypot(map.map.e, map.map.f) + norm(map.map) * radius[map.to]);
         double change = 0;
         for (std::size_t i = 0; i < next.size(); ++i)
             change = std::max(change, (next[i] - radius[i]) / (next[i] + 1e-300));
@@ -82,8 +82,8 @@ struct Cells {
         const auto place = [](double x, std::uint64_t count) {
             return x > 0 ? std::min(static_cast<std::uint64_t>(x), count - 1) : 0;
         };
-        const std::uint64_t cell = place((p.y - low) * inverse, rows) * columns +
-                                   place((p.x - left) * inverse, columns);
+        const std::uint64_t cell =
+            place((p.y - low) * inverse, rows) * columns + place((p.x - left) * inverse, columns);
         const std::uint64_t bit = std::uint64_t{1} << (cell & 63);
         if (bits[cell >> 6] & bit) return false;
         bits[cell >> 6] |= bit;
@@ -148,8 +148,7 @@ void send_attractor(const IteratedFunctions& system, double accuracy, const Take
     const double side = accuracy * (1 - system.contraction()) / std::numbers::sqrt2;
     std::vector<Cells> grids;
     double bits = 0;
-    for (const Box& box : boxes)
-        bits += (box.breadth() / side + 1) * (box.height() / side + 1);
+    for (const Box& box : boxes) bits += (box.breadth() / side + 1) * (box.height() / side + 1);
     budget.check_memory(bits < 1e18 ? static_cast<std::uint64_t>(bits / 8) : ~std::uint64_t{0},
                         "the cells of an attractor whose maps contract so little");
     for (const Box& box : boxes) {
@@ -159,7 +158,8 @@ void send_attractor(const IteratedFunctions& system, double accuracy, const Take
         cells.bits.resize((cells.columns * cells.rows + 63) / 64);
         grids.push_back(std::move(cells));
     }
-    std::vector<std::vector<std::size_t>> into(system.states.size());  // the maps of each state's points
+    std::vector<std::vector<std::size_t>> into(
+        system.states.size());  // the maps of each state's points
     for (std::size_t m = 0; m < system.maps.size(); ++m) into[system.maps[m].to].push_back(m);
 
     struct Found {

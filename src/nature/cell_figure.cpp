@@ -70,8 +70,8 @@ void CellFigure::draw(Canvas& canvas, double resolution, const Budget& budget) c
                 for (std::size_t k = i; k < above.size() && above[k].first < run.last; ++k)
                     if (above[k].state == run.state)
                         rectangle(static_cast<double>(std::max(run.first, above[k].first)),
-                                  static_cast<double>(std::min(run.last, above[k].last)),
-                                  top - tie, top + tie, run.state);
+                                  static_cast<double>(std::min(run.last, above[k].last)), top - tie,
+                                  top + tie, run.state);
             }
         }
         above = std::move(here);

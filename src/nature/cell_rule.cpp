@@ -21,10 +21,10 @@ std::vector<std::uint8_t> digits(Integer number, std::uint32_t base, std::size_t
     }
     if (!number.is_zero() || original < Integer(0)) {
         const std::string most = std::to_string(base) + "^" + std::to_string(count);
-        throw Error(std::string("the ") + what + " " + to_string(original) +
-                    " is out of range: expected 0 to " +
-                    (count <= 64 ? to_string(power(Integer(base), count) - Integer(1))
-                                 : most + " - 1"));
+        throw Error(
+            std::string("the ") + what + " " + to_string(original) +
+            " is out of range: expected 0 to " +
+            (count <= 64 ? to_string(power(Integer(base), count) - Integer(1)) : most + " - 1"));
     }
     return found;
 }

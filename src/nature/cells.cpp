@@ -48,8 +48,8 @@ public:
     void step() override {
         const std::size_t last = count_ - 1;
         const std::uint64_t outside = boundary_.outside ? 1 : 0;
-        const std::uint64_t before = boundary_.periodic ? row_[1 + last / 64] >> (last & 63) & 1
-                                                        : outside;
+        const std::uint64_t before =
+            boundary_.periodic ? row_[1 + last / 64] >> (last & 63) & 1 : outside;
         const std::uint64_t behind = boundary_.periodic ? row_[1] & 1 : outside;
         row_[0] = before << 63;
         const std::uint64_t bit = std::uint64_t{1} << (count_ & 63);
@@ -168,7 +168,8 @@ CellDevelopment::CellDevelopment(const CellRule& rule, const CellGrid& start,
         throw Error("a rule of one dimension is for one row of cells");
     for (const std::uint8_t state : start.cells)
         if (state >= rule.states)
-            throw Error("the state " + std::to_string(state) + " of a cell is out of range: expected 0 to " +
+            throw Error("the state " + std::to_string(state) +
+                        " of a cell is out of range: expected 0 to " +
                         std::to_string(rule.states - 1));
     if (rule.is_elementary())
         engine_ = std::make_unique<Bits>(rule, start, boundary);

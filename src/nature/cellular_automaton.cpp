@@ -31,7 +31,8 @@ std::vector<Path> table_paths(const CellRule& rule, double columns) {
         const double left = static_cast<double>(i) * entry;
         cell(left + (static_cast<double>(cells) - 1) / 2, 0, rule.table[number]);
         for (std::size_t k = cells; k-- > 0; number /= rule.states)
-            cell(left + static_cast<double>(k), 1.5, static_cast<std::uint8_t>(number % rule.states));
+            cell(left + static_cast<double>(k), 1.5,
+                 static_cast<std::uint8_t>(number % rule.states));
     }
     filled.insert(filled.end(), frames.begin(), frames.end());
     return filled;
@@ -39,8 +40,8 @@ std::vector<Path> table_paths(const CellRule& rule, double columns) {
 
 Settings with_colours(Settings settings, std::uint32_t states) {
     if (settings.colours.empty() && states > 2)
-        settings.colours = {"black", "firebrick", "steelblue", "goldenrod",
-                            "seagreen", "orchid", "sienna", "grey"};
+        settings.colours = {"black",    "firebrick", "steelblue", "goldenrod",
+                            "seagreen", "orchid",    "sienna",    "grey"};
     return settings;
 }
 
@@ -79,8 +80,8 @@ std::vector<RelativeFigure> CellularAutomaton::figures(const Budget& budget) con
         CellGrid all = space_time(generations.front(), generations.back(), budget);
         std::vector<Path> table;
         if (legend) table = table_paths(rule, static_cast<double>(all.columns));
-        found.push_back({std::make_unique<CellFigure>(std::move(all), std::move(table), own), what,
-                         what});
+        found.push_back(
+            {std::make_unique<CellFigure>(std::move(all), std::move(table), own), what, what});
         return found;
     }
     CellDevelopment development(rule, start, boundary);
@@ -116,7 +117,8 @@ std::vector<RelativeFact> CellularAutomaton::facts(const Budget& budget) const {
     found.push_back({"states", std::to_string(rule.states), rule.states});
     std::string cells = std::to_string(start.columns);
     if (rule.dimensions == 2) cells += " x " + std::to_string(start.rows);
-    found.push_back({"cells", cells + (boundary.periodic ? ", edges joined" : ""),
+    found.push_back({"cells",
+                     cells + (boundary.periodic ? ", edges joined" : ""),
                      {start.columns, start.rows}});
     std::string counts;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();

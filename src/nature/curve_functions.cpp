@@ -43,8 +43,12 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
     const double turn = map.similarity->second.value / 180 * std::numbers::pi;
     const double c = ratio.value * std::cos(turn), s = ratio.value * std::sin(turn);
     const Quantity x = decimal(offset.real()), y = decimal(offset.imag());
-    map.numbers = {quantity(Rational(0)), quantity(Rational(0)), quantity(Rational(0)),
-                   quantity(Rational(0)), x,                     y};
+    map.numbers = {quantity(Rational(0)),
+                   quantity(Rational(0)),
+                   quantity(Rational(0)),
+                   quantity(Rational(0)),
+                   x,
+                   y};
     map.map = {c, -s, s, c, x.value, y.value};
     return map;
 }

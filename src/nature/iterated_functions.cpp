@@ -110,7 +110,8 @@ std::vector<RelativeFigure> IteratedFunctions::figures(const Budget& budget) con
                              "n = " + std::to_string(n)});
     } else if (points) {
         const std::string count = std::to_string(*points) + " points";
-        found.push_back({chaos_game(*this, *points, budget), what + ", " + count, what + ", " + count});
+        found.push_back(
+            {chaos_game(*this, *points, budget), what + ", " + count, what + ", " + count});
     } else {
         found.push_back({std::make_unique<AttractorFigure>(*this), what + ", the attractor", what});
     }

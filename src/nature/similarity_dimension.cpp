@@ -80,14 +80,18 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
         for (const auto& map : system.maps) {
             if (place(map.from) == letters.size() || place(map.to) == letters.size()) continue;
             const Ball ratio = enclosure(*map.ratio, 64);
-            if (sign(ratio) == 0) to_points = true;  // adds nothing
-            else entries.push_back({place(map.from), place(map.to), *map.ratio});
+            if (sign(ratio) == 0)
+                to_points = true;  // adds nothing
+            else
+                entries.push_back({place(map.from), place(map.to), *map.ratio});
         }
         if (to_points) continue;
         const bool single = *component.rate == Rate(1);
         DimensionFormula formula = LogRatio(Rate(1), ScalingRatio(Integer(2)));
-        if (const auto log_ratio = equal_ratios(entries, *component.rate)) formula = *log_ratio;
-        else if (!single) formula = RatioSum(letters.size(), std::move(entries));
+        if (const auto log_ratio = equal_ratios(entries, *component.rate))
+            formula = *log_ratio;
+        else if (!single)
+            formula = RatioSum(letters.size(), std::move(entries));
         const double value = formula.enclosure(64).midpoint();
         if (largest && value <= *largest) continue;
         largest = value;

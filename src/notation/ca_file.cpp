@@ -64,10 +64,15 @@ private:
         const RelativeStatement* said = nullptr;
         for (const char* key : {"rule", "code", "life", "table"})
             if (const RelativeStatement* found = file_.find(key)) {
-                if (said) file_.fail(*found, "the rule is said twice, by " + said->key + " and by " + found->key);
+                if (said)
+                    file_.fail(*found,
+                               "the rule is said twice, by " + said->key + " and by " + found->key);
                 said = found;
             }
-        if (!said) file_.fail("has no rule; expected a line such as `rule 30`, `life B3/S23`, `code 10` or `table 000->0 ...`");
+        if (!said)
+            file_.fail(
+                "has no rule; expected a line such as `rule 30`, `life B3/S23`, `code 10` or "
+                "`table 000->0 ...`");
         const std::vector<CellOffset> cells = neighbourhood();
         if (said->key == "table") return table(*said, states, cells);
         if (said->key == "life") file_.check_words(*said, 1, 1, "B.../S...");
@@ -109,14 +114,16 @@ private:
             }
             const auto next = fits ? state(word.text.back(), states) : std::nullopt;
             if (!next)
-                file_.fail(said, word, "expected " + std::to_string(cells.size()) +
-                                           " states, -> and the next state, such as 001->1, found '" +
-                                           word.text + "'");
+                file_.fail(said, word,
+                           "expected " + std::to_string(cells.size()) +
+                               " states, -> and the next state, such as 001->1, found '" +
+                               word.text + "'");
             if (known[number]) file_.fail(said, word, "is said twice");
             known[number] = true;
             rule.table[number] = *next;
         }
-        const auto missing = static_cast<std::size_t>(std::count(known.begin(), known.end(), false));
+        const auto missing =
+            static_cast<std::size_t>(std::count(known.begin(), known.end(), false));
         if (missing)
             file_.fail(said, std::to_string(missing) + " of " + std::to_string(known.size()) +
                                  " local configurations are missing");
@@ -139,7 +146,8 @@ private:
             file_.fail(*said, said->words.front(),
                        "expected boundary periodic, or fixed [STATE], found '" + word + "'");
         if (said->words.size() < 2) return found;
-        if (found.periodic) file_.fail(*said, said->words.back(), "expected no state: nothing is outside");
+        if (found.periodic)
+            file_.fail(*said, said->words.back(), "expected no state: nothing is outside");
         found.outside =
             static_cast<std::uint8_t>(file_.natural(*said, said->words.back(), 0, states - 1));
         return found;
@@ -157,9 +165,9 @@ private:
                                                      : state(character, states);
                 if (!cell)
                     file_.fail(said, said.words.front(),
-                               "expected states from 0 to " +
-                                   std::to_string(states - 1) + ", or . and O for 0 and 1, found '" +
-                                   std::string(1, character) + "'");
+                               "expected states from 0 to " + std::to_string(states - 1) +
+                                   ", or . and O for 0 and 1, found '" + std::string(1, character) +
+                                   "'");
                 row.push_back(*cell);
             }
         };
@@ -189,9 +197,11 @@ private:
         if (columns < widest || height < rows.size())
             file_.fail(*said, "the start has " + std::to_string(widest) + " x " +
                                   std::to_string(rows.size()) + " cells, more than there are");
-        if (dimensions_ == 1 && rows.size() > 1) file_.fail("has several `row` lines; a rule on a line starts from one");
+        if (dimensions_ == 1 && rows.size() > 1)
+            file_.fail("has several `row` lines; a rule on a line starts from one");
         CellGrid grid(columns, height, Budget());
-        const bool random = file_.find("start") && file_.find("start")->words.front().text == "random";
+        const bool random =
+            file_.find("start") && file_.find("start")->words.front().text == "random";
         if (random) {
             file_.check_words(*file_.find("start"), 1, 1, "single, random or STATES");
             const Draws draws(file_.natural("seed", 0, ~std::uint64_t{0}).value_or(1), 0);
@@ -210,7 +220,9 @@ private:
 
     std::vector<std::uint64_t> generations() const {
         const RelativeStatement* said = file_.find("generation");
-        if (!said) return dimensions_ == 1 ? std::vector<std::uint64_t>{0, 50} : std::vector<std::uint64_t>{0};
+        if (!said)
+            return dimensions_ == 1 ? std::vector<std::uint64_t>{0, 50}
+                                    : std::vector<std::uint64_t>{0};
         std::vector<std::uint64_t> found;
         for (const RelativeWord& word : said->words) {
             const std::size_t dots = word.text.find("..");

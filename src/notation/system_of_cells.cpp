@@ -45,8 +45,7 @@ LSystem system_of_cells(const CellularAutomaton& automaton) {
     for (std::size_t left = 0; left <= radius; ++left)
         for (std::size_t right = 0; right <= radius; ++right)
             count += power(rule.states, left + 1 + right);
-    if (count > most_rules)
-        throw Error(automaton.name + ": would have more than 20000 rules");
+    if (count > most_rules) throw Error(automaton.name + ": would have more than 20000 rules");
     std::string text;
     if (!automaton.title.empty()) text += "title " + automaton.title + "\n";
     if (!automaton.source.empty()) text += "source " + automaton.source + "\n";

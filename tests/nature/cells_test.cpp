@@ -37,7 +37,8 @@ oracle::Rows rows_of(const CellGrid& grid) {
 
 std::vector<std::pair<int, int>> steps(const CellRule& rule) {
     std::vector<std::pair<int, int>> found;
-    for (const CellOffset& offset : rule.neighbourhood) found.emplace_back(offset.column, offset.row);
+    for (const CellOffset& offset : rule.neighbourhood)
+        found.emplace_back(offset.column, offset.row);
     return found;
 }
 
@@ -51,7 +52,8 @@ CellGrid any_grid(std::size_t columns, std::size_t rows, std::uint32_t states) {
 CellBoundary any_boundary(std::uint32_t states) {
     CellBoundary boundary;
     boundary.periodic = *rc::gen::arbitrary<bool>();
-    boundary.outside = static_cast<std::uint8_t>(*rc::gen::inRange<int>(0, static_cast<int>(states)));
+    boundary.outside =
+        static_cast<std::uint8_t>(*rc::gen::inRange<int>(0, static_cast<int>(states)));
     return boundary;
 }
 
@@ -62,7 +64,8 @@ void check_steps(const CellRule& rule, const CellGrid& start, const CellBoundary
     oracle::Rows rows = rows_of(start);
     for (int n = 0; n < 5; ++n) {
         development.step(1, {});
-        rows = oracle::next_cells(rows, steps(rule), next, boundary.periodic ? -1 : boundary.outside);
+        rows =
+            oracle::next_cells(rows, steps(rule), next, boundary.periodic ? -1 : boundary.outside);
         RC_ASSERT(rows_of(development.grid()) == rows);
     }
 }
@@ -94,9 +97,10 @@ TEST_CASE("elementary rules on 64 cells at a time are the rule on each cell") {
         const int number = *rc::gen::inRange(0, 256);
         const CellRule rule = numbered_rule(Integer(number), 2, line_neighbourhood(1));
         const auto columns = static_cast<std::size_t>(*rc::gen::inRange(1, 200));
-        check_steps(rule, any_grid(columns, 1, 2), any_boundary(2), [&](const std::vector<int>& seen) {
-            return number >> (4 * seen[0] + 2 * seen[1] + seen[2]) & 1;
-        });
+        check_steps(rule, any_grid(columns, 1, 2), any_boundary(2),
+                    [&](const std::vector<int>& seen) {
+                        return number >> (4 * seen[0] + 2 * seen[1] + seen[2]) & 1;
+                    });
     }));
 }
 
@@ -144,7 +148,8 @@ TEST_CASE("a table has an entry for each state of the neighbourhood, the cell it
         for (const int radius : {1, 2}) {
             std::size_t size = 1;
             for (int i = 0; i < 2 * radius + 1; ++i) size *= states;
-            CHECK(numbered_rule(Integer(1), states, line_neighbourhood(radius)).table.size() == size);
+            CHECK(numbered_rule(Integer(1), states, line_neighbourhood(radius)).table.size() ==
+                  size);
         }
     // Wolfram's totalistic code 777 of three states: sums 0 to 6 become 0 1 2 1 0 0 1.
     const CellRule code = totalistic_rule(Integer(777), 3, line_neighbourhood(1));
@@ -154,7 +159,8 @@ TEST_CASE("a table has an entry for each state of the neighbourhood, the cell it
     CHECK(code.table[26] == 1);
 }
 
-TEST_CASE("an automaton between fixed states and its system with interactions agree for 1,000 steps") {
+TEST_CASE(
+    "an automaton between fixed states and its system with interactions agree for 1,000 steps") {
     for (const char* text :
          {"rule 110\ncells 90\nboundary fixed\nstart random\n",
           "rule 30\ncells 40\nboundary fixed 1\n", "rule 110\ncells 2\nboundary fixed 1\n",
@@ -196,25 +202,30 @@ TEST_CASE("an automaton between fixed states and its system with interactions ag
 
 TEST_CASE("what is wrong with a file of cells") {
     CHECK(message("rule 256") ==
-          "cells.ca:1:6: error: the rule 256 is out of range: expected 0 to 255\n  rule 256\n       ^");
+          "cells.ca:1:6: error: the rule 256 is out of range: expected 0 to 255\n  rule 256\n      "
+          " ^");
     CHECK(message("rule -1") ==
-          "cells.ca:1:6: error: expected a whole number of at least 0, found '-1'\n  rule -1\n       ^");
+          "cells.ca:1:6: error: expected a whole number of at least 0, found '-1'\n  rule -1\n     "
+          "  ^");
     CHECK(message("cells 5") ==
           "cells.ca: has no rule; expected a line such as `rule 30`, `life B3/S23`, `code 10` or "
           "`table 000->0 ...`");
-    CHECK(message("life B9/S23") ==
-          "cells.ca:1:6: error: expected a rule such as B3/S23 with numbers of neighbours from 0 to "
-          "8, found 'B9/S23'\n  life B9/S23\n       ^");
+    CHECK(
+        message("life B9/S23") ==
+        "cells.ca:1:6: error: expected a rule such as B3/S23 with numbers of neighbours from 0 to "
+        "8, found 'B9/S23'\n  life B9/S23\n       ^");
     CHECK(message("rule 30\ncells 900000000000") ==
           "a grid of 900000000000 x 1 cells does not fit in the 4096 MiB allowed by --max-memory");
     CHECK(message("rule 30\ncells 0") ==
-          "cells.ca:2:7: error: expected cells with a whole number from 1 to 1099511627776, found '0'\n"
+          "cells.ca:2:7: error: expected cells with a whole number from 1 to 1099511627776, found "
+          "'0'\n"
           "  cells 0\n        ^");
     CHECK(message("rule 30\nstart 012") ==
           "cells.ca:2:7: error: expected states from 0 to 1, or . and O for 0 and 1, found '2'\n"
           "  start 012\n        ^");
-    CHECK_THROWS_WITH_AS(system_of_cells(automaton("rule 30")),
-                         "cells.ca: its edges are joined, and no context of a word reaches from its "
-                         "end to its beginning; expected `boundary fixed 0` or another state",
-                         Error);
+    CHECK_THROWS_WITH_AS(
+        system_of_cells(automaton("rule 30")),
+        "cells.ca: its edges are joined, and no context of a word reaches from its "
+        "end to its beginning; expected `boundary fixed 0` or another state",
+        Error);
 }

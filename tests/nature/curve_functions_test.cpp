@@ -50,7 +50,8 @@ bool reaches(const std::vector<Complex>& first, const std::vector<Complex>& seco
         for (long i = x - 1; i <= x + 1; ++i)
             for (long j = y - 1; j <= y + 1 && !near; ++j)
                 if (const auto found = cells.find({i, j}); found != cells.end())
-                    for (const Complex& q : found->second) near = near || std::abs(p - q) <= distance;
+                    for (const Complex& q : found->second)
+                        near = near || std::abs(p - q) <= distance;
         if (!near) return false;
     }
     return true;
@@ -63,13 +64,13 @@ struct Curve {
 };
 
 const Curve curves[] = {
-    {"axiom F; F -> F+F--F+F; angle 60", 8, true},                        // Koch
-    {"axiom F; F -> F+G; G -> F-G; angle 90", 10, true},                  // dragon
-    {"axiom L; L -> +RF-LFL-FR+; R -> -LF+RFR+FL-; angle 90", 8, false},  // Hilbert
+    {"axiom F; F -> F+F--F+F; angle 60", 8, true},                               // Koch
+    {"axiom F; F -> F+G; G -> F-G; angle 90", 10, true},                         // dragon
+    {"axiom L; L -> +RF-LFL-FR+; R -> -LF+RFR+FL-; angle 90", 8, false},         // Hilbert
     {"axiom F; F -> F+G++G-F--FF-G+; G -> -F+GG++G+F--F-G; angle 60", 5, true},  // Gosper
-    {"axiom F; F -> F+F-F; angle 120", 10, true},                         // terdragon
-    {"axiom F; F -> G-F-G; G -> F+G+F; angle 60", 10, true},              // arrowhead
-    {"axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", 8, false},          // plant
+    {"axiom F; F -> F+F-F; angle 120", 10, true},                                // terdragon
+    {"axiom F; F -> G-F-G; G -> F+G+F; angle 60", 10, true},                     // arrowhead
+    {"axiom X; X -> F[+X]F[-X]+X; F -> FF; angle 20", 8, false},                 // plant
 };
 
 }  // namespace
@@ -95,16 +96,15 @@ TEST_CASE("the attractor of a curve's functions is near its late generations") {
             widest = std::max(widest, std::abs(set.disc(piece).centre) + set.disc(piece).radius);
         const double ratio = std::pow(set.displacement().ratio(), -double(curve.generation));
         // Where ways only come near to multiples, they differ by what is left of the step.
-        const double bound =
-            widest * ratio + std::abs(scale) * (curve.exact ? 1 : 4) + 1e-9;
+        const double bound = widest * ratio + std::abs(scale) * (curve.exact ? 1 : 4) + 1e-9;
         std::vector<Complex> points;
         const double accuracy = bound / 4;
-        send_attractor(
-            functions, accuracy,
-            [&](std::span<const Dot> dots) {
-                for (const Dot& dot : dots) points.emplace_back(dot.place.x, dot.place.y);
-            },
-            {});
+        send_attractor(functions, accuracy,
+                       [&](std::span<const Dot> dots) {
+                           for (const Dot& dot : dots)
+                               points.emplace_back(dot.place.x, dot.place.y);
+                       },
+                       {});
         const Box box = attractor_boxes(functions).front();
         CHECK(bound < std::max(box.breadth(), box.height()) / 8);
         CHECK(reaches(ends.points, points, bound + accuracy));

@@ -208,7 +208,7 @@ void AttractorFigure::draw(Canvas& canvas, double resolution, const Budget& budg
         return;
     }
     const SendDots send = [&](const TakeDots& take, const Budget& within) {
-        send_attractor(system_, cell, take, within);
+        send_attractor(system_, 2 * cell, take, within);
     };
     PointFigure(send, 0, box_, system_.settings).draw(canvas, cell, budget);
 }

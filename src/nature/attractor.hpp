@@ -26,8 +26,8 @@ std::vector<Point> attractor_points(const IteratedFunctions& system);
 void send_attractor(const IteratedFunctions& system, double accuracy, const TakeDots& take,
                     const Budget& budget);
 
-/// The attractor, as accurate as the resolution with which it is drawn; without one, to a part in
-/// 2048 of its longer side.
+/// The attractor, to twice the resolution with which it is drawn (a third of a pixel in pictures);
+/// without one, to a part in 1024 of its longer side.
 class AttractorFigure : public Figure {
 public:
     explicit AttractorFigure(IteratedFunctions system);

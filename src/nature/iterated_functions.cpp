@@ -154,7 +154,10 @@ std::vector<RelativeFact> IteratedFunctions::facts(const Budget& budget) const {
     found.push_back({"maps", text, all});
     const double s = contraction();
     found.push_back({"contraction", shown(s), s});
-    const Box box = attractor_boxes(*this).front();
+    Box box = attractor_boxes(*this).front();
+    const double rounding = 1e-9 * std::max(box.breadth(), box.height());
+    for (double* const side : {&box.low.x, &box.low.y, &box.high.x, &box.high.y})
+        if (std::fabs(*side) < rounding) *side = 0;
     found.push_back({"bounding_box",
                      "[" + shown(box.low.x) + ", " + shown(box.high.x) + "] x [" +
                          shown(box.low.y) + ", " + shown(box.high.y) + "]",

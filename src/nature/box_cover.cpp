@@ -17,9 +17,9 @@ namespace {
 
 constexpr int koch_steps = 8, coast_levels = 10;
 
-Stroke koch() {
+Stroke koch(int steps) {
     Stroke curve{{0, 0}, {1, 0}};
-    for (int step = 0; step < koch_steps; ++step) {
+    for (int step = 0; step < steps; ++step) {
         Stroke finer{curve.front()};
         for (std::size_t i = 1; i < curve.size(); ++i) {
             const Point a = curve[i - 1], b = curve[i];
@@ -60,23 +60,41 @@ void fit(std::vector<Stroke>& strokes) {
             point = {(point.x - box.low.x) * scale, (point.y - box.low.y) * scale};
 }
 
-Path filled_square(Point corner, double side, const Colour& paint) {
+Path filled_square(const BoxCover::Square& square, const Colour& paint) {
+    const auto [corner, edge] = square;
     Path path;
     path.points = {corner,
-                   {corner.x + side, corner.y},
-                   {corner.x + side, corner.y + side},
-                   {corner.x, corner.y + side}};
+                   {corner.x + edge.x, corner.y + edge.y},
+                   {corner.x + edge.x - edge.y, corner.y + edge.y + edge.x},
+                   {corner.x - edge.y, corner.y + edge.x}};
     path.filled = true;
     path.paint = paint;
     return path;
 }
 
-Path outline(Point corner, double side, const Colour& paint) {
-    Path path = filled_square(corner, side, paint);
+Path outline(const BoxCover::Square& square, const Colour& paint) {
+    Path path = filled_square(square, paint);
     path.filled = false;
-    path.points.push_back(corner);
+    path.points.push_back(square.corner);
     path.width = 0.7;
     return path;
+}
+
+/// Three squares along the base of every copy of Koch's curve, a third as wide.
+std::vector<BoxCover::Square> turned_squares(double side) {
+    int steps = 0;
+    while (steps < koch_steps && std::pow(3.0, -steps - 1) > 1.001 * side) ++steps;
+    if (std::fabs(side * std::pow(3.0, steps + 1) - 1) > 1e-6)
+        throw Error(fmt::format(
+            "cells: turned squares have the sides 1/3, 1/9, ... 1/6561, found {}", side));
+    const Stroke bases = koch(steps);
+    std::vector<BoxCover::Square> squares;
+    for (std::size_t i = 1; i < bases.size(); ++i) {
+        const Point edge{(bases[i].x - bases[i - 1].x) / 3, (bases[i].y - bases[i - 1].y) / 3};
+        for (int k = 0; k < 3; ++k)
+            squares.push_back({{bases[i - 1].x + k * edge.x, bases[i - 1].y + k * edge.y}, edge});
+    }
+    return squares;
 }
 
 /// The slope and the height at 0 of the line through these points with the least squares.
@@ -115,6 +133,8 @@ void BoxCover::check() const {
     for (const double side : cells)
         if (!(side <= 1 && side >= 1.0 / 4096))
             throw Error(fmt::format("cells: expected sides from 1/4096 to 1, found {}", side));
+    if (turned && shape != Shape::koch)
+        throw Error("squares turned: expected set koch, whose copies turn");
     if (plot && cells.size() < 2) throw Error("cells: expected at least two sides for a plot");
 }
 
@@ -126,7 +146,7 @@ std::vector<Stroke> BoxCover::strokes(const Budget& budget) const {
         case Shape::square:
             return {{{0, 0}, {1, 0}, {1, 1}, {0, 1}, {0, 0}}};
         case Shape::koch:
-            made = {koch()};
+            made = {koch(koch_steps)};
             break;
         default:
             made = {island(seed, budget)};
@@ -136,7 +156,8 @@ std::vector<Stroke> BoxCover::strokes(const Budget& budget) const {
     return made;
 }
 
-std::vector<Point> BoxCover::covering(double side, const Budget& budget) const {
+std::vector<BoxCover::Square> BoxCover::covering(double side, const Budget& budget) const {
+    if (turned) return turned_squares(side);
     const auto cells_of_one = static_cast<std::int64_t>(std::ceil(1 / side - 1e-9));
     std::set<std::pair<std::int64_t, std::int64_t>> touched;
     if (shape == Shape::square) {
@@ -162,10 +183,11 @@ std::vector<Point> BoxCover::covering(double side, const Budget& budget) const {
                 }
             }
     }
-    std::vector<Point> corners;
+    std::vector<Square> squares;
     for (const auto& [x, y] : touched)
-        corners.push_back({side * static_cast<double>(x), side * static_cast<double>(y)});
-    return corners;
+        squares.push_back(
+            {{side * static_cast<double>(x), side * static_cast<double>(y)}, {side, 0}});
+    return squares;
 }
 
 std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
@@ -179,12 +201,12 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     };
     std::vector<Point> counts;
     for (const double side : cells) {
-        const std::vector<Point> corners = covering(side, budget);
-        counts.push_back({-std::log10(side), std::log10(static_cast<double>(corners.size()))});
+        const std::vector<Square> squares = covering(side, budget);
+        counts.push_back({-std::log10(side), std::log10(static_cast<double>(squares.size()))});
         if (plot) continue;
         std::vector<Path> paths;
-        for (const Point& corner : corners) paths.push_back(filled_square(corner, side, box));
-        for (const Point& corner : corners) paths.push_back(outline(corner, side, edge));
+        for (const Square& square : squares) paths.push_back(filled_square(square, box));
+        for (const Square& square : squares) paths.push_back(outline(square, edge));
         for (const Stroke& line : lines) {
             Path path;
             path.points = line;
@@ -196,7 +218,7 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
                                           1 / side == std::round(1 / side) && side < 1
                                               ? fmt::format("1/{:g}", 1 / side)
                                               : fmt::format("{:.4g}", side),
-                                          corners.size()));
+                                          squares.size()));
     }
     if (!plot) return made;
     const auto [slope, height] = best_line(counts);
@@ -220,7 +242,7 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     for (int k = 1; 0.5 * k < high.y; ++k) line({0, 0.5 * k}, {-tick, 0.5 * k}, {0, 0, 0}, 1);
     line({0, height}, {high.x, height + slope * high.x}, {0.75, 0.3, 0.2}, 1.2);
     for (const Point& count : counts) {
-        Path dot = filled_square({count.x - tick, count.y - tick}, 2 * tick, ink);
+        Path dot = filled_square({{count.x - tick, count.y - tick}, {2 * tick, 0}}, ink);
         paths.push_back(std::move(dot));
     }
     add(std::move(paths),

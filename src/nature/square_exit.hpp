@@ -18,7 +18,7 @@ namespace algae {
 ///
 /// Throws Error unless |y| < r.
 ///
-/// Example: square_exit_chance(1, 0) == 0.25
+/// Example: square_exit_chance(1, 0) < 0.2500001
 double square_exit_chance(std::int64_t r, std::int64_t y);
 
 /// Draws from the above for r = 1, 2, 4, ..., 2^most, in constant time (the alias method: Walker

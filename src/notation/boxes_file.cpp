@@ -22,6 +22,7 @@ std::unique_ptr<Relative> make(const RelativeFile& file) {
             cover->cells.push_back(file.number(*cells, word, 1.0 / 4096, 1));
     }
     cover->plot = file.choice("show", {"boxes", "plot"}).value_or("boxes") == "plot";
+    cover->turned = file.choice("squares", {"grid", "turned"}).value_or("grid") == "turned";
     cover->seed = seed_value(file);
     cover->check();
     return cover;
@@ -35,6 +36,7 @@ RelativeKind boxes_kind() {
             {{"set", "segment|square|koch|coast"},
              {"cells", "SIDE ..."},
              {"show", "boxes|plot"},
+             {"squares", "grid|turned"},
              {"seed", "S"}},
             make};
 }

@@ -5,8 +5,8 @@
 
 #include "base/error.hpp"
 #include "nature/particle_show.hpp"
-#include "notation/relative_values.hpp"
 #include "notation/characters.hpp"
+#include "notation/relative_values.hpp"
 #include "notation/suggestion.hpp"
 #include "system/colour.hpp"
 

@@ -4,8 +4,8 @@
 #include <map>
 
 #include "nature/terrain.hpp"
-#include "notation/relative_values.hpp"
 #include "notation/characters.hpp"
+#include "notation/relative_values.hpp"
 #include "notation/suggestion.hpp"
 
 namespace algae {

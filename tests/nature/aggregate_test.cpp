@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "nature/aggregates.hpp"
 #include "nature/circle_return.hpp"
 #include "nature/free_aggregate.hpp"
 #include "nature/gaussian.hpp"
@@ -325,4 +326,16 @@ TEST_CASE("a region fills up, and then there is no room") {
     CHECK_THROWS_WITH_AS(aggregate.add({0, 0}), "cell (0, 0) is in the cluster already", Error);
     CHECK_THROWS_WITH_AS(GridAggregate(1, {}, Budget()).grow_by_steps(),
                          "expected a region, which single steps need", Error);
+}
+
+TEST_CASE("clusters of discs have a dimension near 1.71, by their radius") {
+    double gyration = 0;
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        Aggregates cluster;
+        cluster.off_lattice = true;
+        cluster.seed = seed;
+        gyration += gyration_dimension(cluster.links(12'000, Budget()), 6).value() / 4;
+    }
+    CAPTURE(gyration);
+    CHECK(std::abs(gyration - 1.71) < 0.06);
 }

@@ -48,6 +48,18 @@ TEST_CASE("files of walks, paths, landscapes and clusters say their parameters")
           "m = 1/3, N = 9");
 }
 
+TEST_CASE("turned with its copies, 3 * 4^(n-1) squares of the side 3^-n cover Koch's curve") {
+    const auto cover =
+        read_relative("set koch\nsquares turned\ncells 1/3 1/9 1/27 1/81", "a.boxes");
+    const auto figures = cover->figures({});
+    CHECK(figures[0].caption == "m = 1/3, N = 3");
+    CHECK(figures[1].caption == "m = 1/9, N = 12");
+    CHECK(figures[2].caption == "m = 1/27, N = 48");
+    CHECK(figures[3].caption == "m = 1/81, N = 192");
+    for (const RelativeFact& fact : cover->facts({}))
+        if (fact.key == "slope") CHECK(fact.text == "1.261860");
+}
+
 TEST_CASE("a file of particles says kinds, and what is born") {
     const auto show = read_relative(
         "sky #0b1026\ngravity 0.1\nshow 3\n"

@@ -64,7 +64,7 @@ TEST_CASE("a file of particles says kinds, and what is born") {
     const auto show = read_relative(
         "sky #0b1026\ngravity 0.1\nshow 3\n"
         "kind drop\nspeed 2 +- 1\nangle 90 +- 5\nlife 10\nbursts spark 5 +- 1\n"
-        "kind spark\nsize 0.5\ntint #fff red\nborn drop 3 at (0,0) to (2,0) until 8 every 2\n",
+        "kind spark\nsize 0.5\ntint #ffffff red\nborn drop 3 at (0,0) to (2,0) until 8 every 2\n",
         "a.particles");
     const auto& system = dynamic_cast<const ParticleShow&>(*show).system;
     REQUIRE(system.kinds.size() == 2);

@@ -164,11 +164,13 @@ std::vector<RelativeFact> IteratedFunctions::facts(const Budget& budget) const {
                      {{"min", {box.low.x, box.low.y}}, {"max", {box.high.x, box.high.y}}}});
     const ExactDimension dimension = similarity_dimension(*this, budget);
     if (dimension.value)
-        found.push_back({"similarity_dimension",
-                         dimension.value->text() + " = " + dimension.value->decimal(6) +
-                             ", an upper bound unless the open set condition holds",
-                         {{"formula", dimension.value->text()},
-                          {"value", dimension.value->enclosure(64).midpoint()}}});
+        found.push_back(
+            {"similarity_dimension",
+             dimension.value->text() +
+                 (dimension.value->rational() ? "" : " = " + dimension.value->decimal(6)) +
+                 ", an upper bound unless the open set condition holds",
+             {{"formula", dimension.value->text()},
+              {"value", dimension.value->enclosure(64).midpoint()}}});
     else
         found.push_back({"similarity_dimension", "none: " + dimension.conditions.front(), nullptr});
     return found;

@@ -78,7 +78,7 @@ double meets_rod(const Body& rod, const Triple& from, const Triple& way) {
         const Triple at{off[0] + t * way[0], off[1] + t * way[1], off[2] + t * way[2]};
         const double along = product(at, axis) / square;
         const double aside = product(at, at) - along * along * square;
-        if (along >= -1e-9 && along <= 1 + 1e-9 && aside <= rod.radius * rod.radius * (1 + 1e-9)) best = std::min(best, t);
+        if (along >= -1e-9 && along <= 1 + 1e-9 && aside <= rod.radius * rod.radius * (1 + 1e-6)) best = std::min(best, t);
     };
     const double wa = product(way, axis), oa = product(off, axis);
     const double a = product(way, way) - wa * wa / square, b = product(way, off) - wa * oa / square;

@@ -207,6 +207,50 @@ TEST_CASE("the box contains everything drawn") {
     }));
 }
 
+TEST_CASE("things that hide each other in a ring are halved until an order is right") {
+    // Three long beams, each over the next at one end: seen from above.
+    Scene scene;
+    std::vector<oracle::Body> bodies;
+    const auto beam = [&](double angle, double x, double y, double z, double tilt) {
+        Rod rod;
+        const Vector middle{x, y, z}, along{std::cos(angle), std::sin(angle), tilt};
+        rod.from = middle - 3 * along;
+        rod.to = middle + 3 * along;
+        rod.radius = 0.2;
+        rod.paint.colour = tag(bodies.size());
+        scene.rods.push_back(rod);
+        bodies.push_back({oracle::Body::Kind::rod, {rod.from.x, rod.from.y, rod.from.z}, {rod.to.x, rod.to.y, rod.to.z}, 0.2});
+    };
+    for (int i = 0; i < 3; ++i) {
+        const double turn = i * 2 * std::numbers::pi / 3;
+        beam(turn + std::numbers::pi / 2, std::cos(turn), std::sin(turn), 0, 0.4);
+    }
+    ViewChoices choices;
+    choices.camera = {-90, 90};
+    oracle::Eye eye;
+    eye.azimuth = -90;
+    eye.elevation = 90;
+    aim(eye, scene);
+    const SpaceView view(scene, {}, {}, choices, {});
+    std::vector<Point> points;
+    std::vector<std::optional<std::size_t>> expected;
+    for (double x = -3; x <= 3; x += 0.11)
+        for (double y = -3; y <= 3; y += 0.11) {
+            const auto met = oracle::first_met(bodies, eye, x, y);
+            bool sure = true;
+            for (const double d : {-0.08, 0.08})
+                sure = sure && oracle::first_met(bodies, eye, x + d, y) == met && oracle::first_met(bodies, eye, x, y + d) == met;
+            if (!sure) continue;
+            points.push_back({x, y});
+            expected.push_back(met);
+        }
+    Samples samples(points);
+    view.draw(samples, 0.01, {});
+    int wrong = 0;
+    for (std::size_t i = 0; i < points.size(); ++i) wrong += tagged(samples.colours[i]) != expected[i];
+    CHECK(wrong == 0);
+}
+
 TEST_CASE("facts have three coordinates, those of the scene") {
     Scene scene;
     Rod rod;

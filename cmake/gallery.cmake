@@ -1,5 +1,5 @@
 # Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs, and the
-# claims of the table of closure, for `algae closure`. Sets algae_gallery_sources; the files are written at
+# claims of the table of closure, for `algae closure`, and the lessons with their exercises. Sets algae_gallery_sources; the files are written at
 # build time, again whenever a figure or a claim changes.
 function(embed function)  # embed(function file...): writes the definition of algae::function() from the files
   set(seen)
@@ -26,3 +26,7 @@ file(GLOB_RECURSE algae_gallery_files CONFIGURE_DEPENDS figures/*.lsys systems/*
 file(GLOB_RECURSE algae_closure_files CONFIGURE_DEPENDS theory/closure/*.claim)
 embed(gallery ${algae_gallery_files})
 embed(closure_claims ${algae_closure_files})
+file(GLOB algae_lesson_files CONFIGURE_DEPENDS lessons/[0-9]*.md)
+file(GLOB algae_exercise_files CONFIGURE_DEPENDS lessons/exercises/*.exercise)
+embed(lesson_texts ${algae_lesson_files})
+embed(exercise_texts ${algae_exercise_files})

@@ -62,6 +62,7 @@ Judgement affirmed(const Statement& statement, const Claim& claim, const Budget&
 
 }  // namespace
 
+//> decide
 Judgement decide(const Statement& statement, const Claim& claim, const Budget& budget) {
     try {
         Judgement found = affirmed(statement, claim, budget);
@@ -76,5 +77,6 @@ Judgement decide(const Statement& statement, const Claim& claim, const Budget& b
         throw Error(to_string(statement.place) + ": " + what);
     }
 }
+//< decide
 
 }  // namespace algae

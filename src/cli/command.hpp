@@ -62,6 +62,7 @@ void add_dimension(Verbs& verbs);
 void add_tree(Verbs& verbs);
 void add_figures(Verbs& verbs);
 void add_gallery(Verbs& verbs);
+void add_lesson(Verbs& verbs);
 void add_ifs(Verbs& verbs);
 void add_walk(Verbs& verbs);
 void add_brownian(Verbs& verbs);

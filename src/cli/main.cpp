@@ -77,6 +77,7 @@ int main(int argc, char** argv) {
     add_tree(verbs);
     add_figures(verbs);
     add_gallery(verbs);
+    add_lesson(verbs);
     add_ifs(verbs);
     add_walk(verbs);
     add_brownian(verbs);

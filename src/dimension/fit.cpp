@@ -46,6 +46,7 @@ bool is_coarse_enough(const BoxCounts& counts, std::size_t scale) {
     return counts.mean(scale) * points_in_cell <= static_cast<double>(counts.parts);
 }
 
+//> line
 void draw_line(BoxFit& fit, const BoxCounts& counts) {
     const double steps = static_cast<double>(fit.last - fit.first);
     fit.slope = std::log(counts.mean(fit.last) / counts.mean(fit.first)) /
@@ -55,6 +56,7 @@ void draw_line(BoxFit& fit, const BoxCounts& counts) {
         sum += std::log(counts.mean(scale)) + fit.slope * std::log(counts.scales.cell(scale));
     fit.intercept = sum / (steps + 1);
 }
+//< line
 
 std::string finest_allowed(const BoxCounts& counts) {
     if (counts.detail > 0) return plural(counts, details_in_cell);

@@ -19,4 +19,8 @@ std::span<const GalleryEntry> gallery();
 /// The claims of the table of closure that come with algae, likewise.
 std::span<const GalleryEntry> closure_claims();
 
+/// The lessons that come with algae, in their order, and their exercises, named as `03-2`.
+std::span<const GalleryEntry> lesson_texts();
+std::span<const GalleryEntry> exercise_texts();
+
 }  // namespace algae

@@ -11,6 +11,7 @@ CyclotomicInteger LatticeMotions::reach_of(const CyclotomicInteger& point, std::
     return along;
 }
 
+//> append
 void LatticeMotions::append(value_type& left, const value_type& right) const {
     const long m = ring_.order();
     if (!right.reach.empty()) {
@@ -28,6 +29,7 @@ void LatticeMotions::append(value_type& left, const value_type& right) const {
     left.turn = (left.turn + right.turn) % m;
     left.segments += right.segments;
 }
+//< append
 
 LatticeMotions::value_type LatticeMotions::step(bool drawn) const {
     value_type value{ring_.one(), 0, drawn ? 1 : 0, {}};

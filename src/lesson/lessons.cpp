@@ -1,0 +1,114 @@
+#include "lesson/lessons.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <sstream>
+
+#include "notation/gallery.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr std::size_t width = 100;
+
+/// Broken into lines between words; paragraphs stay.
+std::string wrapped(const std::string& text) {
+    std::string result;
+    std::size_t column = 0, breaks = 0;
+    std::string word;
+    const auto put = [&] {
+        if (word.empty()) return;
+        const auto size = static_cast<std::size_t>(
+            std::count_if(word.begin(), word.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+        if (breaks > 1 || (column > 0 && column + 1 + size > width)) {
+            result += breaks > 1 ? "\n\n" : "\n";
+            column = 0;
+        } else if (column > 0) {
+            result += ' ';
+            ++column;
+        }
+        result += word;
+        column += size;
+        word.clear();
+        breaks = 0;
+    };
+    for (const char c : text) {
+        if (c == ' ' || c == '\n') {
+            put();
+            breaks += c == '\n';
+        } else {
+            word += c;
+        }
+    }
+    put();
+    return result;
+}
+
+std::string what_to_hand_in(const Exercise& exercise) {
+    switch (exercise.kind) {
+        case Exercise::Kind::system:
+            return "The answer is a system, a file `my-answer.lsys`.";
+        case Exercise::Kind::language:
+            return "The answer is a language as claims write it, such as {a, aa} or /a*/, in a file "
+                   "`my-answer.txt`.";
+        case Exercise::Kind::word:
+            return "The answer is one word, in a file `my-answer.txt`.";
+        case Exercise::Kind::claim: {
+            std::string names;
+            for (const std::string& name : exercise.names)
+                names += (names.empty() ? "" : name == exercise.names.back() ? " and " : ", ") + name;
+            return "The answer is a file `my-answer.claim` that defines " + names +
+                   " (`let " + exercise.names.front() + " = ...`).";
+        }
+    }
+    return {};
+}
+
+std::string title_of(std::string_view text) {
+    std::string line(text.substr(0, text.find('\n')));
+    const std::size_t begin = line.find_first_not_of("# ");
+    if (begin == std::string::npos) return line;
+    line.erase(0, begin);
+    const std::size_t point = line.find(". ");
+    return point < 3 ? line.substr(point + 2) : line;
+}
+
+}  // namespace
+
+std::vector<Lesson> lessons() {
+    std::vector<Lesson> all;
+    for (const GalleryEntry& entry : lesson_texts()) {
+        Lesson lesson;
+        std::from_chars(entry.name.data(), entry.name.data() + entry.name.size(), lesson.number);
+        lesson.title = title_of(entry.text);
+        lesson.text = entry.text;
+        lesson.path = entry.path;
+        for (const GalleryEntry& text : exercise_texts()) {
+            Exercise exercise = read_exercise(text.text, std::string(text.name));
+            if (exercise.lesson == lesson.number) lesson.exercises.push_back(std::move(exercise));
+        }
+        std::sort(lesson.exercises.begin(), lesson.exercises.end(),
+                  [](const Exercise& a, const Exercise& b) { return a.number < b.number; });
+        all.push_back(std::move(lesson));
+    }
+    return all;
+}
+
+std::string task_text(const Exercise& exercise) {
+    return "Exercise " + exercise.label() + ": " + exercise.title +
+           (exercise.source.empty() ? "" : " (" + exercise.source + ")") + "\n\n" +
+           wrapped(exercise.task + "\n\n" + what_to_hand_in(exercise)) + "\n";
+}
+
+std::string lesson_text(const Lesson& lesson) {
+    std::string text(lesson.text);
+    if (!lesson.exercises.empty()) text += "\n## Exercises\n";
+    for (const Exercise& exercise : lesson.exercises) text += "\n### " + task_text(exercise);
+    if (!lesson.exercises.empty())
+        text += "\n`algae lesson " + std::to_string(lesson.number) +
+                " --exercise 1 FILE` marks an answer.\n";
+    return text;
+}
+
+}  // namespace algae

@@ -1,0 +1,79 @@
+#include <doctest/doctest.h>
+
+#include <filesystem>
+#include <map>
+
+#include "base/error.hpp"
+#include "cli/run.hpp"
+#include "lesson/lessons.hpp"
+#include "lesson/mark.hpp"
+#include "notation/gallery.hpp"
+#include "notation/read.hpp"
+
+using namespace algae;
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path answers = fs::path(ALGAE_SOURCE_DIR) / "lessons" / "answers";
+
+LSystem from_gallery(const std::string& name) {
+    for (const GalleryEntry& entry : gallery())
+        if (entry.name == name) return read_lsystem(entry.text, name);
+    throw Error("no " + name + " in the gallery");
+}
+
+/// The files of a folder by their names without the ending.
+std::map<std::string, fs::path> files_of(const fs::path& folder) {
+    std::map<std::string, fs::path> files;
+    for (const auto& entry : fs::directory_iterator(folder))
+        if (entry.is_regular_file()) files[entry.path().stem().string()] = entry.path();
+    return files;
+}
+
+std::string key(const Exercise& exercise) { return exercise.file.substr(0, exercise.file.find('.')); }
+
+}  // namespace
+
+TEST_CASE("every model answer is marked right") {
+    const auto files = files_of(answers);
+    std::size_t count = 0;
+    for (const Lesson& lesson : lessons())
+        for (const Exercise& exercise : lesson.exercises) {
+            ++count;
+            CAPTURE(exercise.file);
+            REQUIRE(files.contains(key(exercise)));
+            const fs::path& file = files.at(key(exercise));
+            const Mark marked = mark(exercise, text_of(file), file.filename().string(), from_gallery);
+            CHECK_MESSAGE(marked.verdict == Truth::proved, report(exercise, marked));
+            CHECK(marked.demands.size() >= exercise.demands.size());
+        }
+    CHECK(files.size() == count);
+}
+
+TEST_CASE("of every exercise three wrong answers are refused, each for its reason") {
+    const auto files = files_of(answers / "wrong");
+    std::size_t count = 0;
+    for (const Lesson& lesson : lessons())
+        for (const Exercise& exercise : lesson.exercises)
+            for (const char* letter : {"-a", "-b", "-c"}) {
+                ++count;
+                CAPTURE(exercise.file);
+                REQUIRE(files.contains(key(exercise) + letter));
+                const fs::path& file = files.at(key(exercise) + letter);
+                CAPTURE(file.filename().string());
+                const std::string text = text_of(file), sign = "# refused: ";
+                REQUIRE(text.starts_with(sign));
+                const std::string reason = text.substr(sign.size(), text.find('\n') - sign.size());
+                CHECK(reason.size() > 5);
+                try {
+                    const Mark marked = mark(exercise, text, file.filename().string(), from_gallery);
+                    CHECK(marked.verdict == Truth::refuted);
+                    CHECK_MESSAGE(report(exercise, marked).find(reason) != std::string::npos,
+                                  report(exercise, marked));
+                } catch (const Error& error) {
+                    FAIL_CHECK(error.what());
+                }
+            }
+    CHECK(files.size() == count);
+}

@@ -1,0 +1,69 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/run.hpp"
+
+using nlohmann::json;
+
+TEST_CASE("lesson lists the lessons, prints one, and prints the task of an exercise") {
+    const Run all = run("lesson");
+    CHECK(all.status == 0);
+    CHECK(all.out.find(" 3  Growth\n") != std::string::npos);
+    CHECK(all.out.find("3.2   The squares and one\n") != std::string::npos);
+    const Run one = run("lesson 3");
+    CHECK(one.status == 0);
+    CHECK(one.out.starts_with("# 3. Growth\n"));
+    CHECK(one.out.find("### Exercise 3.2: The squares and one\n") != std::string::npos);
+    const Run task = run("lesson 3 --exercise 2");
+    CHECK(task.status == 0);
+    CHECK(task.out.starts_with("Exercise 3.2: The squares and one\n\nWrite a PD0L system"));
+    CHECK(run("lesson 13").status == 2);
+    CHECK(run("lesson 3 --exercise 9").status == 2);
+    CHECK(run("lesson --exercise 1").status == 2);
+}
+
+TEST_CASE("a right answer ends with 0, a wrong one with 1 and a reason, one that cannot be read with 2") {
+    const Scratch files;
+    const Run right = run("lesson 3 --exercise 2 " +
+                          files.file("right.lsys", "axiom a\na -> ab\nb -> bcc\n"));
+    CHECK(right.status == 0);
+    CHECK(right.out.starts_with("right: exercise 3.2, The squares and one\n"));
+    const Run wrong = run("lesson 3 --exercise 2 " + files.file("wrong.lsys", "axiom a\na -> aa\n"));
+    CHECK(wrong.status == 1);
+    CHECK(wrong.out ==
+          "wrong: exercise 3.2, The squares and one\n"
+          "  asked  growth(answer) = n^2 + 1\n"
+          "  found  In generation 2 the length is 4, and the formula gives 5.\n"
+          "  hint   The differences are 1, 3, 5, 7, ... A letter that leaves one b behind in every step, and a b "
+          "that leaves two letters behind in every step.\n");
+    const Run unread = run("lesson 3 --exercise 2 " + files.file("unread.lsys", "axiom a\na => aa\n"));
+    CHECK(unread.status == 2);
+    CHECK(unread.out.empty());
+    CHECK(unread.err.find("unread.lsys:2:") != std::string::npos);
+    CHECK(run("lesson 3 --exercise 5 " + files.file("g.claim", "let G = D0L fibonacci\n")).status == 2);
+}
+
+TEST_CASE("a bound that is reached leaves an answer undecided") {
+    const Scratch files;
+    const Run found = run("lesson 4 --exercise 1 --max-letters 10 " +
+                          files.file("answer.lsys", "axiom F-F-F-F\nF -> F-F+F+FF-F-F+F\n"));
+    CHECK(found.status == 3);
+    CHECK(found.out.starts_with("undecided: exercise 4.1"));
+}
+
+TEST_CASE("lesson --json tells verdicts, arguments and hints") {
+    const Scratch files;
+    const Run found =
+        run("lesson 3 --exercise 2 --json " + files.file("wrong.lsys", "axiom a\na -> aa\n"));
+    CHECK(found.status == 1);
+    const json marked = json::parse(found.out);
+    CHECK(marked["exercise"] == "3.2");
+    CHECK(marked["verdict"] == "wrong");
+    CHECK(marked["statements"].size() == 2);
+    CHECK(marked["statements"][0]["verdict"] == "proved");
+    CHECK(marked["statements"][1]["verdict"] == "refuted");
+    CHECK(marked["statements"][1].contains("hint"));
+    CHECK(json::parse(run("lesson --json").out)["lessons"][2]["title"] == "Growth");
+    CHECK(json::parse(run("lesson 3 --exercise 2 --json").out)["title"] == "The squares and one");
+}

@@ -119,13 +119,14 @@ int lesson(const Options& options) {
 
 void add_lesson(Verbs& verbs) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb = add_verb(verbs, "lesson", "Lessons, and exercises that algae marks",
-                              "  algae lesson 3\n  algae lesson 3 --exercise 2 my-answer.lsys",
-                              options, lesson);
+    CLI::App& verb =
+        add_verb(verbs, "lesson", "Lessons, and exercises that algae marks",
+                 "  algae lesson 3\n  algae lesson 3 --exercise 2 my-answer.lsys", options, lesson);
     CLI::Option* const number =
         verb.add_option("NUMBER", options->lesson, "a lesson; without one all are listed");
     CLI::Option* const exercise =
-        verb.add_option("--exercise", options->exercise, "print the task of an exercise, or mark its answer")
+        verb.add_option("--exercise", options->exercise,
+                        "print the task of an exercise, or mark its answer")
             ->needs(number)
             ->check(CLI::PositiveNumber);
     verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input")

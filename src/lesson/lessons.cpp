@@ -50,16 +50,20 @@ std::string what_to_hand_in(const Exercise& exercise) {
         case Exercise::Kind::system:
             return "The answer is a system, a file `my-answer.lsys`.";
         case Exercise::Kind::language:
-            return "The answer is a language as claims write it, such as {a, aa} or /a*/, in a file "
+            return "The answer is a language as claims write it, such as {a, aa} or /a*/, in a "
+                   "file "
                    "`my-answer.txt`.";
         case Exercise::Kind::word:
             return "The answer is one word, in a file `my-answer.txt`.";
         case Exercise::Kind::claim: {
             std::string names;
             for (const std::string& name : exercise.names)
-                names += (names.empty() ? "" : name == exercise.names.back() ? " and " : ", ") + name;
-            return "The answer is a file `my-answer.claim` that defines " + names +
-                   " (`let " + exercise.names.front() + " = ...`).";
+                names += (names.empty()                   ? ""
+                          : name == exercise.names.back() ? " and "
+                                                          : ", ") +
+                         name;
+            return "The answer is a file `my-answer.claim` that defines " + names + " (`let " +
+                   exercise.names.front() + " = ...`).";
         }
     }
     return {};

@@ -153,7 +153,8 @@ Mark mark(const Exercise& exercise, const std::string& text, const std::string& 
         try {
             marked.demands.push_back({demand.text, demand.hint, marking.judge(demand)});
         } catch (const BoundReached& error) {
-            marked.demands.push_back({demand.text, demand.hint, Judgement::undecided({error.what()})});
+            marked.demands.push_back(
+                {demand.text, demand.hint, Judgement::undecided({error.what()})});
         }
         worst();
     }
@@ -161,8 +162,8 @@ Mark mark(const Exercise& exercise, const std::string& text, const std::string& 
 }
 
 std::string report(const Exercise& exercise, const Mark& mark) {
-    std::string text =
-        verdict_word(mark.verdict) + ": exercise " + exercise.label() + ", " + exercise.title + "\n";
+    std::string text = verdict_word(mark.verdict) + ": exercise " + exercise.label() + ", " +
+                       exercise.title + "\n";
     for (const MarkedDemand& demand : mark.demands) {
         if (mark.verdict == Truth::refuted && demand.judgement.truth != Truth::refuted) continue;
         text += "  asked  " + demand.text + "\n";

@@ -29,8 +29,7 @@ Judgement found(bool holds, std::string sentence) {
 std::uint64_t read_number(ClaimScanner& scanner, const Demand& demand) {
     const std::string_view rest = scanner.rest();
     std::uint64_t number = 0;
-    const auto [stop, error] =
-        std::from_chars(rest.data(), rest.data() + rest.size(), number);
+    const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
     if (error != std::errc()) refuse(demand, "a number");
     scanner.here = stop;
     return number;
@@ -47,8 +46,9 @@ Judgement judge_form(ClaimScanner& scanner, const Demand& demand, const LSystem&
         refuse(demand, "the name of a form of systems");
     }
     const std::string is = class_of(answer).name();
-    return found(reason.empty(), reason.empty() ? "Your system is " + with_article(is) + " system."
-                                                : "Your system is no " + name + " system: " + reason + ".");
+    return found(reason.empty(), reason.empty()
+                                     ? "Your system is " + with_article(is) + " system."
+                                     : "Your system is no " + name + " system: " + reason + ".");
 }
 
 /// The symbols that stand in the axiom or a rule.

@@ -29,9 +29,11 @@ public:
 
     const CyclotomicRing& ring() const { return ring_; }
 
+    //> branch
     value_type one() const { return {ring_.zero(), 0, 0, {}}; }
     void append(value_type& left, const value_type& right) const;
     value_type branch(const value_type& twig) const { return {ring_.zero(), 0, twig.segments, twig.reach}; }
+    //< branch
 
     /// A unit step ahead, with the pen down or up.
     value_type step(bool drawn) const;

@@ -164,8 +164,7 @@ private:
 /// The outline by exact places; nothing where the system needs more than those.
 std::optional<Outline> lattice_outline(const LSystem& system, std::uint64_t n,
                                        const Budget& budget) {
-    if (!system.settings.stamps.empty() || class_of(system).parametric)
-        return std::nullopt;
+    if (!system.settings.stamps.empty() || class_of(system).parametric) return std::nullopt;
     const View<D0L> rules = as_d0l(system);
     const Compass compass(system.settings, n);
     if (!rules || !compass.is_exact()) return std::nullopt;

@@ -171,9 +171,9 @@ Similarity similarity(const Outline& left, const std::string& left_name, const O
             return found;
         }
     found.same_size = false;
-    found.difference =
-        "The figures of " + left_name + " and " + right_name +
-        " have equally many strokes and points, but no motion, mirroring and change of size brings one onto the other.";
+    found.difference = "The figures of " + left_name + " and " + right_name +
+                       " have equally many strokes and points, but no motion, mirroring and change "
+                       "of size brings one onto the other.";
     return found;
 }
 

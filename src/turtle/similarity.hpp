@@ -9,9 +9,10 @@ namespace algae {
 /// Whether two outlines are the same but for a motion of the plane, its mirror images, and size.
 struct Similarity {
     bool similar = false;
-    bool same_size = false;  // then they are congruent
+    bool same_size = false;   // then they are congruent
     bool same_place = false;  // then they are the same, to a ten millionth of their size
-    bool exact = false;      // decided by numbers that are not rounded; otherwise to a ten millionth of the figure
+    bool exact =
+        false;  // decided by numbers that are not rounded; otherwise to a ten millionth of the figure
     std::string difference;  // a sentence, where they are not similar
 };
 

@@ -31,7 +31,9 @@ std::map<std::string, fs::path> files_of(const fs::path& folder) {
     return files;
 }
 
-std::string key(const Exercise& exercise) { return exercise.file.substr(0, exercise.file.find('.')); }
+std::string key(const Exercise& exercise) {
+    return exercise.file.substr(0, exercise.file.find('.'));
+}
 
 }  // namespace
 
@@ -44,7 +46,8 @@ TEST_CASE("every model answer is marked right") {
             CAPTURE(exercise.file);
             REQUIRE(files.contains(key(exercise)));
             const fs::path& file = files.at(key(exercise));
-            const Mark marked = mark(exercise, text_of(file), file.filename().string(), from_gallery);
+            const Mark marked =
+                mark(exercise, text_of(file), file.filename().string(), from_gallery);
             CHECK_MESSAGE(marked.verdict == Truth::proved, report(exercise, marked));
             CHECK(marked.demands.size() >= exercise.demands.size());
         }
@@ -67,7 +70,8 @@ TEST_CASE("of every exercise three wrong answers are refused, each for its reaso
                 const std::string reason = text.substr(sign.size(), text.find('\n') - sign.size());
                 CHECK(reason.size() > 5);
                 try {
-                    const Mark marked = mark(exercise, text, file.filename().string(), from_gallery);
+                    const Mark marked =
+                        mark(exercise, text, file.filename().string(), from_gallery);
                     CHECK(marked.verdict == Truth::refuted);
                     CHECK_MESSAGE(report(exercise, marked).find(reason) != std::string::npos,
                                   report(exercise, marked));

@@ -23,25 +23,30 @@ TEST_CASE("lesson lists the lessons, prints one, and prints the task of an exerc
     CHECK(run("lesson --exercise 1").status == 2);
 }
 
-TEST_CASE("a right answer ends with 0, a wrong one with 1 and a reason, one that cannot be read with 2") {
+TEST_CASE(
+    "a right answer ends with 0, a wrong one with 1 and a reason, one that cannot be read with 2") {
     const Scratch files;
-    const Run right = run("lesson 3 --exercise 2 " +
-                          files.file("right.lsys", "axiom a\na -> ab\nb -> bcc\n"));
+    const Run right =
+        run("lesson 3 --exercise 2 " + files.file("right.lsys", "axiom a\na -> ab\nb -> bcc\n"));
     CHECK(right.status == 0);
     CHECK(right.out.starts_with("right: exercise 3.2, The squares and one\n"));
-    const Run wrong = run("lesson 3 --exercise 2 " + files.file("wrong.lsys", "axiom a\na -> aa\n"));
+    const Run wrong =
+        run("lesson 3 --exercise 2 " + files.file("wrong.lsys", "axiom a\na -> aa\n"));
     CHECK(wrong.status == 1);
     CHECK(wrong.out ==
           "wrong: exercise 3.2, The squares and one\n"
           "  asked  growth(answer) = n^2 + 1\n"
           "  found  In generation 2 the length is 4, and the formula gives 5.\n"
-          "  hint   The differences are 1, 3, 5, 7, ... A letter that leaves one b behind in every step, and a b "
+          "  hint   The differences are 1, 3, 5, 7, ... A letter that leaves one b behind in every "
+          "step, and a b "
           "that leaves two letters behind in every step.\n");
-    const Run unread = run("lesson 3 --exercise 2 " + files.file("unread.lsys", "axiom a\na => aa\n"));
+    const Run unread =
+        run("lesson 3 --exercise 2 " + files.file("unread.lsys", "axiom a\na => aa\n"));
     CHECK(unread.status == 2);
     CHECK(unread.out.empty());
     CHECK(unread.err.find("unread.lsys:2:") != std::string::npos);
-    CHECK(run("lesson 3 --exercise 5 " + files.file("g.claim", "let G = D0L fibonacci\n")).status == 2);
+    CHECK(run("lesson 3 --exercise 5 " + files.file("g.claim", "let G = D0L fibonacci\n")).status ==
+          2);
 }
 
 TEST_CASE("a bound that is reached leaves an answer undecided") {

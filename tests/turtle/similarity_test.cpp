@@ -21,9 +21,10 @@ const std::string koch = "axiom F; F -> F+F--F+F; angle 60";
 }  // namespace
 
 TEST_CASE("an outline has the strokes and points that a trace counts") {
-    for (const char* text : {"axiom F; F -> F+F--F+F; angle 60", "axiom F; F -> F[+F]F[-F]F; angle 30",
-                             "axiom F-F; F -> FF-F; angle 90; stamp S square",
-                             "axiom F(1); F(x) -> F(x/2)+(30)F(x)", "axiom F; F -> F+F; angle 25.7"}) {
+    for (const char* text :
+         {"axiom F; F -> F+F--F+F; angle 60", "axiom F; F -> F[+F]F[-F]F; angle 30",
+          "axiom F-F; F -> FF-F; angle 90; stamp S square", "axiom F(1); F(x) -> F(x/2)+(30)F(x)",
+          "axiom F; F -> F+F; angle 25.7"}) {
         const LSystem system = read_lsystem(text, "test");
         for (std::uint64_t n = 0; n < 4; ++n) {
             const Outline found = outline(system, n);
@@ -35,8 +36,11 @@ TEST_CASE("an outline has the strokes and points that a trace counts") {
     }
 }
 
-TEST_CASE("figures are similar under motions, mirror images and changes of size, and that is proved where angles are exact") {
-    const Similarity turned = compared(koch, "axiom F; F -> F+F--F+F; angle 60; start 3 4 50; step 7", 3);
+TEST_CASE(
+    "figures are similar under motions, mirror images and changes of size, and that is proved "
+    "where angles are exact") {
+    const Similarity turned =
+        compared(koch, "axiom F; F -> F+F--F+F; angle 60; start 3 4 50; step 7", 3);
     CHECK(turned.similar);
     CHECK(!turned.same_size);
     CHECK(turned.exact);

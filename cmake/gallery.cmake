@@ -1,5 +1,6 @@
-# Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs, and the
-# claims of the table of closure, for `algae closure`, and the lessons with their exercises. Sets algae_gallery_sources; the files are written at
+# Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs, those of
+# the other generators, for `algae ifs fern`, the claims of the table of closure, for `algae closure`, and the
+# lessons with their exercises. Sets algae_gallery_sources; the files are written at
 # build time, again whenever a figure or a claim changes.
 function(embed function)  # embed(function file...): writes the definition of algae::function() from the files
   set(seen)
@@ -23,8 +24,12 @@ function(embed function)  # embed(function file...): writes the definition of al
 endfunction()
 
 file(GLOB_RECURSE algae_gallery_files CONFIGURE_DEPENDS figures/*.lsys systems/*.lsys)
+set(algae_relative_patterns *.ifs *.ca *.walk *.brownian *.terrain *.dla *.particles *.function *.boxes)
+list(TRANSFORM algae_relative_patterns PREPEND figures/)
+file(GLOB_RECURSE algae_relative_files CONFIGURE_DEPENDS ${algae_relative_patterns})
 file(GLOB_RECURSE algae_closure_files CONFIGURE_DEPENDS theory/closure/*.claim)
 embed(gallery ${algae_gallery_files})
+embed(relative_gallery ${algae_relative_files})
 embed(closure_claims ${algae_closure_files})
 file(GLOB algae_lesson_files CONFIGURE_DEPENDS lessons/[0-9]*.md)
 file(GLOB algae_exercise_files CONFIGURE_DEPENDS lessons/exercises/*.exercise)

@@ -6,7 +6,7 @@ install(TARGETS algae_library EXPORT algaeTargets ARCHIVE DESTINATION ${CMAKE_IN
 install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algae
   FILES_MATCHING PATTERN "*.hpp" PATTERN cli EXCLUDE)
 install(DIRECTORY figures/ DESTINATION ${CMAKE_INSTALL_DATADIR}/algae/figures
-  FILES_MATCHING PATTERN "*.lsys")
+  FILES_MATCHING REGEX "\\.(lsys|ifs|ca|walk|brownian|terrain|dla|particles|function|boxes)$")
 install(DIRECTORY theory/ DESTINATION ${CMAKE_INSTALL_DATADIR}/algae/theory
   FILES_MATCHING PATTERN "*.claim")
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DATADIR}/algae)

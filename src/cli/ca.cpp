@@ -32,7 +32,7 @@ void add_ca(Verbs& verbs) {
     add_relative_verb(
         verbs, "ca", "Cellular automata: space-time pictures, or generations in the plane",
         "  algae ca --rule 30 --cells 101 -n 50 --text\n"
-        "  algae ca figures/003-fractal-notes/rule-126.ca -o rule-126.svg",
+        "  algae ca rule-126 -o rule-126.svg",
         {{"--rule", "rule", "N", "the rule by its number, 0 to 255 for two states and radius 1"},
          {"--life", "life", "B3/S23", "a rule in the plane by numbers of neighbours"},
          {"--states", "states", "K", "of a cell (default 2)"},

@@ -34,7 +34,7 @@ void add_convert(Verbs& verbs) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = add_verb(verbs, "convert", "The same in another format, to standard output",
                               "  algae convert dragon --to ifs > dragon.ifs\n"
-                              "  algae convert figures/003-fractal-notes/rule-110.ca --to lsys",
+                              "  algae convert rule-110.ca --to lsys",
                               options, convert);
     std::string known;
     for (const Conversion& one : conversions())

@@ -7,7 +7,7 @@ void add_dla(Verbs& verbs) {
         verbs, "dla",
         "Diffusion-limited aggregation: particles that walk until they touch the cluster",
         "  algae dla --particles 20000 --seed 5 --off-lattice -o cluster.png\n"
-        "  algae dla figures/003-fractal-notes/dla.dla -o dla.pdf",
+        "  algae dla dla -o dla.pdf",
         {{"--particles", "particles", "N",
           "how many join the seed (default 10000); several as \"100 1000\""},
          {"--seed", "seed", "S", "of the walks (default 1)"},

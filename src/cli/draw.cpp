@@ -63,16 +63,6 @@ std::string named_format(const Options& options) {
     return options.output;
 }
 
-/// The format of a picture. Throws Error, listing everything that may be drawn.
-PictureFormat picture_of(const std::string& named) {
-    try {
-        return picture_format(named);
-    } catch (const Error& error) {
-        throw Error(std::string(error.what()) + "; an animation ends in .gif or .webp, a figure in space in .glb, .obj, .ply, .stl, "
-                    ".x3d or .wrl, or say --format vrml1");
-    }
-}
-
 /// The generations of a picture; an animation begins with generation 0.
 std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, const LSystem& system, bool moves) {
     if (!options.generation.empty()) return range("-n", options.generation);

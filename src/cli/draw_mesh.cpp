@@ -41,6 +41,41 @@ nlohmann::ordered_json corner(const Vector& v) { return {v.x, v.y, v.z}; }
 
 }  // namespace
 
+PictureFormat picture_of(const std::string& named) {
+    try {
+        return picture_format(named);
+    } catch (const Error& error) {
+        throw Error(std::string(error.what()) +
+                    "; an animation ends in .gif or .webp, a figure in space in .glb, .obj, .ply, "
+                    ".stl, .x3d or .wrl, or say --format vrml1");
+    }
+}
+
+nlohmann::ordered_json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,
+                                  const MeshChoices& choices, const Budget& budget) {
+    const MeshDrawn drawn = output == "-" ? draw_mesh(scene, std::cout, format, choices, budget)
+                                          : draw_mesh(scene, output, format, choices, budget);
+    nlohmann::ordered_json json;
+    json["segments"] = scene.rods.size();
+    json["bounding_box"] = {{"min", corner(drawn.box.low)}, {"max", corner(drawn.box.high)}};
+    json["vertices"] = drawn.vertices;
+    json["triangles"] = drawn.triangles;
+    if (drawn.solids) json["solids"] = drawn.solids;
+    if (drawn.lines) json["lines"] = drawn.lines;
+    json["output"] = output;
+    json["format"] = mesh_format_name(format);
+    return json;
+}
+
+Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget) {
+    auto found = relative.scene(budget);
+    if (!found)
+        throw Error(relative.name + " lies in the plane, and " + mesh_format_name(format) +
+                    " is for figures in space; expected svg, pdf, png, ps or eps");
+    if (found->name.empty()) found->name = relative.name;
+    return std::move(*found);
+}
+
 void add_mesh_options(CLI::App& verb, std::string& facets) {
     verb.add_option("--facets", facets,
                     "of files of figures in space: sides of a tube, 3 to 256 (default 8)")
@@ -65,12 +100,7 @@ int draw_mesh_file(const MeshRequest& request, MeshFormat format, const Budget& 
         const auto relative = open_relative(request.file, budget,
                                             {{{"-n", "generation", {}, {}}, request.generation},
                                              {{"--seed", "seed", {}, {}}, request.seed}});
-        auto found = relative->scene(budget);
-        if (!found)
-            throw Error(relative->name + " lies in the plane, and " + mesh_format_name(format) +
-                        " is for figures in space; expected svg, pdf, png, ps or eps");
-        scene = std::move(*found);
-        if (scene.name.empty()) scene.name = relative->name;
+        scene = scene_of(*relative, format, budget);
     } else {
         const LSystem system = open_system(request.file, budget);
         const auto generations = request.generation.empty() ? shown_generations(system)
@@ -82,19 +112,8 @@ int draw_mesh_file(const MeshRequest& request, MeshFormat format, const Budget& 
         scene = scene_of(request, system, generations.second, budget);
         json["generation"] = generations.second;
     }
-    const MeshDrawn drawn = request.output == "-"
-                                ? draw_mesh(scene, std::cout, format, choices, budget)
-                                : draw_mesh(scene, request.output, format, choices, budget);
-    if (!request.json) return success;
-    json["segments"] = scene.rods.size();
-    json["bounding_box"] = {{"min", corner(drawn.box.low)}, {"max", corner(drawn.box.high)}};
-    json["vertices"] = drawn.vertices;
-    json["triangles"] = drawn.triangles;
-    if (drawn.solids) json["solids"] = drawn.solids;
-    if (drawn.lines) json["lines"] = drawn.lines;
-    json["output"] = request.output;
-    json["format"] = mesh_format_name(format);
-    print(json.dump(2) + "\n");
+    json.update(write_mesh(scene, request.output, format, choices, budget));
+    if (request.json) print(json.dump(2) + "\n");
     return success;
 }
 

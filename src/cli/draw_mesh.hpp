@@ -1,11 +1,14 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
 #include <string>
 
 #include "base/budget.hpp"
 #include "cli/space_options.hpp"
+#include "nature/relative.hpp"
 #include "render/mesh_output.hpp"
+#include "render/picture.hpp"
 
 namespace algae::cli {
 
@@ -15,6 +18,16 @@ struct MeshRequest {
     SpaceOptions space;
     bool json = false;
 };
+
+/// The format of a picture by the end of this name. Throws Error, listing what else may be drawn.
+PictureFormat picture_of(const std::string& named);
+
+/// Writes a scene, `-` to standard output; the result says what, as JSON.
+nlohmann::ordered_json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,
+                                  const MeshChoices& choices, const Budget& budget);
+
+/// The scene of a relative. Throws Error if it lies in the plane.
+Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget);
 
 /// Adds --facets.
 void add_mesh_options(CLI::App& verb, std::string& facets);

@@ -8,6 +8,8 @@
 #include "cli/command.hpp"
 #include "cli/output.hpp"
 #include "notation/read.hpp"
+#include "notation/relative_gallery.hpp"
+#include "notation/relative_reader.hpp"
 
 namespace algae::cli {
 
@@ -22,11 +24,22 @@ int list(const Options& options) {
     std::string text;
     std::size_t widest = 0;
     for (const GalleryEntry& entry : gallery()) widest = std::max(widest, entry.name.size());
+    for (const GalleryEntry& entry : relative_gallery())
+        widest = std::max(widest, file_name(entry).size());
+    const auto add = [&](const GalleryEntry& entry, std::string_view shown,
+                         const std::string& title, const std::string& source) {
+        text += fmt::format("{:<{}}  {}{}\n", shown, widest, title,
+                            source.empty() ? "" : " (" + source + ")");
+        entries.push_back(
+            {{"name", entry.name}, {"title", title}, {"source", source}, {"path", entry.path}});
+    };
     for (const GalleryEntry& entry : gallery()) {
         const LSystem system = read_lsystem(entry.text, std::string(entry.name));
-        text += fmt::format("{:<{}}  {}{}\n", entry.name, widest, system.title,
-                            system.source.empty() ? "" : " (" + system.source + ")");
-        entries.push_back({{"name", entry.name}, {"title", system.title}, {"source", system.source}, {"path", entry.path}});
+        add(entry, entry.name, system.title, system.source);
+    }
+    for (const GalleryEntry& entry : relative_gallery()) {
+        const auto relative = read_relative(entry.text, std::string(file_name(entry)));
+        add(entry, file_name(entry), relative->title, relative->source);
     }
     print(options.json ? nlohmann::ordered_json{{"figures", entries}}.dump(2) + "\n" : text);
     return success;

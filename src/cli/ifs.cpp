@@ -3,15 +3,14 @@
 namespace algae::cli {
 
 void add_ifs(Verbs& verbs) {
-    add_relative_verb(
-        verbs, "ifs", "The attractor of an iterated function system",
-        "  algae ifs figures/003-fractal-notes/fern.ifs -o fern.png\n"
-        "  algae ifs figures/003-fractal-notes/copies.ifs --iterations 0..5 -o copies.pdf",
-        {{"--points", "points", "N", "so many points of the chaos game"},
-         {"--iterations", "generation", "N[..M]",
-          "the images of the start set instead, after so many rounds"},
-         {"--seed", "seed", "S", "of the chaos game (default 1)"}},
-        run_relative);
+    add_relative_verb(verbs, "ifs", "The attractor of an iterated function system",
+                      "  algae ifs fern -o fern.png\n"
+                      "  algae ifs copy-machine --iterations 0..5 -o copies.pdf",
+                      {{"--points", "points", "N", "so many points of the chaos game"},
+                       {"--iterations", "generation", "N[..M]",
+                        "the images of the start set instead, after so many rounds"},
+                       {"--seed", "seed", "S", "of the chaos game (default 1)"}},
+                      run_relative);
 }
 
 }  // namespace algae::cli

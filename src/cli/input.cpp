@@ -10,6 +10,8 @@
 #include "base/error.hpp"
 #include "notation/gallery.hpp"
 #include "notation/read.hpp"
+#include "notation/relative_gallery.hpp"
+#include "notation/relative_reader.hpp"
 #include "notation/suggestion.hpp"
 
 namespace algae::cli {
@@ -28,7 +30,8 @@ std::string read_all(std::FILE* file, const std::string& name, const Budget& bud
         text.append(buffer, 0, count);
         if (text.size() > largest)
             throw BoundReached(name + ": has more than " + std::to_string(largest >> 20) +
-                               " MiB, as much as can be read within the " + std::to_string(budget.memory >> 20) +
+                               " MiB, as much as can be read within the " +
+                               std::to_string(budget.memory >> 20) +
                                " MiB allowed by --max-memory");
         budget.check();
     }
@@ -46,7 +49,8 @@ struct Closer {
 std::string file_text(const std::string& path, const Budget& budget) {
     if (path == "-") return read_all(stdin, "standard input", budget);
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored)) throw Error(path + ": is a folder, expected a file");
+    if (std::filesystem::is_directory(path, ignored))
+        throw Error(path + ": is a folder, expected a file");
     const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
     budget.check();
     if (!file) throw Error("cannot read " + path + ": " + std::strerror(errno));
@@ -61,14 +65,19 @@ SourceText open_text(const std::string& file, const Budget& budget) {
     const auto found = std::find_if(figures.begin(), figures.end(),
                                     [&](const GalleryEntry& entry) { return entry.name == file; });
     if (found != figures.end()) return {std::string(found->name), std::string(found->text)};
+    if (const GalleryEntry* entry = find_relative(file))
+        return {std::string(file_name(*entry)), std::string(entry->text)};
     std::vector<std::string> names;
     for (const GalleryEntry& entry : figures) names.emplace_back(entry.name);
-    throw Error("no file \"" + file + "\", and nothing of that name in the gallery" + did_you_mean(file, names) +
-                "; `algae gallery` lists them");
+    for (const GalleryEntry& entry : relative_gallery()) names.emplace_back(entry.name);
+    throw Error("no file \"" + file + "\", and nothing of that name in the gallery" +
+                did_you_mean(file, names) + "; `algae gallery` lists them");
 }
 
 LSystem open_system(const std::string& file, const Budget& budget) {
     const SourceText source = open_text(file, budget);
+    if (const RelativeKind* kind = relative_kind(source.name))
+        throw Error(source.name + " is " + kind->what + ", expected an L-system");
     return read_lsystem(source.text, source.name);
 }
 

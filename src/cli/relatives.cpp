@@ -1,13 +1,16 @@
 #include "cli/relatives.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <sstream>
 
 #include "base/error.hpp"
+#include "cli/draw_mesh.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "notation/relative_gallery.hpp"
 #include "render/animation.hpp"
 
 namespace algae::cli {
@@ -21,6 +24,11 @@ std::vector<std::string> words(const std::string& text) {
     return found;
 }
 
+/// Whether relatives of this kind may lie in space.
+bool in_space(const std::string& kind) {
+    return kind == "terrain" || kind == "brownian" || kind == "walk";
+}
+
 void change(RelativeFile& file,
             const std::vector<std::pair<RelativeOption, std::string>>& changes) {
     for (const auto& [option, text] : changes)
@@ -29,7 +37,15 @@ void change(RelativeFile& file,
 
 }  // namespace
 
-bool is_relative(const std::string& file) { return relative_kind(file) != nullptr; }
+bool is_relative(const std::string& file) {
+    if (relative_kind(file)) return true;
+    std::error_code ignored;
+    if (std::filesystem::exists(file, ignored)) return false;
+    const auto systems = gallery();
+    return find_relative(file) &&
+           std::none_of(systems.begin(), systems.end(),
+                        [&](const GalleryEntry& entry) { return entry.name == file; });
+}
 
 std::unique_ptr<Relative> open_relative(
     const std::string& file, const Budget& budget,
@@ -50,19 +66,31 @@ std::unique_ptr<Relative> open_relative(
     return kind->make(read);
 }
 
-std::unique_ptr<Relative> chosen_relative(const RelativeOptions& options, const Budget& budget) {
+/// The text of FILE, which may be a name of the gallery that a system has as well.
+static SourceText own_text(const RelativeOptions& options, const Budget& budget) {
     const RelativeKind* kind = relative_kind("." + options.verb);
-    if (!options.file.empty() && relative_kind(options.file) == kind)
-        return open_relative(options.file, budget, options.said);
+    std::error_code ignored;
+    const bool by_name = options.file != "-" && !std::filesystem::exists(options.file, ignored);
+    const std::string own = options.file + "." + options.verb;
+    const SourceText source = open_text(by_name && find_relative(own) ? own : options.file, budget);
+    const RelativeKind* found = relative_kind(source.name);
+    const bool system = source.name.ends_with(".lsys") || (by_name && !found);
+    if (system || (found && found != kind))
+        throw Error(source.name + " is " + (system ? "an L-system" : found->what) + ", expected " +
+                    kind->what);
+    return source;
+}
+
+std::unique_ptr<Relative> chosen_relative(const RelativeOptions& options, const Budget& budget) {
+    const RelativeKind& kind = *relative_kind("." + options.verb);
     RelativeFile file;
+    file.name = options.verb;
     if (!options.file.empty()) {
-        const SourceText source = open_text(options.file, budget);
-        file = read_relative_file(source.text, source.name, kind->keys);
-    } else {
-        file.name = options.verb;
+        const SourceText source = own_text(options, budget);
+        file = read_relative_file(source.text, source.name, kind.keys);
     }
     change(file, options.said);
-    return kind->make(file);
+    return kind.make(file);
 }
 
 Drawn draw_relative(const Relative& relative, const std::string& output, PictureFormat format,
@@ -118,18 +146,36 @@ nlohmann::ordered_json relative_json(const Relative& relative, const std::option
     return out;
 }
 
+/// What a file of a figure in space has no place for.
+static void check_no_page(const RelativeOptions& options, MeshFormat format) {
+    for (const auto& [option, given] : {std::pair("--width", !options.width.empty()),
+                                        {"--height", !options.height.empty()},
+                                        {"--captions", options.captions},
+                                        {"--caption", !options.caption.empty()}})
+        if (given)
+            throw Error(std::string(option) + ": " + mesh_format_name(format) +
+                        " is no picture; it holds one figure in space");
+}
+
 int run_relative(const RelativeOptions& options) {
     const Budget budget = options.bounds.budget();
     std::optional<PictureFormat> format;
     std::optional<AnimationFormat> animation;
+    std::optional<MeshFormat> mesh;
     if (!options.output.empty()) {
         if (options.output == "-" && options.format.empty())
-            throw Error("-o -: say which format with --format: svg, pdf, png, ps or eps");
+            throw Error(
+                "-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, " +
+                mesh_format_names());
         const std::string named =
             options.format.empty() ? options.output : "figure." + options.format;
+        mesh = mesh_format(named);
         animation = animation_format(named);
-        format = animation ? PictureFormat::png : picture_format(named);
+        if (!mesh) format = animation ? PictureFormat::png : picture_of(named);
+    } else if (!options.format.empty()) {
+        throw Error("--format: expected -o, where the figure goes");
     }
+    if (mesh) check_no_page(options, *mesh);
     if (!animation && !options.rate.empty())
         throw Error("--rate is for animations: expected -o with .gif or .webp");
     PictureOptions picture;
@@ -137,14 +183,19 @@ int run_relative(const RelativeOptions& options) {
     if (!options.height.empty()) picture.height = positive("--height", options.height);
     const std::unique_ptr<Relative> relative = chosen_relative(options, budget);
     std::optional<Drawn> drawn;
-    if (animation)
+    nlohmann::ordered_json written;
+    if (mesh)
+        written = write_mesh(scene_of(*relative, *mesh, budget), options.output, *mesh, {}, budget);
+    else if (animation)
         drawn = animate_relative(*relative, options, *animation, picture, budget);
     else if (format)
         drawn = draw_relative(*relative, options.output, *format, picture, options.captions,
                               options.caption, budget);
     if (options.output == "-") return success;
     if (options.json) {
-        print(relative_json(*relative, drawn, options.output, budget).dump(2) + "\n");
+        nlohmann::ordered_json all = relative_json(*relative, drawn, options.output, budget);
+        if (mesh) all.update(written);
+        print(all.dump(2) + "\n");
         return success;
     }
     std::string page;
@@ -166,11 +217,15 @@ CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::st
     CLI::App& app = add_verb(verbs, verb, description, examples, chosen, run);
     app.add_option(
         "FILE", chosen->file,
-        "a file ending in ." + verb + ", or - for standard input; options say what the file would");
+        "a file ending in ." + verb +
+            ", - for standard input, or a name from the gallery; options say what the file would");
     app.add_option(
            "-o,--output", chosen->output,
-           "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp; - for "
-           "standard output")
+           "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp" +
+               std::string(in_space(verb)
+                               ? ", the figure in space: .glb, .obj, .ply, .stl, .x3d or .wrl"
+                               : "") +
+               "; - for standard output")
         ->type_name("FILE");
     app.add_option("--format", chosen->format, "the format, where the name does not say it")
         ->type_name("FORMAT");

@@ -7,8 +7,7 @@ void add_terrain(Verbs& verbs) {
         verbs, "terrain",
         "A landscape: a random surface with water, as a map, contour lines, solid or its coast",
         "  algae terrain --levels 8 --roughness 0.8 --seed 4 --view solid -o land.png\n"
-        "  algae terrain figures/003-fractal-notes/mountains.terrain --view contours -o "
-        "contours.pdf",
+        "  algae terrain mountains -o mountains.glb",
         {{"--levels", "levels", "N[..M]", "2^N squares along an edge (default 8)"},
          {"--roughness", "roughness", "H", "between 0, rough, and 1, smooth (default 0.8)"},
          {"--relief", "height", "NUMBER",

@@ -6,7 +6,7 @@ void add_walk(Verbs& verbs) {
     add_relative_verb(
         verbs, "walk", "A random walk with Gaussian steps",
         "  algae walk --steps 10000 --seed 3 -o walk.svg\n"
-        "  algae walk figures/003-fractal-notes/random-walk.walk -o walk.pdf",
+        "  algae walk random-walk -o walk.pdf",
         {{"--steps", "steps", "N",
           "how many steps (default 10000); several as \"100 10000\" are side by side"},
          {"--dimensions", "dimensions", "1|2|3",

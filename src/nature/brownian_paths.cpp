@@ -30,24 +30,28 @@ std::vector<std::vector<double>> BrownianPaths::coordinates(double h, int level,
     return made;
 }
 
+std::vector<Vector> BrownianPaths::places(double h, int level, const Budget& budget) const {
+    const auto of = coordinates(h, level, budget);
+    std::vector<Vector> made(of[0].size());
+    for (std::size_t i = 0; i < made.size(); ++i)
+        made[i] = {of[0][i], of[1][i], dimensions > 2 ? of[2][i] : 0};
+    return made;
+}
+
 std::vector<RelativeFigure> BrownianPaths::figures(const Budget& budget) const {
     check();
     std::vector<RelativeFigure> made;
     for (const double h : hurst)
         for (int level = levels.first; level <= levels.second; ++level) {
-            const auto of = coordinates(h, level, budget);
             std::vector<Path> paths(1);
             if (dimensions == 1) {
-                paths[0].points = graph_path(of[0], 2);
+                paths[0].points = graph_path(coordinates(h, level, budget)[0], 2);
             } else {
-                std::vector<Vector> places(of[0].size());
-                for (std::size_t i = 0; i < places.size(); ++i)
-                    places[i] = {of[0][i], of[1][i], dimensions > 2 ? of[2][i] : 0};
+                const std::vector<Vector> all = places(h, level, budget);
                 if (dimensions == 2)
-                    for (const Vector& place : places)
-                        paths[0].points.push_back({place.x, place.y});
+                    for (const Vector& place : all) paths[0].points.push_back({place.x, place.y});
                 else
-                    paths[0].points = seen_path(places);
+                    paths[0].points = seen_path(all);
             }
             std::string caption = fmt::format("H = {}", h);
             if (levels.first != levels.second)
@@ -97,6 +101,14 @@ std::vector<RelativeFact> BrownianPaths::facts(const Budget& budget) const {
               {"wanted", wanted}}});
     }
     return found;
+}
+
+std::optional<Scene> BrownianPaths::scene(const Budget& budget) const {
+    check();
+    if (dimensions != 3) return std::nullopt;
+    Scene made = path_scene(places(hurst.back(), levels.second, budget), settings);
+    made.name = title.empty() ? name : title;
+    return made;
 }
 
 }  // namespace algae

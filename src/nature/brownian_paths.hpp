@@ -27,6 +27,11 @@ public:
 
     std::vector<RelativeFigure> figures(const Budget& budget) const override;
     std::vector<RelativeFact> facts(const Budget& budget) const override;
+    /// In three dimensions the path of the last H and the most levels.
+    std::optional<Scene> scene(const Budget& budget) const override;
+
+private:
+    std::vector<Vector> places(double h, int level, const Budget& budget) const;
 };
 
 }  // namespace algae

@@ -18,6 +18,19 @@ std::vector<Point> graph_path(const std::vector<double>& values, double breadth)
     return points;
 }
 
+Scene path_scene(const std::vector<Vector>& places, const Settings& settings) {
+    Scene made;
+    made.colours = settings.colours;
+    for (std::uint32_t i = 1; i < places.size(); ++i) {
+        Rod rod;
+        rod.from = places[i - 1];
+        rod.to = places[i];
+        if (i > 1) rod.before = i - 2;
+        made.rods.push_back(rod);
+    }
+    return made;
+}
+
 std::vector<Point> seen_path(const std::vector<Vector>& places) {
     SpaceBox box;
     for (const Vector& place : places) box.add(place);

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "space/scene.hpp"
 #include "turtle/canvas.hpp"
 #include "turtle/pose.hpp"
 
@@ -12,6 +13,9 @@ namespace algae {
 ///
 /// Example: graph_path({2, 4, 3}, 2) == std::vector<Point>{{0, 0}, {1, 1}, {2, 0.5}}
 std::vector<Point> graph_path(const std::vector<double>& values, double breadth);
+
+/// A rod without thickness from each point to the next, in the colours of these settings.
+Scene path_scene(const std::vector<Vector>& places, const Settings& settings);
 
 /// Points of space as the usual camera sees them from far away.
 std::vector<Point> seen_path(const std::vector<Vector>& places);

@@ -15,7 +15,7 @@ double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 PathFigure::PathFigure(std::vector<Path> paths, Settings settings)
     : paths_(std::move(paths)), settings_(std::move(settings)) {
     std::uint64_t lines = 0;
-    double shortest = INFINITY;
+    double length = 0;
     for (const Path& path : paths_) {
         for (const Point& point : path.points) box_.add(point);
         if (path.filled) {
@@ -24,8 +24,7 @@ PathFigure::PathFigure(std::vector<Path> paths, Settings settings)
         }
         if (!path.points.empty()) lines += path.points.size() - 1;
         for (std::size_t i = 1; i < path.points.size(); ++i)
-            if (const double length = distance(path.points[i - 1], path.points[i]); length > 0)
-                shortest = std::min(shortest, length);
+            length += distance(path.points[i - 1], path.points[i]);
     }
     strokes_ += lines;
     facts_.segments = Integer(lines);
@@ -36,8 +35,7 @@ PathFigure::PathFigure(std::vector<Path> paths, Settings settings)
         const Point end = paths_.back().points.back();
         facts_.end = {Coordinate(end.x), Coordinate(end.y)};
     }
-    const double least = std::max(box_.breadth(), box_.height()) * 1e-5;
-    facts_.step = std::isfinite(shortest) ? std::max(shortest, least) : 0;
+    facts_.step = lines > 0 ? length / static_cast<double>(lines) : 0;
 }
 
 void PathFigure::draw(Canvas& canvas, double resolution, const Budget& budget) const {

@@ -77,17 +77,8 @@ std::vector<RelativeFact> RandomWalks::facts(const Budget& budget) const {
 
 std::optional<Scene> RandomWalks::scene(const Budget& budget) const {
     if (walk.dimensions != 3) return std::nullopt;
-    const std::vector<Vector> places = longest(*this, budget);
-    Scene made;
+    Scene made = path_scene(longest(*this, budget), settings);
     made.name = title.empty() ? name : title;
-    made.colours = settings.colours;
-    for (std::uint32_t i = 1; i < places.size(); ++i) {
-        Rod rod;
-        rod.from = places[i - 1];
-        rod.to = places[i];
-        if (i > 1) rod.before = i - 2;
-        made.rods.push_back(rod);
-    }
     return made;
 }
 

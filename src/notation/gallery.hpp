@@ -7,7 +7,7 @@ namespace algae {
 
 /// One of the figures and systems that come with algae, as its file stands.
 struct GalleryEntry {
-    std::string_view name;  ///< the file's name without `.lsys`, by which the command line knows it
+    std::string_view name;  ///< the file's name without its end, by which the command line knows it
     std::string_view path;  ///< from the root of the repository, as `figures/002/koch.lsys`
     std::string_view text;  ///< the file, to be read by the notation
 };
@@ -15,6 +15,10 @@ struct GalleryEntry {
 /// All figures and systems that come with algae, in order of their names; no two names are equal.
 /// Built into the library, so nothing is read from disk.
 std::span<const GalleryEntry> gallery();
+
+/// The files of the other generators that come with algae, `fern.ifs`, `glider.ca`, likewise. A system
+/// of `gallery()` may have the same name.
+std::span<const GalleryEntry> relative_gallery();
 
 /// The claims of the table of closure that come with algae, likewise.
 std::span<const GalleryEntry> closure_claims();

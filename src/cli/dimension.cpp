@@ -228,7 +228,6 @@ Measured measured(const Options& options, const Budget& budget) {
 
 /// By the measure of --measure that is not boxes.
 OtherMeasured other_measured(const Options& options, const Budget& budget) {
-    if (!options.plot.empty()) throw Error("--plot is for --measure boxes");
     if (is_relative(options.file)) {
         const auto relative = open_relative(options.file, budget, relative_changes(options));
         const RelativeFigure figure = relative->measured_figure(budget);
@@ -256,9 +255,13 @@ int dimension(const Options& options) {
         return print_dimension_table(table, budget);
     }
     if (options.file.empty()) throw Error("dimension: expected FILE, or --table");
-    if (options.measure != "boxes")
-        return print_measured(other_measured(options, budget), options.json);
     if (!options.plot.empty()) picture_format(options.plot);  // before the work
+    if (options.measure != "boxes") {
+        if (!options.plot.empty()) check_plotted(options.measure);
+        const OtherMeasured found = other_measured(options, budget);
+        if (!options.plot.empty()) plot_measured(found, options.plot, budget);
+        return print_measured(found, options.json);
+    }
     const Measured found = measured(options, budget);
     if (!options.plot.empty())
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
@@ -278,7 +281,8 @@ void add_dimension(Verbs& verbs) {
                  "  algae dimension coast.png --threshold 0.4 --json",
                  options, dimension);
     verb.add_option("FILE", options->file,
-                    "a system (a file, - or a name from the gallery), an image (png), or points: a "
+                    "a system or another generator (a file, - or a name from the gallery), an "
+                    "image (png), or points: a "
                     "line of 1 to 3 "
                     "numbers for each; with --table a folder");
     verb.add_option("-n", options->generation,
@@ -286,8 +290,9 @@ void add_dimension(Verbs& verbs) {
                     "where words must be kept, and for measures other than boxes)")
         ->type_name("N");
     verb.add_option("--measure", options->measure, measure_help)->type_name("NAME");
-    verb.add_option("--plot", options->plot,
-                    "a log-log plot of the counts: .svg, .pdf, .png, .ps or .eps")
+    verb.add_option(
+            "--plot", options->plot,
+            "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps or .eps")
         ->type_name("FILE");
     verb.add_option("--grids", options->grids,
                     "over how many places of the grid counts are averaged (default 16)")

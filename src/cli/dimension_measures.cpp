@@ -13,6 +13,7 @@
 #include "dimension/divider.hpp"
 #include "dimension/lacunarity.hpp"
 #include "dimension/mass.hpp"
+#include "render/plot_dimension.hpp"
 
 namespace algae::cli {
 
@@ -199,6 +200,16 @@ OtherMeasured measured_otherwise(const std::string& measure, std::string what,
             if (measure == "correlation") return correlation(points, {}, budget);
             return lacunarity(filled_cells(points, budget), budget);
         });
+}
+
+void check_plotted(const std::string& measure) {
+    if (measure != "divider" && measure != "mass" && measure != "correlation")
+        throw Error("--plot is for --measure boxes, divider, mass and correlation");
+}
+
+void plot_measured(const OtherMeasured& found, const std::string& path, const Budget& budget) {
+    const Measure& measure = named(found.measure);
+    draw_scaling_plot({found.what, measure.value, measure.scale, found.scaling}, path, budget);
 }
 
 int print_measured(const OtherMeasured& found, bool json) {

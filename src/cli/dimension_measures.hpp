@@ -32,6 +32,11 @@ OtherMeasured measured_otherwise(const std::string& measure, std::string what, c
 OtherMeasured measured_otherwise(const std::string& measure, std::string what,
                                  const PointSet& points, std::size_t grids, const Budget& budget);
 
+/// Throws Error unless a log-log plot of this measure shows its dimension.
+void check_plotted(const std::string& measure);
+/// Draws that plot, in the format that the end of the path says.
+void plot_measured(const OtherMeasured& found, const std::string& path, const Budget& budget);
+
 /// Prints it, as a page or as JSON, and gives how the command ends.
 int print_measured(const OtherMeasured& found, bool json);
 

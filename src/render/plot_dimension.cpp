@@ -6,6 +6,8 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
+#include <optional>
+#include <vector>
 
 #include "base/error.hpp"
 #include "render/document.hpp"
@@ -40,24 +42,93 @@ struct Panel {
     }
 };
 
+/// What is plotted, as logarithms to the base 10: at each place across, a value with its range.
+struct Series {
+    struct Value {
+        double least, mean, most;
+    };
+    std::vector<double> across;
+    std::vector<Value> values;
+    std::vector<double> line;         // empty without a fit; not finite where it has no value
+    std::size_t first = 0, last = 0;  // the scales used
+    std::optional<Estimate> estimate;
+    std::string caption, upward, sideways;  // underneath, and what the axes are
+};
+
+Series series_of(const DimensionPlot& plot) {
+    const BoxCounts& counts = plot.counts;
+    Series made;
+    const double whole = counts.whole > 0 ? counts.whole : counts.scales.coarsest;
+    for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
+        made.across.push_back(std::log10(whole / counts.scales.cell(scale)));
+        const auto& all = counts.counts[scale];
+        const auto [least, most] = std::minmax_element(all.begin(), all.end());
+        made.values.push_back({std::log10(static_cast<double>(*least)),
+                               std::log10(counts.mean(scale)),
+                               std::log10(static_cast<double>(*most))});
+        if (plot.fit.estimate)
+            made.line.push_back(plot.fit.fitted(counts, scale) / std::numbers::ln10);
+    }
+    made.first = plot.fit.first;
+    made.last = plot.fit.last;
+    made.estimate = plot.fit.estimate;
+    made.caption = plot.caption;
+    made.upward = "cells touched";
+    made.sideways = "size of the whole / size of a cell";
+    return made;
+}
+
+Series series_of(const ScalingPlot& plot) {
+    const Scaling& scaling = plot.scaling;
+    Series made;
+    for (std::size_t i = 0; i < scaling.sizes.size(); ++i) {
+        if (!(scaling.values[i] > 0)) throw Error("nothing to plot: expected values above 0");
+        const double value = std::log10(scaling.values[i]);
+        made.across.push_back(std::log10(scaling.sizes.front() / scaling.sizes[i]));
+        made.values.push_back({value, value, value});
+    }
+    made.first = scaling.first;
+    made.last = scaling.last;
+    made.estimate = scaling.estimate;
+    made.caption = plot.caption;
+    made.upward = plot.value;
+    made.sideways = "widest " + plot.scale + " / " + plot.scale;
+    if (!made.estimate) return made;
+    double n = 0, x = 0, y = 0, xx = 0, xy = 0;
+    for (std::size_t i = made.first; i <= made.last; ++i) {
+        n += 1;
+        x += made.across[i];
+        y += made.values[i].mean;
+        xx += made.across[i] * made.across[i];
+        xy += made.across[i] * made.values[i].mean;
+    }
+    const double slope = (n * xy - x * y) / (n * xx - x * x), at_0 = (y - slope * x) / n;
+    for (const double across : made.across) made.line.push_back(at_0 + slope * across);
+    return made;
+}
+
 class DimensionDiagram {
 public:
-    DimensionDiagram(const DimensionPlot& plot, cairo_t* context)
-        : plot_(plot), context_(context), scales_(plot.counts.counts.size()) {
+    DimensionDiagram(const Series& plot, cairo_t* context)
+        : plot_(plot), context_(context), scales_(plot.values.size()) {
         const double first = across(0), last = across(scales_ - 1);
         counts_ = {top, page_height - bottom - strip - gap, first, last};
-        counts_.low = 0;
-        counts_.high = 1;
-        for (std::size_t scale = 0; scale < scales_; ++scale) {
-            const auto& all = plot_.counts.counts[scale];
-            counts_.high = std::max(
-                counts_.high,
-                std::log10(static_cast<double>(*std::max_element(all.begin(), all.end()))));
+        double least = plot_.values[0].least, greatest = plot_.values[0].most;
+        for (const Series::Value& value : plot_.values) {
+            least = std::min(least, value.least);
+            greatest = std::max(greatest, value.most);
+        }
+        counts_.low = std::min(least, 0.0);
+        counts_.high = std::max(greatest, 1.0);
+        // Cells are counted from 1 on; what changes little is shown alone.
+        if (greatest - least < 1) {
+            counts_.low = least - 0.1;
+            counts_.high = greatest + 0.2;
         }
         residuals_ = {page_height - bottom - strip, page_height - bottom, first, last};
         double most = 0.01;
-        if (plot_.fit.estimate)
-            for (std::size_t scale = plot_.fit.first; scale <= plot_.fit.last; ++scale)
+        if (plot_.estimate)
+            for (std::size_t scale = plot_.first; scale <= plot_.last; ++scale)
                 most = std::max(most, std::abs(percent(scale)) / 100);
         residuals_.high = std::ceil(150 * most);
         residuals_.low = -residuals_.high;
@@ -67,12 +138,12 @@ public:
         cairo_select_font_face(context_, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
                                CAIRO_FONT_WEIGHT_NORMAL);
         cairo_set_font_size(context_, letters);
-        if (plot_.fit.estimate) {
+        if (plot_.estimate) {
             shade(counts_);
             shade(residuals_);
         }
         axes();
-        if (plot_.fit.estimate) {
+        if (plot_.estimate) {
             line();
             residuals();
         }
@@ -82,13 +153,10 @@ public:
     }
 
 private:
-    double across(std::size_t scale) const {
-        const BoxCounts& counts = plot_.counts;
-        const double whole = counts.whole > 0 ? counts.whole : counts.scales.coarsest;
-        return std::log10(whole / counts.scales.cell(scale));
-    }
+    double across(std::size_t scale) const { return plot_.across[scale]; }
     double percent(std::size_t scale) const {
-        return 100 * std::expm1(plot_.fit.residual(plot_.counts, scale));
+        const double off = plot_.values[scale].mean - plot_.line[scale];
+        return 100 * std::expm1(off * std::numbers::ln10);
     }
 
     void colour(double red, double green, double blue) {
@@ -118,8 +186,8 @@ private:
 
     void shade(const Panel& panel) {
         const double half = (across(1) - across(0)) / 2;
-        const double from = panel.x(across(plot_.fit.first) - half),
-                     to = panel.x(across(plot_.fit.last) + half);
+        const double from = std::max(panel.x(across(plot_.first) - half), left),
+                     to = panel.x(across(plot_.last) + half);
         colour(0.91, 0.94, 0.99);
         cairo_rectangle(context_, from, panel.upper, std::min(to, page_width - right) - from,
                         panel.lower - panel.upper);
@@ -140,14 +208,26 @@ private:
     }
 
     static std::string power_of_ten(int exponent) {
+        if (exponent < 0) return digits("%g", std::pow(10, exponent));
         return exponent < 4 ? digits("%.0f", std::pow(10, exponent))
                             : "10^" + std::to_string(exponent);
     }
 
     void axes() {
         cairo_set_line_width(context_, 0.7);
-        const int decades = static_cast<int>(counts_.high), step = decades / 7 + 1;
-        for (int k = 0; k <= decades; k += step) grid_line(counts_, k, power_of_ten(k));
+        const int lowest = static_cast<int>(std::floor(counts_.low)),
+                  highest = static_cast<int>(counts_.high);
+        const int step = (highest - lowest) / 7 + 1;
+        const auto shown = [&](double value) {
+            return value >= counts_.low && value <= counts_.high;
+        };
+        for (int k = lowest; k <= highest; k += step) {
+            if (shown(k)) grid_line(counts_, k, power_of_ten(k));
+            if (counts_.high - counts_.low > 1.5) continue;
+            for (const int part : {2, 5})
+                if (const double value = k + std::log10(part); shown(value))
+                    grid_line(counts_, value, digits("%g", part * std::pow(10, k)));
+        }
         for (const double share : {-1.0, 0.0, 1.0}) {
             const double value = share * std::floor(residuals_.high / 1.5 + 0.5);
             grid_line(residuals_, value, value == 0 ? "0" : digits("%+.0f %%", value));
@@ -173,10 +253,9 @@ private:
                         counts_.lower - counts_.upper);
         cairo_clip(context_);
         for (std::size_t scale = 0; scale < scales_; ++scale) {
-            const double height = plot_.fit.fitted(plot_.counts, scale);
+            const double height = plot_.line[scale];
             if (std::isfinite(height))
-                cairo_line_to(context_, counts_.x(across(scale)),
-                              counts_.y(height / std::numbers::ln10));
+                cairo_line_to(context_, counts_.x(across(scale)), counts_.y(height));
         }
         cairo_stroke(context_);
         cairo_restore(context_);
@@ -195,19 +274,17 @@ private:
     }
 
     bool is_used(std::size_t scale) const {
-        return plot_.fit.estimate && scale >= plot_.fit.first && scale <= plot_.fit.last;
+        return plot_.estimate && scale >= plot_.first && scale <= plot_.last;
     }
 
     void dots() {
         for (std::size_t scale = 0; scale < scales_; ++scale) {
-            const auto& all = plot_.counts.counts[scale];
-            const auto [least, most] = std::minmax_element(all.begin(), all.end());
+            const Series::Value& value = plot_.values[scale];
             const double at = counts_.x(across(scale));
             colour(0.1, 0.2, 0.5);
             cairo_set_line_width(context_, 0.8);
-            stroke(at, counts_.y(std::log10(static_cast<double>(*least))), at,
-                   counts_.y(std::log10(static_cast<double>(*most))));
-            dot(at, counts_.y(std::log10(plot_.counts.mean(scale))), is_used(scale));
+            stroke(at, counts_.y(value.least), at, counts_.y(value.most));
+            dot(at, counts_.y(value.mean), is_used(scale));
         }
     }
 
@@ -219,37 +296,44 @@ private:
 
     void words() {
         colour(0, 0, 0);
-        text("cells touched", left - 40, top - 10, 0);
+        text(plot_.upward, left - 40, top - 10, 0);
         text("off the line", left + 6, residuals_.upper - 5, 0);
-        text("size of the whole / size of a cell", page_width - right, page_height - bottom + 31,
-             1);
+        text(plot_.sideways, page_width - right, page_height - bottom + 31, 1);
         text(plot_.caption, page_width / 2, page_height - 10, 0.5);
-        if (!plot_.fit.estimate) return;
-        const Estimate& found = *plot_.fit.estimate;
+        if (!plot_.estimate) return;
+        const Estimate& found = *plot_.estimate;
         text("dimension " + digits("%.4f", found.value), left + 14, top + 12, 0);
         text("between " + digits("%.4f", found.low) + " and " + digits("%.4f", found.high),
              left + 14, top + 27, 0);
     }
 
-    const DimensionPlot& plot_;
+    const Series& plot_;
     cairo_t* context_;
     std::size_t scales_;
     Panel counts_, residuals_;
 };
 
-}  // namespace
-
-void draw_dimension_plot(const DimensionPlot& plot, const std::string& path, const Budget& budget) {
-    if (plot.counts.counts.size() < 2) throw Error("nothing to plot: expected at least two scales");
+void draw_series(const Series& series, const std::string& path, const Budget& budget) {
+    if (series.values.size() < 2) throw Error("nothing to plot: expected at least two scales");
     const PictureFormat format = picture_format(path);
     const double scale = format == PictureFormat::png ? 2 : 1;
     FileOutput file(path);
     Document document(format, scale * page_width, scale * page_height, Colour{1, 1, 1}, file,
                       budget);
     cairo_scale(document.context(), scale, scale);
-    DimensionDiagram(plot, document.context()).draw();
+    DimensionDiagram(series, document.context()).draw();
     document.finish();
     file.commit();
+}
+
+}  // namespace
+
+void draw_dimension_plot(const DimensionPlot& plot, const std::string& path, const Budget& budget) {
+    draw_series(series_of(plot), path, budget);
+}
+
+void draw_scaling_plot(const ScalingPlot& plot, const std::string& path, const Budget& budget) {
+    draw_series(series_of(plot), path, budget);
 }
 
 }  // namespace algae

@@ -4,6 +4,7 @@
 
 #include "base/budget.hpp"
 #include "dimension/fit.hpp"
+#include "dimension/scaling.hpp"
 
 namespace algae {
 
@@ -22,5 +23,19 @@ struct DimensionPlot {
 /// Throws Error if there are fewer than two scales or the file cannot be written.
 void draw_dimension_plot(const DimensionPlot& plot, const std::string& path,
                          const Budget& budget = {});
+
+/// What a log-log plot of another measure shows: Richardson's of the lengths that dividers find.
+struct ScalingPlot {
+    std::string caption;       // underneath
+    std::string value, scale;  // what is measured, and what the sizes are: "length", "opening"
+    Scaling scaling;
+};
+
+/// Draws the values against the coarsest size divided by each, both logarithmic, in the same way; the
+/// line is that of least squares through the scales used.
+///
+/// Throws Error if there are fewer than two scales, if a value is not above 0, or if the file cannot be
+/// written.
+void draw_scaling_plot(const ScalingPlot& plot, const std::string& path, const Budget& budget = {});
 
 }  // namespace algae

@@ -141,7 +141,8 @@ TEST_CASE("dimension --measure takes points and images, and refuses what it cann
     CHECK(message("koch --measure weight") ==
           "algae: --measure: expected boxes, divider, mass, correlation, information, multifractal "
           "or lacunarity, found weight\n");
-    CHECK(message("koch --measure mass --plot a.svg") == "algae: --plot is for --measure boxes\n");
+    CHECK(message("koch --measure lacunarity --plot a.svg") ==
+          "algae: --plot is for --measure boxes, divider, mass and correlation\n");
     CHECK(message("'" + picture + "' --measure divider").find("found pixels") != std::string::npos);
     CHECK(message("'" + space + "' --measure lacunarity").find("3 columns") != std::string::npos);
     CHECK(run("dimension koch -n 2 --measure mass").status == 3);

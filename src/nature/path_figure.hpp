@@ -19,8 +19,9 @@ struct Path {
     bool operator==(const Path&) const = default;
 };
 
-/// Lines and polygons, drawn in order. With a resolution, points of a line that lie nearer than that to
-/// the last one drawn are left out, and all of a line that goes on within it. The length of a segment among its facts is the mean of all.
+/// Lines and polygons, drawn in order. With a resolution, points of a line that lie nearer than that
+/// to the last one drawn are left out, and all of a line that goes on within it. The length of a
+/// segment among its facts is the mean of all.
 class PathFigure : public Figure {
 public:
     explicit PathFigure(std::vector<Path> paths, Settings settings = {});

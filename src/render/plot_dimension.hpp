@@ -31,11 +31,11 @@ struct ScalingPlot {
     Scaling scaling;
 };
 
-/// Draws the values against the coarsest size divided by each, both logarithmic, in the same way; the
-/// line is that of least squares through the scales used.
+/// Draws the values against the coarsest size divided by each, both logarithmic, in the same way;
+/// the line is that of least squares through the scales used.
 ///
-/// Throws Error if there are fewer than two scales, if a value is not above 0, or if the file cannot be
-/// written.
+/// Throws Error if there are fewer than two scales, if a value is not above 0, or if the file cannot
+/// be written.
 void draw_scaling_plot(const ScalingPlot& plot, const std::string& path, const Budget& budget = {});
 
 }  // namespace algae

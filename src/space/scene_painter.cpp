@@ -10,7 +10,7 @@ namespace algae {
 namespace {
 
 constexpr Colour grey{0.62, 0.62, 0.6}, black{0, 0, 0};
-constexpr double fine = 1.6;      // pixels: tubes thinner than this are strokes
+constexpr double fine = 1.6;  // pixels: tubes thinner than this are strokes
 // Pixels are squares: what covers one that an edge touches reaches sqrt 2 pixels from the edge.
 constexpr double under = 1.3;     // pixels that a facet reaches under one that is painted later
 constexpr double overlap = 0.5;   // pixels that two that adjoin both reach over their edge
@@ -49,6 +49,7 @@ void widen(const SeenFacet& facet, double pixel, bool of_solid, std::vector<Poin
                 case Adjoining::nothing:  // another solid may stand beside this
                     return of_solid ? overlap * out : 0;
                 case Adjoining::later:
+                case Adjoining::cut:
                     return (of_solid ? under : overlap) * out;
                 case Adjoining::earlier:
                     break;
@@ -352,6 +353,31 @@ void ScenePainter::paint_thing(const SeenBlock& block) {
         if (facet.corners.size() < 3) continue;
         widen(facet, lit_.resolution, !block.flat, corners_);
         polygon(facet.colour, corners_);
+        if (block.has_edges) paint_edges(facet);
+    }
+}
+
+void ScenePainter::paint_edges(const SeenFacet& facet) {
+    constexpr double shade = 0.75, breadth = 0.8, least = 8;  // in pixels: of an edge, its length
+    const std::size_t count = facet.corners.size();
+    const double pixel = lit_.resolution;
+    const Colour dark{shade * facet.colour.red, shade * facet.colour.green,
+                      shade * facet.colour.blue};
+    double area = 0, shortest = INFINITY;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vector &a = facet.corners[i], &b = facet.corners[(i + 1) % count];
+        area += a.x * b.y - a.y * b.x;
+        shortest = std::min(shortest, std::hypot(b.x - a.x, b.y - a.y));
+    }
+    if (!(pixel > 0) || shortest < least * pixel) return;
+    const double inward = (area < 0 ? -breadth : breadth) * pixel;
+    for (std::size_t i = 0; i < count; ++i) {
+        if (facet.adjoins[i] == Adjoining::cut) continue;
+        const Vector &a = facet.corners[i], &b = facet.corners[(i + 1) % count];
+        const double size = std::hypot(b.x - a.x, b.y - a.y);
+        const double x = -inward * (b.y - a.y) / size, y = inward * (b.x - a.x) / size;
+        polygon(dark, std::array{Point{a.x, a.y}, Point{b.x, b.y}, Point{b.x + x, b.y + y},
+                                 Point{a.x + x, a.y + y}});
     }
 }
 

@@ -38,6 +38,8 @@ private:
     void paint_thing(const SeenStick& stick);
     void paint_thing(const SeenBall& ball);
     void paint_thing(const SeenBlock& block);
+    /// Its edges, darker, where they are long enough to be seen.
+    void paint_edges(const SeenFacet& facet);
     void paint_line(const SeenStick& stick);
     void paint_tube(const SeenStick& stick);
     /// A disc at the end of a tube that looks at the camera.

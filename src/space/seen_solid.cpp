@@ -62,6 +62,8 @@ public:
         block_.facets.push_back(std::move(facet));
     }
 
+    void mark_edges() { block_.has_edges = true; }
+
     SeenBlock finished() {
         complete(block_, all_);
         return std::move(block_);
@@ -76,6 +78,7 @@ private:
 };
 
 void add_box(BlockBuilder& builder, const Solid& solid) {
+    builder.mark_edges();
     const Vector half = 0.5 * solid.size;
     const std::array<Vector, 3> axes{solid.attitude.heading(), solid.attitude.left(),
                                      solid.attitude.up()};
@@ -153,7 +156,8 @@ SeenThing seen(std::span<const Vector> corners, std::span<const char> adjoins, c
         facet.corners.push_back({seen.x, seen.y, seen.depth});
         middle = middle + (1 / static_cast<double>(corners.size())) * corner;
     }
-    for (const char edge : adjoins) facet.adjoins.push_back(edge ? Adjoining::later : Adjoining::nothing);
+    for (const char edge : adjoins)
+        facet.adjoins.push_back(edge ? Adjoining::later : Adjoining::nothing);
     Vector normal = unit(doubled_area(corners));
     if (dot(normal, projection.to_camera(middle)) < 0) normal = -1.0 * normal;
     const Seen at = projection(middle);

@@ -154,7 +154,7 @@ SeenFacet kept(const SeenFacet& facet, const HalfSpace& side) {
         }
         if ((at_a < 0 && at_b > 0) || (at_a > 0 && at_b < 0)) {
             part.corners.push_back(a + at_a / (at_a - at_b) * (b - a));
-            part.adjoins.push_back(at_a < 0 ? Adjoining::later : facet.adjoins[i]);
+            part.adjoins.push_back(at_a < 0 ? Adjoining::cut : facet.adjoins[i]);
         }
     }
     return part;
@@ -163,6 +163,7 @@ SeenFacet kept(const SeenFacet& facet, const HalfSpace& side) {
 SeenBlock half(const SeenBlock& block, const HalfSpace& side) {
     SeenBlock part;
     part.flat = block.flat;
+    part.has_edges = block.has_edges;
     part.bounds = block.bounds;
     if (!block.flat) part.bounds.push_back(side);
     part.low = block.high;
@@ -303,11 +304,13 @@ void complete(SeenBlock& block, std::span<const Vector> corners) {
         block.high = points.size() == 1 ? corner.z : std::max(block.high, corner.z);
     }
     block.outline = convex_hull(std::move(points));
-    for (SeenFacet& facet : block.facets) facet.adjoins.resize(facet.corners.size(), Adjoining::nothing);
+    for (SeenFacet& facet : block.facets)
+        facet.adjoins.resize(facet.corners.size(), Adjoining::nothing);
     for (std::size_t first = 0; first < block.facets.size(); ++first)
         for (std::size_t second = first + 1; second < block.facets.size(); ++second) {
             SeenFacet &facet = block.facets[first], &other = block.facets[second];
-            const std::size_t corners_here = facet.corners.size(), corners_there = other.corners.size();
+            const std::size_t corners_here = facet.corners.size(),
+                              corners_there = other.corners.size();
             for (std::size_t i = 0; i < corners_here; ++i)
                 for (std::size_t j = 0; j < corners_there; ++j)
                     if (facet.corners[i] == other.corners[(j + 1) % corners_there] &&

@@ -31,8 +31,9 @@ struct SeenBall {
 /// What goes on at an edge of a facet.
 enum class Adjoining : char {
     nothing,
-    later,   // a facet that is painted later, or may be
-    earlier  // one that is painted already
+    later,    // a facet that is painted later, or may be
+    earlier,  // one that is painted already
+    cut       // the other half of the same facet
 };
 
 /// A flat, lit part of a surface, in the camera's coordinates.
@@ -56,6 +57,7 @@ struct SeenBlock {
     std::vector<Point> outline;     // convex, counter-clockwise
     double low = 0, high = 0;       // its depths
     bool flat = false;
+    bool has_edges = false;  // they are marked, so that equal ones beside it can be told apart
 };
 
 using SeenThing = std::variant<SeenStick, SeenBall, SeenBlock>;

@@ -36,11 +36,11 @@ struct Outcome {
 };
 
 std::vector<fs::path> system_files(const fs::path& folder) {
-    if (!fs::is_directory(folder)) throw Error(folder.string() + ": expected a folder of .lsys files");
+    if (!fs::is_directory(folder)) throw Error(folder.string() + ": expected a folder of .lsys files and of files of relatives");
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
         if (entry.is_regular_file() && (entry.path().extension() == ".lsys" || is_relative(entry.path().string()))) files.push_back(entry.path());
-    if (files.empty()) throw Error(folder.string() + ": holds no .lsys files");
+    if (files.empty()) throw Error(folder.string() + ": holds no .lsys files and none of relatives");
     std::sort(files.begin(), files.end());
     return files;
 }
@@ -156,7 +156,7 @@ void add_figures(Verbs& verbs) {
     CLI::App& verb = add_verb(verbs, "figures", "Draws every system of a folder and checks what its file expects",
                               "  algae figures figures --out out/figures\n  algae figures my-paper --formats pdf --captions",
                               options, draw_all);
-    verb.add_option("DIR", options->folder, "a folder of .lsys files (default figures)");
+    verb.add_option("DIR", options->folder, "a folder of .lsys files and of files of relatives, such as .ifs (default figures)");
     verb.add_option("--out", options->out, "where the pictures go (default out/figures)")->type_name("DIR");
     verb.add_option("--formats", options->formats, "svg, pdf, png, ps, eps (default svg,pdf)")->type_name("LIST");
     verb.add_option("--jobs", options->jobs, "how many to draw at a time (default: one a core)")->type_name("N");

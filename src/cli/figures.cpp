@@ -1,12 +1,11 @@
 #include <algorithm>
-#include <atomic>
 #include <filesystem>
 #include <iostream>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "base/error.hpp"
+#include "base/parts.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
@@ -105,29 +104,24 @@ int draw_all(const Options& options) {
 
     ProgressBar bar("Figures");
     std::mutex reporting;
-    std::atomic<std::size_t> next = 0, done = 0;
-    const auto work = [&] {
-        for (std::size_t i = next++; i < outcomes.size(); i = next++) {
-            try {
-                draw_one(options, outcomes[i], budget);
-            } catch (const Interrupted&) {
-                outcomes[i].status = interrupted;
-                return;
-            } catch (const std::exception& error) {
-                outcomes[i].problems.push_back(error.what());
-                outcomes[i].status = dynamic_cast<const BoundReached*>(&error) ? undecided : bad_input;
-            }
-            const std::lock_guard lock(reporting);
-            bar.report(static_cast<double>(++done) / static_cast<double>(outcomes.size()));
+    std::size_t done = 0;
+    const PartWorker work = [&](std::size_t i) {
+        try {
+            draw_one(options, outcomes[i], budget);
+        } catch (const Interrupted&) {
+            outcomes[i].status = interrupted;
+            return;
+        } catch (const std::exception& error) {
+            outcomes[i].problems.push_back(error.what());
+            outcomes[i].status = dynamic_cast<const BoundReached*>(&error) ? undecided : bad_input;
         }
+        const std::lock_guard lock(reporting);
+        bar.report(static_cast<double>(++done) / static_cast<double>(outcomes.size()));
     };
-    const std::uint64_t jobs = options.jobs.empty() ? std::max(1u, std::thread::hardware_concurrency())
-                                                    : std::clamp<std::uint64_t>(natural("--jobs", options.jobs), 1, 256);
-    {
-        std::vector<std::jthread> threads;
-        for (std::uint64_t i = 1; i < jobs; ++i) threads.emplace_back(work);
-        work();
-    }
+    const std::uint64_t jobs =
+        options.jobs.empty() ? 0 : std::clamp<std::uint64_t>(natural("--jobs", options.jobs), 1, 256);
+    // Each figure looks at the budget itself: what became of the others is told all the same.
+    each_part(outcomes.size(), static_cast<unsigned>(jobs), Budget(), [&] { return work; }, 1);
     if (stop) throw Interrupted();
 
     int status = success;

@@ -2,7 +2,7 @@
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/output.hpp"
-#include "notation/conversion.hpp"
+#include "exchange/conversion.hpp"
 
 namespace algae::cli {
 

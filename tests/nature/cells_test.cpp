@@ -6,7 +6,7 @@
 #include "base/error.hpp"
 #include "fold/interaction.hpp"
 #include "nature/cellular_automaton.hpp"
-#include "notation/conversion.hpp"
+#include "exchange/system_of_cells.hpp"
 #include "notation/relative_reader.hpp"
 #include "oracle/cells.hpp"
 #include "system/il.hpp"

@@ -12,7 +12,7 @@
 #include "dimension/recurrent_set.hpp"
 #include "nature/attractor.hpp"
 #include "nature/similarity_dimension.hpp"
-#include "notation/conversion.hpp"
+#include "exchange/conversion.hpp"
 #include "notation/ifs_file.hpp"
 #include "notation/read.hpp"
 #include "turtle/figure.hpp"

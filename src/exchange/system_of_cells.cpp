@@ -1,7 +1,8 @@
+#include "exchange/system_of_cells.hpp"
+
 #include <algorithm>
 
 #include "base/error.hpp"
-#include "notation/conversion.hpp"
 #include "notation/read.hpp"
 
 namespace algae {

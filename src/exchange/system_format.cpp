@@ -1,0 +1,16 @@
+#include "exchange/system_format.hpp"
+
+namespace algae {
+
+const std::vector<SystemFormat>& system_formats() {
+    static const std::vector<SystemFormat> all{};
+    return all;
+}
+
+const SystemFormat* system_format(std::string_view file_name) {
+    for (const SystemFormat& one : system_formats())
+        if (file_name.ends_with("." + one.name)) return &one;
+    return nullptr;
+}
+
+}  // namespace algae

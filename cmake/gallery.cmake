@@ -1,12 +1,12 @@
 # Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs, those of
-# the other generators, for `algae ifs fern`, the claims of the table of closure, for `algae closure`, and the
-# lessons with their exercises. Sets algae_gallery_sources; the files are written at
+# the other generators, for `algae ifs fern`, the claims of the theory, for `algae check theory` and `algae closure`,
+# and the lessons with their exercises. Sets algae_gallery_sources; the files are written at
 # build time, again whenever a figure or a claim changes.
 function(embed function)  # embed(function file...): writes the definition of algae::function() from the files
   set(seen)
   foreach(file IN LISTS ARGN)
     cmake_path(GET file STEM LAST_ONLY stem)
-    if(stem IN_LIST seen)
+    if(stem IN_LIST seen AND NOT function STREQUAL theory_claims)  # claims are known by their paths
       message(FATAL_ERROR "two files are named '${stem}' like ${file}; names in the ${function} are file names, so one must change")
     endif()
     list(APPEND seen ${stem})
@@ -27,10 +27,10 @@ file(GLOB_RECURSE algae_gallery_files CONFIGURE_DEPENDS figures/*.lsys systems/*
 set(algae_relative_patterns *.ifs *.ca *.walk *.brownian *.terrain *.dla *.particles *.function *.boxes)
 list(TRANSFORM algae_relative_patterns PREPEND figures/)
 file(GLOB_RECURSE algae_relative_files CONFIGURE_DEPENDS ${algae_relative_patterns})
-file(GLOB_RECURSE algae_closure_files CONFIGURE_DEPENDS theory/closure/*.claim)
+file(GLOB_RECURSE algae_claim_files CONFIGURE_DEPENDS theory/*.claim)
 embed(gallery ${algae_gallery_files})
 embed(relative_gallery ${algae_relative_files})
-embed(closure_claims ${algae_closure_files})
+embed(theory_claims ${algae_claim_files})
 file(GLOB algae_lesson_files CONFIGURE_DEPENDS lessons/[0-9]*.md)
 file(GLOB algae_exercise_files CONFIGURE_DEPENDS lessons/exercises/*.exercise)
 embed(lesson_texts ${algae_lesson_files})

@@ -1,6 +1,5 @@
 #include <fmt/format.h>
 #include <algorithm>
-#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
@@ -24,19 +23,6 @@ struct Options {
     bool explain = false, json = false;
     Bounds bounds;
 };
-
-/// The files that a path means: itself, or in a folder all claims, sorted by name.
-std::vector<std::string> claim_files(const std::string& path) {
-    std::error_code ignored;
-    if (path == "-" || !std::filesystem::is_directory(path, ignored)) return {path};
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
-        if (entry.is_regular_file() && entry.path().extension() == ".claim")
-            files.push_back(entry.path().string());
-    std::sort(files.begin(), files.end());
-    if (files.empty()) throw Error(path + ": expected .claim files in this folder, found none");
-    return files;
-}
 
 /// One line for the claim, and one with the reasons for each statement that does not stand.
 std::string summary(const CheckedClaim& checked) {
@@ -116,7 +102,9 @@ void add_check(Verbs& verbs) {
     CLI::App& verb =
         add_verb(verbs, "check", "Whether claims hold, statement by statement",
                  "  algae check theory\n  algae check union.claim --explain", options, check_paths);
-    verb.add_option("PATH", options->paths, "claim files, folders of them, or - for standard input")
+    verb.add_option("PATH", options->paths,
+                    "claim files, folders of them, - for standard input, or theory, the claims "
+                    "that come with algae")
         ->required();
     verb.add_flag("--explain", options->explain, "print the argument in sentences");
     verb.add_option("--certificate", options->certificate, "write what algae verify checks again")

@@ -1,8 +1,11 @@
 #include "cli/claims.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
+#include "base/error.hpp"
 #include "cli/input.hpp"
+#include "notation/gallery.hpp"
 
 namespace algae::cli {
 
@@ -15,7 +18,30 @@ SystemSource systems_from(const std::string& folder, const Budget& budget) {
     };
 }
 
+std::vector<std::string> claim_files(const std::string& path) {
+    std::error_code ignored;
+    std::vector<std::string> files;
+    if (path == "-" || std::filesystem::is_regular_file(path, ignored)) return {path};
+    if (std::filesystem::is_directory(path, ignored)) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
+            if (entry.is_regular_file() && entry.path().extension() == ".claim")
+                files.push_back(entry.path().string());
+        if (files.empty()) throw Error(path + ": expected .claim files in this folder, found none");
+    } else {
+        const std::string folder = path.ends_with('/') ? path : path + '/';
+        for (const GalleryEntry& claim : theory_claims())
+            if (claim.path.starts_with(folder)) files.emplace_back(claim.path);
+        if (files.empty()) return {path};
+    }
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
 Claim open_claim(const std::string& file, const Budget& budget) {
+    std::error_code ignored;
+    if (!std::filesystem::exists(file, ignored))
+        for (const GalleryEntry& claim : theory_claims())
+            if (claim.path == file) return read_claim(claim.text, file, systems_from(".", budget));
     const std::string text = file_text(file, budget);
     const std::string folder =
         file == "-" ? "." : std::filesystem::path(file).parent_path().string();

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "base/budget.hpp"
 #include "claim/claim.hpp"
@@ -8,7 +9,12 @@
 
 namespace algae::cli {
 
-/// The claim in a file, or "-" for standard input; systems that it names are those of the gallery or of files
+/// The files of claims that a path means: itself, or in a folder all claims, sorted by name. What is
+/// no path here may be one of the theory that comes with algae: `theory`, `theory/closure`. Throws
+/// Error if there are none.
+std::vector<std::string> claim_files(const std::string& path);
+
+/// The claim in a file, in one of the theory that comes with algae, or "-" for standard input; systems that it names are those of the gallery or of files
 /// beside it. Throws Error, Diagnostics or BoundReached.
 Claim open_claim(const std::string& file, const Budget& budget);
 

@@ -43,9 +43,10 @@ public:
 private:
     static std::vector<Claim> read(const Budget& budget) {
         std::vector<Claim> claims;
-        for (const GalleryEntry& entry : closure_claims())
-            claims.push_back(
-                read_claim(entry.text, std::string(entry.path), systems_from(".", budget)));
+        for (const GalleryEntry& entry : theory_claims())
+            if (entry.path.starts_with("theory/closure/"))
+                claims.push_back(
+                    read_claim(entry.text, std::string(entry.path), systems_from(".", budget)));
         return claims;
     }
 

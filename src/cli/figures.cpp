@@ -13,6 +13,8 @@
 #include "cli/plates.hpp"
 #include "cli/relatives.hpp"
 #include "expect/expectations.hpp"
+#include "render/output.hpp"
+#include "render/picture_page.hpp"
 
 namespace algae::cli {
 
@@ -20,10 +22,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* previews = "previews";  // folder of the page's small pictures
+constexpr double preview_width = 480;         // pixels
+
 struct Options {
     std::string folder = "figures", out = "out/figures", jobs;
     std::string formats = "svg,pdf";
-    bool captions = false, check = false, json = false;
+    bool captions = false, check = false, json = false, page = false;
     Bounds bounds;
 };
 
@@ -32,46 +37,103 @@ struct Outcome {
     fs::path file;
     std::vector<std::string> pictures, problems;
     int status = success;
+    std::string title, source, preview;  // for the page
 };
 
 std::vector<fs::path> system_files(const fs::path& folder) {
-    if (!fs::is_directory(folder)) throw Error(folder.string() + ": expected a folder of .lsys files and of files of relatives");
+    if (!fs::is_directory(folder))
+        throw Error(folder.string() +
+                    ": expected a folder of .lsys files and of files of relatives");
     std::vector<fs::path> files;
     for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file() && (entry.path().extension() == ".lsys" || is_relative(entry.path().string()))) files.push_back(entry.path());
-    if (files.empty()) throw Error(folder.string() + ": holds no .lsys files and none of relatives");
+        if (entry.is_regular_file() &&
+            (entry.path().extension() == ".lsys" || is_relative(entry.path().string())))
+            files.push_back(entry.path());
+    if (files.empty())
+        throw Error(folder.string() + ": holds no .lsys files and none of relatives");
     std::sort(files.begin(), files.end());
     return files;
 }
 
+/// The folder of a file within that of all, empty if it is the same.
+fs::path group_of(const Options& options, const fs::path& file) {
+    const fs::path group = fs::relative(file.parent_path(), options.folder).lexically_normal();
+    return group == "." ? fs::path() : group;
+}
+
 /// Where the picture of a file goes, in this format.
-std::string picture_path(const Options& options, const fs::path& file, const std::string& format) {
-    const fs::path folder =
-        (fs::path(options.out) / fs::relative(file.parent_path(), options.folder)).lexically_normal();
+std::string picture_path(const fs::path& out, const Options& options, const fs::path& file,
+                         const std::string& format) {
+    const fs::path folder = (out / group_of(options, file)).lexically_normal();
     fs::create_directories(folder);
     return (folder / file.stem()).string() + '.' + format;
 }
 
+void draw_plates(const std::vector<Plate>& plates, const std::string& path,
+                 const PictureOptions& picture, const Budget& budget) {
+    if (plates.size() == 1)
+        draw_picture(plates.front(), path, picture_format(path), picture, budget);
+    else
+        draw_panels(plates, path, picture_format(path), picture, budget);
+}
+
+/// All pictures of a file.
+void draw_formats(const Options& options, Outcome& outcome, const std::vector<Plate>& plates,
+                  const Budget& budget) {
+    for (const std::string& format : list("--formats", options.formats)) {
+        outcome.pictures.push_back(picture_path(options.out, options, outcome.file, format));
+        draw_plates(plates, outcome.pictures.back(), {}, budget);
+    }
+    if (!options.page) return;
+    outcome.preview = picture_path(fs::path(options.out) / previews, options, outcome.file, "png");
+    PictureOptions small;
+    small.width = preview_width;
+    draw_plates(plates, outcome.preview, small, budget);
+}
+
+/// The page of all pictures that were drawn.
+void write_page(const Options& options, const std::vector<Outcome>& outcomes,
+                const Budget& budget) {
+    const auto from_page = [&](const std::string& path) {
+        return fs::relative(path, options.out).generic_string();
+    };
+    std::vector<PagePicture> pictures;
+    for (const Outcome& outcome : outcomes) {
+        if (outcome.preview.empty()) continue;
+        PagePicture picture{group_of(options, outcome.file).generic_string(),
+                            outcome.file.filename().string(),
+                            outcome.title,
+                            outcome.source,
+                            from_page(outcome.preview),
+                            {},
+                            file_text(outcome.file.string(), budget)};
+        for (const std::string& path : outcome.pictures) picture.files.push_back(from_page(path));
+        pictures.push_back(std::move(picture));
+    }
+    const std::string page = picture_page("Figures", pictures);
+    FileOutput file((fs::path(options.out) / "index.html").string());
+    file.write(page.data(), page.size());
+    file.commit();
+}
+
 void draw_relative_file(const Options& options, Outcome& outcome, const Budget& budget) {
     const std::unique_ptr<Relative> relative = open_relative(outcome.file.string(), budget);
+    outcome.title = relative->title;
+    outcome.source = relative->source;
     if (options.check) return;
     const std::vector<RelativeFigure> figures = relative->figures(budget);
     std::vector<Plate> plates;
     for (const RelativeFigure& figure : figures)
-        plates.push_back({figure.figure.get(), figure.name, options.captions || figures.size() > 1 ? figure.caption : ""});
-    for (const std::string& format : list("--formats", options.formats)) {
-        const std::string path = picture_path(options, outcome.file, format);
-        if (plates.size() == 1)
-            draw_picture(plates.front(), path, picture_format(path), {}, budget);
-        else
-            draw_panels(plates, path, picture_format(path), {}, budget);
-        outcome.pictures.push_back(path);
-    }
+        plates.push_back({figure.figure.get(), figure.name,
+                          options.captions || figures.size() > 1 ? figure.caption : ""});
+    draw_formats(options, outcome, plates, budget);
 }
 
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     if (is_relative(outcome.file.string())) return draw_relative_file(options, outcome, budget);
     const LSystem system = open_system(outcome.file.string(), budget);
+    outcome.title = system.title;
+    outcome.source = system.source;
     for (const Disappointment& unmet : unmet_expectations(system, budget)) {
         outcome.problems.push_back(to_string(unmet.place) + ": error: " + unmet.message);
         outcome.status = refuted;
@@ -79,15 +141,7 @@ void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     if (options.check) return;
     FigurePlates plates(system, shown_generations(system), {}, budget);
     if (options.captions) plates.caption_with_facts();
-    for (const std::string& format : list("--formats", options.formats)) {
-        const std::string path = picture_path(options, outcome.file, format);
-        const PictureFormat kind = picture_format(path);
-        if (plates.figures.size() == 1)
-            draw_picture(plates.plates().front(), path, kind, {}, budget);
-        else
-            draw_panels(plates.plates(), path, kind, {}, budget);
-        outcome.pictures.push_back(path);
-    }
+    draw_formats(options, outcome, plates.plates(), budget);
 }
 
 std::string counted(std::size_t count, const std::string& what) {
@@ -98,9 +152,11 @@ int worst(int left, int right) { return std::max(left, right); }
 
 int draw_all(const Options& options) {
     const Budget budget = options.bounds.budget();
-    for (const std::string& format : list("--formats", options.formats)) picture_format("figure." + format);
+    for (const std::string& format : list("--formats", options.formats))
+        picture_format("figure." + format);
     std::vector<Outcome> outcomes;
-    for (const fs::path& file : system_files(options.folder)) outcomes.push_back({file, {}, {}, success});
+    for (const fs::path& file : system_files(options.folder))
+        outcomes.emplace_back().file = file;
 
     ProgressBar bar("Figures");
     std::mutex reporting;
@@ -119,27 +175,35 @@ int draw_all(const Options& options) {
         bar.report(static_cast<double>(++done) / static_cast<double>(outcomes.size()));
     };
     const std::uint64_t jobs =
-        options.jobs.empty() ? 0 : std::clamp<std::uint64_t>(natural("--jobs", options.jobs), 1, 256);
+        options.jobs.empty() ? 0
+                             : std::clamp<std::uint64_t>(natural("--jobs", options.jobs), 1, 256);
     // Each figure looks at the budget itself: what became of the others is told all the same.
-    each_part(outcomes.size(), static_cast<unsigned>(jobs), Budget(), [&] { return work; }, 1);
+    each_part(
+        outcomes.size(), static_cast<unsigned>(jobs), Budget(), [&] { return work; }, 1);
     if (stop) throw Interrupted();
+    if (options.page && !options.check) write_page(options, outcomes, budget);
 
     int status = success;
     std::size_t pictures = 0, wrong = 0;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     for (const Outcome& outcome : outcomes) {
         for (const std::string& problem : outcome.problems)
-            std::cerr << (problem.starts_with(outcome.file.string()) ? "" : outcome.file.string() + ": ") << problem << '\n';
+            std::cerr << (problem.starts_with(outcome.file.string()) ? ""
+                                                                     : outcome.file.string() + ": ")
+                      << problem << '\n';
         wrong += outcome.problems.empty() ? 0 : 1;
         pictures += outcome.pictures.size();
         status = worst(status, outcome.status);
-        all.push_back({{"file", outcome.file.string()}, {"pictures", outcome.pictures}, {"problems", outcome.problems}});
+        all.push_back({{"file", outcome.file.string()},
+                       {"pictures", outcome.pictures},
+                       {"problems", outcome.problems}});
     }
     if (options.json)
         print(nlohmann::ordered_json{{"figures", all}}.dump(2) + "\n");
     else
         print(counted(outcomes.size(), "system") + ", " + counted(pictures, "picture") +
-              (options.check ? "" : " in " + options.out) + (wrong ? ", " + std::to_string(wrong) + " with problems" : "") + "\n");
+              (options.check ? "" : " in " + options.out) +
+              (wrong ? ", " + std::to_string(wrong) + " with problems" : "") + "\n");
     return status;
 }
 
@@ -147,15 +211,23 @@ int draw_all(const Options& options) {
 
 void add_figures(Verbs& verbs) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb = add_verb(verbs, "figures", "Draws every system of a folder and checks what its file expects",
-                              "  algae figures figures --out out/figures\n  algae figures my-paper --formats pdf --captions",
+    CLI::App& verb = add_verb(verbs, "figures",
+                              "Draws every system of a folder and checks what its file expects",
+                              "  algae figures figures --out out/figures\n  algae figures my-paper "
+                              "--formats pdf --captions",
                               options, draw_all);
-    verb.add_option("DIR", options->folder, "a folder of .lsys files and of files of relatives, such as .ifs (default figures)");
-    verb.add_option("--out", options->out, "where the pictures go (default out/figures)")->type_name("DIR");
-    verb.add_option("--formats", options->formats, "svg, pdf, png, ps, eps (default svg,pdf)")->type_name("LIST");
-    verb.add_option("--jobs", options->jobs, "how many to draw at a time (default: one a core)")->type_name("N");
+    verb.add_option(
+        "DIR", options->folder,
+        "a folder of .lsys files and of files of relatives, such as .ifs (default figures)");
+    verb.add_option("--out", options->out, "where the pictures go (default out/figures)")
+        ->type_name("DIR");
+    verb.add_option("--formats", options->formats, "svg, pdf, png, ps, eps (default svg,pdf)")
+        ->type_name("LIST");
+    verb.add_option("--jobs", options->jobs, "how many to draw at a time (default: one a core)")
+        ->type_name("N");
     verb.add_flag("--captions", options->captions, "system, generation and angle underneath");
     verb.add_flag("--check", options->check, "only check what the files expect");
+    verb.add_flag("--page", options->page, "write index.html as well, a page with all of them");
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

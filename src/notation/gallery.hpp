@@ -20,8 +20,9 @@ std::span<const GalleryEntry> gallery();
 /// of `gallery()` may have the same name.
 std::span<const GalleryEntry> relative_gallery();
 
-/// The claims of the table of closure that come with algae, likewise.
-std::span<const GalleryEntry> closure_claims();
+/// The claims of the theory that come with algae, `theory/closure/union-not-0l.claim`. Two may have the
+/// same name in different folders.
+std::span<const GalleryEntry> theory_claims();
 
 /// The lessons that come with algae, in their order, and their exercises, named as `03-2`.
 std::span<const GalleryEntry> lesson_texts();

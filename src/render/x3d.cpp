@@ -2,27 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "render/markup.hpp"
 #include "render/scene_text.hpp"
 
 namespace algae {
 
 namespace {
-
-/// A text as XML has it within double quotes.
-std::string attribute(const std::string& text) {
-    std::string out;
-    for (const char c : text) {
-        if (c == '"')
-            out += "&quot;";
-        else if (c == '&')
-            out += "&amp;";
-        else if (c == '<')
-            out += "&lt;";
-        else
-            out += c;
-    }
-    return out;
-}
 
 class X3d {
 public:
@@ -33,7 +18,7 @@ public:
           drawn_(graph.colours.size()) {}
 
     void write() {
-        const std::string title = attribute(graph_.title);
+        const std::string title = escaped_markup(graph_.title);
         put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile=\"Interchange\" "
             "version=\"3.3\">\n"
             "<head><meta name=\"title\" content=\"{}\"/><meta name=\"generator\" "
@@ -45,7 +30,7 @@ public:
         put("\"/>\n");
         for (const SceneGraph::Viewpoint& view : graph_.viewpoints) {
             put("<Viewpoint description=\"{}\" fieldOfView=\"{}\" position=\"",
-                attribute(view.name), single(view.opening));
+                escaped_markup(view.name), single(view.opening));
             text_.vector(view.place);
             put("\" orientation=\"");
             text_.turn(view.turn);

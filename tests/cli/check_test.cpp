@@ -8,14 +8,17 @@ using nlohmann::json;
 
 namespace {
 
-const std::string right = "claim powers of two\nlet G = D0L { axiom a; a -> aa }\nshow aaaa in L(G)\nrefute aaa in L(G)\n";
+const std::string right =
+    "claim powers of two\nlet G = D0L { axiom a; a -> aa }\nshow aaaa in L(G)\nrefute aaa in "
+    "L(G)\n";
 const std::string wrong = "claim one letter\nshow {a} is 0L\nshow {a, aa} is 0L\n";
 const std::string open = "claim star\nlet A = {aa, aaa}\nshow A* is 0L\n";
 const std::string cited = "claim star\nlet A = {aa, aaa}\nshow A* is not 0L by a book\n";
 
 }  // namespace
 
-TEST_CASE("check ends with 0, 1 or 3: all stand, one is wrong, none is wrong and one is undecided") {
+TEST_CASE(
+    "check ends with 0, 1 or 3: all stand, one is wrong, none is wrong and one is undecided") {
     const Scratch files;
     const Run stands = run("check " + files.file("right.claim", right));
     CHECK(stands.status == 0);
@@ -23,13 +26,15 @@ TEST_CASE("check ends with 0, 1 or 3: all stand, one is wrong, none is wrong and
     const std::string file = files.file("wrong.claim", wrong);
     const Run refuted = run("check " + file);
     CHECK(refuted.status == 1);
-    CHECK(refuted.out.starts_with("WRONG      one letter\n    " + file + ":3:6: {a, aa} is 0L: WRONG\n        {a, aa} is not 0L.\n"));
+    CHECK(refuted.out.starts_with("WRONG      one letter\n    " + file +
+                                  ":3:6: {a, aa} is 0L: WRONG\n        {a, aa} is not 0L.\n"));
     const std::string undecided = files.file("open.claim", open);
     const Run tried = run("check " + undecided);
     CHECK(tried.status == 3);
-    CHECK(tried.out ==
-          "undecided  star\n    " + undecided + ":3:6: A* is 0L: undecided\n"
-          "        A* was not found to be finite; that no 0L system does is decided for finite languages only\n");
+    CHECK(tried.out == "undecided  star\n    " + undecided +
+                           ":3:6: A* is 0L: undecided\n"
+                           "        A* was not found to be finite; that no 0L system does is "
+                           "decided for finite languages only\n");
     const Run source = run("check " + files.file("cited.claim", cited));
     CHECK(source.status == 0);
     CHECK(source.out == "cited      star\n");
@@ -50,7 +55,8 @@ TEST_CASE("check of a folder counts its claims, those in folders of it too, and 
 
 TEST_CASE("check --json tells claims, statements, verdicts and arguments") {
     const Scratch files;
-    const Run found = run("check --json " + files.file("right.claim", right) + " " + files.file("cited.claim", cited));
+    const Run found = run("check --json " + files.file("right.claim", right) + " " +
+                          files.file("cited.claim", cited));
     CHECK(found.status == 0);
     const json claims = json::parse(found.out)["claims"];
     CHECK(claims.size() == 2);
@@ -67,20 +73,24 @@ TEST_CASE("check --json tells claims, statements, verdicts and arguments") {
 }
 
 TEST_CASE("check --explain of Theorem 8 of document 001 is the proof by cases") {
-    const Run page = run("check '" ALGAE_SOURCE_DIR "/theory/document-001/theorem-8.claim' --explain");
+    const Run page =
+        run("check '" ALGAE_SOURCE_DIR "/theory/document-001/theorem-8.claim' --explain");
     CHECK(page.status == 0);
     CHECK(page.out.starts_with("0L languages are not closed under union\n001 Theorem 8\n\n"));
     const std::string proof =
         "A | B is not 0L: proved.\n"
         "   A | B = {a, aa}.\n"
         "   {a, aa} is not 0L.\n"
-        "   Suppose that a system generates it. Each letter occurs in a word of the language, and what that\n"
-        "   word gives is in the language again. So an image of a letter is one of the factors of its words:\n"
+        "   Suppose that a system generates it. Each letter occurs in a word of the language, and "
+        "what that\n"
+        "   word gives is in the language again. So an image of a letter is one of the factors of "
+        "its words:\n"
         "   ε, a or aa.\n"
         "   a -> ε is impossible: a would give ε, which is not in the language.\n"
         "   a -> aa is impossible: aa would give aaaa, which is not in the language.\n"
         "   a -> a is left.\n"
-        "   By what is left, no other word gives a, and no other word gives aa. The axiom is not both, so one\n"
+        "   By what is left, no other word gives a, and no other word gives aa. The axiom is not "
+        "both, so one\n"
         "   of these words is never reached.\n"
         "   So {a, aa} is not 0L.\n";
     CHECK(page.out.find(proof) != std::string::npos);
@@ -88,19 +98,26 @@ TEST_CASE("check --explain of Theorem 8 of document 001 is the proof by cases") 
 
 TEST_CASE("check --explain tells definitions, and separates claims") {
     const Scratch files;
-    const Run page = run("check --explain " + files.file("a.claim", "claim T\nallow empty axiom\nshow {ε} is 0L\n") + " " +
-                         files.file("b.claim", "claim U\nnote Words.\nshow {a} is finite\n"));
+    const Run page = run("check --explain " +
+                         files.file("a.claim", "claim T\nallow empty axiom\nshow {ε} is 0L\n") +
+                         " " + files.file("b.claim", "claim U\nnote Words.\nshow {a} is finite\n"));
     CHECK(page.status == 0);
     CHECK(page.out ==
-          "T\n\nSystems may have the empty word as axiom.\n\n1. {ε} is 0L: proved.\n   The system with axiom ε generates it.\n"
-          "\n" + std::string(100, '=') + "\n\n"
-          "U\n\nWords.\n\n1. {a} is finite: proved.\n   {a} has 1 word.\n2 claims: 2 proved, 0 cited, 0 undecided, 0 wrong\n");
+          "T\n\nSystems may have the empty word as axiom.\n\n1. {ε} is 0L: proved.\n   The system "
+          "with axiom ε generates it.\n"
+          "\n" +
+              std::string(100, '=') +
+              "\n\n"
+              "U\n\nWords.\n\n1. {a} is finite: proved.\n   {a} has 1 word.\n2 claims: 2 proved, 0 "
+              "cited, 0 undecided, 0 wrong\n");
 }
 
 TEST_CASE("check --certificate writes what verify checks") {
     const Scratch files;
     const std::string certificate = files.file("proof.json");
-    CHECK(run("check " + files.file("right.claim", right) + " --certificate " + certificate).status == 0);
+    CHECK(
+        run("check " + files.file("right.claim", right) + " --certificate " + certificate).status ==
+        0);
     const json written = json::parse(text_of(certificate));
     CHECK(written["format"] == "algae certificate 1");
     CHECK(written["claim"] == "powers of two");
@@ -109,7 +126,9 @@ TEST_CASE("check --certificate writes what verify checks") {
     const Run verified = run("verify " + certificate);
     CHECK(verified.status == 0);
     CHECK(verified.out == "checked: aaaa is in L(G)\nchecked: aaa is not in L(G)\n2 checked\n");
-    CHECK(run("check " + files.file("wrong.claim", wrong) + " --certificate " + certificate).status == 1);
+    CHECK(
+        run("check " + files.file("wrong.claim", wrong) + " --certificate " + certificate).status ==
+        1);
     CHECK(run("verify " + certificate).status == 0);  // it holds the proof that the claim is wrong
 }
 
@@ -117,7 +136,10 @@ TEST_CASE("a claim that allows the empty axiom says so in its certificate") {
     const Scratch files;
     const std::string certificate = files.file("proof.json");
     CHECK(run("check " + files.file("strict.claim", "claim T\nshow {ε} is 0L\n")).status == 1);
-    CHECK(run("check " + files.file("allowed.claim", "claim T\nallow empty axiom\nshow {ε} is 0L\n") + " --certificate " + certificate).status == 0);
+    CHECK(run("check " +
+              files.file("allowed.claim", "claim T\nallow empty axiom\nshow {ε} is 0L\n") +
+              " --certificate " + certificate)
+              .status == 0);
     CHECK(json::parse(text_of(certificate))["empty axiom"] == true);
     CHECK(run("verify " + certificate).status == 0);
 }
@@ -141,16 +163,40 @@ TEST_CASE("check refuses what it cannot read or write, and leaves no file behind
     refused(files.file("none.claim"), "cannot read");
     refused("", "PATH");
     const std::string certificate = files.file("proof.json");
-    refused(good + " " + good + " --certificate " + certificate, "--certificate takes one claim, found 2");
+    refused(good + " " + good + " --certificate " + certificate,
+            "--certificate takes one claim, found 2");
     refused(good + " --certificate " + files.file("none/proof.json"), "cannot write");
-    const std::string growth = files.file("growth.claim", "claim x\nlet G = 0L { axiom a; a -> a; a -> aa }\nshow growth(G) = n\n");
-    refused(growth + " --certificate " + certificate, growth + ":3:6: G is not a D0L system: a letter has several rules");
+    const std::string growth = files.file(
+        "growth.claim", "claim x\nlet G = 0L { axiom a; a -> a; a -> aa }\nshow growth(G) = n\n");
+    refused(growth + " --certificate " + certificate,
+            growth + ":3:6: G is not a D0L system: a letter has several rules");
     CHECK(!std::filesystem::exists(certificate));
-    for (const auto& entry : std::filesystem::directory_iterator(files.path())) CHECK(entry.path().filename().string().find("proof") == std::string::npos);
+    for (const auto& entry : std::filesystem::directory_iterator(files.path()))
+        CHECK(entry.path().filename().string().find("proof") == std::string::npos);
 }
 
 TEST_CASE("check reads standard input") {
     const Run found = run("check -", "printf 'claim T; show {a} is 0L' |");
     CHECK(found.status == 0);
     CHECK(found.out == "proved     T\n");
+}
+
+TEST_CASE("check and its folders know the theory that comes with algae, wherever it runs") {
+    const Scratch files;
+    const std::string there = "cd '" + files.path().string() + "' &&";
+    const Run all = run("check theory/closure", there);
+    CHECK(all.status == 0);
+    CHECK(all.out.find("proved     The families of 0L languages and their kin are not closed under "
+                       "union\n") != std::string::npos);
+    const Run one = run("check theory/closure/union-not-0l.claim --certificate c.json", there);
+    CHECK(one.status == 0);
+    CHECK(std::filesystem::exists(files.file("c.json")));
+    std::filesystem::create_directory(files.path() / "theory");
+    files.file("theory/own.claim", right);  // a folder of one's own comes first
+    CHECK(run("check theory", there).out == "proved     powers of two\n");
+    const Run none = run("check theory/closure", there);
+    CHECK(none.status == 0);
+    const Run missing = run("check no-theory", there);
+    CHECK(missing.status == 2);
+    CHECK(missing.err == "algae: cannot read no-theory: No such file or directory\n");
 }

@@ -23,3 +23,26 @@ TEST_CASE("figures draws systems and relatives of a folder, and says what folder
     CHECK(both.out == "2 systems, 2 pictures in " + out + "\n");
     CHECK(text_of(out + "/triangle.svg").find("<svg") != std::string::npos);
 }
+
+TEST_CASE("figures --page writes a page that links all pictures and shows the files") {
+    const Scratch scratch;
+    std::filesystem::create_directories(scratch.path() / "in/plants & co");
+    scratch.file("in/koch.lsys", "title Koch\nsource a < b\naxiom F; F -> F+F; generation 2\n");
+    scratch.file("in/plants & co/a#b.lsys", "axiom F; F -> F[+F]F; generation 0..1\n");
+    scratch.file("in/bad.lsys", "axiom [; generation 1\n");
+    const Run found =
+        run("figures in --formats svg --page --out out", "cd '" + scratch.path().string() + "' &&");
+    CHECK(found.status == 2);  // the page has the others all the same
+    const std::string page = text_of(scratch.file("out/index.html"));
+    CHECK(page.starts_with("<!DOCTYPE html>"));
+    CHECK(page.find("<img src=\"previews/koch.png\"") != std::string::npos);
+    CHECK(page.find(
+              "<strong>Koch</strong><span>koch.lsys · a &lt; b · <a href=\"koch.svg\">svg</a>") !=
+          std::string::npos);
+    CHECK(page.find("<a href=\"plants &amp; co/a%23b.svg\">") == std::string::npos);
+    CHECK(page.find("<a href=\"plants%20&amp;%20co/a%23b.svg\">") != std::string::npos);
+    CHECK(page.find("F -&gt; F[+F]F") != std::string::npos);
+    CHECK(page.find("bad.lsys") == std::string::npos);
+    for (const char* file : {"out/previews/koch.png", "out/previews/plants & co/a#b.png"})
+        CHECK(std::filesystem::exists(scratch.file(file)));
+}

@@ -10,7 +10,7 @@ namespace {
 
 /// Every text of the repository that people wrote, but this file.
 std::vector<fs::path> texts() {
-    std::vector<fs::path> all = {"CMakeLists.txt", "CMakePresets.json", "README.md", "CONTRIBUTING.md", "CHANGELOG.md",
+    std::vector<fs::path> all = {"CMakeLists.txt", "CMakePresets.json", "README.md", "TOUR.md", "CONTRIBUTING.md", "CHANGELOG.md",
                                  "tools/demo", "tools/test", "tools/setup", "tools/format"};
     for (const char* folder : {"src", "tests", "cmake", "figures", "theory", "lessons", "paper", "tools"})
         for (const fs::path& file : files(folder, {".hpp", ".cpp", ".cmake", ".in", ".md", ".txt", ".lsys", ".claim", ".py", ".sh"}))

@@ -2,6 +2,7 @@
 
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "exact/rational.hpp"
@@ -16,6 +17,9 @@ public:
     /// `comments` begin what is ignored up to the end of its line: {"//", "\\\\"}. Throws
     /// `Diagnostics` if the text is no UTF-8. The text must outlive the scanner.
     Scanner(std::string_view text, std::string file, std::vector<std::string> comments);
+
+    /// From now on these begin comments: none where what begins one may stand in a word.
+    void set_comments(std::vector<std::string> comments) { comments_ = std::move(comments); }
 
     /// Nothing but white space and comments is left.
     bool at_end();

@@ -1,9 +1,13 @@
 #include "exchange/system_format.hpp"
 
+#include "exchange/brno_file.hpp"
+
 namespace algae {
 
 const std::vector<SystemFormat>& system_formats() {
-    static const std::vector<SystemFormat> all{};
+    static const std::vector<SystemFormat> all{
+        {"brno", "a text file of a geometric interpreter of D0L systems", read_brno, print_brno},
+    };
     return all;
 }
 

@@ -1,10 +1,7 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
-#include <map>
 #include <optional>
-#include <span>
 #include <string>
 #include <vector>
 
@@ -12,67 +9,9 @@
 #include "rewrite/module_string.hpp"
 #include "rewrite/rule_set.hpp"
 #include "system/lsystem.hpp"
-#include "turtle/pose.hpp"
-#include "turtle/solid_module.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae {
-
-/// How wide a turtle's strokes are: a multiple of the figure's line width, or, after `!(w)`, a
-/// length in the units of the figure.
-struct StrokeWidth {
-    double amount = 1;
-    bool is_length = false;
-    bool operator==(const StrokeWidth&) const = default;
-};
-
-/// All that a turtle knows of itself.
-struct TurtleState {
-    Vector position;
-    Attitude attitude;
-    double step = 1;  // length of a step, in the units of the figure
-    StrokeWidth width;
-    std::uint32_t colour = 0;     // in the list of the file
-    std::optional<Colour> paint;  // instead of it, after '(r,g,b)
-};
-
-/// What hears of a turtle's walk, in the order of the word. All points are in the units of the file.
-class TurtleEvents {
-public:
-    virtual ~TurtleEvents() = default;
-
-    /// Before each module of the word: its position, counted from 0, and the turtle as it gets there.
-    /// What interpretation makes of a module belongs to it. Called only if `wants_modules()`.
-    virtual void before(std::size_t /*module*/, const TurtleState&) {}
-    virtual bool wants_modules() const { return false; }
-
-    /// A straight stroke from a point to where the turtle now is.
-    virtual void stroke(const Vector& /*from*/, const TurtleState&) {}
-    /// The same with the pen up.
-    virtual void move(const Vector& /*from*/, const TurtleState&) {}
-    /// A branch begins; it ends when the turtle returns.
-    virtual void branched(const TurtleState&) {}
-    /// The turtle is back at the beginning of a branch.
-    virtual void returned(const TurtleState&) {}
-    /// A filled polygon, its corners in order.
-    virtual void polygon(std::span<const Vector> /*corners*/) {}
-    /// A filled shape of this size centred at the turtle, turned as it looks. Sends the polygon of
-    /// `stamp_corners` unless somebody knows better.
-    virtual void stamp(StampShape shape, double size, const TurtleState& state);
-    /// A solid around the turtle, turned as it looks: of a box `size` is along heading, left and up;
-    /// a cylinder and a cone have the height size.x and the radius size.y, a sphere the radius size.x.
-    virtual void solid(SolidShape, const Vector& /*size*/, const TurtleState&) {}
-    /// The width from here on, and the colour: one of the list, or one of its own.
-    virtual void width(const StrokeWidth&) {}
-    virtual void colour(std::uint32_t /*index*/) {}
-    virtual void paint(const Colour&) {}
-};
-
-/// The corners of a stamp in the plane of heading and left: a square of this side, its sides along
-/// them; a circle of this diameter, as 64 corners; an equilateral triangle of this side, one corner
-/// ahead.
-///
-/// Example: stamp_corners(StampShape::square, 2, {}).front() == Vector{1, 1, 0}
-std::vector<Vector> stamp_corners(StampShape shape, double size, const TurtleState& state);
 
 /// "generation 5 of koch", as messages call it.
 std::string figure_name(const LSystem& system, std::uint64_t generation);
@@ -127,56 +66,21 @@ public:
     std::optional<Symbol> symbol_of_space(const ModuleString& word) const;
 
     /// The turtle before the first module.
-    const TurtleState& start() const { return start_; }
+    const TurtleState& start() const { return manner_.start; }
     /// The figure_name.
     const std::string& name() const { return name_; }
 
 private:
     class Walk;
 
-    enum class Operation : std::uint8_t {
-        nothing,
-        draw,
-        draw_unmarked,
-        move,
-        left,
-        right,
-        down,
-        up,
-        roll_left,
-        roll_right,
-        back,
-        level,
-        push,
-        pop,
-        open_polygon,
-        close_polygon,
-        vertex,
-        scale,
-        width,
-        colour,
-        cut,
-        plot,
-        stamp,
-        solid,
-        surface
-    };
-
-    Operation operation_of(ModuleKind kind) const;
     bool has_interpretation(ModuleKind kind) const;
 
-    CompiledRules rules_;                // the interpretation; its own numbers for kinds
-    std::vector<ModuleKind> own_kinds_;  // by kind of the word
-    std::vector<Operation> operations_;  // by own kind; where no interpretation matches
-    std::vector<char> interpreted_;      // by own kind: some interpretation may match
-    std::map<Symbol, SolidModule> solids_;
-    std::map<Symbol, std::vector<std::vector<Vector>>> surfaces_;  // their faces
-    std::optional<Vector> tropism_;
-    double susceptibility_ = 1;
+    CompiledRules rules_;                  // the interpretation; its own numbers for kinds
+    std::vector<ModuleKind> own_kinds_;    // by kind of the word
+    std::vector<TurtleCommand> commands_;  // by own kind; where no interpretation matches
+    std::vector<char> interpreted_;        // by own kind: some interpretation may match
     std::string name_;
-    TurtleState start_;
-    double angle_ = 90;
-    double scale_ = 1, narrow_ = 1;
+    TurtleManner manner_;
     std::uint64_t generation_, seed_;
 };
 

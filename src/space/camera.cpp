@@ -19,6 +19,17 @@ void check_angle(const char* what, double degrees, double least, double most) {
     throw Error(message.str());
 }
 
+/// Where the two lines from the eye that touch a circle meet the picture, `distance` from the eye. The
+/// circle's middle is `aside` of the axis and `ahead` of the eye; `fallback` if the eye is inside.
+std::pair<double, double> tangents(double aside, double ahead, double radius, double distance,
+                                   double fallback) {
+    const double far = std::hypot(aside, ahead);
+    if (!(ahead > 0 && far > radius)) return {-fallback, fallback};
+    const double middle = std::atan2(aside, ahead), half = std::asin(radius / far);
+    if (std::fabs(middle) + half > 0.49 * std::numbers::pi) return {-fallback, fallback};
+    return {distance * std::tan(middle - half), distance * std::tan(middle + half)};
+}
+
 }  // namespace
 
 void check_camera(const Camera& camera) {
@@ -47,6 +58,20 @@ Projection::Projection(const Camera& camera, const SpaceBox& box) {
     upward_ = dot(up_, middle);
     near_ = dot(toward_, middle);
     eye_ = middle + distance_ * toward_;
+}
+
+std::pair<Point, Point> Projection::outline(const Vector& middle, double radius) const {
+    const Seen seen = (*this)(middle);
+    const double reach = radius * seen.scale;
+    if (distance_ == 0 || radius == 0)
+        return {{seen.x - reach, seen.y - reach}, {seen.x + reach, seen.y + reach}};
+    const double across = dot(right_, middle) - across_, up = dot(up_, middle) - upward_,
+                 ahead = distance_ - (dot(toward_, middle) - near_);
+    const auto [left, right] =
+        tangents(across, ahead, radius, distance_, std::fabs(seen.x - across_) + reach);
+    const auto [below, above] =
+        tangents(up, ahead, radius, distance_, std::fabs(seen.y - upward_) + reach);
+    return {{across_ + left, upward_ + below}, {across_ + right, upward_ + above}};
 }
 
 }  // namespace algae

@@ -1,6 +1,9 @@
 #pragma once
 
+#include <utility>
+
 #include "space/scene.hpp"
+#include "turtle/canvas.hpp"
 
 namespace algae {
 
@@ -45,6 +48,9 @@ public:
         return {across_ + (across - across_) * scale, upward_ + (up - upward_) * scale,
                 near_ + (near - near_) * scale, scale};
     }
+    /// The corners of the box around the outline of a ball, as it is seen. Away from the middle of a
+    /// perspective the outline is an ellipse around another place than its middle's.
+    std::pair<Point, Point> outline(const Vector& middle, double radius) const;
     /// The unit vector from a place towards the camera.
     Vector to_camera(const Vector& place) const {
         if (distance_ == 0) return toward_;

@@ -72,10 +72,12 @@ std::vector<char> adjoining_edges(const Scene& scene) {
 ViewChoices view_choices(const Settings& settings) {
     ViewChoices choices;
     if (const auto& camera = settings.camera) {
-        choices.camera = {camera->from.azimuth.value, camera->from.elevation.value, camera->perspective};
+        choices.camera = {camera->from.azimuth.value, camera->from.elevation.value,
+                          camera->perspective};
         if (camera->opening) choices.camera.opening = camera->opening->value;
     }
-    if (const auto& light = settings.light) choices.light = Light{light->azimuth.value, light->elevation.value};
+    if (const auto& light = settings.light)
+        choices.light = Light{light->azimuth.value, light->elevation.value};
     if (settings.fog) choices.fog = settings.fog->value;
     return choices;
 }
@@ -103,9 +105,9 @@ SpaceView::SpaceView(Scene scene, const Settings& settings, const SceneFacts& fa
     bool first = true;
     const auto add = [&](const Vector& point, double radius) {
         const Seen seen = projection_(point);
-        const double reach = radius * seen.scale;
-        box_.add(Point{seen.x - reach, seen.y - reach});
-        box_.add(Point{seen.x + reach, seen.y + reach});
+        const auto [low, high] = projection_.outline(point, radius);
+        box_.add(low);
+        box_.add(high);
         farthest_ = first ? seen.depth : std::min(farthest_, seen.depth);
         nearest_ = first ? seen.depth : std::max(nearest_, seen.depth);
         first = false;
@@ -123,10 +125,10 @@ SpaceView::SpaceView(Scene scene, const Settings& settings, const SceneFacts& fa
     if (choices_.sight)
         for (int corner = 0; corner < 8; ++corner) {
             const Vector &low = choices_.sight->low, &high = choices_.sight->high;
-            const double depth = projection_({(corner & 1) != 0 ? low.x : high.x,
-                                              (corner & 2) != 0 ? low.y : high.y,
-                                              (corner & 4) != 0 ? low.z : high.z})
-                                     .depth;
+            const double depth =
+                projection_({(corner & 1) != 0 ? low.x : high.x, (corner & 2) != 0 ? low.y : high.y,
+                             (corner & 4) != 0 ? low.z : high.z})
+                    .depth;
             farthest_ = corner == 0 ? depth : std::min(farthest_, depth);
             nearest_ = corner == 0 ? depth : std::max(nearest_, depth);
         }

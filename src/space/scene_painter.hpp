@@ -52,6 +52,18 @@ private:
     void length_width(double length);
     void polygon(const Colour& colour, std::span<const Point> corners);
 
+    // Pixels are squares: what covers one that an edge touches reaches sqrt 2 pixels from the edge.
+    static constexpr double under =
+        1.3;  // pixels that a facet reaches under one that is painted later
+    static constexpr double overlap =
+        0.5;  // pixels that two that adjoin both reach over their edge
+
+    static Point flat(const Seen& seen) { return {seen.x, seen.y}; }
+    /// A facet whose edges are moved outward where others adjoin, or may. Of a solid, a facet reaches
+    /// under those that are painted later; of polygons nobody knows which is.
+    static void widen(const SeenFacet& facet, double pixel, bool of_solid,
+                      std::vector<Point>& corners);
+
     Canvas& canvas_;
     const LitScene& lit_;
     std::vector<char>

@@ -8,9 +8,9 @@ namespace algae::cli {
 std::atomic<bool> stop = false;
 
 void Bounds::add_to(CLI::App& verb) {
-    verb.add_option("--max-letters", letters, "letters that may be written out (default 1000000000)")->type_name("N");
-    verb.add_option("--max-memory", memory, "memory that tables may take (default 4G)")->type_name("BYTES");
-    verb.add_option("--timeout", timeout, "stop after so many seconds (default: never)")->type_name("SECONDS");
+    verb.add_option("--max-letters", letters, "letters that may be written out (default 1000000000)")->type_name("N")->group(bounds_group);
+    verb.add_option("--max-memory", memory, "memory that tables may take (default 4G)")->type_name("BYTES")->group(bounds_group);
+    verb.add_option("--timeout", timeout, "stop after so many seconds (default: never)")->type_name("SECONDS")->group(bounds_group);
 }
 
 Budget Bounds::budget() const {

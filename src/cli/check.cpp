@@ -105,6 +105,7 @@ void add_check(Verbs& verbs) {
     verb.add_option("PATH", options->paths,
                     "claim files, folders of them, - for standard input, or theory, the claims "
                     "that come with algae")
+        ->type_name("FILE|DIR")
         ->required();
     verb.add_flag("--explain", options->explain, "print the argument in sentences");
     verb.add_option("--certificate", options->certificate, "write what algae verify checks again")

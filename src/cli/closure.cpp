@@ -189,9 +189,10 @@ void add_closure(Verbs& verbs) {
         add_verb(verbs, "closure",
                  "Which families of languages are closed under which operations, with proofs",
                  "  algae closure\n  algae closure 0L union --explain", options, closure);
-    verb.add_option("CLASS", options->family, "a family: 0L, D0L, ET0L, REG, ...");
-    verb.add_option("OP", options->operation,
-                    "an operation: union, star, intersection with regular, ...");
+    verb.add_option("CLASS", options->family, "a family of languages")
+        ->type_name(fmt::format("{}", fmt::join(closure_families(), "|")));
+    verb.add_option("OP", options->operation, "an operation")
+        ->type_name(fmt::format("{}", fmt::join(closure_operations(), "|")));
     verb.add_flag("--explain", options->explain, "print the proof of every cell asked for");
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);

@@ -15,11 +15,16 @@ namespace algae::cli {
 /// How the command ends.
 enum Status { success = 0, refuted = 1, bad_input = 2, undecided = 3, interrupted = 130 };
 
-/// The verbs, and what they leave for `main` to run.
+/// The verbs, and what they leave for `main` to run. The name of an option's type says what may stand
+/// there: FILE and DIR paths, NAME a name from the gallery, COLOUR a colour's name, `map|solid` one of
+/// these words.
 struct Verbs {
     CLI::App& app;
     std::function<int()> chosen;  // the verb on the command line, ready to run
 };
+
+/// How their help calls the options that bound the work.
+inline constexpr const char* bounds_group = "Bounds";
 
 /// Bounds that every verb takes.
 struct Bounds {
@@ -44,6 +49,10 @@ CLI::App& add_verb(Verbs& verbs, const std::string& name, const std::string& des
 
 /// Set by Ctrl-C.
 extern std::atomic<bool> stop;
+
+/// All verbs, and what the help of the command says of them: the one table of options, from which
+/// `--help`, the manual page and the completions of shells come.
+void add_verbs(Verbs& verbs);
 
 void add_show(Verbs& verbs);
 void add_fmt(Verbs& verbs);
@@ -71,5 +80,6 @@ void add_dla(Verbs& verbs);
 void add_particles(Verbs& verbs);
 void add_ca(Verbs& verbs);
 void add_convert(Verbs& verbs);
+void add_manual(Verbs& verbs);
 
 }  // namespace algae::cli

@@ -1,3 +1,7 @@
+#include <fmt/format.h>
+
+#include <set>
+
 #include "base/error.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
@@ -37,12 +41,16 @@ void add_convert(Verbs& verbs) {
                               "  algae convert rule-110.ca --to lsys",
                               options, convert);
     std::string known;
-    for (const Conversion& one : conversions())
+    std::set<std::string> from, to;
+    for (const Conversion& one : conversions()) {
         known += (known.empty() ? "" : "; ") + one.from + " to " + one.to + ": " + one.what;
-    verb.add_option("FILE", options->file, file_help)->required();
-    verb.add_option("--to", options->to, "the format: " + known)->type_name("FORMAT")->required();
+        from.insert(one.from);
+        to.insert(one.to);
+    }
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
+    verb.add_option("--to", options->to, "the format: " + known)->type_name(fmt::format("{}", fmt::join(to, "|")))->required();
     verb.add_option("--from", options->from, "the format of FILE, where its name does not say it")
-        ->type_name("FORMAT");
+        ->type_name(fmt::format("{}", fmt::join(from, "|")));
     options->bounds.add_to(verb);
 }
 

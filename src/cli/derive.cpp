@@ -163,7 +163,7 @@ void add_derive(Verbs& verbs) {
                               "  algae derive my.lsys -n 4 --all-words --longest 10\n"
                               "  algae derive stochastic.lsys -n 6 --seeds 1..9", options,
                               derive_verb);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
     verb.add_option("-n", options->generation, "the generation, or a range such as 0..6")->type_name("N");
     verb.add_flag("--all", options->all, "all generations from 0 on, a line each");
     verb.add_flag("--all-words", options->all_words, "every word of the generation, in shortlex order (0L systems)");

@@ -284,12 +284,13 @@ void add_dimension(Verbs& verbs) {
                     "a system or another generator (a file, - or a name from the gallery), an "
                     "image (png), or points: a "
                     "line of 1 to 3 "
-                    "numbers for each; with --table a folder");
+                    "numbers for each; with --table a folder")
+        ->type_name(file_type);
     verb.add_option("-n", options->generation,
                     "the generation (default: the last with at most 10,000,000 segments; 1,000,000 "
                     "where words must be kept, and for measures other than boxes)")
         ->type_name("N");
-    verb.add_option("--measure", options->measure, measure_help)->type_name("NAME");
+    verb.add_option("--measure", options->measure, measure_help)->type_name(measure_type);
     verb.add_option(
             "--plot", options->plot,
             "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps or .eps")

@@ -15,6 +15,9 @@ inline constexpr const char* measure_help =
     "boxes (default), divider (lengths by dividers), mass (what lies within discs), correlation "
     "(pairs of points), information and multifractal (shares of boxes), lacunarity (gaps)";
 
+inline constexpr const char* measure_type =
+    "boxes|divider|mass|correlation|information|multifractal|lacunarity";
+
 /// Throws Error unless it names a measure, boxes among them.
 void check_measure(const std::string& measure);
 

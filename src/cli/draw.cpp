@@ -233,10 +233,10 @@ void add_draw(Verbs& verbs) {
                               "  algae draw dragon -n 0..10 --frame-time 0.5 -o dragon.gif\n"
                               "  algae draw hilbert-3d --camera 30,20,perspective -o hilbert.png",
                               options, draw);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
     verb.add_option("-n", options->generation, "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, or --panels (default: what the file says)")->type_name("N[..M]");
     verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp, the figure in space: .glb, .obj, .ply, .stl, .x3d or .wrl; - for standard output")->type_name("FILE");
-    verb.add_option("--format", options->format, "the format, where the name does not say it; vrml1 for VRML 1.0")->type_name("FORMAT");
+    verb.add_option("--format", options->format, "the format, where the name does not say it; vrml1 for VRML 1.0")->type_name(std::string(picture_formats) + '|' + mesh_formats);
     verb.add_flag("--panels", options->panels, "several generations side by side");
     verb.add_option("--columns", options->columns, "panels in a row")->type_name("N");
     verb.add_flag("--common-scale", options->common_scale, "the same scale for all generations; in an animation, the same part of the plane");

@@ -19,6 +19,10 @@ struct MeshRequest {
     bool json = false;
 };
 
+/// What --format takes, for types of options.
+inline constexpr const char* picture_formats = "svg|pdf|png|ps|eps|gif|webp";
+inline constexpr const char* mesh_formats = "glb|obj|ply|stl|x3d|wrl|vrml1";
+
 /// The format of a picture by the end of this name. Throws Error, listing what else may be drawn.
 PictureFormat picture_of(const std::string& named);
 

@@ -97,13 +97,13 @@ void add_equal(Verbs& verbs) {
                  "Whether two D0L systems have the same language, sequence of words, or growth",
                  "  algae equal koch my.lsys\n  algae equal a.lsys b.lsys --as sequence --json",
                  options, equal);
-    verb.add_option("A", options->left, file_help)->required();
-    verb.add_option("B", options->right, file_help)->required();
+    verb.add_option("A", options->left, file_help)->type_name(file_type)->required();
+    verb.add_option("B", options->right, file_help)->type_name(file_type)->required();
     verb.add_option("--as", options->as,
                     "what is compared: language, the set of words; sequence, the word of every "
                     "generation; growth, its length")
-        ->check(CLI::IsMember({"sequence", "language", "growth"}))
-        ->type_name("WHAT");
+        ->check(CLI::IsMember({"sequence", "language", "growth"}).description(""))
+        ->type_name("language|sequence|growth");
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

@@ -218,11 +218,12 @@ void add_figures(Verbs& verbs) {
                               options, draw_all);
     verb.add_option(
         "DIR", options->folder,
-        "a folder of .lsys files and of files of relatives, such as .ifs (default figures)");
+        "a folder of .lsys files and of files of relatives, such as .ifs (default figures)")
+        ->type_name("DIR");
     verb.add_option("--out", options->out, "where the pictures go (default out/figures)")
         ->type_name("DIR");
     verb.add_option("--formats", options->formats, "svg, pdf, png, ps, eps (default svg,pdf)")
-        ->type_name("LIST");
+        ->type_name("svg|pdf|png|ps|eps,...");
     verb.add_option("--jobs", options->jobs, "how many to draw at a time (default: one a core)")
         ->type_name("N");
     verb.add_flag("--captions", options->captions, "system, generation and angle underneath");

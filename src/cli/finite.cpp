@@ -142,7 +142,7 @@ void add_finite(Verbs& verbs) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = add_verb(verbs, "finite", "Whether the language is finite, and how many words it has",
                               "  algae finite koch\n  algae finite my.lsys --json", options, finite);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

@@ -43,7 +43,7 @@ void add_fmt(Verbs& verbs) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = add_verb(verbs, "fmt", "The canonical text of a system, comments kept",
                               "  algae fmt koch\n  algae fmt --in-place my.lsys", options, format);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
     verb.add_flag("--in-place", options->in_place, "write the file instead of standard output");
     verb.add_flag("--check", options->check, "print nothing; exit 1 if the file is not in canonical form");
     options->bounds.add_to(verb);

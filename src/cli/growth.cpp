@@ -116,7 +116,7 @@ void add_growth(Verbs& verbs) {
                               "  algae growth plant-f --words\n"
                               "  algae growth --realise \"n^2+1\"",
                               options, growth);
-    verb.add_option("FILE", options->file, file_help);
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type);
     verb.add_option("-n", options->generation, "only the exact length of a generation, or of a range such as 0..6")->type_name("N[..M]");
     verb.add_flag("--counts", options->counts, "with -n: how often each letter occurs, and how many segments are drawn");
     verb.add_flag("--bounds", options->bounds_wanted, "the least and greatest lengths of an 0L system, for -n (default 0..10)");

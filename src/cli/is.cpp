@@ -60,8 +60,10 @@ void add_is(Verbs& verbs) {
         add_verb(verbs, "is", "Whether a language is of a family, with the system or the proof",
                  "  algae is 0L '{a, aa}'\n  algae is PD0L 'L(fibonacci)' --json", options, is);
     verb.add_option("CLASS", options->family,
-                    "0L P0L D0L PD0L T0L PT0L DT0L PDT0L, E0L ET0L EDT0L, IL, regular, "
-                    "context-free, finite, infinite, empty")
+                    "a family of languages, or what else a language may be")
+        ->type_name(
+            "0L|P0L|D0L|PD0L|T0L|PT0L|DT0L|PDT0L|E0L|ET0L|EDT0L|IL|regular|context-free|finite|"
+            "infinite|empty")
         ->required();
     verb.add_option("EXPR", options->expression,
                     "a language as in claims: {a, aa}, /a(ab)*/, L(NAME), | & \\ . * + ~")

@@ -10,6 +10,7 @@
 #include "cli/output.hpp"
 #include "lesson/lessons.hpp"
 #include "lesson/mark.hpp"
+#include "notation/gallery.hpp"
 
 namespace algae::cli {
 
@@ -115,6 +116,13 @@ int lesson(const Options& options) {
     return success;
 }
 
+/// "1|2|3"
+std::string numbers_to(std::size_t last) {
+    std::string all;
+    for (std::size_t i = 1; i <= last; ++i) all += (i > 1 ? "|" : "") + std::to_string(i);
+    return all;
+}
+
 }  // namespace
 
 void add_lesson(Verbs& verbs) {
@@ -123,13 +131,16 @@ void add_lesson(Verbs& verbs) {
         add_verb(verbs, "lesson", "Lessons, and exercises that algae marks",
                  "  algae lesson 3\n  algae lesson 3 --exercise 2 my-answer.lsys", options, lesson);
     CLI::Option* const number =
-        verb.add_option("NUMBER", options->lesson, "a lesson; without one all are listed");
+        verb.add_option("NUMBER", options->lesson, "a lesson; without one all are listed")
+            ->type_name(numbers_to(lesson_texts().size()));
     CLI::Option* const exercise =
         verb.add_option("--exercise", options->exercise,
                         "print the task of an exercise, or mark its answer")
             ->needs(number)
-            ->check(CLI::PositiveNumber);
+            ->check(CLI::PositiveNumber.description(""))
+            ->type_name("K");
     verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input")
+        ->type_name("FILE")
         ->needs(exercise);
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);

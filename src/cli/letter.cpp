@@ -40,7 +40,7 @@ void add_letter(Verbs& verbs) {
                               "  algae letter dragon -n 300 --at 1000000000000000000000000000000\n"
                               "  algae letter koch -n 1000 --at 10 --count 60",
                               options, letter);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
     verb.add_option("-n", options->generation, "the generation")->type_name("N")->required();
     verb.add_option("--at", options->at, "the position, counted from 0, of any size")->type_name("P")->required();
     verb.add_option("--count", options->count, "how many letters (default 1)")->type_name("K");

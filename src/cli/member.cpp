@@ -141,7 +141,7 @@ void add_member(Verbs& verbs) {
     auto options = std::make_shared<Options>();
     CLI::App& verb = add_verb(verbs, "member", "Whether a word is in the language, with its derivation",
                               "  algae member fibonacci abaab\n  algae member my.lsys ε --json", options, member);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
     verb.add_option("WORD", options->word, "the word; ε is the empty word")->required();
     verb.add_flag("--brief", options->brief, "leave the derivation out");
     verb.add_flag("--json", options->json, "print one JSON object");

@@ -218,7 +218,8 @@ CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::st
     app.add_option(
         "FILE", chosen->file,
         "a file ending in ." + verb +
-            ", - for standard input, or a name from the gallery; options say what the file would");
+            ", - for standard input, or a name from the gallery; options say what the file would")
+        ->type_name(file_type);
     app.add_option(
            "-o,--output", chosen->output,
            "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp" +
@@ -228,7 +229,8 @@ CLI::App& add_relative_verb(Verbs& verbs, const std::string& verb, const std::st
                "; - for standard output")
         ->type_name("FILE");
     app.add_option("--format", chosen->format, "the format, where the name does not say it")
-        ->type_name("FORMAT");
+        ->type_name(in_space(verb) ? std::string(picture_formats) + '|' + mesh_formats
+                                  : std::string(picture_formats));
     app.add_option("--width", chosen->width, "of the picture, in points (png: pixels)")
         ->type_name("W");
     app.add_option("--height", chosen->height, "of the picture, in points (png: pixels)")

@@ -208,7 +208,7 @@ void add_show(Verbs& verbs) {
         add_verb(verbs, "show", "Class, alphabet, rules and properties of a system",
                  "  algae show koch\n  algae show my.lsys --json\n  algae show plant-a --axes -n 4",
                  options, show);
-    verb.add_option("FILE", options->file, file_help)->required();
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
     verb.add_flag("--axes", options->axes,
                   "the axes of the tree that the word of generation N describes, by order");
     verb.add_option("-n", options->generation, "with --axes: the generation")->type_name("N");

@@ -180,13 +180,13 @@ void add_tree(Verbs& verbs) {
                               "  algae tree fibonacci --graph -o growth.png\n"
                               "  algae tree --families -o families.pdf",
                               options, tree);
-    verb.add_option("FILE", options->file, file_help);
+    verb.add_option("FILE", options->file, file_help)->type_name(file_type);
     verb.add_option("-n", options->generation, "the tree of this generation of a D0L system")->type_name("N");
     verb.add_option("--word", options->word, "the tree of a derivation of this word, in as few steps as possible")->type_name("WORD");
     verb.add_flag("--graph", options->graph, "instead: which letters occur in the successors of which, how often, and what becomes of them");
     verb.add_flag("--families", options->families, "instead: the diagram of families of languages");
     verb.add_option("-o,--output", options->output, "the picture: .svg, .pdf, .png, .ps or .eps; .dot or .gv for Graphviz; - for standard output")->type_name("FILE")->required();
-    verb.add_option("--format", options->format, "the format, where the name does not say it")->type_name("FORMAT");
+    verb.add_option("--format", options->format, "the format, where the name does not say it")->type_name("svg|pdf|png|ps|eps|dot|gv");
     verb.add_flag("--dag", options->shared, "equal subtrees of one generation are drawn once");
     verb.add_option("--depth", options->depth, "cut the tree after so many generations; triangles say how many letters are left out")->type_name("D");
     verb.add_option("--max-nodes", options->most_nodes, "nodes that may be drawn (default 2000)")->type_name("N");

@@ -78,7 +78,7 @@ void add_verify(Verbs& verbs) {
         add_verb(verbs, "verify", "Check a certificate again, by other and simpler means",
                  "  algae check my.claim --certificate my.json\n  algae verify my.json", options,
                  verify_certificate);
-    verb.add_option("FILE", options->file, "a certificate, or - for standard input")->required();
+    verb.add_option("FILE", options->file, "a certificate, or - for standard input")->type_name("FILE")->required();
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

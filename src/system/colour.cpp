@@ -110,6 +110,12 @@ Colour colour_named(std::string_view text) {
     throw Error(message);
 }
 
+std::vector<std::string_view> colour_names() {
+    std::vector<std::string_view> all;
+    for (const NamedColour& colour : names) all.push_back(colour.name);
+    return all;
+}
+
 Colour hue(double degrees) {
     const auto part = [degrees](double peak) {
         const double away = std::fabs(std::remainder(degrees - peak, 360.0));

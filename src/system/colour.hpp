@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string_view>
+#include <vector>
 
 #include "system/settings.hpp"
 
@@ -13,6 +14,11 @@ namespace algae {
 ///
 /// Example: colour_named("#ff0000") == colour_named("red")
 Colour colour_named(std::string_view text);
+
+/// The names, in alphabetical order.
+///
+/// Example: colour_names().front() == "aqua"
+std::vector<std::string_view> colour_names();
 
 /// The pure colour of a hue in degrees: 0 red, 120 green, 240 blue, 360 red again.
 ///

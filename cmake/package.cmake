@@ -1,0 +1,34 @@
+# Packages for Debian: `algae`, the command with its manual page and data, and `libalgae-dev`, the library.
+# tools/package builds them.
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME algae)
+set(CPACK_PACKAGE_VENDOR "the algae authors")
+set(CPACK_PACKAGE_CONTACT "the algae authors <maintainers@users.noreply.h-seed-d00b4a0a.example>")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_COMPONENTS_ALL command development)
+set(CPACK_PRE_BUILD_SCRIPTS ${CMAKE_CURRENT_SOURCE_DIR}/cmake/debian_files.cmake)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
+  OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
+
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)  # algae_0.1.0_amd64.deb
+set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME algae)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION math)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS fonts-dejavu-core)
+set(CPACK_COMPONENT_COMMAND_DESCRIPTION "L-systems: exact derivation, analysis and drawing
+ algae derives Lindenmayer systems exactly, computes with generations far too
+ large to write out, decides questions about growth, membership, finiteness and
+ equality, checks claims of the theory, and draws figures in the plane and in
+ space, derivation trees and animations. A gallery, twelve lessons with
+ exercises that it marks, and the table of closure come with it.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libalgae-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cmake, pkg-config, libboost-dev, libgmp-dev, libflint-dev, libflint-arb-dev, \
+libcairo2-dev, libgraphviz-dev, libassimp-dev, libwebp-dev, libgif-dev, libfmt-dev, nlohmann-json3-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS algae)
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "L-systems: exact derivation, analysis and drawing (library)
+ The C++20 library of algae, a static one, with its headers and what CMake's
+ find_package(algae) reads.")
+include(CPack)

@@ -19,15 +19,23 @@ char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned 
 
 }  // namespace
 
-Scanner::Scanner(std::string_view text, std::string file, std::vector<std::string> comments)
-    : source_(text, std::move(file)), comments_(std::move(comments)) {
+Scanner::Scanner(std::string_view text, std::string file, std::vector<std::string> comments,
+                 char prompt)
+    : source_(text, std::move(file)), comments_(std::move(comments)), prompt_(prompt) {
     Findings(source_).throw_if_no_text();
+}
+
+bool Scanner::at_prompt() const {
+    const std::string_view text = source_.text();
+    if (!prompt_ || text[here_] != prompt_) return false;
+    const std::size_t line = text.find_last_of('\n', here_) + 1;  // 0 where there is none
+    return trimmed(text.substr(line, here_ - line)).empty();
 }
 
 void Scanner::skip() {
     const std::string_view text = source_.text();
     while (here_ < text.size()) {
-        if (text[here_] == '\n') {
+        if (text[here_] == '\n' || at_prompt()) {
             ++here_;
             continue;
         }

@@ -14,9 +14,14 @@ namespace algae {
 /// and comments between tokens are skipped. Used within this room only.
 class Scanner {
 public:
-    /// `comments` begin what is ignored up to the end of its line: {"//", "\\\\"}. Throws
-    /// `Diagnostics` if the text is no UTF-8. The text must outlive the scanner.
-    Scanner(std::string_view text, std::string file, std::vector<std::string> comments);
+    /// `comments` begin what is ignored up to the end of its line: {"//", "\\\\"}; `prompt` is ignored
+    /// where it is the first character of a line that is not blank. Throws `Diagnostics` if the text is
+    /// no UTF-8. The text must outlive the scanner.
+    Scanner(std::string_view text, std::string file, std::vector<std::string> comments,
+            char prompt = '\0');
+
+    /// The text with its places.
+    const Source& source() const { return source_; }
 
     /// From now on these begin comments: none where what begins one may stand in a word.
     void set_comments(std::vector<std::string> comments) { comments_ = std::move(comments); }
@@ -50,9 +55,11 @@ public:
 
 private:
     void skip();
+    bool at_prompt() const;
 
     Source source_;
     std::vector<std::string> comments_;
+    char prompt_;
     std::size_t here_ = 0;
 };
 

@@ -1,12 +1,14 @@
 #include "exchange/system_format.hpp"
 
 #include "exchange/brno_file.hpp"
+#include "exchange/maple_file.hpp"
 
 namespace algae {
 
 const std::vector<SystemFormat>& system_formats() {
     static const std::vector<SystemFormat> all{
         {"brno", "a text file of a geometric interpreter of D0L systems", read_brno, print_brno},
+        {"maple", "a worksheet that calls the Maple procedure Lsystem", read_maple, print_maple},
     };
     return all;
 }

@@ -8,6 +8,7 @@
 #include <memory>
 
 #include "base/error.hpp"
+#include "exchange/relative_format.hpp"
 #include "exchange/system_format.hpp"
 #include "notation/gallery.hpp"
 #include "notation/read.hpp"
@@ -79,6 +80,8 @@ LSystem open_system(const std::string& file, const Budget& budget) {
     const SourceText source = open_text(file, budget);
     if (const RelativeKind* kind = relative_kind(source.name))
         throw Error(source.name + " is " + kind->what + ", expected an L-system");
+    if (const RelativeFormat* format = relative_format(source.name))
+        throw Error(source.name + " is " + format->what + ", expected an L-system");
     if (const SystemFormat* format = system_format(source.name))
         return format->read(source.text, source.name);
     return read_lsystem(source.text, source.name);

@@ -10,6 +10,7 @@
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "exchange/relative_format.hpp"
 #include "notation/relative_gallery.hpp"
 #include "render/animation.hpp"
 
@@ -29,6 +30,18 @@ bool in_space(const std::string& kind) {
     return kind == "terrain" || kind == "brownian" || kind == "walk";
 }
 
+/// The kind of the relatives in files of this name, be it by way of another format.
+const RelativeKind* kind_of(const std::string& name) {
+    const RelativeFormat* format = relative_format(name);
+    return relative_kind(format ? "." + format->kind : name);
+}
+
+RelativeFile read_source(const SourceText& source, const RelativeKind& kind) {
+    if (const RelativeFormat* format = relative_format(source.name))
+        return format->read(source.text, source.name);
+    return read_relative_file(source.text, source.name, kind.keys);
+}
+
 void change(RelativeFile& file,
             const std::vector<std::pair<RelativeOption, std::string>>& changes) {
     for (const auto& [option, text] : changes)
@@ -38,7 +51,7 @@ void change(RelativeFile& file,
 }  // namespace
 
 bool is_relative(const std::string& file) {
-    if (relative_kind(file)) return true;
+    if (kind_of(file)) return true;
     std::error_code ignored;
     if (std::filesystem::exists(file, ignored)) return false;
     const auto systems = gallery();
@@ -51,9 +64,9 @@ std::unique_ptr<Relative> open_relative(
     const std::string& file, const Budget& budget,
     const std::vector<std::pair<RelativeOption, std::string>>& changes) {
     const SourceText source = open_text(file, budget);
-    const RelativeKind* kind = relative_kind(source.name);
+    const RelativeKind* kind = kind_of(source.name);
     if (!kind) return read_relative(source.text, source.name);  // throws what is expected
-    RelativeFile read = read_relative_file(source.text, source.name, kind->keys);
+    RelativeFile read = read_source(source, *kind);
     for (const auto& [option, text] : changes) {
         const bool known =
             std::any_of(kind->keys.begin(), kind->keys.end(),
@@ -73,7 +86,7 @@ static SourceText own_text(const RelativeOptions& options, const Budget& budget)
     const bool by_name = options.file != "-" && !std::filesystem::exists(options.file, ignored);
     const std::string own = options.file + "." + options.verb;
     const SourceText source = open_text(by_name && find_relative(own) ? own : options.file, budget);
-    const RelativeKind* found = relative_kind(source.name);
+    const RelativeKind* found = kind_of(source.name);
     const bool system = source.name.ends_with(".lsys") || (by_name && !found);
     if (system || (found && found != kind))
         throw Error(source.name + " is " + (system ? "an L-system" : found->what) + ", expected " +
@@ -87,7 +100,7 @@ std::unique_ptr<Relative> chosen_relative(const RelativeOptions& options, const 
     file.name = options.verb;
     if (!options.file.empty()) {
         const SourceText source = own_text(options, budget);
-        file = read_relative_file(source.text, source.name, kind.keys);
+        file = read_source(source, kind);
     }
     change(file, options.said);
     return kind.make(file);

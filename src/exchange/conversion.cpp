@@ -1,6 +1,7 @@
 #include "exchange/conversion.hpp"
 
 #include "base/error.hpp"
+#include "exchange/relative_format.hpp"
 #include "exchange/system_format.hpp"
 #include "exchange/system_of_cells.hpp"
 #include "nature/curve_functions.hpp"
@@ -36,6 +37,12 @@ const std::vector<Bridge>& bridges() {
     return all;
 }
 
+/// The format that is a table of the other kind of relatives; nullptr if it is none.
+const RelativeFormat* table_of(const std::string& name, const std::string& kind) {
+    const RelativeFormat* const format = relative_format("." + name);
+    return format && format->kind == kind ? format : nullptr;
+}
+
 const SystemFormat* format_called(const std::string& name) { return system_format("." + name); }
 
 }  // namespace
@@ -46,6 +53,10 @@ std::vector<Conversion> conversions() {
         all.push_back({format.name, "lsys", format.what});
         all.push_back({"lsys", format.name, format.what});
     }
+    for (const RelativeFormat& format : relative_formats()) {
+        all.push_back({format.name, format.kind, format.what});
+        all.push_back({format.kind, format.name, format.what});
+    }
     return all;
 }
 
@@ -53,6 +64,12 @@ std::string converted(std::string_view text, const std::string& name, const std:
                       const std::string& to, const Budget& budget) {
     for (const Bridge& one : bridges())
         if (one.from == from && one.to == to) return one.convert(text, name, budget);
+    if (const RelativeFormat* table = table_of(from, to))
+        return print_relative_file(table->read(text, name));
+    if (const RelativeFormat* table = table_of(to, from)) {
+        const RelativeKind& kind = *relative_kind("." + from);
+        return table->print(*kind.make(read_relative_file(text, name, kind.keys)));
+    }
     const SystemFormat *source = format_called(from), *target = format_called(to);
     if ((source || from == "lsys") && (target || to == "lsys") && (source || target)) {
         const LSystem system = source ? source->read(text, name) : read_lsystem(text, name);

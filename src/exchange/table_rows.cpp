@@ -1,0 +1,56 @@
+#include "exchange/table_rows.hpp"
+
+#include <algorithm>
+
+#include "notation/characters.hpp"
+
+namespace algae {
+
+namespace {
+
+bool is_rule(std::string_view cell) {
+    return cell.find_first_not_of("-:=+") == std::string_view::npos &&
+           std::count(cell.begin(), cell.end(), '-') + std::count(cell.begin(), cell.end(), '=') > 1;
+}
+
+bool is_left_out(std::string_view cell) {
+    return cell == "\\hline" || cell == "\\\\" || cell == "\\\\\\hline" || is_rule(cell);
+}
+
+}  // namespace
+
+std::vector<std::vector<TableCell>> table_rows(const Source& source) {
+    const std::string_view text = source.text();
+    std::vector<std::vector<TableCell>> rows;
+    std::vector<TableCell> row;
+    for (std::size_t i = 0; i < text.size();) {
+        if (text[i] == '\n') {
+            if (!row.empty()) rows.push_back(std::move(row));
+            row.clear();
+            ++i;
+            continue;
+        }
+        if (text[i] == '#') {
+            i = std::min(text.find('\n', i), text.size());
+            continue;
+        }
+        const auto bytes_between = [&](std::size_t at) -> std::size_t {
+            if (text[at] == '|' || text[at] == '&' || text[at] == '$') return 1;
+            const Character next = first_character(text.substr(at));
+            return is_blank(next.code) ? next.bytes : 0;
+        };
+        if (const std::size_t bytes = bytes_between(i)) {
+            i += bytes;
+            continue;
+        }
+        const std::size_t begin = i;
+        while (i < text.size() && text[i] != '\n' && text[i] != '#' && bytes_between(i) == 0) ++i;
+        std::string_view cell = text.substr(begin, i - begin);
+        if (!is_left_out(cell) && cell.ends_with("\\\\")) cell.remove_suffix(2);
+        if (!is_left_out(cell)) row.push_back({std::string(cell), begin});
+    }
+    if (!row.empty()) rows.push_back(std::move(row));
+    return rows;
+}
+
+}  // namespace algae

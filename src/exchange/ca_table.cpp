@@ -91,7 +91,8 @@ private:
         std::vector<TableCell> tokens;
         for (const auto& line : lines) tokens.insert(tokens.end(), line.begin(), line.end());
         for (std::size_t i = 0; i < tokens.size(); i += 3) {
-            if (tokens[i].text == "->") fail(tokens[i].offset, "expected a local configuration, found '->'");
+            if (tokens[i].text == "->")
+                fail(tokens[i].offset, "expected a local configuration, found '->'");
             if (i + 1 == tokens.size() || tokens[i + 1].text != "->")
                 fail(i + 1 < tokens.size() ? tokens[i + 1].offset : source_.text().size(),
                      "expected '->' behind " + algae::quoted(tokens[i].text));
@@ -105,16 +106,20 @@ private:
     void read_pairs_of_lines(const std::vector<std::vector<TableCell>>& lines) {
         for (std::size_t i = 0; i < lines.size(); i += 2) {
             if (i + 1 == lines.size())
-                fail(source_.text().size(), "expected a line with the next states of the line above");
+                fail(source_.text().size(),
+                     "expected a line with the next states of the line above");
             const auto &above = lines[i], &below = lines[i + 1];
             for (std::size_t k = 0; k < std::max(above.size(), below.size()); ++k) {
                 if (k >= above.size())
-                    fail(below[k].offset, "expected the end of the line: no configuration stands above");
+                    fail(below[k].offset,
+                         "expected the end of the line: no configuration stands above");
                 if (k >= below.size())
-                    fail(above[k].offset, "the configuration " + above[k].text + " has no next state below");
+                    fail(above[k].offset,
+                         "the configuration " + above[k].text + " has no next state below");
                 if (below[k].text.size() != 1)
                     fail(below[k].offset, "expected the next state, a single one, of " +
-                                              above[k].text + ", found " + algae::quoted(below[k].text));
+                                              above[k].text + ", found " +
+                                              algae::quoted(below[k].text));
                 add(above[k], below[k].text[0]);
             }
         }
@@ -124,13 +129,15 @@ private:
         if (length_ == 0) {
             if (cells.text.size() % 2 == 0 || cells.text.size() < 3)
                 fail(cells.offset,
-                     "expected the states of a cell and of as many cells on each side, such as 001, found " +
+                     "expected the states of a cell and of as many cells on each side, such as "
+                     "001, found " +
                          algae::quoted(cells.text));
             length_ = cells.text.size();
         }
         if (cells.text.size() != length_)
             fail(cells.offset, "expected " + std::to_string(length_) +
-                                   " states as in the first entry, found " + algae::quoted(cells.text));
+                                   " states as in the first entry, found " +
+                                   algae::quoted(cells.text));
         const auto [found, is_new] = entries_.emplace(cells.text, Entry{next, cells.offset});
         if (!is_new)
             fail(cells.offset, "the entry of " + cells.text + " is there twice, first in line " +
@@ -140,7 +147,8 @@ private:
 
     void check_complete() const {
         if (entries_.empty())
-            fail(source_.text().size(), "expected entries such as 001 -> 1, found the end of the file");
+            fail(source_.text().size(),
+                 "expected entries such as 001 -> 1, found the end of the file");
         std::string configuration(length_, '0');
         for (const auto& [cells, entry] : entries_) {
             if (cells != configuration) missing(configuration);
@@ -202,7 +210,8 @@ std::string print_ca_table(const Relative& relative) {
     for (std::size_t entry = 0; entry < rule.table.size(); ++entry) {
         std::string cells(length, '0');
         std::size_t rest = entry;
-        for (std::size_t i = length; i-- > 0; rest /= rule.states) cells[i] = state(rest % rule.states);
+        for (std::size_t i = length; i-- > 0; rest /= rule.states)
+            cells[i] = state(rest % rule.states);
         text += cells + " -> " + state_character(rule.table[entry]) + "\n";
     }
     return text;

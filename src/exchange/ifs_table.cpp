@@ -33,7 +33,8 @@ public:
             rows.erase(rows.begin());
         }
         if (rows.empty())
-            fail(source_.text().size(), "expected a row of numbers for each map, found the end of the file");
+            fail(source_.text().size(),
+                 "expected a row of numbers for each map, found the end of the file");
         if (columns_.empty()) guess_columns(rows.front());
         for (const Row& row : rows) read_row(row);
         check_sum(rows.back());
@@ -49,8 +50,9 @@ private:
         return cell.size() == 1 && letters.find(cell[0]) != std::string::npos;
     }
     static bool is_header(const Row& row) {
-        return row.size() > 1 && std::all_of(row.begin() + 1, row.end(),
-                                             [](const TableCell& cell) { return is_letter(cell.text); });
+        return row.size() > 1 && std::all_of(row.begin() + 1, row.end(), [](const TableCell& cell) {
+                   return is_letter(cell.text);
+               });
     }
 
     /// A column of names has no letter of its own.
@@ -72,7 +74,8 @@ private:
         if (numbers != 6 && numbers != 7)
             fail(row.front().offset,
                  "expected the numbers a b c d e f and perhaps p, with or without a name before "
-                 "them, found " + std::to_string(row.size()) + " cells");
+                 "them, found " +
+                     std::to_string(row.size()) + " cells");
         columns_ = (name ? " " : "") + letters.substr(0, numbers);
     }
 
@@ -92,9 +95,9 @@ private:
                                          std::to_string(columns_.size()) + " cells, found " +
                                          std::to_string(row.size()));
         if (row.size() > columns_.size())
-            fail(row[columns_.size()].offset, "expected the end of the row behind " +
-                                                  std::to_string(columns_.size()) + " cells, found " +
-                                                  algae::quoted(row[columns_.size()].text));
+            fail(row[columns_.size()].offset,
+                 "expected the end of the row behind " + std::to_string(columns_.size()) +
+                     " cells, found " + algae::quoted(row[columns_.size()].text));
         std::vector<RelativeWord> words(columns_.find('p') == std::string::npos ? 6 : 7);
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (columns_[i] == ' ') {
@@ -104,9 +107,10 @@ private:
             const auto value = number(row[i]);
             if (!value)
                 fail(row[i].offset,
-                     "expected a number for " + column_name(i) + ", found " + algae::quoted(row[i].text) +
+                     "expected a number for " + column_name(i) + ", found " +
+                         algae::quoted(row[i].text) +
                          (row[i].text.find(',') == std::string::npos ? ""
-                                                                      : "; decimals have a point"));
+                                                                     : "; decimals have a point"));
             const Place place = source_.place(row[i].offset);
             words[letters.find(columns_[i])] = {to_text(*value), place.column - 1};
         }
@@ -141,7 +145,8 @@ private:
     void check_sum(const Row& last) const {
         const std::size_t column = columns_.find('p');
         if (column != std::string::npos && sum_ && *sum_ != 1)
-            fail(last[column].offset, "the probabilities add up to " + shortest_text(*sum_) + ", expected 1");
+            fail(last[column].offset,
+                 "the probabilities add up to " + shortest_text(*sum_) + ", expected 1");
     }
 
     Source source_;
@@ -163,7 +168,8 @@ std::string print_ifs_table(const Relative& relative) {
     const auto& system = dynamic_cast<const IteratedFunctions&>(relative);
     if (system.states.size() > 1)
         throw Error(system.name + ": has several states, and a table says maps of one");
-    const bool chances = std::all_of(system.maps.begin(), system.maps.end(), [](const auto& map) { return map.probability.has_value(); });
+    const bool chances = std::all_of(system.maps.begin(), system.maps.end(),
+                                     [](const auto& map) { return map.probability.has_value(); });
     std::vector<std::vector<std::string>> rows{{"w", "a", "b", "c", "d", "e", "f"}};
     if (chances) rows.front().push_back("p");
     for (const IteratedFunctions::Map& map : system.maps) {

@@ -16,15 +16,21 @@ struct Function {
     const char *name, *maple;
     enum class Angle { none, argument, value } angle = Angle::none;
 };
-constexpr Function functions[] = {
-    {"sqrt", "sqrt"},   {"exp", "exp"},
-    {"log", "ln"},      {"log", "log"},
-    {"abs", "abs"},     {"floor", "floor"},
-    {"ceil", "ceil"},   {"min", "min"},
-    {"max", "max"},     {"sin", "sin", Function::Angle::argument},
-    {"cos", "cos", Function::Angle::argument},     {"tan", "tan", Function::Angle::argument},
-    {"asin", "arcsin", Function::Angle::value},    {"acos", "arccos", Function::Angle::value},
-    {"atan", "arctan", Function::Angle::value}};
+constexpr Function functions[] = {{"sqrt", "sqrt"},
+                                  {"exp", "exp"},
+                                  {"log", "ln"},
+                                  {"log", "log"},
+                                  {"abs", "abs"},
+                                  {"floor", "floor"},
+                                  {"ceil", "ceil"},
+                                  {"min", "min"},
+                                  {"max", "max"},
+                                  {"sin", "sin", Function::Angle::argument},
+                                  {"cos", "cos", Function::Angle::argument},
+                                  {"tan", "tan", Function::Angle::argument},
+                                  {"asin", "arcsin", Function::Angle::value},
+                                  {"acos", "arccos", Function::Angle::value},
+                                  {"atan", "arctan", Function::Angle::value}};
 
 Expression number(const Rational& value) {
     Expression made;
@@ -172,7 +178,8 @@ private:
     Expression literal() {
         const std::string_view rest = scanner_.rest();
         const auto digits = [&](std::size_t from) {
-            while (from < rest.size() && std::isdigit(static_cast<unsigned char>(rest[from]))) ++from;
+            while (from < rest.size() && std::isdigit(static_cast<unsigned char>(rest[from])))
+                ++from;
             return from;
         };
         std::size_t size = digits(0);
@@ -184,7 +191,8 @@ private:
             size = end;
         }
         if (size < rest.size() && (rest[size] == 'e' || rest[size] == 'E')) {
-            const bool sign = size + 1 < rest.size() && (rest[size + 1] == '-' || rest[size + 1] == '+');
+            const bool sign =
+                size + 1 < rest.size() && (rest[size + 1] == '-' || rest[size + 1] == '+');
             const std::size_t first = size + (sign ? 2 : 1), end = digits(first);
             if (end > first) {
                 text += rest.substr(size, end - size);
@@ -222,8 +230,8 @@ private:
         if (function == std::end(functions) && name != "evalf") {
             std::string known;
             for (const Function& one : functions) known += std::string(one.maple) + ", ";
-            scanner_.fail_at(where,
-                             "expected one of " + known + "evalf, found the function " + quoted(name));
+            scanner_.fail_at(
+                where, "expected one of " + known + "evalf, found the function " + quoted(name));
         }
         scanner_.expect("(", "");
         std::vector<Expression> arguments{sum()};
@@ -237,8 +245,7 @@ private:
             count(scanner_.offset());
             arguments.push_back(sum());
         }
-        if (arguments.size() < arity.least)
-            scanner_.fail("',' and another argument of " + name);
+        if (arguments.size() < arity.least) scanner_.fail("',' and another argument of " + name);
         scanner_.expect(")", "behind the arguments of " + name);
         if (function->angle == Function::Angle::argument)
             arguments[0] = scaled(std::move(arguments[0]), number(180), pi());
@@ -270,31 +277,37 @@ public:
 private:
     using Bare = std::pair<std::string, Binding>;
 
+    [[noreturn]] static void fail(const Expression& expression) {
+        throw Error(quoted(to_text(expression)) + " in arithmetic");
+    }
+
     Bare bare_text(const Expression& expression) const {
         switch (expression.kind) {
             case Expression::Kind::number: {
                 const std::string text = shortest_text(expression.value);
-                return {text, text.starts_with('-') ? sign
+                return {text, text.starts_with('-')             ? sign
                               : exact_decimal(expression.value) ? atom
                                                                 : product};
             }
-            case Expression::Kind::name: return {name_text_(expression.name), atom};
+            case Expression::Kind::name:
+                return {name_text_(expression.name), atom};
             case Expression::Kind::unary:
                 if (expression.name != "-") break;
                 return {"-" + text(expression.operands[0], atom), sign};
-            case Expression::Kind::binary: return binary_text(expression);
-            case Expression::Kind::call: return call_text(expression);
-            case Expression::Kind::word: break;
+            case Expression::Kind::binary:
+                return binary_text(expression);
+            case Expression::Kind::call:
+                return call_text(expression);
+            case Expression::Kind::word:
+                break;
         }
-        throw Error(quoted(to_text(expression)) + ", which the arithmetic of the worksheet cannot say");
+        fail(expression);
     }
 
     Bare binary_text(const Expression& expression) const {
         const std::string& name = expression.name;
         const bool adds = name == "+" || name == "-", multiplies = name == "*" || name == "/";
-        if (!adds && !multiplies && name != "^")
-            throw Error(quoted(to_text(expression)) +
-                        ", which the arithmetic of the worksheet cannot say");
+        if (!adds && !multiplies && name != "^") fail(expression);
         const Binding own = adds ? sum : multiplies ? product : atom;
         const Binding tighter = adds ? product : atom;
         const std::string text = this->text(expression.operands[0], own) + name +
@@ -307,9 +320,7 @@ private:
         const auto* function =
             std::find_if(std::begin(functions), std::end(functions),
                          [&](const Function& one) { return expression.name == one.name; });
-        if (function == std::end(functions))
-            throw Error(quoted(to_text(expression)) +
-                        ", which the arithmetic of the worksheet cannot say");
+        if (function == std::end(functions)) fail(expression);
         std::string arguments;
         const bool angle = function->angle == Function::Angle::argument;
         for (const Expression& one : expression.operands)
@@ -328,8 +339,9 @@ private:
 std::string next_maple_name(Scanner& scanner) {
     const std::string_view rest = scanner.rest();
     std::size_t size = 0;
-    while (size < rest.size() && (std::isalpha(static_cast<unsigned char>(rest[size])) ||
-                                  rest[size] == '_' || (size > 0 && std::isdigit(static_cast<unsigned char>(rest[size])))))
+    while (size < rest.size() &&
+           (std::isalpha(static_cast<unsigned char>(rest[size])) || rest[size] == '_' ||
+            (size > 0 && std::isdigit(static_cast<unsigned char>(rest[size])))))
         ++size;
     return std::string(rest.substr(0, size));
 }

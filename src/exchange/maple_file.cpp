@@ -21,8 +21,8 @@ bool is_vector(const MapleValues& values, const MapleValue& list, const std::vec
 void read_position(const MapleValues& values, const MapleValue& said, Settings::Start& start) {
     const MapleValue& point = values.list(said, "the position, a list of coordinates");
     if (point.items.size() != 2 && point.items.size() != 3)
-        values.fail(said, "expected two or three coordinates, found " +
-                              std::to_string(point.items.size()));
+        values.fail(
+            said, "expected two or three coordinates, found " + std::to_string(point.items.size()));
     if (point.items.size() == 3 &&
         !values.rational(point.items[2], "the third coordinate").is_zero())
         values.fail(point.items[2], "expected 0: figures begin in the plane of x and y");
@@ -39,7 +39,8 @@ Quantity degrees(const MapleValues& values, const MapleValue& said) {
 /// Where the turtle starts: as GRAFICO says, if the worksheet holds it; otherwise along x, in the
 /// stochastic procedure upward.
 void read_start(MapleValues& values, MapleForm form, LSystem& system) {
-    Settings::Start start{quantity(0), quantity(0), quantity(form == MapleForm::stochastic ? 90 : 0)};
+    Settings::Start start{quantity(0), quantity(0),
+                          quantity(form == MapleForm::stochastic ? 90 : 0)};
     const auto& said = values.sheet().start;
     if (const auto found = said.find("PONTOA"); found != said.end())
         read_position(values, found->second, start);
@@ -53,8 +54,8 @@ void read_start(MapleValues& values, MapleForm form, LSystem& system) {
                 values.fail(found->second, std::string("expected ") + name +
                                                " as in the procedure: figures in space begin "
                                                "along x, with z up");
-    const bool at_rest = start.x.exact->is_zero() && start.y.exact->is_zero() &&
-                         start.heading.exact->is_zero();
+    const bool at_rest =
+        start.x.exact->is_zero() && start.y.exact->is_zero() && start.heading.exact->is_zero();
     if (!at_rest) system.settings.start = start;
     if (const auto found = said.find("SEGMENTO"); found != said.end()) {
         const Quantity step = values.setting(found->second, "the length of a step");

@@ -12,19 +12,6 @@ namespace {
 
 constexpr std::size_t most_parameters = 1000;
 
-bool is_capital(const std::string& name) {
-    return name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z';
-}
-
-/// How many parameters the turtle asks of a module: one or more, none, or any number.
-enum class Need { any, one, none };
-Need need(const std::string& name) {
-    if (name.size() != 1) return Need::any;
-    if (std::string_view("Ff+-&^\\/!").find(name[0]) != std::string_view::npos) return Need::one;
-    if (std::string_view("|@[]").find(name[0]) != std::string_view::npos) return Need::none;
-    return Need::any;
-}
-
 /// Adds an axiom of modules and the functions that it calls.
 class Reader {
 public:
@@ -57,8 +44,9 @@ private:
         for (const MapleValue& item : list.items) {
             const MapleValue& module = values_.list(item, "a module, such as [\"F\",[1]]");
             if (module.items.empty() || module.items.size() > 2)
-                values_.fail(item, "expected the name of a module and a list of its parameters, found " +
-                                       std::to_string(module.items.size()) + " values");
+                values_.fail(item,
+                             "expected the name of a module and a list of its parameters, found " +
+                                 std::to_string(module.items.size()) + " values");
             const std::string symbol = name(module.items[0]);
             std::vector<Expression> arguments;
             const bool has_list = module.items.size() == 2;
@@ -75,8 +63,8 @@ private:
     std::string name(const MapleValue& value) const {
         const MapleValue& text = values_.text(value, "the name of a module, a string");
         if (text.text.empty() || first_character(text.text).bytes != text.text.size())
-            values_.fail(value, "expected the name of a module, one character, found " +
-                                    quoted(text.text));
+            values_.fail(
+                value, "expected the name of a module, one character, found " + quoted(text.text));
         return maple_symbol(scanner_, MapleForm::parametric, text.text, text.offset + 1);
     }
 
@@ -84,7 +72,8 @@ private:
         const MapleValue& list = values_.resolved(value);
         std::vector<Expression> found;
         if (list.kind == MapleValue::Kind::parameters) {
-            for (std::size_t i = 1; i <= parameters; ++i) found.push_back(entry(list.parameters, i));
+            for (std::size_t i = 1; i <= parameters; ++i)
+                found.push_back(entry(list.parameters, i));
             return found;
         }
         for (const MapleValue& item : values_.list(value, "a list of parameters").items) {
@@ -109,10 +98,11 @@ private:
     void check(const std::string& symbol, std::size_t arity, bool has_list, std::size_t offset) {
         const MapleMeaning meaning = maple_meaning(MapleForm::parametric, symbol);
         if (meaning == MapleMeaning::refused)
-            scanner_.fail_at(offset, quoted(symbol) + " is nothing to this procedure, expected '@'");
-        if (need(symbol) == Need::one && arity == 0)
+            scanner_.fail_at(offset,
+                             quoted(symbol) + " is nothing to this procedure, expected '@'");
+        if (maple_need(symbol) == MapleNeed::one && arity == 0)
             scanner_.fail_at(offset, "the module " + shown(symbol) + " has no parameter");
-        if (need(symbol) == Need::none && has_list)
+        if (maple_need(symbol) == MapleNeed::none && has_list)
             scanner_.fail_at(offset, "the module " + symbol + " takes no parameters");
         if (meaning == MapleMeaning::none && silent_.insert({symbol, arity}).second) {
             Production silent;
@@ -123,10 +113,11 @@ private:
         }
         const MapleValue* function = values_.sheet().find(symbol);
         const bool has_function = function && function->kind == MapleValue::Kind::function;
-        if (!is_capital(symbol)) {
+        if (!is_maple_capital(symbol)) {
             if (has_function)
-                values_.fail(*function, "the procedure rewrites capital letters alone, and never calls " +
-                                            quoted(symbol));
+                values_.fail(*function,
+                             "the procedure rewrites capital letters alone, and never calls " +
+                                 quoted(symbol));
             return;
         }
         if (!has_function)
@@ -134,15 +125,17 @@ private:
                                          "; one that stays needs " + symbol + " := L -> [[\"" +
                                          symbol + "\",L]]");
         if (!has_list)
-            scanner_.fail_at(offset, "the module " + symbol + " has no list for its function, expected [\"" +
-                                         symbol + "\",[]]");
+            scanner_.fail_at(offset, "the module " + symbol +
+                                         " has no list for its function, expected [\"" + symbol +
+                                         "\",[]]");
         if (is_identity(*function, symbol)) return;
         const auto [seen, is_new] = seen_.emplace(symbol, Seen{arity, offset});
         if (seen->second.arity != arity)
-            scanner_.fail_at(offset, "the module " + symbol + " has " + std::to_string(arity) +
-                                         " parameters here and " +
-                                         std::to_string(seen->second.arity) + " in line " +
-                                         std::to_string(scanner_.source().place(seen->second.offset).line));
+            scanner_.fail_at(offset,
+                             "the module " + symbol + " has " + std::to_string(arity) +
+                                 " parameters here and " + std::to_string(seen->second.arity) +
+                                 " in line " +
+                                 std::to_string(scanner_.source().place(seen->second.offset).line));
         if (is_new) open_.push_back(symbol);
     }
 
@@ -167,7 +160,8 @@ private:
         rule.successor = word(function.items.front(), arity);
         bool stays = rule.successor.letters == Word{rule.predecessor.symbol};
         const auto arguments = rule.successor.arguments.find(0);
-        const std::size_t kept = arguments == rule.successor.arguments.end() ? 0 : arguments->second.size();
+        const std::size_t kept =
+            arguments == rule.successor.arguments.end() ? 0 : arguments->second.size();
         stays = stays && kept == arity;
         for (std::size_t i = 0; stays && i < arity; ++i)
             stays = arguments->second[i] == entry(function.parameters, i + 1);

@@ -1,13 +1,13 @@
 #include <algorithm>
+#include <cctype>
 #include <functional>
-#include <map>
 #include <set>
 
 #include "base/error.hpp"
+#include "exchange/maple_expression.hpp"
 #include "exchange/maple_file.hpp"
-#include "exchange/maple_words.hpp"
-#include "notation/characters.hpp"
-#include "notation/print.hpp"
+#include "exchange/maple_form.hpp"
+#include "exchange/plain_rules.hpp"
 
 namespace algae {
 
@@ -15,13 +15,10 @@ namespace {
 
 class Worksheet {
 public:
-    explicit Worksheet(const LSystem& system) : system_(system), form_(form()) {}
+    explicit Worksheet(const LSystem& system)
+        : system_(system), form_(checked_maple_form(system)) {}
 
     std::string all() {
-        check_rules();
-        check_settings();
-        check_symbols(system_.axiom);
-        for (const Production& rule : system_.rules) check_symbols(rule.successor);
         std::string call;
         if (form_ == MapleForm::parametric) {
             for (const Production& rule : system_.rules) functions_ += function(rule);
@@ -39,111 +36,11 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& what) const {
-        throw Error((system_.name.empty() ? "" : system_.name + ": ") +
-                    "a worksheet cannot say " + what);
-    }
-    [[noreturn]] void refuse(const Production& rule, const std::string& what) const {
-        refuse(what + ", of the rule " + print_rule(system_.alphabet, rule));
+    [[noreturn]] void refuse(const std::string& what) const { cannot_say(system_, "maple", what); }
+    [[noreturn]] void refuse(const Production& rule, const std::string& why) const {
+        cannot_say(system_, "maple", rule, why);
     }
     const std::string& name(Symbol symbol) const { return system_.alphabet.name(symbol); }
-
-    MapleForm form() const {
-        bool parametric = !system_.axiom.arguments.empty(), stochastic = false;
-        for (const Production& rule : system_.rules) {
-            parametric = parametric || !rule.predecessor.parameters.empty() ||
-                         !rule.successor.arguments.empty();
-            stochastic = stochastic || rule.probability.has_value();
-        }
-        return parametric   ? MapleForm::parametric
-               : stochastic ? MapleForm::stochastic
-                            : MapleForm::strings;
-    }
-
-    void check_rules() const {
-        if (!system_.inner.empty()) refuse("systems within a system");
-        if (!system_.tables.empty()) refuse("tables of rules");
-        if (!system_.terminals.empty()) refuse("terminals");
-        if (!system_.environments.empty()) refuse("environments");
-        if (!system_.axiom.splices.empty()) refuse("words as parameters");
-        std::map<Symbol, const Production*> first;
-        for (const Production& rule : system_.rules) {
-            if (rule.shape) refuse(rule, "shapes");
-            if (!rule.left.empty() || !rule.right.empty()) refuse(rule, "the context");
-            if (!rule.elsewhere.empty()) refuse(rule, "the context condition");
-            if (rule.condition) refuse(rule, "the condition");
-            if (!rule.successor.splices.empty()) refuse(rule, "words as parameters");
-            if (rule.probability && form_ == MapleForm::parametric)
-                refuse(rule, "the probability of modules with parameters");
-            const auto [found, is_new] = first.emplace(rule.predecessor.symbol, &rule);
-            if (form_ == MapleForm::stochastic) {
-                if (first.size() > 1) refuse(rule, "probabilities for several predecessors");
-            } else if (!is_new) {
-                refuse(rule, "a second rule for a symbol");
-            }
-        }
-    }
-
-    void check_settings() const {
-        const Settings& settings = system_.settings;
-        const auto is_one = [](const std::optional<Quantity>& said) { return !said || said->value == 1; };
-        if (!is_one(settings.shrink)) refuse("the setting shrink");
-        if (settings.spin && settings.spin->value != 0) refuse("the setting spin");
-        if (settings.clockwise) refuse("`turn clockwise`: + turns left");
-        if (!settings.plotters.empty()) refuse("the setting plot");
-        if (!settings.stamps.empty()) refuse("the setting stamp");
-        if (!settings.solids.empty()) refuse("the setting solid");
-        if (!settings.surfaces.empty()) refuse("the setting surface");
-        if (settings.tropism) refuse("the setting tropism");
-        if (form_ != MapleForm::parametric) return;
-        if (!is_one(settings.step))
-            refuse("the setting step: lengths are the parameters of modules");
-    }
-
-    /// Symbols that mean something to the turtle of one side only.
-    void check_symbols(const ModuleWord& word) const {
-        const Settings& settings = system_.settings;
-        for (std::size_t i = 0; i < word.letters.size(); ++i) {
-            const Symbol symbol = word.letters[i];
-            const std::string& name = this->name(symbol);
-            const auto arguments = word.arguments.find(i);
-            const std::size_t arity =
-                arguments == word.arguments.end() ? 0 : arguments->second.size();
-            check_name(name);
-            const bool silent = is_silent(symbol, arity);
-            const MapleMeaning meaning = maple_meaning(form_, name);
-            if (meaning == MapleMeaning::refused || (meaning == MapleMeaning::none && !silent))
-                refuse("the symbol " + name + ": it is nothing to the turtle of the procedure");
-            if (meaning == MapleMeaning::same && silent && draws(name))
-                refuse("the interpretation of " + name);
-            if ((name == "*" && settings.scale && !silent) ||
-                (name == "!" && settings.narrow && form_ != MapleForm::parametric))
-                refuse("the setting " + std::string(name == "*" ? "scale" : "narrow"));
-        }
-    }
-
-    static bool draws(const std::string& name) {
-        return std::string_view("Ff+-&^\\/|[]!@").find(name) != std::string_view::npos;
-    }
-
-    void check_name(const std::string& name) const {
-        if (first_character(name).bytes != name.size())
-            refuse("the symbol " + name + ": symbols are single characters");
-        if (name == "\"") refuse("the symbol \": it ends a string");
-    }
-
-    /// Whether the interpretation leaves the module out.
-    bool is_silent(Symbol symbol, std::size_t arity) const {
-        bool silent = false;
-        for (const Production& rule : system_.interpretation) {
-            if (rule.predecessor.symbol != symbol || rule.predecessor.parameters.size() != arity)
-                continue;
-            if (!rule.successor.letters.empty() || rule.condition || rule.probability)
-                refuse("the interpretation of " + name(symbol));
-            silent = true;
-        }
-        return silent;
-    }
 
     std::string character(Symbol symbol) const {
         const std::string& text = name(symbol);
@@ -159,7 +56,6 @@ private:
         const bool many = system_.rules.size() > 1;
         std::string text;
         for (const Production& rule : system_.rules) {
-            check_name(name(rule.predecessor.symbol));
             text += text.empty() ? "" : ",";
             text += many ? "\n  " : "";
             text += string({rule.predecessor.symbol}) + ", " + string(rule.successor.letters);
@@ -185,45 +81,49 @@ private:
     }
 
     /// The text of an expression without parameters; its constants will be assigned.
-    std::string number(const Expression& expression) {
-        return text(expression, {});
-    }
+    std::string number(const Expression& expression) { return text(expression, {}); }
 
     std::string text(const Expression& expression, const std::vector<std::string>& parameters) {
+        const auto place = [&](const std::string& name) {
+            return std::find(parameters.begin(), parameters.end(), name) - parameters.begin();
+        };
+        const auto is_parameter = [&](const std::string& name) {
+            return place(name) < static_cast<std::ptrdiff_t>(parameters.size());
+        };
+        meet_constants(expression, is_parameter);
         try {
             return maple_text(expression, [&](const std::string& name) {
-                const auto found = std::find(parameters.begin(), parameters.end(), name);
-                if (found != parameters.end())
-                    return "L[" + std::to_string(found - parameters.begin() + 1) + "]";
-                return constant(name);
+                return is_parameter(name) ? "L[" + std::to_string(place(name) + 1) + "]" : name;
             });
         } catch (const Error& error) {
             refuse(error.what());
         }
     }
 
-    const std::string& constant(const std::string& name) {
-        for (const char* kept : {"D", "I", "Pi", "N", "L", "AXIOMA", "PONTOA", "ANGULO", "SEGMENTO",
-                                 "vH", "vL", "vU", "Lsystem", "GRAFICO", "restart", "with", "proc"})
-            if (name == kept) refuse("the constant " + name + ", which is something else there");
-        if (next_name(name) != name) refuse("the constant " + name);
-        constants_.insert(name);
-        if (name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z' && form_ == MapleForm::parametric &&
-            system_.alphabet.find(name))
-            refuse("the constant " + name + " beside a module " + name);
-        return name;
+    template <class IsParameter>
+    void meet_constants(const Expression& expression, const IsParameter& is_parameter) {
+        if (expression.kind == Expression::Kind::name && !is_parameter(expression.name) &&
+            constants_.insert(expression.name).second)
+            check_constant(expression.name);
+        for (const Expression& operand : expression.operands) meet_constants(operand, is_parameter);
     }
 
-    static std::string next_name(const std::string& name) {
-        Scanner scanner(name, "", {});
-        return next_maple_name(scanner);
+    void check_constant(const std::string& name) const {
+        for (const char* kept : {"D", "I", "Pi", "N", "L", "AXIOMA", "PONTOA", "ANGULO", "SEGMENTO",
+                                 "vH", "vL", "vU", "Lsystem", "GRAFICO", "restart", "with", "proc"})
+            if (name == kept) refuse("the constant " + name + ": the name is taken");
+        const auto is_plain = [](unsigned char c) { return std::isalnum(c) || c == '_'; };
+        if (!std::all_of(name.begin(), name.end(), is_plain))
+            refuse("the constant " + name + ": names have letters of ASCII");
+        if (is_maple_capital(name) && form_ == MapleForm::parametric && system_.alphabet.find(name))
+            refuse("the constant " + name + " beside a module " + name);
     }
 
     std::string modules(const ModuleWord& word, const std::vector<std::string>& parameters) {
         std::string text;
         for (std::size_t i = 0; i < word.letters.size(); ++i) {
             const std::string module = character(word.letters[i]);
-            const bool capital = is_capital(module);
+            const bool capital = is_maple_capital(module);
             const auto arguments = word.arguments.find(i);
             text += (text.empty() ? "[\"" : ", [\"") + module + '"';
             std::string list;
@@ -238,23 +138,17 @@ private:
         return "[" + text + "]";
     }
 
-    static bool is_capital(const std::string& name) {
-        return name.size() == 1 && name[0] >= 'A' && name[0] <= 'Z';
-    }
-
     void check_module(Symbol symbol, std::size_t arity) {
         const std::string& name = this->name(symbol);
-        if (name.size() == 1 && std::string_view("Ff+-&^\\/!").find(name[0]) != std::string_view::npos &&
-            arity == 0)
-            refuse("the module " + name + " without its parameter beside modules with theirs");
-        if (name.size() == 1 && std::string_view("|@[]").find(name[0]) != std::string_view::npos &&
-            arity > 0)
+        if (maple_need(name) == MapleNeed::one && arity == 0)
+            refuse("the module " + name + " without a parameter beside modules that have some");
+        if (maple_need(name) == MapleNeed::none && arity > 0)
             refuse("parameters of the module " + name);
         const Production* rule = rule_of(symbol);
-        if (!rule && is_capital(name)) staying_.insert(name);
+        if (!rule && is_maple_capital(name)) staying_.insert(name);
         if (rule && rule->predecessor.parameters.size() != arity)
-            refuse(*rule, "the module " + name + " with " + std::to_string(arity) +
-                              " parameters, which stays,");
+            refuse(*rule, "a module " + name + " with another number of parameters, " +
+                              std::to_string(arity) + ", would not stay");
     }
 
     const Production* rule_of(Symbol symbol) const {
@@ -265,9 +159,10 @@ private:
 
     std::string function(const Production& rule) {
         const std::string& name = this->name(rule.predecessor.symbol);
-        if (!is_capital(name)) refuse(rule, "rules for other than capital letters");
+        if (!is_maple_capital(name))
+            refuse(rule, "functions are called for the capital letters A to Z alone");
         if (name == "D" || name == "I")
-            refuse(rule, "functions called " + name + ", which Maple keeps for itself");
+            refuse(rule, "Maple keeps the name " + name + " for itself");
         return name + " := L -> " + modules(rule.successor, rule.predecessor.parameters) + ":\n";
     }
 
@@ -276,7 +171,7 @@ private:
         std::string text;
         for (const std::string& name : staying_) {
             if (name == "D" || name == "I")
-                refuse("the module " + name + ", whose name Maple keeps for itself");
+                refuse("the module " + name + ": Maple keeps the name for itself");
             text += name + " := L -> [[\"" + name + "\",L]]:\n";
         }
         return text;
@@ -291,8 +186,8 @@ private:
             if (!one->exact) refuse("the start " + to_text(one->expression) + ", no fraction");
         std::string text;
         if (!start.x.exact->is_zero() || !start.y.exact->is_zero())
-            text += "PONTOA := [" + shortest_text(*start.x.exact) + "," + shortest_text(*start.y.exact) +
-                    "]:\n";
+            text += "PONTOA := [" + shortest_text(*start.x.exact) + "," +
+                    shortest_text(*start.y.exact) + "]:\n";
         if (*start.heading.exact != (upward ? 90 : 0))
             text += "ANGULO := " + shortest_text(*start.heading.exact) + "*Pi/180:\n";
         const auto& step = system_.settings.step;
@@ -302,7 +197,8 @@ private:
 
     std::string constants() {
         std::string text;
-        for (std::size_t i = system_.constants.size(); i-- > 0;) {  // those that others use come first
+        for (std::size_t i = system_.constants.size();
+             i-- > 0;) {  // those that others use come first
             const auto& [name, value] = system_.constants[i];
             if (!constants_.contains(name)) continue;
             text.insert(0, name + " := " + number(value.expression) + ":\n");

@@ -11,11 +11,16 @@ namespace {
 
 const char* kind_name(const MapleValue& value) {
     switch (value.kind) {
-        case MapleValue::Kind::text: return "a string";
-        case MapleValue::Kind::list: return "a list";
-        case MapleValue::Kind::function: return "a function";
-        case MapleValue::Kind::parameters: return "the list of parameters";
-        case MapleValue::Kind::expression: break;
+        case MapleValue::Kind::text:
+            return "a string";
+        case MapleValue::Kind::list:
+            return "a list";
+        case MapleValue::Kind::function:
+            return "a function";
+        case MapleValue::Kind::parameters:
+            return "the list of parameters";
+        case MapleValue::Kind::expression:
+            break;
     }
     return "a number";
 }
@@ -60,9 +65,10 @@ const MapleExpression& MapleValues::checked(const MapleValue& value,
     for (const auto& [name, offset] : value.expression.names)
         if (!numbers_.contains(name)) {
             const MapleValue* assigned = sheet_.find(name);
-            scanner_.fail_at(offset, assigned ? "expected a number, and " + quoted(name) + " is " +
-                                                    kind_name(resolved(*assigned))
-                                              : "nothing is assigned to " + quoted(name) + " before");
+            scanner_.fail_at(offset, assigned
+                                         ? "expected a number, and " + quoted(name) + " is " +
+                                               kind_name(resolved(*assigned))
+                                         : "nothing is assigned to " + quoted(name) + " before");
         }
     return value.expression;
 }

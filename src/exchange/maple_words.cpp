@@ -16,7 +16,8 @@ public:
         : values_(values),
           scanner_(values.scanner()),
           system_(system),
-          form_(values.sheet().arguments.size() == 5 ? MapleForm::stochastic : MapleForm::strings) {}
+          form_(values.sheet().arguments.size() == 5 ? MapleForm::stochastic : MapleForm::strings) {
+    }
 
     void all() {
         const auto& arguments = values_.sheet().arguments;
@@ -33,8 +34,7 @@ private:
         for (std::size_t i = 0; i < text.text.size();) {
             const std::string_view rest = std::string_view(text.text).substr(i);
             const std::size_t bytes = first_character(rest).bytes, offset = text.offset + 1 + i;
-            const std::string symbol =
-                maple_symbol(scanner_, form_, rest.substr(0, bytes), offset);
+            const std::string symbol = maple_symbol(scanner_, form_, rest.substr(0, bytes), offset);
             if (symbol == "[" || symbol == "]") check_kind(rest[0], offset);
             brackets.meet(symbol, offset);
             letters.push_back(known(symbol, offset));
@@ -50,8 +50,8 @@ private:
         if (!round_) round_ = round;
         if (*round_ != round)
             scanner_.fail_at(offset, std::string("brackets are written ") +
-                                         (*round_ ? "( )" : "[ ]") + " before, found '" + character +
-                                         "'");
+                                         (*round_ ? "( )" : "[ ]") + " before, found '" +
+                                         character + "'");
     }
 
     Symbol known(const std::string& name, std::size_t offset) {
@@ -59,8 +59,9 @@ private:
         const Symbol symbol = system_.alphabet.symbol(name);
         const MapleMeaning meaning = maple_meaning(form_, name);
         if (meaning == MapleMeaning::refused)
-            scanner_.fail_at(offset, quoted(name) +
-                                         " turns the turtle in space, and is nothing to this procedure");
+            scanner_.fail_at(
+                offset,
+                quoted(name) + " turns the turtle in space, and is nothing to this procedure");
         if (meaning == MapleMeaning::none) {
             Production silent;
             silent.predecessor.symbol = symbol;
@@ -74,16 +75,15 @@ private:
             const MapleValue& left = values_.text(list.items[i], "a predecessor, a string");
             const Word predecessor = word(left);
             if (predecessor.size() != 1)
-                values_.fail(list.items[i], "expected a predecessor of one character, found " +
-                                                quoted(left.text));
+                values_.fail(list.items[i],
+                             "expected a predecessor of one character, found " + quoted(left.text));
             if (i + 1 == list.items.size())
                 values_.fail(list.items[i],
                              "the predecessor " + quoted(left.text) + " has no successor");
             check_new(list.items[i], predecessor.front());
             Production rule;
             rule.predecessor.symbol = predecessor.front();
-            rule.successor.letters =
-                word(values_.text(list.items[i + 1], "a successor, a string"));
+            rule.successor.letters = word(values_.text(list.items[i + 1], "a successor, a string"));
             system_.rules.push_back(std::move(rule));
         }
     }
@@ -110,8 +110,8 @@ private:
         for (const MapleValue& item : list.items) {
             const Rational probability = values_.rational(item, "a probability");
             if (sign(probability) <= 0)
-                values_.fail(item, "expected a probability above 0, found " +
-                                       shortest_text(probability));
+                values_.fail(item,
+                             "expected a probability above 0, found " + shortest_text(probability));
             sum += probability;
         }
         if (!list.items.empty() && sum != 1 && sum != 100)
@@ -130,20 +130,6 @@ private:
 };
 
 }  // namespace
-
-MapleMeaning maple_meaning(MapleForm form, const std::string& symbol) {
-    if (symbol.size() != 1) return MapleMeaning::same;
-    const auto is_one_of = [&](std::string_view symbols) {
-        return symbols.find(symbol[0]) != std::string_view::npos;
-    };
-    if (symbol == "$" || (form == MapleForm::stochastic && is_one_of("&^\\/")))
-        return MapleMeaning::refused;
-    if (is_one_of("G{}.'%") || (form != MapleForm::parametric && symbol == "@") ||
-        (form == MapleForm::parametric && symbol == "*") ||
-        (form == MapleForm::stochastic && symbol == "|"))
-        return MapleMeaning::none;
-    return MapleMeaning::same;
-}
 
 std::string maple_symbol(const Scanner& scanner, MapleForm form, std::string_view character,
                          std::size_t offset) {

@@ -1,20 +1,10 @@
 #pragma once
 
+#include "exchange/maple_form.hpp"
 #include "exchange/maple_values.hpp"
 #include "system/lsystem.hpp"
 
 namespace algae {
-
-/// Which of the procedures of the worksheet a call is for.
-enum class MapleForm { strings, stochastic, parametric };
-
-/// What a symbol of a system is to the turtle of a procedure. Used within this room only.
-enum class MapleMeaning {
-    same,    // the same as in the notation
-    none,    // nothing, and something in the notation: the interpretation leaves it out
-    refused  // nothing, and in the notation a turn in space that cannot be left out
-};
-MapleMeaning maple_meaning(MapleForm form, const std::string& symbol);
 
 /// The symbol that a character of a string stands for: `?` for `\`, in the stochastic form `(` and `)`
 /// for brackets. Fails at the offset where it is no symbol.

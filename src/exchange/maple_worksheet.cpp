@@ -12,8 +12,7 @@ namespace algae {
 namespace {
 
 constexpr std::size_t most_depth = 100;
-const char* const statements_known =
-    "an assignment, restart, with(...) or a call Lsystem(...)";
+const char* const statements_known = "an assignment, restart, with(...) or a call Lsystem(...)";
 
 bool is_start(const std::string& name) {
     for (const char* known : {"PONTOA", "ANGULO", "SEGMENTO", "vH", "vL", "vU"})
@@ -65,7 +64,8 @@ private:
         } else if (name == "Lsystem") {
             call(where);
         } else if (name != "restart") {
-            scanner_.fail_at(where, std::string("expected ") + statements_known + ", found " + quoted(name));
+            scanner_.fail_at(
+                where, std::string("expected ") + statements_known + ", found " + quoted(name));
         }
         if (!scanner_.take(";") && !scanner_.take(":"))
             scanner_.fail("';' or ':' at the end of the statement");
@@ -99,8 +99,7 @@ private:
         sheet_.call = where;
         // What is assigned behind the call comes too late for it.
         for (const auto& assignment : sheet_.assignments)
-            if (assignment.value.kind == MapleValue::Kind::function)
-                check_names(assignment.value);
+            if (assignment.value.kind == MapleValue::Kind::function) check_names(assignment.value);
     }
 
     /// Goes past a procedure. What GRAFICO assigns first is where its turtle starts.
@@ -134,8 +133,8 @@ private:
 
     MapleValue value(const std::string& parameters, std::size_t depth) {
         if (depth > most_depth)
-            scanner_.fail_at(scanner_.offset(), "lists nested more than " +
-                                                    std::to_string(most_depth) + " deep");
+            scanner_.fail_at(scanner_.offset(),
+                             "lists nested more than " + std::to_string(most_depth) + " deep");
         MapleValue read;
         read.offset = scanner_.offset();
         const std::string_view rest = scanner_.rest();
@@ -160,7 +159,8 @@ private:
                 read.parameters = name;
                 return read;
             }
-            if (depth == 0 && !in_call_ && behind(rest, name).starts_with("->")) return function(name);
+            if (depth == 0 && !in_call_ && behind(rest, name).starts_with("->"))
+                return function(name);
         }
         read.expression = read_maple_expression(scanner_, parameters);
         if (parameters.empty()) check_names(read);
@@ -183,7 +183,8 @@ private:
         read.parameters = parameters;
         scanner_.take(parameters);
         scanner_.expect("->", "");
-        if (!scanner_.rest().starts_with('[')) scanner_.fail("'[' and the modules of the successor");
+        if (!scanner_.rest().starts_with('['))
+            scanner_.fail("'[' and the modules of the successor");
         read.items.push_back(value(parameters, 1));
         return read;
     }

@@ -10,13 +10,6 @@ namespace algae {
 
 namespace {
 
-[[noreturn]] void cannot_say(const LSystem& system, const std::string& format,
-                             const Production& rule, const std::string& why) {
-    const std::string place = rule.place.line > 0 ? to_string(rule.place) : system.name;
-    throw Error((place.empty() ? "" : place + ": ") + format + " cannot say the rule " +
-                print_rule(system.alphabet, rule) + ": " + why);
-}
-
 /// What of a rule is more than a letter and a word; empty if nothing.
 std::string beyond_plain(const Production& rule) {
     if (!rule.left.empty() || !rule.right.empty()) return "it has a context";
@@ -77,6 +70,13 @@ private:
 };
 
 }  // namespace
+
+void cannot_say(const LSystem& system, const std::string& format, const Production& rule,
+                const std::string& why) {
+    const std::string place = rule.place.line > 0 ? to_string(rule.place) : system.name;
+    throw Error((place.empty() ? "" : place + ": ") + format + " cannot say the rule " +
+                print_rule(system.alphabet, rule) + ": " + why);
+}
 
 void cannot_say(const LSystem& system, const std::string& format, const std::string& what) {
     throw Error((system.name.empty() ? "" : system.name + ": ") + format + " cannot say " + what);

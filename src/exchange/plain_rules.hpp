@@ -34,4 +34,8 @@ void check_plain_settings(const LSystem& system, const std::string& format);
 [[noreturn]] void cannot_say(const LSystem& system, const std::string& format,
                              const std::string& what);
 
+/// Throws Error: "bush.lsys:3:1: brno cannot say the rule A -> B: " and why.
+[[noreturn]] void cannot_say(const LSystem& system, const std::string& format,
+                             const Production& rule, const std::string& why);
+
 }  // namespace algae

@@ -9,12 +9,14 @@ namespace algae {
 namespace {
 
 bool is_rule(std::string_view cell) {
-    return cell.find_first_not_of("-:=+") == std::string_view::npos &&
-           std::count(cell.begin(), cell.end(), '-') + std::count(cell.begin(), cell.end(), '=') > 1;
+    const auto dashes =
+        std::count_if(cell.begin(), cell.end(), [](char c) { return c == '-' || c == '='; });
+    return cell.find_first_not_of("-:=+") == std::string_view::npos && dashes > 0 &&
+           cell.size() > 1;
 }
 
 bool is_left_out(std::string_view cell) {
-    return cell == "\\hline" || cell == "\\\\" || cell == "\\\\\\hline" || is_rule(cell);
+    return cell.empty() || cell == "\\hline" || is_rule(cell);
 }
 
 }  // namespace
@@ -46,7 +48,7 @@ std::vector<std::vector<TableCell>> table_rows(const Source& source) {
         const std::size_t begin = i;
         while (i < text.size() && text[i] != '\n' && text[i] != '#' && bytes_between(i) == 0) ++i;
         std::string_view cell = text.substr(begin, i - begin);
-        if (!is_left_out(cell) && cell.ends_with("\\\\")) cell.remove_suffix(2);
+        cell = cell.substr(0, cell.find("\\\\"));
         if (!is_left_out(cell)) row.push_back({std::string(cell), begin});
     }
     if (!row.empty()) rows.push_back(std::move(row));

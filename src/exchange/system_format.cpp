@@ -2,6 +2,7 @@
 
 #include "exchange/brno_file.hpp"
 #include "exchange/maple_file.hpp"
+#include "exchange/netlogo_file.hpp"
 
 namespace algae {
 
@@ -9,6 +10,8 @@ const std::vector<SystemFormat>& system_formats() {
     static const std::vector<SystemFormat> all{
         {"brno", "a text file of a geometric interpreter of D0L systems", read_brno, print_brno},
         {"maple", "a worksheet that calls the Maple procedure Lsystem", read_maple, print_maple},
+        {"netlogo", "the setup procedure of a NetLogo model of L-systems", read_netlogo,
+         print_netlogo},
     };
     return all;
 }

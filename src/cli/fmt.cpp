@@ -4,6 +4,8 @@
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/output.hpp"
+#include "exchange/relative_format.hpp"
+#include "exchange/system_format.hpp"
 #include "notation/relative_reader.hpp"
 #include "notation/format.hpp"
 #include "render/output.hpp"
@@ -19,8 +21,17 @@ struct Options {
     Bounds bounds;
 };
 
+[[noreturn]] void refuse(const std::string& name, const std::string& what, const std::string& to) {
+    throw Error(name + " is " + what + "; expected a file of the notation, as `algae convert --to " +
+                to + "` makes of it");
+}
+
 int format(const Options& options) {
     const SourceText source = open_text(options.file, options.bounds.budget());
+    if (const SystemFormat* foreign = system_format(source.name))
+        refuse(source.name, foreign->what, "lsys");
+    if (const RelativeFormat* foreign = relative_format(source.name))
+        refuse(source.name, foreign->what, foreign->kind);
     const std::string text = relative_kind(source.name) ? format_relative(source.text, source.name)
                                                          : format_lsystem(source.text, source.name);
     if (options.check) return source.text == text ? success : refuted;

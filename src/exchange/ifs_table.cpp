@@ -156,6 +156,15 @@ private:
     std::optional<Rational> sum_ = Rational(0);
 };
 
+/// A number as it stands in a table.
+std::string cell(const IteratedFunctions& system, const Quantity& number) {
+    const std::string text = to_text(number.expression);
+    if (text.find_first_of(" |&") != std::string::npos)
+        throw Error(system.name + ": the number " + text +
+                    " cannot stand between the blanks of a table");
+    return text;
+}
+
 }  // namespace
 
 RelativeFile read_ifs_table(std::string_view text, const std::string& name) {
@@ -175,8 +184,8 @@ std::string print_ifs_table(const Relative& relative) {
     for (const IteratedFunctions::Map& map : system.maps) {
         auto& row = rows.emplace_back();
         row.push_back(std::to_string(rows.size() - 1));
-        for (const Quantity& number : map.numbers) row.push_back(to_text(number.expression));
-        if (chances) row.push_back(to_text(map.probability->expression));
+        for (const Quantity& number : map.numbers) row.push_back(cell(system, number));
+        if (chances) row.push_back(cell(system, *map.probability));
     }
     std::vector<std::size_t> widths(rows.front().size());
     for (const auto& row : rows)

@@ -97,6 +97,8 @@ TEST_CASE("faults of a table of maps are named with their places") {
     }
     CHECK(brief("2 0 0 0.5 0 0", "ifs").find("x.ifs-table") ==
           0);  // it does not bring points together
+    CHECK(refusal([] { back("map 1/2 0 0 (1<2)/2 0 0\n", "ifs"); }) ==
+          "x.ifs: the number (1 < 2)/2 cannot stand between the blanks of a table");
     CHECK(refusal([] {
               back("state a\nmap 1/2 0 0 1/2 0 0 -> b\nstate b\nmap 1/2 0 0 1/2 0 0 -> a\n", "ifs");
           }) == "x.ifs: has several states, and a table says maps of one");

@@ -29,18 +29,20 @@ const char* kind_name(const MapleValue& value) {
 
 MapleValues::MapleValues(const Scanner& scanner, const MapleWorksheet& sheet)
     : scanner_(scanner), sheet_(sheet) {
-    for (const auto& [name, offset, value] : sheet.assignments)
+    for (const auto& [name, offset, value] : sheet.assignments) {
+        const std::string other = bare_name(value);
+        ends_[name] = other.empty() ? &value : ends_.at(other);  // which was assigned before
         if (resolved(value).kind == MapleValue::Kind::expression)
             numbers_[name] = worked_out(checked(value, "a number"));
+    }
 }
 
 const MapleValue& MapleValues::resolved(const MapleValue& value) const {
-    const MapleValue* found = &value;
-    for (std::string name = bare_name(value); !name.empty(); name = bare_name(*found)) {
-        found = sheet_.find(name);
-        if (!found) fail(value, "nothing is assigned to " + quoted(name) + " before");
-    }
-    return found->kind == MapleValue::Kind::expression ? value : *found;
+    const std::string name = bare_name(value);
+    if (name.empty()) return value;
+    const auto found = ends_.find(name);
+    if (found == ends_.end()) fail(value, "nothing is assigned to " + quoted(name) + " before");
+    return found->second->kind == MapleValue::Kind::expression ? value : *found->second;
 }
 
 const MapleValue& MapleValues::text(const MapleValue& value, const std::string& what) const {

@@ -47,6 +47,7 @@ private:
 
     const Scanner& scanner_;
     const MapleWorksheet& sheet_;
+    std::map<std::string, const MapleValue*> ends_;  // what names stand for that is no other name
     std::map<std::string, Quantity> numbers_;
     std::set<std::string> used_;
 };

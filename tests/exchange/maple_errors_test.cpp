@@ -197,9 +197,11 @@ TEST_CASE("no worksheet, however broken, ends in anything but a system or an err
     }
     survive("Lsystem(\"" + many("F[+") + many("]") + "\",[],1,1);");
     survive("Lsystem(\"F\",[" + many("\"F\",\"F\",") + "\"F\"],[" + many("1,") + "1],1,1);");
-    std::string chain = "a0 := 2: ";
-    for (int i = 1; i < 20'000; ++i)
-        chain += "a" + std::to_string(i) + " := a" + std::to_string(i - 1) + "*1:\n";
-    survive(chain + "Lsystem(\"F\",[],sqrt(a19999),1);");
+    for (const char* times : {"", "*1"}) {
+        std::string chain = "a0 := 2: ";
+        for (int i = 1; i < 20'000; ++i)
+            chain += "a" + std::to_string(i) + " := a" + std::to_string(i - 1) + times + ":\n";
+        survive(chain + "Lsystem(\"F\",[],sqrt(a19999),1);");
+    }
     survive("x := 10^(10^(10^10)): Lsystem(\"F\",[],x,1);");
 }

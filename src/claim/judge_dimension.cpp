@@ -50,14 +50,16 @@ Judgement judge_exact(const std::string& what, const DimensionFormula& value,
                       const ClaimedDimension& claimed, std::vector<std::string> argument,
                       const nlohmann::ordered_json& by) {
     const Order order = compared(value, claimed.value);
-    const std::string line = what + " is " + text_of(value);
+    const std::string known = text_of(value);
+    const std::string line = what + " is " + known;
     if (order == Order::unknown) {
         argument.push_back(line + ".");
         argument.push_back(agree(value.text(), claimed.text));
         return Judgement::undecided(std::move(argument));
     }
     const std::string sign = order == Order::equal ? " = " : order == Order::less ? " < " : " > ";
-    argument.push_back(line + (value.text() == claimed.text ? "" : sign + claimed.text) + ".");
+    const bool said = value.text() == claimed.text || known.ends_with(sign + claimed.text);
+    argument.push_back(line + (said ? "" : sign + claimed.text) + ".");
     const bool holds = order == Order::equal || (claimed.at_most && order == Order::less);
     return holds ? Judgement::proved(std::move(argument), by)
                  : Judgement::refuted(std::move(argument), by);

@@ -6,7 +6,7 @@ function(embed function)  # embed(function file...): writes the definition of al
   set(seen)
   foreach(file IN LISTS ARGN)
     cmake_path(GET file STEM LAST_ONLY stem)
-    if(stem IN_LIST seen AND NOT function STREQUAL theory_claims)  # claims are known by their paths
+    if(stem IN_LIST seen AND NOT function MATCHES "^(theory_claims|lesson_code)$")  # those are known by their paths
       message(FATAL_ERROR "two files are named '${stem}' like ${file}; names in the ${function} are file names, so one must change")
     endif()
     list(APPEND seen ${stem})
@@ -35,3 +35,16 @@ file(GLOB algae_lesson_files CONFIGURE_DEPENDS lessons/[0-9]*.md)
 file(GLOB algae_exercise_files CONFIGURE_DEPENDS lessons/exercises/*.exercise)
 embed(lesson_texts ${algae_lesson_files})
 embed(exercise_texts ${algae_exercise_files})
+
+# The files whose regions lessons show as code.
+set(algae_shown_files)
+foreach(lesson IN LISTS algae_lesson_files)
+  set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${lesson})
+  file(STRINGS ${lesson} openings REGEX "^```cpp region=")
+  foreach(opening IN LISTS openings)
+    string(REGEX REPLACE "^```cpp region=([^#]*)#.*$" "${CMAKE_CURRENT_SOURCE_DIR}/\\1" shown "${opening}")
+    list(APPEND algae_shown_files ${shown})
+  endforeach()
+endforeach()
+list(REMOVE_DUPLICATES algae_shown_files)
+embed(lesson_code ${algae_shown_files})

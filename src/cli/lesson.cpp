@@ -4,13 +4,14 @@
 #include <nlohmann/json.hpp>
 
 #include "base/error.hpp"
+#include "claim/sentences.hpp"
 #include "cli/claims.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/output.hpp"
 #include "lesson/lessons.hpp"
 #include "lesson/mark.hpp"
-#include "notation/gallery.hpp"
+#include "render/output.hpp"
 
 namespace algae::cli {
 
@@ -18,9 +19,12 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+constexpr std::string_view ending = ".exercise";
+
 struct Options {
-    std::size_t lesson = 0, exercise = 0;
-    std::string answer;
+    std::string lesson;  // its number, or a file with an exercise
+    std::size_t exercise = 0;
+    std::string answer, out;
     bool json = false;
     Bounds bounds;
 };
@@ -51,6 +55,9 @@ int list(const Options& options) {
             text += fmt::format("      {:<5} {}{}\n", exercise.label(), exercise.title,
                                 exercise.source.empty() ? "" : " (" + exercise.source + ")");
     }
+    text +=
+        "\n`algae lesson 1` prints a lesson, `algae lesson 1 --out FOLDER` writes the files that "
+        "it uses.\n";
     print(options.json ? Json{{"lessons", all}}.dump(2) + "\n" : text);
     return success;
 }
@@ -58,9 +65,9 @@ int list(const Options& options) {
 Lesson chosen_lesson(const Options& options) {
     std::vector<Lesson> all = lessons();
     for (Lesson& lesson : all)
-        if (lesson.number == options.lesson) return std::move(lesson);
-    throw Error("expected a lesson from 1 to " + std::to_string(all.size()) + ", found " +
-                std::to_string(options.lesson));
+        if (std::to_string(lesson.number) == options.lesson) return std::move(lesson);
+    throw Error("expected a lesson from 1 to " + std::to_string(all.size()) +
+                " or a file ending in .exercise, found " + options.lesson);
 }
 
 const Exercise& chosen_exercise(const Options& options, const Lesson& lesson) {
@@ -89,59 +96,95 @@ Json as_json(const Exercise& exercise, const Mark& marked) {
             {"statements", std::move(statements)}};
 }
 
+std::string folder_of(const std::string& file) {
+    const std::string folder = std::filesystem::path(file).parent_path().string();
+    return file == "-" || folder.empty() ? "." : folder;
+}
+
+/// Systems beside the answer; for an exercise of one's own those beside it come first.
+SystemSource systems_for(const Options& options, const Exercise& exercise, const Budget& budget) {
+    const SystemSource beside_answer = systems_from(folder_of(options.answer), budget);
+    if (exercise.lesson > 0) return beside_answer;
+    return [own = folder_of(exercise.file), beside_answer, budget](const std::string& name) {
+        const std::filesystem::path beside = std::filesystem::path(own) / name;
+        std::error_code ignored;
+        return std::filesystem::exists(beside, ignored) ? open_system(beside.string(), budget)
+                                                        : beside_answer(name);
+    };
+}
+
 int mark_answer(const Options& options, const Exercise& exercise) {
     const Budget budget = options.bounds.budget();
     const std::string text = file_text(options.answer, budget);
-    const bool piped = options.answer == "-";
-    const std::string folder =
-        piped ? "" : std::filesystem::path(options.answer).parent_path().string();
-    const Mark marked = mark(exercise, text, piped ? "standard input" : options.answer,
-                             systems_from(folder.empty() ? "." : folder, budget), budget);
+    const Mark marked =
+        mark(exercise, text, options.answer == "-" ? "standard input" : options.answer,
+             systems_for(options, exercise, budget), budget);
     print(options.json ? as_json(exercise, marked).dump(2) + "\n" : report(exercise, marked));
     return marked.verdict == Truth::proved    ? success
            : marked.verdict == Truth::refuted ? refuted
                                               : undecided;
 }
 
-int lesson(const Options& options) {
-    if (options.lesson == 0) return list(options);
-    const Lesson chosen = chosen_lesson(options);
-    if (options.exercise == 0) {
-        print(options.json ? as_json(chosen).dump(2) + "\n" : lesson_text(chosen));
-        return success;
-    }
-    const Exercise& exercise = chosen_exercise(options, chosen);
+int print_task_or_mark(const Options& options, const Exercise& exercise) {
     if (!options.answer.empty()) return mark_answer(options, exercise);
     print(options.json ? as_json(exercise).dump(2) + "\n" : task_text(exercise));
     return success;
 }
 
-/// "1|2|3"
-std::string numbers_to(std::size_t last) {
-    std::string all;
-    for (std::size_t i = 1; i <= last; ++i) all += (i > 1 ? "|" : "") + std::to_string(i);
-    return all;
+/// An exercise that does not come with algae.
+Exercise own_exercise(const Options& options) {
+    if (options.exercise > 0)
+        throw Error("--exercise chooses one of a lesson; " + options.lesson + " is one itself");
+    const std::size_t name = options.lesson.size() - ending.size();
+    return read_exercise(file_text(options.lesson, options.bounds.budget()),
+                         options.lesson.substr(0, name));
+}
+
+int write_files(const Options& options, const Lesson& lesson) {
+    std::filesystem::create_directories(options.out);
+    std::size_t count = 0;
+    for (const LessonFile& file : lesson_files(lesson)) {
+        FileOutput out((std::filesystem::path(options.out) / file.name).string());
+        out.write(file.text.data(), file.text.size());
+        out.commit();
+        ++count;
+    }
+    print(counted(count, "file") + " of lesson " + options.lesson + " in " + options.out + "\n");
+    return success;
+}
+
+int lesson(const Options& options) {
+    if (options.lesson.empty()) return list(options);
+    if (options.lesson.ends_with(ending)) return print_task_or_mark(options, own_exercise(options));
+    const Lesson chosen = chosen_lesson(options);
+    if (options.exercise > 0) return print_task_or_mark(options, chosen_exercise(options, chosen));
+    if (!options.answer.empty())
+        throw Error("expected --exercise before the answer, found " + options.answer);
+    if (!options.out.empty()) return write_files(options, chosen);
+    print(options.json ? as_json(chosen).dump(2) + "\n" : lesson_text(chosen));
+    return success;
 }
 
 }  // namespace
 
 void add_lesson(Verbs& verbs) {
     auto options = std::make_shared<Options>();
-    CLI::App& verb =
-        add_verb(verbs, "lesson", "Lessons, and exercises that algae marks",
-                 "  algae lesson 3\n  algae lesson 3 --exercise 2 my-answer.lsys", options, lesson);
-    CLI::Option* const number =
-        verb.add_option("NUMBER", options->lesson, "a lesson; without one all are listed")
-            ->type_name(numbers_to(lesson_texts().size()));
-    CLI::Option* const exercise =
-        verb.add_option("--exercise", options->exercise,
-                        "print the task of an exercise, or mark its answer")
-            ->needs(number)
-            ->check(CLI::PositiveNumber.description(""))
-            ->type_name("K");
-    verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input")
-        ->type_name("FILE")
-        ->needs(exercise);
+    CLI::App& verb = add_verb(verbs, "lesson", "Lessons, and exercises that algae marks",
+                              "  algae lesson 3\n  algae lesson 3 --exercise 2 my-answer.lsys\n"
+                              "  algae lesson squares.exercise my-answer.lsys",
+                              options, lesson);
+    CLI::Option* const number = verb.add_option(
+        "LESSON", options->lesson,
+        "its number, or a file ending in .exercise with one of your own; without it "
+        "all lessons are listed");
+    verb.add_option("--exercise", options->exercise,
+                    "print the task of an exercise, or mark its answer")
+        ->needs(number)
+        ->check(CLI::PositiveNumber);
+    verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input");
+    verb.add_option("--out", options->out, "write the files that the lesson uses into this folder")
+        ->type_name("DIR")
+        ->needs(number);
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

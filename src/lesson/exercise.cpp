@@ -17,17 +17,28 @@ namespace {
     throw Error(to_string(place) + ": " + message);
 }
 
-/// The numbers of the lesson and the exercise in the name of a file.
+/// "03-2" of "lessons/exercises/03-2.exercise".
+std::string name_of(const std::string& file) {
+    const std::size_t slash = file.rfind('/');
+    const std::size_t begin = slash == std::string::npos ? 0 : slash + 1;
+    return file.substr(begin, file.rfind('.') - begin);
+}
+
+/// The numbers of the lesson and the exercise in the name of a file, if they are there.
 void read_label(const std::string& name, Exercise& exercise) {
-    const std::size_t dash = name.find('-');
-    const auto number = [&](std::size_t begin, std::size_t end, std::size_t& value) {
-        const char* const last = name.data() + end;
-        const auto [stop, error] = std::from_chars(name.data() + begin, last, value);
-        return error == std::errc() && stop == last;
+    const auto number = [](std::string_view digits) {
+        std::size_t value = 0;
+        const char* const end = digits.data() + digits.size();
+        const auto [stop, error] = std::from_chars(digits.data(), end, value);
+        return error == std::errc() && stop == end ? value : 0;
     };
-    if (dash == std::string::npos || !number(0, dash, exercise.lesson) ||
-        !number(dash + 1, name.size(), exercise.number))
-        throw Error(name + ": expected an exercise named as 03-2, lesson and number");
+    const std::size_t dash = name.find('-');
+    if (dash == std::string::npos) return;
+    const std::size_t lesson = number(std::string_view(name).substr(0, dash));
+    const std::size_t place = number(std::string_view(name).substr(dash + 1));
+    if (lesson == 0 || place == 0) return;
+    exercise.lesson = lesson;
+    exercise.number = place;
 }
 
 void read_kind(std::string_view value, const Place& place, Exercise& exercise) {
@@ -58,6 +69,11 @@ void add_task(std::string_view value, std::string& task) {
 
 }  // namespace
 
+std::string Exercise::label() const {
+    if (lesson == 0) return name_of(file);
+    return std::to_string(lesson) + "." + std::to_string(number);
+}
+
 bool is_own_statement(std::string_view text, Exercise::Kind kind) {
     ClaimScanner scanner(text);
     if (scanner.name() == "figure") return true;
@@ -68,7 +84,7 @@ bool is_own_statement(std::string_view text, Exercise::Kind kind) {
 Exercise read_exercise(std::string_view text, const std::string& name) {
     Exercise exercise;
     exercise.file = name + ".exercise";
-    read_label(name, exercise);
+    read_label(name_of(exercise.file), exercise);
     std::size_t number = 0;
     for (std::size_t begin = 0; begin < text.size(); ++number) {
         const std::size_t end = std::min(text.find('\n', begin), text.size());

@@ -18,7 +18,7 @@ struct Demand {
     Place place;
 };
 
-/// A file `NN-K.exercise`: a task and what must hold of an answer, in the order in which it is looked at.
+/// A file `*.exercise` (NOTATION.md): a task and what must hold of an answer, in the order in which it is looked at.
 ///
 ///     exercise  Squares
 ///     task      Write a PD0L system whose words have the lengths 1, 2, 5, 10, 17, ...
@@ -42,16 +42,16 @@ struct Exercise {
         word,      // one word; `answer` is the language that has no other
         claim,     // a `.claim` file that defines `names`
     };
-    std::size_t lesson = 0, number = 0;
-    std::string file;  // for messages
+    std::size_t lesson = 0, number = 0;  // 0 of an exercise that belongs to no lesson
+    std::string file;                    // for messages
     std::string title, source, task;
     Kind kind = Kind::system;
     std::vector<std::string> names;
     std::vector<Demand> demands;
     std::string claim;  // the text of the file with all but clauses of claims blanked out
 
-    /// "3.2", as people call it.
-    std::string label() const { return std::to_string(lesson) + "." + std::to_string(number); }
+    /// "3.2", as people call it; of one that belongs to no lesson the file's name without folder and ending.
+    std::string label() const;
 };
 
 /// Whether a statement is one that exercises have and claims have not.
@@ -60,8 +60,12 @@ struct Exercise {
 /// Example: !is_own_statement("growth(answer) = 2^n", Exercise::Kind::system)
 bool is_own_statement(std::string_view text, Exercise::Kind kind);
 
-/// The exercise that a text says; `name` is that of its file without the ending, as `03-2`. Statements
-/// are not read yet. Throws Error that names the line.
+/// The exercise that a text says; `name` is that of its file without the ending. One named as `03-2` is
+/// the second of lesson 3, others belong to no lesson. Statements are not read yet. Throws Error that names
+/// the line.
+///
+/// Example: read_exercise("exercise One\ntask Write a.\nanswer word\nshow answer == {a}", "01-2").label() == "1.2"
+/// Example: read_exercise("exercise One\ntask Write a.\nanswer word\nshow answer == {a}", "mine/a").label() == "a"
 Exercise read_exercise(std::string_view text, const std::string& name);
 
 }  // namespace algae

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <sstream>
 
+#include "lesson/fence.hpp"
 #include "notation/gallery.hpp"
 
 namespace algae {
@@ -43,6 +44,13 @@ std::string wrapped(const std::string& text) {
     }
     put();
     return result;
+}
+
+/// How the name of an answer ends.
+std::string ending(Exercise::Kind kind) {
+    return kind == Exercise::Kind::system  ? "lsys"
+           : kind == Exercise::Kind::claim ? "claim"
+                                           : "txt";
 }
 
 std::string what_to_hand_in(const Exercise& exercise) {
@@ -105,13 +113,30 @@ std::string task_text(const Exercise& exercise) {
            wrapped(exercise.task + "\n\n" + what_to_hand_in(exercise)) + "\n";
 }
 
+std::vector<LessonFile> lesson_files(const Lesson& lesson) {
+    std::vector<LessonFile> files;
+    for (const Fence& fence : fences(lesson.text))
+        if (!fence.name.empty()) files.push_back({fence.name, std::string(fence.text)});
+    return files;
+}
+
 std::string lesson_text(const Lesson& lesson) {
-    std::string text(lesson.text);
+    std::string text;
+    const char* here = lesson.text.data();
+    for (const Fence& fence : fences(lesson.text)) {
+        text.append(here, fence.text.data());
+        here = fence.text.data();
+        const std::size_t hash = fence.region.find('#');
+        for (const GalleryEntry& code : lesson_code())
+            if (hash != std::string::npos && code.path == fence.region.substr(0, hash))
+                text += region_of(code.text, fence.region.substr(hash + 1));
+    }
+    text.append(here, lesson.text.data() + lesson.text.size());
     if (!lesson.exercises.empty()) text += "\n## Exercises\n";
     for (const Exercise& exercise : lesson.exercises) text += "\n### " + task_text(exercise);
     if (!lesson.exercises.empty())
-        text += "\n`algae lesson " + std::to_string(lesson.number) +
-                " --exercise 1 FILE` marks an answer.\n";
+        text += "\n`algae lesson " + std::to_string(lesson.number) + " --exercise 1 my-answer." +
+                ending(lesson.exercises.front().kind) + "` marks an answer to the first one.\n";
     return text;
 }
 

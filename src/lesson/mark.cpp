@@ -28,6 +28,16 @@ std::string without_comments(const std::string& text) {
     return plain;
 }
 
+/// The text with blanks for comments, so that what is left stands in its place.
+std::string blank_comments(const std::string& text) {
+    std::string blank(text.size(), ' ');
+    for (std::size_t i = 0; i < text.size(); ++i)
+        if (text[i] == '\n') blank[i] = '\n';
+    for (const ClaimClause& clause : claim_clauses(text))
+        clause.text.copy(blank.data() + (clause.text.data() - text.data()), clause.text.size());
+    return blank;
+}
+
 /// The family by which a claim can take in any system that it can speak of.
 std::string family(const LSystem& system) {
     if (as_et0l(system)) return "ET0L";
@@ -44,7 +54,7 @@ public:
         : exercise_(exercise), text_(text), name_(name), open_(open), budget_(budget) {
         if (exercise.kind == Kind::system) system_ = read_lsystem(text, name);
         if (exercise.kind == Kind::claim) read_own_claim();
-        if (exercise.kind == Kind::language) read_language(without_comments(text), open);
+        if (exercise.kind == Kind::language) read_language(blank_comments(text), open, name);
     }
 
     /// What the answer claims itself must stand.
@@ -113,8 +123,12 @@ private:
             claim_ = read_claim(before + exercise_.claim, exercise_.file, open);
         } catch (const Diagnostics& error) {
             const Diagnostic& first = error.findings().front();
+            const std::size_t line =
+                first.place.line > lines_before_ ? first.place.line - lines_before_ : 1;
+            const std::string where =
+                exercise_.lesson > 0 ? "" : exercise_.file + ":" + std::to_string(line) + ": ";
             throw Error(name_ + ": exercise " + exercise_.label() +
-                        " cannot be decided of this answer: " + first.message);
+                        " cannot be decided of this answer: " + where + first.message);
         }
     }
 

@@ -116,6 +116,20 @@ Relation read_relation(ClaimScanner& scanner, const Demand& demand) {
     refuse(demand, "'is similar to', 'is congruent to' or '=='");
 }
 
+std::string all_of(std::size_t count, const std::string& noun) {
+    return count == 1 ? "the only " + noun : "each of " + counted(count, noun);
+}
+
+/// "Each of 3 strokes and the only filled polygon", without what there is none of.
+std::string all_parts(const Outline& outline) {
+    std::string text = all_of(outline.strokes.size(), "stroke");
+    if (!outline.polygons.empty())
+        text = (outline.strokes.empty() ? "" : text + " and ") +
+               all_of(outline.polygons.size(), "filled polygon");
+    text.front() = text.front() == 'e' ? 'E' : 'T';
+    return text;
+}
+
 Judgement judge_figures(ClaimScanner& scanner, const Demand& demand, const LSystem& answer,
                         const SystemSource& open, const Budget& budget) {
     const NamedFigure left = read_figure(scanner, demand, answer, open, budget);
@@ -129,8 +143,8 @@ Judgement judge_figures(ClaimScanner& scanner, const Demand& demand, const LSyst
         return found(false,
                      "The figures have the same form and size, but do not lie in the same place.");
     const bool exact = compared.exact && relation != Relation::same;
-    return found(true, "Each of " + std::to_string(left.outline.strokes.size()) +
-                           " strokes comes to lie on one of the other figure" +
+    return found(true, all_parts(left.outline) +
+                           " comes to lie on one of the other figure" +
                            (exact ? ", exactly." : ", as far as rounded numbers show."));
 }
 

@@ -34,11 +34,13 @@ struct Game {
         for (std::uint64_t t = 0; t < count;) {
             budget.check();
             const auto some = std::min<std::uint64_t>(count - t, at_a_time);
+            //> game
             for (std::size_t i = 0; i < some; ++i, ++t) {
                 const std::size_t map = picked(draws.at(t));
                 here = maps[map](here);
                 dots[i] = {here, static_cast<std::uint32_t>(map)};
             }
+            //< game
             take(std::span(dots).first(some));
         }
     }

@@ -28,4 +28,7 @@ std::span<const GalleryEntry> theory_claims();
 std::span<const GalleryEntry> lesson_texts();
 std::span<const GalleryEntry> exercise_texts();
 
+/// The files of algae's own code that lessons show regions of.
+std::span<const GalleryEntry> lesson_code();
+
 }  // namespace algae

@@ -191,8 +191,9 @@ Claim read_claim(std::string_view text, const std::string& file_name, const Syst
     return ClaimReader(text, file_name, reading).read();
 }
 
-WrittenLanguage read_language(std::string_view text, const SystemSource& open) {
-    const Source source(text, "expression");
+WrittenLanguage read_language(std::string_view text, const SystemSource& open,
+                              const std::string& file_name) {
+    const Source source(text, file_name);
     Findings findings(source);
     findings.throw_if_no_text();
     ClaimReading reading(source, findings, open);

@@ -31,6 +31,7 @@ struct WrittenLanguage {
 /// `Diagnostics`.
 ///
 /// Example: read_language("/a*/ & {a, b}", {}).language->kind == LanguageTree::Kind::intersected
-WrittenLanguage read_language(std::string_view text, const SystemSource& open);
+WrittenLanguage read_language(std::string_view text, const SystemSource& open,
+                              const std::string& file_name = "expression");
 
 }  // namespace algae

@@ -81,3 +81,21 @@ TEST_CASE("of every exercise three wrong answers are refused, each for its reaso
             }
     CHECK(files.size() == count);
 }
+
+TEST_CASE("no file that a lesson shows is the answer to one of its exercises") {
+    for (const Lesson& lesson : lessons())
+        for (const LessonFile& file : lesson_files(lesson))
+            for (const Exercise& exercise : lesson.exercises) {
+                if (exercise.kind != Exercise::Kind::system || !file.name.ends_with(".lsys"))
+                    continue;
+                CAPTURE(exercise.file);
+                CAPTURE(file.name);
+                bool right = false;
+                try {
+                    right =
+                        mark(exercise, file.text, file.name, from_gallery).verdict == Truth::proved;
+                } catch (const Error&) {
+                }
+                CHECK_FALSE(right);
+            }
+}

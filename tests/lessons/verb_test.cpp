@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <filesystem>
 #include <nlohmann/json.hpp>
 
 #include "cli/run.hpp"
@@ -21,6 +22,59 @@ TEST_CASE("lesson lists the lessons, prints one, and prints the task of an exerc
     CHECK(run("lesson 13").status == 2);
     CHECK(run("lesson 3 --exercise 9").status == 2);
     CHECK(run("lesson --exercise 1").status == 2);
+    CHECK(run("lesson 3 answer.lsys").status == 2);
+    CHECK(run("lesson three").err.find("from 1 to 12") != std::string::npos);
+}
+
+TEST_CASE(
+    "lesson prints code of algae where the lesson names a region, and writes the files of a "
+    "lesson") {
+    const Run one = run("lesson 3");
+    CHECK(one.out.find("```cpp region=src/fold/fold.hpp#fold\n```") == std::string::npos);
+    CHECK(one.out.find("\n#include") == std::string::npos);
+    CHECK(one.out.find("fold(const ") != std::string::npos);
+    const Scratch folder;
+    const Run written = run("lesson 3 --out " + folder.file("here"));
+    CHECK(written.status == 0);
+    CHECK(text_of(folder.file("here/squares.lsys")) == "axiom a\na -> abcc\nb -> bcc\nc -> c\n");
+}
+
+TEST_CASE(
+    "an exercise that belongs to no lesson is marked as the others are, with systems beside it") {
+    const Scratch files;
+    const std::string mine = files.file(
+        "doubling.exercise",
+        "exercise Doubling\ntask Write a D0L system that grows like the model.\nanswer system\n"
+        "let model = D0L model.lsys\nshow growth(answer) == growth(model)\nhint Each letter "
+        "doubles.\n");
+    files.file("model.lsys", "axiom a\na -> aa\n");
+    const Scratch elsewhere;
+    const Run task = run("lesson " + mine);
+    CHECK(task.status == 0);
+    CHECK(task.out.starts_with("Exercise doubling: Doubling\n\nWrite a D0L system"));
+    const Run right =
+        run("lesson " + mine + " " + elsewhere.file("a.lsys", "axiom b\nb -> cc\nc -> bb\n"));
+    CHECK(right.status == 0);
+    CHECK(right.out.starts_with("right: exercise doubling, Doubling\n"));
+    const Run wrong = run("lesson " + mine + " " + elsewhere.file("b.lsys", "axiom b\nb -> bbb\n"));
+    CHECK(wrong.status == 1);
+    CHECK(wrong.out.ends_with("  hint   Each letter doubles.\n"));
+    const std::string broken = files.file(
+        "broken.exercise", "exercise Broken\ntask Write a.\nanswer word\nshow answer === {a}\n");
+    const Run undecidable = run("lesson " + broken + " " + elsewhere.file("c.txt", "a\n"));
+    CHECK(undecidable.status == 2);
+    CHECK(undecidable.err.find("broken.exercise:4: ") != std::string::npos);
+    CHECK(run("lesson " + files.file("empty.exercise", "task Nothing\n")).status == 2);
+    CHECK(run("lesson " + mine + " --exercise 1").status == 2);
+    CHECK(run("lesson " + files.file("missing.exercise")).status == 2);
+}
+
+TEST_CASE("what is wrong with the text of an answer is told with its place in it") {
+    const Scratch files;
+    const Run found =
+        run("lesson 1 --exercise 2 " + files.file("answer.txt", "# two words\na, aa\n"));
+    CHECK(found.status == 2);
+    CHECK(found.err.find("answer.txt:2:1: error: ") != std::string::npos);
 }
 
 TEST_CASE(

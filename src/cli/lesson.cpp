@@ -177,14 +177,16 @@ void add_lesson(Verbs& verbs) {
         "LESSON", options->lesson,
         "its number, or a file ending in .exercise with one of your own; without it "
         "all lessons are listed");
-    verb.add_option("--exercise", options->exercise,
-                    "print the task of an exercise, or mark its answer")
-        ->needs(number)
-        ->check(CLI::PositiveNumber);
+    CLI::Option* const exercise =
+        verb.add_option("--exercise", options->exercise,
+                        "print the task of an exercise, or mark its answer")
+            ->needs(number)
+            ->check(CLI::PositiveNumber);
     verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input");
     verb.add_option("--out", options->out, "write the files that the lesson uses into this folder")
         ->type_name("DIR")
-        ->needs(number);
+        ->needs(number)
+        ->excludes(exercise);
     verb.add_flag("--json", options->json, "print one JSON object");
     options->bounds.add_to(verb);
 }

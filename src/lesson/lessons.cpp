@@ -58,7 +58,7 @@ std::string what_to_hand_in(const Exercise& exercise) {
         case Exercise::Kind::system:
             return "The answer is a system, a file `my-answer.lsys`.";
         case Exercise::Kind::language:
-            return "The answer is a language as claims write it, such as {a, aa} or /a*/, in a "
+            return "The answer is a language as claims write it, such as `{a, aa}` or `/a*/`, in a "
                    "file "
                    "`my-answer.txt`.";
         case Exercise::Kind::word:

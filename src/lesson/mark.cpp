@@ -54,6 +54,8 @@ public:
         : exercise_(exercise), text_(text), name_(name), open_(open), budget_(budget) {
         if (exercise.kind == Kind::system) system_ = read_lsystem(text, name);
         if (exercise.kind == Kind::claim) read_own_claim();
+        if (exercise.kind == Kind::word && without_comments(text).empty())
+            throw Error(name + ": expected a word (the empty word is ε), found nothing");
         if (exercise.kind == Kind::language) read_language(blank_comments(text), open, name);
     }
 
@@ -73,10 +75,14 @@ public:
     Judgement judge(const Demand& demand) {
         if (is_own_statement(demand.text, exercise_.kind))
             return judge_own_statement(demand, *system_, open_, budget_);
-        if (!claim_) read_demands();
-        for (const ClaimedStatement& claimed : claim_->statements)
-            if (claimed.statement.place.line == demand.place.line + lines_before_)
-                return decide(claimed.statement, *claim_, budget_);
+        const std::string before = definition() + "\n";
+        const std::size_t line =
+            static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) +
+            demand.place.line;
+        const Claim claim = claim_up_to(line, before);
+        for (const ClaimedStatement& claimed : claim.statements)
+            if (claimed.statement.place.line == line)
+                return decide(claimed.statement, claim, budget_);
         throw Error(to_string(demand.place) + ": expected a statement, found '" + demand.text +
                     "'");
     }
@@ -113,20 +119,26 @@ private:
         return {};
     }
 
-    void read_demands() {
-        const std::string before = definition() + "\n";
-        lines_before_ = static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+    /// The definition of the answer, and the exercise up to a line. What stands below may not make sense of
+    /// every answer: a morphism has images of the right letters only.
+    Claim claim_up_to(std::size_t line, const std::string& before) const {
+        const std::string whole = before + exercise_.claim;
+        std::size_t end = 0;
+        for (std::size_t i = 0; i < line; ++i) end = whole.find('\n', end) + 1;
         const SystemSource open = [this](const std::string& name) {
             return name == "answer" && system_ ? *system_ : open_(name);
         };
         try {
-            claim_ = read_claim(before + exercise_.claim, exercise_.file, open);
+            return read_claim(whole.substr(0, end), exercise_.file, open);
         } catch (const Diagnostics& error) {
             const Diagnostic& first = error.findings().front();
-            const std::size_t line =
-                first.place.line > lines_before_ ? first.place.line - lines_before_ : 1;
+            const auto lines_before =
+                static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
+            const bool of_exercise = exercise_.lesson == 0 && first.place.line > lines_before;
             const std::string where =
-                exercise_.lesson > 0 ? "" : exercise_.file + ":" + std::to_string(line) + ": ";
+                of_exercise
+                    ? exercise_.file + ":" + std::to_string(first.place.line - lines_before) + ": "
+                    : "";
             throw Error(name_ + ": exercise " + exercise_.label() +
                         " cannot be decided of this answer: " + where + first.message);
         }
@@ -139,8 +151,7 @@ private:
     const Budget& budget_;
     std::optional<LSystem> system_;
     std::string own_text_;
-    std::optional<Claim> own_, claim_;
-    std::size_t lines_before_ = 0;
+    std::optional<Claim> own_;
 };
 
 std::string verdict_word(Truth verdict) {

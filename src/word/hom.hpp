@@ -31,16 +31,16 @@ struct Brackets {
 /// The symbols named "[" and "]", if the alphabet has both.
 std::optional<Brackets> brackets_of(const Alphabet& alphabet);
 
-//> hom
-/// The homomorphism from words to M with these images of the letters. Where M is Branching and
-/// the alphabet has brackets, `[` u `]` is sent to branch(image of u), and the image of a word
-/// whose brackets do not match throws Error. `images` is indexed by symbol.
+/// The homomorphism from words to M with these images of the letters, indexed by symbol.
+///
+/// Where M is Branching and the alphabet has brackets, `[` u `]` is sent to branch(image of u), and
+/// the image of a word whose brackets do not match throws Error.
 template <Monoid M>
 struct Hom {
     M monoid;
     std::vector<typename M::value_type> images;
     std::optional<Brackets> brackets = std::nullopt;
-
+    //> hom
     typename M::value_type operator()(const Word& word) const {
         if constexpr (Branching<M>)
             if (brackets) return branched(word);
@@ -60,7 +60,7 @@ struct Hom {
         }
         return composed;
     }
-
+    //< hom
 private:
     typename M::value_type branched(const Word& word) const
         requires Branching<M>
@@ -82,9 +82,9 @@ private:
         return std::move(open.back());
     }
 };
-//< hom
 
-/// The rules of a deterministic system are a homomorphism from words to words.
+/// The rules of a deterministic system are a homomorphism
+/// from words to words.
 using Morphism = Hom<Words>;
 
 }  // namespace algae

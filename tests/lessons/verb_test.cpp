@@ -75,6 +75,10 @@ TEST_CASE("what is wrong with the text of an answer is told with its place in it
         run("lesson 1 --exercise 2 " + files.file("answer.txt", "# two words\na, aa\n"));
     CHECK(found.status == 2);
     CHECK(found.err.find("answer.txt:2:1: error: ") != std::string::npos);
+    const Run empty = run("lesson 1 --exercise 1 " + files.file("empty.txt", "# nothing\n"));
+    CHECK(empty.status == 2);
+    CHECK(empty.err.find("expected a word") != std::string::npos);
+    CHECK(run("lesson 1 --exercise 1 --out " + files.file("folder")).status == 2);
 }
 
 TEST_CASE(
@@ -125,4 +129,12 @@ TEST_CASE("lesson --json tells verdicts, arguments and hints") {
     CHECK(marked["statements"][1].contains("hint"));
     CHECK(json::parse(run("lesson --json").out)["lessons"][2]["title"] == "Growth");
     CHECK(json::parse(run("lesson 3 --exercise 2 --json").out)["title"] == "The squares and one");
+}
+
+TEST_CASE(
+    "a statement that makes no sense of an answer is not reached where one above it is refuted") {
+    const Scratch files;
+    const Run found = run("lesson 1 --exercise 1 " + files.file("answer.txt", "abc\n"));
+    CHECK(found.status == 1);
+    CHECK(found.out.find("  hint   The word has the letters a and b only") != std::string::npos);
 }

@@ -73,6 +73,9 @@ public:
     }
 
     Judgement judge(const Demand& demand) {
+        if (is_own_statement(demand.text, exercise_.kind) && !system_)
+            throw Error(to_string(demand.place) +
+                        ": expected an exercise with `answer system` for '" + demand.text + "'");
         if (is_own_statement(demand.text, exercise_.kind))
             return judge_own_statement(demand, *system_, open_, budget_);
         const std::string before = definition() + "\n";

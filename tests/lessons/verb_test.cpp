@@ -64,6 +64,11 @@ TEST_CASE(
     const Run undecidable = run("lesson " + broken + " " + elsewhere.file("c.txt", "a\n"));
     CHECK(undecidable.status == 2);
     CHECK(undecidable.err.find("broken.exercise:4: ") != std::string::npos);
+    const std::string drawn = files.file(
+        "drawn.exercise",
+        "exercise Drawn\ntask Write a.\nanswer word\nshow figure(answer, 1) == figure(koch, 1)\n");
+    CHECK(run("lesson " + drawn + " " + elsewhere.file("c.txt")).err.find("drawn.exercise:4:1: ") !=
+          std::string::npos);
     CHECK(run("lesson " + files.file("empty.exercise", "task Nothing\n")).status == 2);
     CHECK(run("lesson " + mine + " --exercise 1").status == 2);
     CHECK(run("lesson " + files.file("missing.exercise")).status == 2);

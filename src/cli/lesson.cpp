@@ -11,6 +11,7 @@
 #include "cli/output.hpp"
 #include "lesson/lessons.hpp"
 #include "lesson/mark.hpp"
+#include "notation/gallery.hpp"
 #include "render/output.hpp"
 
 namespace algae::cli {
@@ -165,6 +166,13 @@ int lesson(const Options& options) {
     return success;
 }
 
+/// "1|2|3"
+std::string numbers_to(std::size_t last) {
+    std::string all;
+    for (std::size_t i = 1; i <= last; ++i) all += (i > 1 ? "|" : "") + std::to_string(i);
+    return all;
+}
+
 }  // namespace
 
 void add_lesson(Verbs& verbs) {
@@ -173,16 +181,20 @@ void add_lesson(Verbs& verbs) {
                               "  algae lesson 3\n  algae lesson 3 --exercise 2 my-answer.lsys\n"
                               "  algae lesson squares.exercise my-answer.lsys",
                               options, lesson);
-    CLI::Option* const number = verb.add_option(
-        "LESSON", options->lesson,
-        "its number, or a file ending in .exercise with one of your own; without it "
-        "all lessons are listed");
+    CLI::Option* const number =
+        verb.add_option(
+                "LESSON", options->lesson,
+                "its number, or a file ending in .exercise with one of your own; without it "
+                "all lessons are listed")
+            ->type_name(numbers_to(lesson_texts().size()) + "|FILE");
     CLI::Option* const exercise =
         verb.add_option("--exercise", options->exercise,
                         "print the task of an exercise, or mark its answer")
             ->needs(number)
-            ->check(CLI::PositiveNumber);
-    verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input");
+            ->check(CLI::PositiveNumber.description(""))
+            ->type_name("K");
+    verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input")
+        ->type_name("FILE");
     verb.add_option("--out", options->out, "write the files that the lesson uses into this folder")
         ->type_name("DIR")
         ->needs(number)

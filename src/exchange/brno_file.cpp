@@ -7,7 +7,8 @@
 
 #include "base/error.hpp"
 #include "exchange/brno_modules.hpp"
-#include "exchange/polygon_letters.hpp"
+#include "exchange/brno_words.hpp"
+#include "exchange/placed_word.hpp"
 #include "exchange/scanner.hpp"
 #include "notation/characters.hpp"
 #include "notation/findings.hpp"
@@ -38,12 +39,6 @@ std::string_view readable(std::string_view text) {
     return text;
 }
 
-/// A word of the file: its letters and where they stand.
-struct PlacedWord {
-    std::string letters;
-    std::vector<std::size_t> offsets;
-};
-
 class Reader {
 public:
     Reader(std::string_view text, const std::string& name)
@@ -62,11 +57,12 @@ public:
             note(error);
         } catch (const CannotGoOn&) {
         }
-        if (findings_.empty()) check_words();
+        if (findings_.empty())
+            for (const auto& [name, word] : words_) check_brno_word(word, system_, findings_);
         findings_.throw_if_any();
-        system_.axiom = words_.front().second.letters;
+        system_.axiom = words_.front().second.text;
         for (std::size_t i = 1; i < words_.size(); ++i)
-            system_.rules.emplace_back(words_[i].first, words_[i].second.letters);
+            system_.rules.emplace_back(words_[i].first, words_[i].second.text);
         return read_lsystem(brno_notation(system_), name_);
     }
 
@@ -227,58 +223,12 @@ private:
             else if (letter == 0 || !std::strchr(brno_turtle_symbols, letter))
                 scanner_.fail_at(at, "expected a module, a symbol of the turtle, ',' or ';' in " +
                                          what + ", found " + quoted(character) + hint);
-            if ((letter == '/' || letter == '\\') && word.letters.ends_with(letter))
+            if ((letter == '/' || letter == '\\') && word.text.ends_with(letter))
                 hint = "; in words two rolls begin no comment";
-            word.letters += letter;
-            word.offsets.push_back(at);
+            word.add(character, at);
         }
         scanner_.set_comments(comments());
         return word;
-    }
-
-    void check_words() {
-        std::string missing;
-        for (const auto& [name, word] : words_) {
-            check_brackets(word);
-            check_polygons(word);
-            for (const char vector : {'U', 'L', 'H'})
-                for (const char* turn = brno_turns(vector); *turn; ++turn) {
-                    const std::size_t at = word.letters.find(*turn);
-                    if (at == std::string::npos || system_.angles.contains(vector) ||
-                        missing.find(vector) != std::string::npos)
-                        continue;
-                    missing += vector;
-                    findings_.add(word.offsets[at], std::string("expected the angle ") + vector +
-                                                        " among the angles, as '" + *turn +
-                                                        "' turns by it");
-                }
-        }
-    }
-    void check_brackets(const PlacedWord& word) {
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < word.letters.size(); ++i) {
-            if (word.letters[i] == '[') open.push_back(word.offsets[i]);
-            if (word.letters[i] != ']') continue;
-            if (open.empty())
-                findings_.add(word.offsets[i], "unmatched ']'");
-            else
-                open.pop_back();
-        }
-        for (const std::size_t at : open) findings_.add(at, "'[' is never closed");
-    }
-    /// Between braces stand turns and lines only.
-    void check_polygons(const PlacedWord& word) {
-        const std::vector<std::size_t> depths = brace_depths(word.letters);
-        for (std::size_t i = 0; i < word.letters.size(); ++i) {
-            const char letter = word.letters[i];
-            const auto module = system_.modules.find(letter);
-            if (depths[i] == 0 || module == system_.modules.end()) continue;
-            if (module->second.kind == 'C' || module->second.kind == 'S')
-                findings_.add(word.offsets[i],
-                              std::string("expected turns and lines between '{' and '}', found '") +
-                                  letter + "', a " +
-                                  (module->second.kind == 'C' ? "cylinder" : "ball"));
-        }
     }
 
     std::string name_;

@@ -18,8 +18,8 @@ LSystem read_brno(std::string_view text, const std::string& name);
 
 /// The file of a system. Throws Error that names what no file can say: it has single letters, one
 /// rule for each, whole angles, whole lengths above 0, and no turtle that starts elsewhere than at
-/// the origin and looks along x. Titles stand in a comment; colours, cameras, line widths and what is
-/// expected are left out.
+/// the origin and looks along x. Titles stand in a comment; colours, cameras, line widths and what
+/// is expected are left out.
 std::string print_brno(const LSystem& system);
 
 }  // namespace algae

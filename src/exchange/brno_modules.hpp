@@ -38,4 +38,7 @@ const char* brno_turns(char vector);
 /// Example: brno_notation({{{'F', {'P', 0, 1}}}, "F", {}, {}}) == "axiom F\n"
 std::string brno_notation(const BrnoSystem& system);
 
+/// The same system as a file. No section is empty: what one would say of nothing is added.
+std::string brno_text(BrnoSystem system, const std::string& title);
+
 }  // namespace algae

@@ -227,44 +227,10 @@ private:
     BrnoSystem out_;
 };
 
-std::string text_of(const BrnoPrimitive& primitive) {
-    const std::string diameter = std::to_string(primitive.diameter);
-    const std::string length = std::to_string(primitive.length);
-    if (primitive.kind == 'C') return " = C(" + diameter + "," + length + ")";
-    if (primitive.kind == 'P') return " = P(" + length + ")";
-    return primitive.kind == 'S' ? " = S(" + diameter + ")" : "";
-}
-
 }  // namespace
 
 std::string print_brno(const LSystem& system) {
-    BrnoSystem all = Writer(system).written();
-    // Sections are never empty.
-    if (all.modules.empty()) all.modules['A'];
-    if (all.angles.empty()) all.angles['U'] = 90;
-    if (all.rules.empty()) {
-        const char letter = all.modules.begin()->first;
-        all.rules.emplace_back(letter, std::string(1, letter));
-    }
-    std::string out = system.title.empty() ? "" : "// " + system.title + "\n\n";
-    const char* before = "modules:\n    ";
-    for (const auto& [letter, primitive] : all.modules) {
-        out += before + std::string(1, letter) + text_of(primitive);
-        before = ", ";
-    }
-    out += ";\n\naxiom:\n    " + all.axiom;
-    before = ";\n\nangles:\n    ";
-    for (const char vector : {'L', 'U', 'H'})
-        if (all.angles.contains(vector)) {
-            out += before + std::string(1, vector) + " = " + std::to_string(all.angles[vector]);
-            before = ", ";
-        }
-    before = ";\n\nrules:\n    ";
-    for (const auto& [letter, successor] : all.rules) {
-        out += before + std::string(1, letter) + " -> " + successor;
-        before = ",\n    ";
-    }
-    return out + ";\n\nEND\n";
+    return brno_text(Writer(system).written(), system.title);
 }
 
 }  // namespace algae

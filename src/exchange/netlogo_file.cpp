@@ -8,6 +8,7 @@
 #include "base/error.hpp"
 #include "exchange/netlogo_number.hpp"
 #include "exchange/netlogo_system.hpp"
+#include "exchange/placed_word.hpp"
 #include "exchange/scanner.hpp"
 #include "notation/characters.hpp"
 #include "notation/findings.hpp"
@@ -21,18 +22,15 @@ namespace {
 
 constexpr std::size_t most_rules = 10'000;
 
-/// A string between quotation marks: its characters and where they stand.
-struct PlacedString {
-    std::size_t offset = 0;
-    std::vector<std::string> characters;
-    std::vector<std::size_t> offsets;
-
-    std::string text() const {
-        std::string out;
-        for (const std::string& character : characters) out += character;
-        return out;
-    }
+/// A string between quotation marks, without them.
+struct PlacedString : PlacedWord {
+    std::size_t offset = 0;  // of the first mark
 };
+
+/// Whether the text is one character.
+bool is_one_character(std::string_view text) {
+    return !text.empty() && first_character(text).bytes == text.size();
+}
 
 class Reader {
 public:
@@ -109,7 +107,7 @@ private:
         const std::string name = scanner_.name("the name of a procedure behind 'to'");
         procedures_.emplace_back(name, at);
         inside_ = true;
-        if (procedures_.size() == 1 && (!rules_.empty() || !chain_.characters.empty()))
+        if (procedures_.size() == 1 && (!rules_.empty() || has_chain_))
             scanner_.fail_at(at, "expected no 'to' behind settings outside a procedure");
     }
     void refuse_procedures() {
@@ -146,8 +144,7 @@ private:
                 character = escaped.substr(1);
                 bytes = 2;
             }
-            out.characters.push_back(character);
-            out.offsets.push_back(at);
+            out.add(character, at);
             here += bytes;
         }
         scanner_.take(rest.substr(0, here + 1));
@@ -157,44 +154,33 @@ private:
     /// A string of symbols.
     PlacedString word(const std::string& what) {
         PlacedString out = string(what);
-        for (std::size_t i = 0; i < out.characters.size(); ++i) {
-            const std::string& character = out.characters[i];
-            if (undeclared_length(character) != character.size())
-                scanner_.fail_at(out.offsets[i],
-                                 "expected a symbol of the notation, found " + quoted(character));
-            if (character.size() == 4)
-                scanner_.fail_at(out.offsets[i], "expected a character of NetLogo, found " +
-                                                     quoted(character) + ", which is two there");
+        for (std::size_t i = 0; i < out.text.size();) {
+            const std::size_t bytes = first_character(std::string_view(out.text).substr(i)).bytes;
+            check_symbol(out.text.substr(i, bytes), out.offsets[i]);
+            i += bytes;
         }
-        check_brackets(out);
+        check_brackets(out, findings_);
         return out;
     }
-    void check_brackets(const PlacedString& word) {
-        std::vector<std::size_t> open;
-        for (std::size_t i = 0; i < word.characters.size(); ++i) {
-            if (word.characters[i] == "[") open.push_back(word.offsets[i]);
-            if (word.characters[i] != "]") continue;
-            if (open.empty())
-                findings_.add(word.offsets[i], "unmatched ']'");
-            else
-                open.pop_back();
-        }
-        for (const std::size_t at : open) findings_.add(at, "'[' is never closed");
+    void check_symbol(const std::string& character, std::size_t at) const {
+        if (undeclared_length(character) != character.size())
+            scanner_.fail_at(at, "expected a symbol of the notation, found " + quoted(character));
+        if (character.size() == 4)
+            scanner_.fail_at(at, "expected a character of NetLogo, found " + quoted(character) +
+                                     ", which is two there");
     }
 
     void add_rule() {
         const std::size_t at = scanner_.offset();
         const PlacedString letter = string("a letter in quotation marks behind 'add-rule'");
-        if (letter.characters.size() != 1)
-            scanner_.fail_at(letter.offset, "expected one letter, found \"" + letter.text() + "\"");
-        if (undeclared_length(letter.text()) != letter.text().size() || letter.text().size() == 4)
-            scanner_.fail_at(letter.offsets[0],
-                             "expected a symbol of the notation, found " + quoted(letter.text()));
+        if (!is_one_character(letter.text))
+            scanner_.fail_at(letter.offset, "expected one letter, found \"" + letter.text + "\"");
+        check_symbol(letter.text, letter.offsets[0]);
         const PlacedString successor = word("a successor in quotation marks");
         const PlacedString command = string("a command in quotation marks");
-        rules_.emplace_back(command.offset, command.text());
+        rules_.emplace_back(command.offset, command.text);
         if (rules_.size() > most_rules) findings_.add(at, "more than 10000 rules");
-        system_.rules.push_back({letter.text(), successor.characters, command.text()});
+        system_.rules.push_back({letter.text, successor.text, command.text});
     }
 
     void set() {
@@ -229,7 +215,7 @@ private:
         if (!missing.empty())
             findings_.add(source_.text().size(),
                           "expected 'set' for " + missing + ", found the end of the file");
-        system_.chain = chain_.characters;
+        system_.chain = chain_.text;
         const bool has_k = system_.numbers.contains("k");
         for (std::size_t i = 0; i < rules_.size(); ++i) {
             const std::string command = netlogo_command(rules_[i].second, has_k);

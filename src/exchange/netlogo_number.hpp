@@ -9,8 +9,8 @@
 namespace algae {
 
 /// Reads a number as NetLogo writes it: `-8`, `1 / sqrt 2`, `(- 3) * 2e-1`, with blanks around
-/// operators; `^` groups to the left there. Throws `Diagnostics` at the scanner's place, where there is
-/// no number or it has no value. Brackets nest at most 100 deep, and there are at most 100 operators.
+/// operators; `^` groups to the left there. Throws `Diagnostics` where there is no number or it has no
+/// value. Brackets nest at most 100 deep, and there are at most 100 operators.
 Quantity read_netlogo_number(Scanner& scanner);
 
 /// The same written: expressions with what NetLogo knows, all else by its value.

@@ -1,9 +1,10 @@
 #include "exchange/netlogo_system.hpp"
 
-#include <algorithm>
+#include <string_view>
 #include <utility>
 
 #include "exchange/netlogo_number.hpp"
+#include "notation/characters.hpp"
 #include "notation/print.hpp"
 
 namespace algae {
@@ -17,12 +18,10 @@ bool acts(const std::string& symbol, bool has_k) {
            std::string("FfG+-|[]{}.'%&^\\/$@").find(symbol) != std::string::npos;
 }
 
-/// One of several things that may come, so many times in all.
-template <class Thing>
-using Counted = std::vector<std::pair<Thing, long>>;
+/// Texts, and how many times each of them stands there.
+using Counted = std::vector<std::pair<std::string, long>>;
 
-template <class Thing>
-void count(Counted<Thing>& all, const Thing& thing) {
+void count(Counted& all, const std::string& thing) {
     for (auto& [known, times] : all)
         if (known == thing) {
             ++times;
@@ -31,8 +30,7 @@ void count(Counted<Thing>& all, const Thing& thing) {
     all.emplace_back(thing, 1);
 }
 
-template <class Thing>
-long total(const Counted<Thing>& all) {
+long total(const Counted& all) {
     long sum = 0;
     for (const auto& [thing, times] : all) sum += times;
     return sum;
@@ -62,13 +60,20 @@ public:
     }
 
 private:
-    using Characters = std::vector<std::string>;
-
-    static std::string word(const Characters& characters) {
+    /// Calls `letter` for each character.
+    template <class Letter>
+    static void each(std::string_view text, Letter letter) {
+        while (!text.empty()) {
+            const std::size_t bytes = first_character(text).bytes;
+            letter(text.substr(0, bytes));
+            text.remove_prefix(bytes);
+        }
+    }
+    static std::string word(const std::string& text) {
         Alphabet alphabet;
         ModuleWord word;
-        for (const std::string& character : characters)
-            word.letters.push_back(alphabet.symbol(character));
+        each(text,
+             [&](std::string_view letter) { word.letters.push_back(alphabet.symbol(letter)); });
         return print_word(alphabet, word);
     }
     static std::string rule(const std::string& letter, const Rational& probability,
@@ -79,24 +84,21 @@ private:
     }
 
     /// All characters of the words, in the order of the notation's symbols.
-    Characters occurring() const {
-        Characters all;
+    std::vector<std::string> occurring() const {
         Alphabet seen;
-        const auto add = [&](const std::string& character) {
-            if (seen.find(character)) return;
-            seen.symbol(character);
-            all.push_back(character);
-        };
-        for (const std::string& character : system_.chain) add(character);
+        const auto add = [&](std::string_view letter) { seen.symbol(letter); };
+        each(system_.chain, add);
         for (const std::string& letter : letters_)
             for (const auto& [successor, times] : successors_.at(letter)) {
                 add(letter);
-                for (const std::string& character : successor) add(character);
+                each(successor, add);
             }
+        std::vector<std::string> all;
+        for (Symbol symbol = 0; symbol < seen.size(); ++symbol) all.push_back(seen.name(symbol));
         return all;
     }
 
-    Counted<std::string> commands(const std::string& letter) const {
+    Counted commands(const std::string& letter) const {
         const auto found = commands_.find(letter);
         if (found != commands_.end()) return found->second;
         return {{netlogo_command(letter, has_k_), 1}};
@@ -154,9 +156,9 @@ private:
 
     const NetlogoSystem& system_;
     bool has_k_ = false;
-    Characters letters_;  // with rules, in the order of the file
-    std::map<std::string, Counted<Characters>> successors_;
-    std::map<std::string, Counted<std::string>> commands_;
+    std::vector<std::string> letters_;  // with rules, in the order of the file
+    std::map<std::string, Counted> successors_;
+    std::map<std::string, Counted> commands_;
     std::string stamps_;
 };
 

@@ -8,15 +8,15 @@
 
 namespace algae {
 
-/// A system as a NetLogo setup procedure says it. Texts are lists of characters.
+/// A system as a NetLogo setup procedure says it. Each character of a text is a letter.
 struct NetlogoSystem {
     struct Rule {
         std::string letter;
-        std::vector<std::string> successor;
+        std::string successor;
         std::string command;
     };
     std::vector<Rule> rules;
-    std::vector<std::string> chain;
+    std::string chain;
     std::map<std::string, Quantity> numbers;  // d, delta, x0, y0, delta-0, k-shorten, d-delta, k
 };
 
@@ -24,8 +24,8 @@ struct NetlogoSystem {
 /// knows F f + - [ ] and S, and * where k is set.
 std::string netlogo_command(const std::string& text, bool has_k);
 
-/// The same system in the notation. The numbers must not lack chain, d, delta and k-shorten, and [ and
-/// ] must be commands of themselves only.
+/// The same system in the notation. The numbers must not lack d, delta and k-shorten, and [ and ]
+/// must be commands of themselves only.
 std::string netlogo_notation(const NetlogoSystem& system);
 
 }  // namespace algae

@@ -78,6 +78,22 @@ TEST_CASE("the bush is that of the gallery, letter by letter and stroke by strok
     CHECK(same_scene(scene_of(written, 4).scene, scene_of(known, 4).scene));
 }
 
+TEST_CASE(
+    "the example as it is printed, with a roll before each pitch and one more between branches") {
+    std::string text = example();
+    const auto replace = [&](const std::string& old, const std::string& by) {
+        for (std::size_t at = text.find(old); at != std::string::npos;
+             at = text.find(old, at + by.size()))
+            text.replace(at, old.size(), by);
+    };
+    replace("[&FLK", "[\\&FLK");
+    replace("]///////[", "]////////[");
+    replace("f}", "f\\}");
+    const LSystem printed = read_brno(text, "printed.brno");
+    const std::size_t lengths[] = {1, 40, 235, 841, 2758, 8629};
+    for (std::uint64_t n = 0; n <= 5; ++n) CHECK(word_of(printed, n).size() == 2 * lengths[n]);
+}
+
 TEST_CASE("what a file says in the notation") {
     CHECK(lsys(example()) ==
           "axiom A\nA -> [&FLK!A]/////[&FLK!A]///////[&FLK!A]\nF -> S/////F\nS -> FL\nK -> Q\n"
@@ -192,9 +208,9 @@ TEST_CASE("faults are found together, with their places") {
         "x.brno:4:28: error: expected the angle L among the angles, as '&' turns by it\n"
         "  rules: A -> A]+, B -> {K+B}&/\\;\n"
         "                             ^\n"
-        "x.brno:4:30: error: expected the angle H among the angles, as '\\' turns by it\n"
+        "x.brno:4:29: error: expected the angle H among the angles, as '/' turns by it\n"
         "  rules: A -> A]+, B -> {K+B}&/\\;\n"
-        "                               ^");
+        "                              ^");
     CHECK(said("modules: A;\naxiom: A;\nangles: U = 1;\nrules: A -> A\nEND") ==
           "x.brno:5:1: error: expected ',' or ';', found 'END'\n"
           "  END\n"

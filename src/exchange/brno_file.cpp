@@ -57,8 +57,10 @@ public:
             note(error);
         } catch (const CannotGoOn&) {
         }
+        std::set<char> missing;
         if (findings_.empty())
-            for (const auto& [name, word] : words_) check_brno_word(word, system_, findings_);
+            for (const auto& [name, word] : words_)
+                check_brno_word(word, system_, missing, findings_);
         findings_.throw_if_any();
         system_.axiom = words_.front().second.text;
         for (std::size_t i = 1; i < words_.size(); ++i)

@@ -24,12 +24,15 @@ void check_polygons(const PlacedWord& word, const BrnoSystem& system, Findings& 
 
 }  // namespace
 
-void check_brno_word(const PlacedWord& word, const BrnoSystem& system, Findings& findings) {
+void check_brno_word(const PlacedWord& word, const BrnoSystem& system, std::set<char>& missing,
+                     Findings& findings) {
     check_brackets(word, findings);
     check_polygons(word, system, findings);
     for (const char vector : {'U', 'L', 'H'}) {
         const std::size_t at = word.text.find_first_of(brno_turns(vector));
-        if (at == std::string::npos || system.angles.contains(vector)) continue;
+        if (at == std::string::npos || system.angles.contains(vector) ||
+            !missing.insert(vector).second)
+            continue;
         findings.add(word.offsets[at], std::string("expected the angle ") + vector +
                                            " among the angles, as '" + word.text[at] +
                                            "' turns by it");

@@ -215,6 +215,13 @@ TEST_CASE("faults are found together, with their places") {
           "x.brno:5:1: error: expected ',' or ';', found 'END'\n"
           "  END\n"
           "  ^");
+    CHECK(said(file("A", "A+/", "L = 1", "A -> -A-/")) ==
+          "x.brno:2:9: error: expected the angle U among the angles, as '+' turns by it\n"
+          "  axiom: A+/;\n"
+          "          ^\n"
+          "x.brno:2:10: error: expected the angle H among the angles, as '/' turns by it\n"
+          "  axiom: A+/;\n"
+          "           ^");
     CHECK(said("modules: A;\naxiom: A;\nangles: U = 1;\nrules: A -> A;\n") ==
           "x.brno:5:1: error: expected 'END' behind the rules, found the end of the file");
     CHECK(said("modules: A;\naxiom: A\nangles: U = 1;\nrules: A -> A;\n") ==

@@ -1,14 +1,13 @@
-# Run by CPack before it builds packages: what Debian keeps elsewhere or compressed.
-foreach(component command development)
-  set(root ${CPACK_TEMPORARY_DIRECTORY}/${component}/usr)
-  if(component STREQUAL development)
-    file(MAKE_DIRECTORY ${root}/share/doc/libalgae-dev)
-    file(COPY_FILE ${CPACK_TEMPORARY_DIRECTORY}/command/usr/share/doc/algae/copyright ${root}/share/doc/libalgae-dev/copyright)
-    file(COPY_FILE ${CPACK_TEMPORARY_DIRECTORY}/command/usr/share/doc/algae/changelog.gz ${root}/share/doc/libalgae-dev/changelog.gz)
-    continue()
-  endif()
-  file(MAKE_DIRECTORY ${root}/share/zsh)
-  file(RENAME ${root}/share/zsh/site-functions ${root}/share/zsh/vendor-completions)
-  file(RENAME ${root}/share/doc/algae/CHANGELOG.md ${root}/share/doc/algae/changelog)
-  execute_process(COMMAND gzip -9n ${root}/share/man/man1/algae.1 ${root}/share/doc/algae/changelog COMMAND_ERROR_IS_FATAL ANY)
-endforeach()
+# Run by CPack before it builds packages: what Debian keeps elsewhere, compressed, or in a format of its own.
+set(command ${CPACK_TEMPORARY_DIRECTORY}/command/usr/share)
+set(development ${CPACK_TEMPORARY_DIRECTORY}/development/usr/share)
+file(RENAME ${command}/zsh/site-functions ${command}/zsh/vendor-completions)
+string(TIMESTAMP now "%a, %d %b %Y %H:%M:%S +0000" UTC)  # SOURCE_DATE_EPOCH, if it is set
+file(WRITE ${command}/doc/algae/changelog "algae (${CPACK_PACKAGE_VERSION}) stable; urgency=medium
+
+  * CHANGELOG.md says what is new.
+
+ -- ${CPACK_PACKAGE_CONTACT}  ${now}
+")
+execute_process(COMMAND gzip -9n ${command}/man/man1/algae.1 ${command}/doc/algae/changelog COMMAND_ERROR_IS_FATAL ANY)
+file(COPY ${command}/doc/algae/copyright ${command}/doc/algae/changelog.gz DESTINATION ${development}/doc/libalgae-dev)

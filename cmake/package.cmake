@@ -4,6 +4,7 @@ set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME algae)
 set(CPACK_PACKAGE_VENDOR "the algae authors")
 set(CPACK_PACKAGE_CONTACT "the algae authors <maintainers@users.noreply.h-seed-d00b4a0a.example>")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact derivation, analysis and drawing of L-systems")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_ALL command development)
@@ -17,18 +18,16 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_NAME algae)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SECTION math)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS fonts-dejavu-core)
-set(CPACK_COMPONENT_COMMAND_DESCRIPTION "L-systems: exact derivation, analysis and drawing
- algae derives Lindenmayer systems exactly, computes with generations far too
- large to write out, decides questions about growth, membership, finiteness and
- equality, checks claims of the theory, and draws figures in the plane and in
- space, derivation trees and animations. A gallery, twelve lessons with
- exercises that it marks, and the table of closure come with it.")
+set(CPACK_COMPONENT_COMMAND_DESCRIPTION "algae derives Lindenmayer systems exactly, computes with generations far too
+large to write out, decides questions about growth, membership, finiteness and
+equality, checks claims of the theory, and draws figures in the plane and in
+space, derivation trees and animations. A gallery, twelve lessons with
+exercises that it marks, and the table of closure come with it.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libalgae-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cmake, pkg-config, libboost-dev, libgmp-dev, libflint-dev, libflint-arb-dev, \
 libcairo2-dev, libgraphviz-dev, libassimp-dev, libwebp-dev, libgif-dev, libfmt-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS algae)
-set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "L-systems: exact derivation, analysis and drawing (library)
- The C++20 library of algae, a static one, with its headers and what CMake's
- find_package(algae) reads.")
+set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "This package holds the C++20 library of algae, a static one, with its headers
+and what CMake's find_package(algae) reads.")
 include(CPack)

@@ -1,5 +1,5 @@
 #pragma once
-
+// exact: numbers without rounding, integers, rationals, cyclotomic numbers, polynomials and matrices, and enclosures.
 #include <compare>
 #include <concepts>
 #include <cstddef>

@@ -16,7 +16,7 @@ namespace algae {
 /// How a scene is written.
 struct MeshChoices {
     MeshOptions mesh;
-    /// Instead of the scene's own list: names or #rrggbb. With neither, everything is gray.
+    /// Instead of the scene's own list: names or `#rrggbb`. With neither, everything is gray.
     std::vector<std::string> colours;
     /// The first viewpoint of x3d, wrl and vrml1, always in perspective.
     Camera camera;

@@ -44,7 +44,7 @@ struct PictureOptions {
     double margin = 10;
     /// Instead of the figure's own `width`, or of 1 (0.6 points in a row of panels).
     std::optional<double> line_width;
-    /// Instead of the figure's own `colour`: names, #rrggbb or `along`.
+    /// Instead of the figure's own `colour`: names, `#rrggbb` or `along`.
     std::vector<std::string> colours;
     /// A colour or `transparent`. Nothing: white in png, no background elsewhere.
     std::optional<std::string> background;

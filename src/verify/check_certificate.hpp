@@ -1,4 +1,5 @@
 #pragma once
+// verify: certificates, checked again by means that share nothing with the search that found them.
 
 #include <string>
 #include <vector>

@@ -13,6 +13,7 @@ install(FILES ${algae_manual}/fish/algae.fish DESTINATION ${CMAKE_INSTALL_DATADI
 # The command holds the gallery, the theory and the lessons; these files are there to be read and changed.
 install(DIRECTORY figures systems DESTINATION ${algae_data}
   FILES_MATCHING REGEX "\\.(lsys|ifs|ca|walk|brownian|terrain|dla|particles|function|boxes)$")
+install(DIRECTORY examples DESTINATION ${algae_data})
 install(DIRECTORY theory DESTINATION ${algae_data} FILES_MATCHING PATTERN "*.claim")
 install(DIRECTORY lessons DESTINATION ${algae_data}
   FILES_MATCHING REGEX "/([0-9-]+[a-z-]*\\.md|[^/]+\\.(exercise|lsys|claim|txt))$"

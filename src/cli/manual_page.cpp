@@ -142,8 +142,8 @@ Below the prefix of the installation, as
 .IR /usr :
 .TP
 .I share/algae
-The figures and systems of the gallery, the claims of the theory, and the lessons, as files to be read and changed.
-The command holds them all and needs none of these files.
+The figures and systems of the gallery, the claims of the theory, the lessons, and files of other programs, to be read and
+changed. The command holds all but the last and needs none of these files.
 .TP
 .I share/doc/algae/NOTATION.md
 The notation of systems, relatives and claims.

@@ -10,10 +10,9 @@ namespace {
 
 /// Every text of the repository that people wrote, but this file.
 std::vector<fs::path> texts() {
-    std::vector<fs::path> all = {"CMakeLists.txt", "CMakePresets.json", "README.md", "TOUR.md", "CONTRIBUTING.md", "CHANGELOG.md",
-                                 "tools/demo", "tools/test", "tools/setup", "tools/format"};
-    for (const char* folder : {"src", "tests", "cmake", "figures", "theory", "lessons", "paper", "tools"})
-        for (const fs::path& file : files(folder, {".hpp", ".cpp", ".cmake", ".in", ".md", ".txt", ".lsys", ".claim", ".py", ".sh"}))
+    std::vector<fs::path> all = {"CMakeLists.txt", "CMakePresets.json", "README.md", "TOUR.md", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff"};
+    for (const char* folder : {"src", "tests", "cmake", "figures", "theory", "lessons", "paper", "tools", "docs"})
+        for (const fs::path& file : files(folder, {"", ".hpp", ".cpp", ".cmake", ".awk", ".in", ".md", ".txt", ".lsys", ".claim", ".py", ".sh"}))
             if (file.filename() != "prose_test.cpp") all.push_back(file);
     return all;
 }

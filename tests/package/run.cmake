@@ -35,6 +35,7 @@ answers(0 "Exercise 3.2" lesson 3 --exercise 2)
 answers(0 "right" lesson 3 --exercise 2 ${prefix}/share/algae/lessons/answers/03-2.lsys)
 answers(0 "0 wrong" check theory/growth)
 answers(0 "claims" check ${prefix}/share/algae/theory/growth)
+answers(0 "axiom" show ${prefix}/share/algae/examples/bush.brno)
 answers(1 "not 0L" closure 0L union)
 answers(0 "" draw koch -n 3 -o koch.pdf)
 foreach(file share/man/man1/algae.1 share/bash-completion/completions/algae share/zsh/site-functions/_algae

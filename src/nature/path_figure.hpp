@@ -13,9 +13,9 @@ struct Path {
     std::vector<Point> points;
     std::uint32_t colour = 0;  // its index in the figure's list
     bool filled = false;
-    double width = 1;                    // of the line, as a multiple of the figure's own
-    std::optional<Colour> paint;         // instead of a colour of the list
-    std::optional<double> length_width;  // instead of `width`: a length in the plane
+    double width = 1;                         // of the line, as a multiple of the figure's own
+    std::optional<Colour> paint = {};         // instead of a colour of the list
+    std::optional<double> length_width = {};  // instead of `width`: a length in the plane
     bool operator==(const Path&) const = default;
 };
 

@@ -199,7 +199,7 @@ TEST_CASE("scene graphs hold solids, straight rods and lines as such") {
                       vrml1 = written(scene, MeshFormat::vrml1);
     CHECK(wrl.rfind("#VRML V2.0 utf8\n", 0) == 0);
     CHECK(vrml1.rfind("#VRML V1.0 ascii\n", 0) == 0);
-    CHECK(x3d.find("title=\"a &quot;garden&quot; &lt;&amp;>\"") != std::string::npos);
+    CHECK(x3d.find("title=\"a &quot;garden&quot; &lt;&amp;&gt;\"") != std::string::npos);
     CHECK(wrl.find("title \"a \\\"garden\\\" <&>\"") != std::string::npos);
     for (const std::string& text : {x3d, wrl, vrml1}) {
         CHECK(count(text, text == vrml1 ? "Cube {" : text == wrl ? "Box {" : "<Box ") == 1);

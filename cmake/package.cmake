@@ -3,7 +3,7 @@
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME algae)
 set(CPACK_PACKAGE_VENDOR "the algae authors")
-set(CPACK_PACKAGE_CONTACT "the algae authors <maintainers@users.noreply.h-seed-d00b4a0a.example>")
+set(CPACK_PACKAGE_CONTACT "the algae authors <maintainers@algae.example>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "exact derivation, analysis and drawing of L-systems")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)

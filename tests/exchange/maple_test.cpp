@@ -3,11 +3,9 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <fstream>
-#include <sstream>
-
 #include "exchange/any_brno.hpp"
 #include "exchange/compared.hpp"
+#include "exchange/inputs.hpp"
 #include "exchange/slow_maple.hpp"
 #include "notation/gallery.hpp"
 #include "notation/print.hpp"
@@ -17,19 +15,6 @@ using namespace algae;
 using namespace algae::exchange_tests;
 
 namespace {
-
-std::string example(const std::string& name) {
-    std::ifstream file(ALGAE_SOURCE_DIR "/examples/" + name);
-    std::ostringstream text;
-    text << file.rdbuf();
-    return text.str();
-}
-
-LSystem of_gallery(const std::string& name) {
-    for (const GalleryEntry& entry : gallery())
-        if (entry.name == name) return read_lsystem(entry.text, name);
-    throw Error("no " + name);
-}
 
 std::string lsys(const std::string& text) { return print_lsystem(read_maple(text, "x.maple")); }
 std::string maple(const std::string& text) { return print_maple(read_lsystem(text, "x.lsys")); }

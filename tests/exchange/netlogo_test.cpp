@@ -1,12 +1,12 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include <fstream>
 #include <sstream>
 
 #include "exchange/any_brno.hpp"
 #include "exchange/compared.hpp"
 #include "exchange/conversion.hpp"
+#include "exchange/inputs.hpp"
 #include "exchange/netlogo_file.hpp"
 #include "exchange/netlogo_model.hpp"
 #include "notation/gallery.hpp"
@@ -17,12 +17,6 @@ using namespace algae;
 using namespace algae::exchange_tests;
 
 namespace {
-
-LSystem of_gallery(const std::string& name) {
-    for (const GalleryEntry& entry : gallery())
-        if (entry.name == name) return read_lsystem(entry.text, name);
-    throw Error("no " + name);
-}
 
 /// The system without what a procedure does not say.
 std::string bare(LSystem system) {
@@ -504,7 +498,7 @@ TEST_CASE("systems that a procedure can say keep their words and their figures")
 }
 
 TEST_CASE("no text, however broken, ends in anything but a system or an error") {
-    const auto survive = [](const std::string& text) {
+    const auto survives = [](const std::string& text) {
         try {
             read(text);
         } catch (const Diagnostics& error) {
@@ -517,7 +511,7 @@ TEST_CASE("no text, however broken, ends in anything but a system or an error") 
             }
         }
     };
-    CHECK(rc::check([&] { survive(*rc::gen::arbitrary<std::string>()); }));
+    CHECK(rc::check([&] { survives(*rc::gen::arbitrary<std::string>()); }));
     CHECK(rc::check([&] {
         std::string text = one_of({koch_island, simple_tree, hilbert});
         for (int i = 1 + below(4); i > 0; --i) {
@@ -535,7 +529,7 @@ TEST_CASE("no text, however broken, ends in anything but a system or an error") 
                                  "_",     "'",
                                  "?",     ";"}));
         }
-        survive(text);
+        survives(text);
     }));
     CHECK(rc::check([&] {
         // Any characters as symbols.
@@ -543,14 +537,9 @@ TEST_CASE("no text, however broken, ends in anything but a system or an error") 
         for (int i = below(6); i > 0; --i)
             word += one_of({"_", "F", "1", "-", ">", "'", "`", "\\\\", "\\\"", "é", "~", "@", "$",
                             "t", "∧", "−", "ε", "?", "E"});
-        survive("add-rule \"" + one_of({"_", "F", "'", "-", "t", "é", "1", "\\\""}) + "\" \"" +
-                word + "\" \"" + word + "\" set chain \"" + word + "\"\n" + numbers);
+        survives("add-rule \"" + one_of({"_", "F", "'", "-", "t", "é", "1", "\\\""}) + "\" \"" +
+                 word + "\" \"" + word + "\" set chain \"" + word + "\"\n" + numbers);
     }));
-    const auto many = [](const std::string& part) {
-        std::string out;
-        for (int i = 0; i < 200'000; ++i) out += part;
-        return out;
-    };
     const auto end = [&](const std::string& text) {
         CHECK(refusal([&] { read(text); }).size() < 10'000);
     };

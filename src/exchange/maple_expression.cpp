@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cctype>
 
+#include "exchange/made_expression.hpp"
+#include "exchange/maple_functions.hpp"
 #include "notation/characters.hpp"
 
 namespace algae {
@@ -11,48 +13,13 @@ namespace {
 
 constexpr std::size_t most_depth = 100, most_operations = 150, longest_number = 1000;
 
-/// What Maple calls a function of the notation. Angles are degrees here and radians there.
-struct Function {
-    const char *name, *maple;
-    enum class Angle { none, argument, value } angle = Angle::none;
-};
-constexpr Function functions[] = {{"sqrt", "sqrt"},
-                                  {"exp", "exp"},
-                                  {"log", "ln"},
-                                  {"log", "log"},
-                                  {"abs", "abs"},
-                                  {"floor", "floor"},
-                                  {"ceil", "ceil"},
-                                  {"min", "min"},
-                                  {"max", "max"},
-                                  {"sin", "sin", Function::Angle::argument},
-                                  {"cos", "cos", Function::Angle::argument},
-                                  {"tan", "tan", Function::Angle::argument},
-                                  {"asin", "arcsin", Function::Angle::value},
-                                  {"acos", "arccos", Function::Angle::value},
-                                  {"atan", "arctan", Function::Angle::value}};
-
-Expression number(const Rational& value) {
-    Expression made;
-    made.value = value;
-    return made;
-}
-
-Expression made(Expression::Kind kind, const std::string& name, std::vector<Expression> operands) {
-    Expression out;
-    out.kind = kind;
-    out.name = name;
-    out.operands = std::move(operands);
-    return out;
-}
-
 Expression binary(const std::string& name, Expression left, Expression right) {
-    return made(Expression::Kind::binary, name, {std::move(left), std::move(right)});
+    return made_expression(Expression::Kind::binary, name, {std::move(left), std::move(right)});
 }
 
 const Expression& pi() {
     static const Expression value =
-        number(Rational("3.14159265358979323846264338327950288419716939937511"));
+        number_expression(Rational("3.14159265358979323846264338327950288419716939937511"));
     return value;
 }
 
@@ -114,8 +81,8 @@ private:
             count(where);
             Expression right = signed_power();
             if (!times && right == pi() && left.kind == Expression::Kind::binary &&
-                left.name == "*" && left.operands[1] == number(180))
-                left = scaled(Expression(left.operands[0]), number(180), pi());
+                left.name == "*" && left.operands[1] == number_expression(180))
+                left = scaled(Expression(left.operands[0]), number_expression(180), pi());
             else
                 left = binary(times ? "*" : "/", std::move(left), std::move(right));
         }
@@ -129,7 +96,7 @@ private:
         }
         if (!scanner_.take("-")) return power();
         count(where);
-        return made(Expression::Kind::unary, "-", {signed_power()});
+        return made_expression(Expression::Kind::unary, "-", {signed_power()});
     }
 
     Expression power() {
@@ -141,7 +108,7 @@ private:
         Expression exponent;
         if (scanner_.take("-")) {
             count(minus);
-            exponent = made(Expression::Kind::unary, "-", {atom()});
+            exponent = made_expression(Expression::Kind::unary, "-", {atom()});
         } else {
             exponent = atom();
         }
@@ -172,7 +139,7 @@ private:
                                         : "expected an entry of " + quoted(parameters_) +
                                               ", found one of " + quoted(name));
         read_.names.emplace_back(name, where);
-        return made(Expression::Kind::name, name, {});
+        return made_expression(Expression::Kind::name, name, {});
     }
 
     Expression literal() {
@@ -207,7 +174,7 @@ private:
             scanner_.fail_at(scanner_.offset(), "the number " + quoted(text) + " is out of range");
         }
         scanner_.take(rest.substr(0, size));
-        return number(value);
+        return number_expression(value);
     }
 
     Expression parameter() {
@@ -220,16 +187,17 @@ private:
         scanner_.expect("]", "");
         const std::string text = to_string(index);
         read_.most_index = std::max(read_.most_index, std::stoul(text));
-        return made(Expression::Kind::name, parameters_ + "[" + text + "]", {});
+        return made_expression(Expression::Kind::name, parameters_ + "[" + text + "]", {});
     }
 
     Expression call(const std::string& name, std::size_t where) {
         count(where);
-        const auto* function = std::find_if(std::begin(functions), std::end(functions),
-                                            [&](const Function& one) { return name == one.maple; });
-        if (function == std::end(functions) && name != "evalf") {
+        const auto* function =
+            std::find_if(std::begin(maple_functions), std::end(maple_functions),
+                         [&](const MapleFunction& one) { return name == one.maple; });
+        if (function == std::end(maple_functions) && name != "evalf") {
             std::string known;
-            for (const Function& one : functions) known += std::string(one.maple) + ", ";
+            for (const MapleFunction& one : maple_functions) known += std::string(one.maple) + ", ";
             scanner_.fail_at(
                 where, "expected one of " + known + "evalf, found the function " + quoted(name));
         }
@@ -247,11 +215,12 @@ private:
         }
         if (arguments.size() < arity.least) scanner_.fail("',' and another argument of " + name);
         scanner_.expect(")", "behind the arguments of " + name);
-        if (function->angle == Function::Angle::argument)
-            arguments[0] = scaled(std::move(arguments[0]), number(180), pi());
-        Expression value = made(Expression::Kind::call, function->name, std::move(arguments));
-        if (function->angle == Function::Angle::value)
-            return scaled(std::move(value), pi(), number(180));
+        if (function->angle == MapleFunction::Angle::argument)
+            arguments[0] = scaled(std::move(arguments[0]), number_expression(180), pi());
+        Expression value =
+            made_expression(Expression::Kind::call, function->name, std::move(arguments));
+        if (function->angle == MapleFunction::Angle::value)
+            return scaled(std::move(value), pi(), number_expression(180));
         return value;
     }
 
@@ -259,79 +228,6 @@ private:
     const std::string& parameters_;
     MapleExpression read_;
     std::size_t depth_ = 0, operations_ = 0;
-};
-
-/// Prints with the brackets that Maple asks for: none may stand before a sign or between powers.
-class Printer {
-public:
-    explicit Printer(const std::function<std::string(const std::string&)>& name_text)
-        : name_text_(name_text) {}
-
-    enum Binding { sign, sum, product, atom };
-
-    std::string text(const Expression& expression, Binding least) const {
-        const auto [bare, binding] = bare_text(expression);
-        return binding < least ? "(" + bare + ")" : bare;
-    }
-
-private:
-    using Bare = std::pair<std::string, Binding>;
-
-    [[noreturn]] static void fail(const Expression& expression) {
-        throw Error(quoted(to_text(expression)) + " in arithmetic");
-    }
-
-    Bare bare_text(const Expression& expression) const {
-        switch (expression.kind) {
-            case Expression::Kind::number: {
-                const std::string text = shortest_text(expression.value);
-                return {text, text.starts_with('-')             ? sign
-                              : exact_decimal(expression.value) ? atom
-                                                                : product};
-            }
-            case Expression::Kind::name:
-                return {name_text_(expression.name), atom};
-            case Expression::Kind::unary:
-                if (expression.name != "-") break;
-                return {"-" + text(expression.operands[0], atom), sign};
-            case Expression::Kind::binary:
-                return binary_text(expression);
-            case Expression::Kind::call:
-                return call_text(expression);
-            case Expression::Kind::word:
-                break;
-        }
-        fail(expression);
-    }
-
-    Bare binary_text(const Expression& expression) const {
-        const std::string& name = expression.name;
-        const bool adds = name == "+" || name == "-", multiplies = name == "*" || name == "/";
-        if (!adds && !multiplies && name != "^") fail(expression);
-        const Binding own = adds ? sum : multiplies ? product : atom;
-        const Binding tighter = adds ? product : atom;
-        const std::string text = this->text(expression.operands[0], own) + name +
-                                 this->text(expression.operands[1], tighter);
-        // A power may be a factor and no base.
-        return {text, name == "^" ? product : own};
-    }
-
-    Bare call_text(const Expression& expression) const {
-        const auto* function =
-            std::find_if(std::begin(functions), std::end(functions),
-                         [&](const Function& one) { return expression.name == one.name; });
-        if (function == std::end(functions)) fail(expression);
-        std::string arguments;
-        const bool angle = function->angle == Function::Angle::argument;
-        for (const Expression& one : expression.operands)
-            arguments += (arguments.empty() ? "" : ",") + text(one, angle ? product : sign);
-        const std::string call = function->maple + ("(" + arguments);
-        if (angle) return {call + "*Pi/180)", atom};
-        if (function->angle == Function::Angle::value) return {call + ")*180/Pi", product};
-        return {call + ")", atom};
-    }
-
-    const std::function<std::string(const std::string&)>& name_text_;
 };
 
 }  // namespace
@@ -348,11 +244,6 @@ std::string next_maple_name(Scanner& scanner) {
 
 MapleExpression read_maple_expression(Scanner& scanner, const std::string& parameters) {
     return Reader(scanner, parameters).all();
-}
-
-std::string maple_text(const Expression& expression,
-                       const std::function<std::string(const std::string&)>& name_text) {
-    return Printer(name_text).text(expression, Printer::sign);
 }
 
 }  // namespace algae

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "exchange/made_expression.hpp"
 
 namespace algae {
 
@@ -18,14 +19,6 @@ const std::map<std::string, std::string>& reporters() {
         {"abs", "abs"}, {"cos", "cos"},   {"exp", "exp"}, {"log", "ln"},
         {"sin", "sin"}, {"sqrt", "sqrt"}, {"tan", "tan"}};
     return all;
-}
-
-Expression operation(Expression::Kind kind, std::string name, std::vector<Expression> operands) {
-    Expression out;
-    out.kind = kind;
-    out.name = std::move(name);
-    out.operands = std::move(operands);
-    return out;
 }
 
 bool is_digit_of(std::string_view text, std::size_t at) {
@@ -102,12 +95,12 @@ private:
             scanner_.expect(")", "or an operator between blanks");
             if (!minus) return inner;
             count();
-            return operation(Expression::Kind::unary, "-", {std::move(inner)});
+            return made_expression(Expression::Kind::unary, "-", {std::move(inner)});
         }
         for (const auto& [name, reporter] : reporters())
             if (scanner_.take_word(reporter)) {
                 count();
-                return operation(Expression::Kind::call, name, {atom(depth + 1)});
+                return made_expression(Expression::Kind::call, name, {atom(depth + 1)});
             }
         scanner_.fail("a number");
     }
@@ -129,8 +122,8 @@ private:
             scanner_.fail_at(scanner_.offset(), "more than 100 operators in a number");
     }
     static Expression binary(char sign, Expression left, Expression right) {
-        return operation(Expression::Kind::binary, std::string(1, sign),
-                         {std::move(left), std::move(right)});
+        return made_expression(Expression::Kind::binary, std::string(1, sign),
+                               {std::move(left), std::move(right)});
     }
 
     Scanner& scanner_;
@@ -212,7 +205,8 @@ Quantity negated(const Quantity& number) {
     if (number.exact) return quantity(-*number.exact);
     const Expression& expression = number.expression;
     const bool minus = expression.kind == Expression::Kind::unary && expression.name == "-";
-    return {minus ? expression.operands[0] : operation(Expression::Kind::unary, "-", {expression}),
+    return {minus ? expression.operands[0]
+                  : made_expression(Expression::Kind::unary, "-", {expression}),
             std::nullopt, -number.value};
 }
 
@@ -222,8 +216,9 @@ Quantity turned_compass(const Quantity& degrees) {
     const Expression& expression = degrees.expression;
     const bool turned = expression.kind == Expression::Kind::binary && expression.name == "-" &&
                         expression.operands[0] == ninety.expression;
-    return {turned ? expression.operands[1]
-                   : operation(Expression::Kind::binary, "-", {ninety.expression, expression}),
+    return {turned
+                ? expression.operands[1]
+                : made_expression(Expression::Kind::binary, "-", {ninety.expression, expression}),
             std::nullopt, 90 - degrees.value};
 }
 

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <set>
 
 #include "base/error.hpp"
@@ -41,14 +42,22 @@ void add_convert(Verbs& verbs) {
                               "  algae convert rule-110.ca --to lsys",
                               options, convert);
     std::string known;
-    std::set<std::string> from, to;
-    for (const Conversion& one : conversions()) {
-        known += (known.empty() ? "" : "; ") + one.from + " to " + one.to + ": " + one.what;
+    std::set<std::string> from, to, told;
+    const std::vector<Conversion> all = conversions();
+    for (const Conversion& one : all) {
         from.insert(one.from);
         to.insert(one.to);
+        if (!told.insert(one.what).second) continue;  // the other way of the same
+        const bool is_both = std::any_of(all.begin(), all.end(), [&](const Conversion& two) {
+            return two.from == one.to && two.to == one.from;
+        });
+        known += (known.empty() ? "" : "; ") + one.from + (is_both ? " and " : " to ") + one.to +
+                 ", " + one.what;
     }
     verb.add_option("FILE", options->file, file_help)->type_name(file_type)->required();
-    verb.add_option("--to", options->to, "the format: " + known)->type_name(fmt::format("{}", fmt::join(to, "|")))->required();
+    verb.add_option("--to", options->to, "the format; there are " + known)
+        ->type_name(fmt::format("{}", fmt::join(to, "|")))
+        ->required();
     verb.add_option("--from", options->from, "the format of FILE, where its name does not say it")
         ->type_name(fmt::format("{}", fmt::join(from, "|")));
     options->bounds.add_to(verb);

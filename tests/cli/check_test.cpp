@@ -184,17 +184,16 @@ TEST_CASE("check reads standard input") {
 TEST_CASE("check and its folders know the theory that comes with algae, wherever it runs") {
     const Scratch files;
     const std::string there = "cd '" + files.path().string() + "' &&";
-    const Run all = run("check theory/closure", there);
+    const Run all = run("check theory/finite", there);
     CHECK(all.status == 0);
-    CHECK(all.out.find("proved     The families of 0L languages and their kin are not closed under "
-                       "union\n") != std::string::npos);
+    CHECK(all.out.ends_with(" claims: 11 proved, 0 cited, 0 undecided, 0 wrong\n"));
     const Run one = run("check theory/closure/union-not-0l.claim --certificate c.json", there);
     CHECK(one.status == 0);
     CHECK(std::filesystem::exists(files.file("c.json")));
     std::filesystem::create_directory(files.path() / "theory");
     files.file("theory/own.claim", right);  // a folder of one's own comes first
     CHECK(run("check theory", there).out == "proved     powers of two\n");
-    const Run none = run("check theory/closure", there);
+    const Run none = run("check theory/finite", there);
     CHECK(none.status == 0);
     const Run missing = run("check no-theory", there);
     CHECK(missing.status == 2);

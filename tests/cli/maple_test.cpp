@@ -45,7 +45,7 @@ TEST_CASE("tables of maps and of cells are what their verbs take") {
     const Run known = run("ifs " + fern);
     CHECK(holds(known.out, "bounding box: [-2.18229, 2.65578] x [0, 9.99845]"));
     CHECK(holds(known.out, "map 1 (line 3): norm 0.16"));
-    CHECK(run("draw " + fern + " -o '" + scratch.file("fern.png") + "'").status == 0);
+    CHECK(run("draw " + fern + " -o '" + scratch.file("fern.png") + "' --width 100").status == 0);
     CHECK(run("convert " + fern + " --to ifs").out ==
           "map 0 0 0 0.16 0 0 0.01\nmap 0.85 0.04 -0.04 0.85 0 1.6 0.85\n"
           "map 0.2 -0.26 0.23 0.22 0 1.6 0.07\nmap -0.15 0.28 0.26 0.24 0 0.44 0.07\n");

@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "base/parts.hpp"
@@ -12,6 +14,7 @@
 #include "cli/output.hpp"
 #include "cli/plates.hpp"
 #include "cli/relatives.hpp"
+#include "exchange/system_format.hpp"
 #include "expect/expectations.hpp"
 #include "render/output.hpp"
 #include "render/picture_page.hpp"
@@ -34,39 +37,51 @@ struct Options {
 
 /// What became of one file.
 struct Outcome {
-    fs::path file;
+    fs::path file, group;  // the group is its folder within that of all, empty if it is the same
+    std::string stem;      // of its pictures' names
     std::vector<std::string> pictures, problems;
     int status = success;
-    std::string title, source, preview;  // for the page
+    std::string title, source, text, preview;  // for the page
 };
 
-std::vector<fs::path> system_files(const fs::path& folder) {
+bool is_figure_file(const fs::path& path) {
+    return path.extension() == ".lsys" || is_relative(path.string()) ||
+           system_format(path.string());
+}
+
+/// All files of figures in a folder, those of a group together, sorted by name. Pictures of files that
+/// differ in their ends only are told apart by these.
+std::vector<Outcome> figure_files(const fs::path& folder) {
     if (!fs::is_directory(folder))
         throw Error(folder.string() +
                     ": expected a folder of .lsys files and of files of relatives");
-    std::vector<fs::path> files;
-    for (const auto& entry : fs::recursive_directory_iterator(folder))
-        if (entry.is_regular_file() &&
-            (entry.path().extension() == ".lsys" || is_relative(entry.path().string())))
-            files.push_back(entry.path());
+    std::vector<Outcome> files;
+    std::map<fs::path, std::size_t> of_stem;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file() || !is_figure_file(entry.path())) continue;
+        const fs::path group = fs::relative(entry.path().parent_path(), folder).lexically_normal();
+        Outcome& outcome = files.emplace_back();
+        outcome.file = entry.path();
+        outcome.group = group == "." ? fs::path() : group;
+        outcome.stem = entry.path().stem().string();
+        ++of_stem[outcome.group / outcome.stem];
+    }
     if (files.empty())
         throw Error(folder.string() + ": holds no .lsys files and none of relatives");
-    std::sort(files.begin(), files.end());
+    for (Outcome& outcome : files)
+        if (of_stem[outcome.group / outcome.stem] > 1)
+            outcome.stem = outcome.file.filename().string();
+    std::sort(files.begin(), files.end(), [](const Outcome& a, const Outcome& b) {
+        return std::tie(a.group, a.file) < std::tie(b.group, b.file);
+    });
     return files;
 }
 
-/// The folder of a file within that of all, empty if it is the same.
-fs::path group_of(const Options& options, const fs::path& file) {
-    const fs::path group = fs::relative(file.parent_path(), options.folder).lexically_normal();
-    return group == "." ? fs::path() : group;
-}
-
 /// Where the picture of a file goes, in this format.
-std::string picture_path(const fs::path& out, const Options& options, const fs::path& file,
-                         const std::string& format) {
-    const fs::path folder = (out / group_of(options, file)).lexically_normal();
+std::string picture_path(const fs::path& out, const Outcome& outcome, const std::string& format) {
+    const fs::path folder = (out / outcome.group).lexically_normal();
     fs::create_directories(folder);
-    return (folder / file.stem()).string() + '.' + format;
+    return (folder / outcome.stem).string() + '.' + format;
 }
 
 void draw_plates(const std::vector<Plate>& plates, const std::string& path,
@@ -81,32 +96,34 @@ void draw_plates(const std::vector<Plate>& plates, const std::string& path,
 void draw_formats(const Options& options, Outcome& outcome, const std::vector<Plate>& plates,
                   const Budget& budget) {
     for (const std::string& format : list("--formats", options.formats)) {
-        outcome.pictures.push_back(picture_path(options.out, options, outcome.file, format));
-        draw_plates(plates, outcome.pictures.back(), {}, budget);
+        const std::string path = picture_path(options.out, outcome, format);
+        draw_plates(plates, path, {}, budget);
+        outcome.pictures.push_back(path);
     }
     if (!options.page) return;
-    outcome.preview = picture_path(fs::path(options.out) / previews, options, outcome.file, "png");
     PictureOptions small;
     small.width = preview_width;
-    draw_plates(plates, outcome.preview, small, budget);
+    const std::string path = picture_path(fs::path(options.out) / previews, outcome, "png");
+    draw_plates(plates, path, small, budget);
+    outcome.preview = path;
 }
 
-/// The page of all pictures that were drawn.
-void write_page(const Options& options, const std::vector<Outcome>& outcomes,
-                const Budget& budget) {
+/// The page of all pictures, and of what is wrong with those that were not drawn.
+void write_page(const Options& options, const std::vector<Outcome>& outcomes) {
     const auto from_page = [&](const std::string& path) {
         return fs::relative(path, options.out).generic_string();
     };
     std::vector<PagePicture> pictures;
+    const std::string own = fs::weakly_canonical(options.folder).filename().string();
     for (const Outcome& outcome : outcomes) {
-        if (outcome.preview.empty()) continue;
-        PagePicture picture{group_of(options, outcome.file).generic_string(),
-                            outcome.file.filename().string(),
-                            outcome.title,
-                            outcome.source,
-                            from_page(outcome.preview),
-                            {},
-                            file_text(outcome.file.string(), budget)};
+        PagePicture picture;
+        picture.group = outcome.group.empty() ? own : outcome.group.generic_string();
+        picture.name = outcome.file.filename().string();
+        picture.title = outcome.title;
+        picture.source = outcome.source;
+        if (!outcome.preview.empty()) picture.preview = from_page(outcome.preview);
+        picture.problems = outcome.problems;
+        picture.text = outcome.text;
         for (const std::string& path : outcome.pictures) picture.files.push_back(from_page(path));
         pictures.push_back(std::move(picture));
     }
@@ -130,6 +147,7 @@ void draw_relative_file(const Options& options, Outcome& outcome, const Budget& 
 }
 
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
+    if (options.page) outcome.text = file_text(outcome.file.string(), budget);
     if (is_relative(outcome.file.string())) return draw_relative_file(options, outcome, budget);
     const LSystem system = open_system(outcome.file.string(), budget);
     outcome.title = system.title;
@@ -154,9 +172,7 @@ int draw_all(const Options& options) {
     const Budget budget = options.bounds.budget();
     for (const std::string& format : list("--formats", options.formats))
         picture_format("figure." + format);
-    std::vector<Outcome> outcomes;
-    for (const fs::path& file : system_files(options.folder))
-        outcomes.emplace_back().file = file;
+    std::vector<Outcome> outcomes = figure_files(options.folder);
 
     ProgressBar bar("Figures");
     std::mutex reporting;
@@ -181,7 +197,7 @@ int draw_all(const Options& options) {
     each_part(
         outcomes.size(), static_cast<unsigned>(jobs), Budget(), [&] { return work; }, 1);
     if (stop) throw Interrupted();
-    if (options.page && !options.check) write_page(options, outcomes, budget);
+    if (options.page && !options.check) write_page(options, outcomes);
 
     int status = success;
     std::size_t pictures = 0, wrong = 0;
@@ -217,8 +233,8 @@ void add_figures(Verbs& verbs) {
                               "--formats pdf --captions",
                               options, draw_all);
     verb.add_option(
-        "DIR", options->folder,
-        "a folder of .lsys files and of files of relatives, such as .ifs (default figures)")
+            "DIR", options->folder,
+            "a folder of .lsys files and of files of relatives, such as .ifs (default figures)")
         ->type_name("DIR");
     verb.add_option("--out", options->out, "where the pictures go (default out/figures)")
         ->type_name("DIR");

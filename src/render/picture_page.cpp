@@ -22,6 +22,7 @@ figcaption { margin-top: .5rem; }
 figcaption strong { display: block; }
 figcaption span { color: #666; font-size: .85rem; }
 details { margin-top: .3rem; font-size: .85rem; }
+.problem { color: #a4000f; font-size: .85rem; white-space: pre-wrap; margin: .4rem 0; }
 summary { cursor: pointer; color: #0b5a8a; }
 pre { overflow-x: auto; background: #f5f4ee; padding: .5rem; font: .72rem/1.4 "DejaVu Sans Mono", Menlo, monospace; }
 )";
@@ -43,20 +44,21 @@ std::string ending(const std::string& path) { return path.substr(path.find_last_
 
 std::string entry(const PagePicture& picture) {
     const std::string name = escaped_markup(picture.name);
-    std::string out = fmt::format(
-        "<figure>\n<a href=\"{}\"><img src=\"{}\" alt=\"{}\" loading=\"lazy\"></a>\n"
-        "<figcaption><strong>{}</strong><span>{}",
-        link(picture.files.empty() ? picture.preview : picture.files.front()),
-        link(picture.preview), name, picture.title.empty() ? name : escaped_markup(picture.title),
-        name);
+    std::string out = "<figure>\n";
+    if (!picture.preview.empty())
+        out += fmt::format("<a href=\"{}\"><img src=\"{}\" alt=\"{}\" loading=\"lazy\"></a>\n",
+                           link(picture.files.empty() ? picture.preview : picture.files.front()),
+                           link(picture.preview), name);
+    out += fmt::format("<figcaption><strong>{}</strong><span>{}",
+                       picture.title.empty() ? name : escaped_markup(picture.title), name);
     if (!picture.source.empty()) out += " · " + escaped_markup(picture.source);
     for (const std::string& file : picture.files)
         out += fmt::format(" · <a href=\"{}\">{}</a>", link(file), escaped_markup(ending(file)));
-    return out +
-           fmt::format(
-               "</span></figcaption>\n<details><summary>file</summary><pre>{}</pre></details>\n"
-               "</figure>\n",
-               escaped_markup(picture.text));
+    out += "</span></figcaption>\n";
+    for (const std::string& problem : picture.problems)
+        out += fmt::format("<p class=\"problem\">{}</p>\n", escaped_markup(problem));
+    return out + fmt::format("<details><summary>file</summary><pre>{}</pre></details>\n</figure>\n",
+                             escaped_markup(picture.text));
 }
 
 }  // namespace

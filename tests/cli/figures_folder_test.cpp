@@ -42,7 +42,26 @@ TEST_CASE("figures --page writes a page that links all pictures and shows the fi
     CHECK(page.find("<a href=\"plants &amp; co/a%23b.svg\">") == std::string::npos);
     CHECK(page.find("<a href=\"plants%20&amp;%20co/a%23b.svg\">") != std::string::npos);
     CHECK(page.find("F -&gt; F[+F]F") != std::string::npos);
-    CHECK(page.find("bad.lsys") == std::string::npos);
+    CHECK(page.find("<p class=\"problem\">in/bad.lsys:1:7: error") != std::string::npos);
+    CHECK(page.find("<h2 id=\"group-1\">in</h2>") != std::string::npos);
+    CHECK(page.find("<h2 id=\"group-2\">plants &amp; co</h2>") != std::string::npos);
+    CHECK(page.find("group-3") == std::string::npos);
     for (const char* file : {"out/previews/koch.png", "out/previews/plants & co/a#b.png"})
+        CHECK(std::filesystem::exists(scratch.file(file)));
+}
+
+TEST_CASE(
+    "figures tells files apart that differ in their ends only, draws those of other programs, "
+    "and counts what is drawn") {
+    const Scratch scratch;
+    std::filesystem::create_directories(scratch.path() / "in");
+    scratch.file("in/plain.lsys", "axiom F; F -> F+F; generation 2\n");
+    scratch.file("in/plain.ca", "rule 90\ncells 11\ngeneration 4\n");
+    scratch.file("in/koch.maple", "Lsystem(\"F\", [\"F\", \"F+F--F+F\"], 60, 2);\n");
+    scratch.file("in/empty.lsys", "axiom a; a -> ab; generation 3\n");
+    const Run found =
+        run("figures in --formats svg --out out", "cd '" + scratch.path().string() + "' &&");
+    CHECK(found.out == "4 systems, 3 pictures in out, 1 with problems\n");
+    for (const char* file : {"out/plain.lsys.svg", "out/plain.ca.svg", "out/koch.svg"})
         CHECK(std::filesystem::exists(scratch.file(file)));
 }

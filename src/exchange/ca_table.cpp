@@ -24,6 +24,12 @@ std::size_t number(char state) {
 }
 char state(std::size_t number) { return state_character(static_cast<std::uint8_t>(number)); }
 
+/// The text as messages name it, cut where it is long.
+std::string shortened(const std::string& text) {
+    const std::string marked = algae::quoted(text);
+    return marked.substr(1, marked.size() - 2);
+}
+
 class Reader {
 public:
     Reader(std::string_view text, const std::string& name) : source_(text, name) {
@@ -98,7 +104,8 @@ private:
                      "expected '->' behind " + algae::quoted(tokens[i].text));
             if (i + 2 == tokens.size() || tokens[i + 2].text.size() != 1)
                 fail(i + 2 < tokens.size() ? tokens[i + 2].offset : source_.text().size(),
-                     "expected the next state, a single one, behind '" + tokens[i].text + " ->'");
+                     "expected the next state, a single one, behind '" + shortened(tokens[i].text) +
+                         " ->'");
             add(tokens[i], tokens[i + 2].text[0]);
         }
     }
@@ -114,11 +121,11 @@ private:
                     fail(below[k].offset,
                          "expected the end of the line: no configuration stands above");
                 if (k >= below.size())
-                    fail(above[k].offset,
-                         "the configuration " + above[k].text + " has no next state below");
+                    fail(above[k].offset, "the configuration " + shortened(above[k].text) +
+                                              " has no next state below");
                 if (below[k].text.size() != 1)
                     fail(below[k].offset, "expected the next state, a single one, of " +
-                                              above[k].text + ", found " +
+                                              shortened(above[k].text) + ", found " +
                                               algae::quoted(below[k].text));
                 add(above[k], below[k].text[0]);
             }
@@ -140,7 +147,8 @@ private:
                                    algae::quoted(cells.text));
         const auto [found, is_new] = entries_.emplace(cells.text, Entry{next, cells.offset});
         if (!is_new)
-            fail(cells.offset, "the entry of " + cells.text + " is there twice, first in line " +
+            fail(cells.offset, "the entry of " + shortened(cells.text) +
+                                   " is there twice, first in line " +
                                    std::to_string(source_.place(found->second.offset).line));
         for (const char one : cells.text + next) states_ = std::max(states_, number(one) + 1);
     }
@@ -160,9 +168,10 @@ private:
     }
 
     [[noreturn]] void missing(const std::string& configuration) const {
-        fail(source_.text().size(), "the entry of " + configuration + " is missing: a table of " +
-                                        std::to_string(states_) + " states has one for each " +
-                                        std::to_string(length_) + " of them");
+        fail(source_.text().size(), "the entry of " + shortened(configuration) +
+                                        " is missing: a table of " + std::to_string(states_) +
+                                        " states has one for each " + std::to_string(length_) +
+                                        " of them");
     }
 
     void add(const std::string& key, const std::vector<std::string>& words) {

@@ -1,6 +1,7 @@
 #include "exchange/ifs_table.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <optional>
 
@@ -46,22 +47,37 @@ private:
         throw Diagnostics({source_.finding(offset, message)});
     }
 
-    static bool is_letter(const std::string& cell) {
-        return cell.size() == 1 && letters.find(cell[0]) != std::string::npos;
+    static char lower(char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
+    /// The header may be in capitals.
+    static bool is_letter(const std::string& cell) {
+        return cell.size() == 1 && letters.find(lower(cell[0])) != std::string::npos;
+    }
+    static bool is_word(const std::string& cell) {
+        return std::all_of(cell.begin(), cell.end(),
+                           [](unsigned char c) { return std::isalpha(c) != 0; });
+    }
+    /// Words, and most of them letters of columns.
     static bool is_header(const Row& row) {
-        return row.size() > 1 && std::all_of(row.begin() + 1, row.end(), [](const TableCell& cell) {
-                   return is_letter(cell.text);
-               });
+        const auto known = std::count_if(
+            row.begin(), row.end(), [](const TableCell& cell) { return is_letter(cell.text); });
+        return row.size() > 1 && 2 * known > static_cast<std::ptrdiff_t>(row.size()) - 1 &&
+               std::all_of(row.begin() + 1, row.end(),
+                           [](const TableCell& cell) { return is_word(cell.text); });
     }
 
     /// A column of names has no letter of its own.
     void read_header(const Row& row) {
         for (const TableCell& cell : row) {
             const bool named = is_letter(cell.text);
-            if (named && std::count(columns_.begin(), columns_.end(), cell.text[0]) > 0)
+            if (!named && !columns_.empty())
+                fail(cell.offset, "unknown column " + algae::quoted(cell.text) +
+                                      ", expected a, b, c, d, e, f or p");
+            const char letter = named ? lower(cell.text[0]) : ' ';
+            if (named && std::count(columns_.begin(), columns_.end(), letter) > 0)
                 fail(cell.offset, "the column " + cell.text + " is there twice");
-            columns_ += named ? cell.text[0] : ' ';
+            columns_ += letter;
         }
         for (const char letter : std::string("abcdef"))
             if (columns_.find(letter) == std::string::npos)
@@ -106,17 +122,26 @@ private:
             }
             const auto value = number(row[i]);
             if (!value)
-                fail(row[i].offset,
-                     "expected a number for " + column_name(i) + ", found " +
-                         algae::quoted(row[i].text) +
-                         (row[i].text.find(',') == std::string::npos ? ""
-                                                                     : "; decimals have a point"));
+                fail(row[i].offset, "expected a number for " + column_name(i) + ", found " +
+                                        algae::quoted(row[i].text) + hint(row[i].text));
             const Place place = source_.place(row[i].offset);
             words[letters.find(columns_[i])] = {to_text(*value), place.column - 1};
         }
         if (words.size() == 7) sum(row, words[6].text);
         const Diagnostic here = source_.finding(row.front().offset, "");
         file_.statements.push_back({"map", std::move(words), here.place, here.line, {}, ""});
+    }
+
+    /// What is often taken for a part of a number.
+    static std::string hint(std::string_view cell) {
+        if (cell.find(',') != std::string_view::npos) return "; decimals have a point";
+        while (!cell.empty()) {
+            const Character next = first_character(cell);
+            if (is_false_minus(next.code))
+                return " (" + code_point_name(next.code) + "); did you mean '-'?";
+            cell.remove_prefix(next.bytes);
+        }
+        return "";
     }
 
     std::string column_name(std::size_t column) const {
@@ -126,7 +151,8 @@ private:
     void check_name(const TableCell& cell) {
         const auto [found, is_new] = names_.emplace(cell.text, cell.offset);
         if (!is_new)
-            fail(cell.offset, "the map " + cell.text + " is there twice, first in line " +
+            fail(cell.offset, "the map " + algae::quoted(cell.text) +
+                                  " is there twice, first in line " +
                                   std::to_string(source_.place(found->second).line));
     }
 
@@ -134,7 +160,8 @@ private:
         const Quantity value =
             evaluate(read_expression(text), [](const std::string&) { return nullptr; });
         if (!(value.value > 0))
-            fail(row[columns_.find('p')].offset, "expected a probability above 0, found " + text);
+            fail(row[columns_.find('p')].offset,
+                 "expected a probability above 0, found " + algae::quoted(text));
         if (value.exact && sum_)
             *sum_ += *value.exact;
         else

@@ -16,7 +16,26 @@ bool is_rule(std::string_view cell) {
 }
 
 bool is_left_out(std::string_view cell) {
-    return cell.empty() || cell == "\\hline" || is_rule(cell);
+    for (const char* command : {"\\hline", "\\toprule", "\\midrule", "\\bottomrule", "\\centering"})
+        if (cell == command) return true;
+    return cell.empty() || is_rule(cell);
+}
+
+/// How many bytes at the start of a line's rest begin or end an environment of LaTeX, with what
+/// stands in brackets behind: `\begin{tabular}{|c|c|}`. 0 where they do neither.
+std::size_t environment_bytes(std::string_view rest) {
+    if (!rest.starts_with("\\begin{") && !rest.starts_with("\\end{")) return 0;
+    rest = rest.substr(0, rest.find('\n'));
+    std::size_t i = rest.find('{');
+    for (int depth = 0; i < rest.size(); ++i) {
+        if (rest[i] == '{' || rest[i] == '[')
+            ++depth;
+        else if (rest[i] == '}' || rest[i] == ']')
+            --depth;
+        else if (depth == 0)
+            break;
+    }
+    return i;
 }
 
 }  // namespace
@@ -34,6 +53,10 @@ std::vector<std::vector<TableCell>> table_rows(const Source& source) {
         }
         if (text[i] == '#') {
             i = std::min(text.find('\n', i), text.size());
+            continue;
+        }
+        if (const std::size_t bytes = environment_bytes(text.substr(i))) {
+            i += bytes;
             continue;
         }
         const auto bytes_between = [&](std::size_t at) -> std::size_t {

@@ -16,7 +16,7 @@ struct TableCell {
 };
 
 /// The rows of a printed table: its lines, cut at blanks, `|`, `&` and `$`. Left out are comments behind
-/// `#`, rules such as `---`, `\hline` and `\\`, and rows without cells. Used within this room only.
+/// `#`, rules such as `---`, `\hline` and `\\`, LaTeX's `\begin{tabular}{cc}` and `\end{tabular}`, and rows without cells. Used within this room only.
 std::vector<std::vector<TableCell>> table_rows(const Source& source);
 
 }  // namespace algae

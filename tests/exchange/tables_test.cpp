@@ -53,7 +53,12 @@ TEST_CASE("the fern's table, in the forms in which it is printed, gives the fern
         "& 0 & 0 & 0.01\\\\\n"
         "2 & 0.85 & 0.04 & $-0.04$ & 0.85 & 0 & 1.6 & 0.85\\\\\n3 & 0.2 & -0.26 & 0.23 & 0.22 & 0 "
         "& 1.6 & 0.07\\\\\n"
-        "4 & -0.15 & 0.28 & 0.26 & 0.24 & 0 & 0.44 & 0.07\\\\\\hline\n"};
+        "4 & -0.15 & 0.28 & 0.26 & 0.24 & 0 & 0.44 & 0.07\\\\\\hline\n",
+        "\\begin{table}[h]\n\\centering\n\\begin{tabular}{@{}c|rrrr|rr|r@{}}\n\\toprule\n"
+        "W & A & B & C & D & E & F & P\\\\\n\\midrule\n1 & 0 & 0 & 0 & 0.16 & 0 & 0 & 0.01\\\\\n"
+        "2 & 0.85 & 0.04 & -0.04 & 0.85 & 0 & 1.6 & 0.85\\\\\n3 & 0.2 & -0.26 & 0.23 & 0.22 & 0 "
+        "& 1.6 & 0.07\\\\\n4 & -0.15 & 0.28 & 0.26 & 0.24 & 0 & 0.44 & 0.07\\\\\n"
+        "\\bottomrule\n\\end{tabular}\n\\end{table}\n"};
     for (const char* table : tables) CHECK(there(table, "ifs") == fern);
     CHECK(
         back(of_gallery("fern.ifs"), "ifs") ==
@@ -82,7 +87,7 @@ TEST_CASE("faults of a table of maps are named with their places") {
         {"0 0 0 0.5 0 0\n0 0 0 0.5 0 1 2\n",
          "2:15: error: expected the end of the row behind 6 cells, found '2'"},
         {"w1 0 0 0 0.5 0 0\nw1 0 0 0 0.5 0 1",
-         "2:1: error: the map w1 is there twice, first in line 1"},
+         "2:1: error: the map 'w1' is there twice, first in line 1"},
         {"0 0 0 0,16 0 0",
          "1:7: error: expected a number for d, found '0,16'; decimals have a point"},
         {"0 0 0 x 0 0", "1:7: error: expected a number for d, found 'x'"},
@@ -90,7 +95,14 @@ TEST_CASE("faults of a table of maps are named with their places") {
         {"0 0 0 0.5 0 0 0.5\n0 0 0 0.5 0 1 0.4",
          "2:15: error: the probabilities add up to 0.9, expected 1"},
         {"0 0 0 0.5 0 0 1.5\n0 0 0 0.5 0 1 -0.5",
-         "2:15: error: expected a probability above 0, found -0.5"}};
+         "2:15: error: expected a probability above 0, found '-0.5'"},
+        {"w a b c d e f q\n1 0 0 0 0.5 0 0 1",
+         "1:15: error: unknown column 'q', expected a, b, c, d, e, f or p"},
+        {"w a b c d e f prob\n1 0 0 0 0.5 0 0 1",
+         "1:15: error: unknown column 'prob', expected a, b, c, d, e, f or p"},
+        {"w A B C D E F a\n", "1:15: error: the column a is there twice"},
+        {"0 0 0 −0.5 0 0",
+         "1:7: error: expected a number for d, found '−0.5' (U+2212); did you mean '-'?"}};
     for (const auto& [text, expected] : cases) {
         INFO(text);
         CHECK(brief(text, "ifs") == "x.ifs-table:" + std::string(expected));
@@ -154,6 +166,15 @@ TEST_CASE("faults of a table of cells are named with their places") {
         INFO(text);
         CHECK(brief(text, "ca") == "x.ca-table:" + std::string(expected));
     }
+}
+
+TEST_CASE("errors about a configuration of a million cells are short") {
+    const std::string cells(1'000'001, '0'), more(1'000'003, '0');
+    for (const std::string& text :
+         {cells + " -> 0", cells + " -> 00", cells + " -> 0 " + cells + " -> 0",
+          cells + " -> 0 " + more + " -> 0", cells, cells + " 0\n0", cells + "\n00",
+          more + "0 -> 0"})
+        CHECK(refusal([&] { there(text, "ca"); }).size() < 500);
 }
 
 TEST_CASE("any rule of cells on a line goes through its table, its entries in any order") {

@@ -22,6 +22,31 @@ namespace {
 
 constexpr std::size_t most_rules = 10'000;
 
+/// Commands without arguments that models begin and end with, and that say nothing of the system.
+constexpr const char* passed_over[] = {"clear-all",
+                                       "ca",
+                                       "clear-drawing",
+                                       "cd",
+                                       "clear-turtles",
+                                       "ct",
+                                       "clear-patches",
+                                       "cp",
+                                       "clear-links",
+                                       "clear-globals",
+                                       "clear-ticks",
+                                       "clear-output",
+                                       "clear-plot",
+                                       "clear-all-plots",
+                                       "reset-ticks",
+                                       "reset-timer",
+                                       "reset-perspective",
+                                       "rp",
+                                       "tick",
+                                       "setup-plots",
+                                       "update-plots",
+                                       "display",
+                                       "no-display"};
+
 /// A string between quotation marks, without them.
 struct PlacedString : PlacedWord {
     std::size_t offset = 0;  // of the first mark
@@ -69,11 +94,21 @@ private:
                 scanner_.fail_at(at, "'end' without 'to' before it");
             return;
         }
-        if (!procedures_.empty() && !inside_)
-            scanner_.fail("'to' or the end of the file behind 'end'");
+        if (!procedures_.empty() && !inside_) fail("'to' or the end of the file behind 'end'");
         if (scanner_.take_word("add-rule")) return add_rule();
         if (scanner_.take_word("set")) return set();
-        scanner_.fail("'add-rule' or 'set'");
+        for (const char* command : passed_over)
+            if (scanner_.take_word(command)) return;
+        fail("'add-rule' or 'set'");
+    }
+
+    /// Fails with the whole word that stands here: NetLogo's have `-`, `?` and the like in them.
+    [[noreturn]] void fail(const std::string& expectation) {
+        const std::string_view rest = scanner_.rest();
+        if (rest.empty() || !std::isalpha(static_cast<unsigned char>(rest[0])))
+            scanner_.fail(expectation);
+        const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n()[]\";"));
+        scanner_.fail_at(scanner_.offset(), "expected " + expectation + ", found " + quoted(word));
     }
 
     /// At the beginnings of lines, as listings have them.
@@ -125,7 +160,7 @@ private:
         PlacedString out;
         out.offset = scanner_.offset();
         const std::string_view rest = scanner_.rest();
-        if (!rest.starts_with('"')) scanner_.fail(what);
+        if (!rest.starts_with('"')) fail(what);
         std::size_t here = 1;
         while (true) {
             if (here == rest.size() || rest[here] == '\n')

@@ -35,6 +35,11 @@ public:
             rules_[rule.predecessor.symbol].push_back(&rule);
         }
         std::string out = system_.title.empty() ? "" : "; " + system_.title + "\n";
+        for (const auto& [symbol, rules] : rules_)
+            if (rules.size() > 1 && !rules[0]->probability) {
+                out += "; several rules for a letter: the model picks one at random\n";
+                break;
+            }
         for (const Production& rule : system_.rules)
             for (Integer times = repetitions(rule); times > 0; times -= 1)
                 out += line(rule.predecessor.symbol, rule.successor.letters);

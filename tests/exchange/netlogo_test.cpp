@@ -139,6 +139,20 @@ TEST_CASE("letters do what their commands say, and nothing else") {
     CHECK(lsys("SET CHAIN \"F\"") == "axiom F\n");
 }
 
+TEST_CASE("commands that say nothing of the system are passed over, others named whole") {
+    CHECK(read("to setup-koch-island\n  clear-all\n  CT cd\n" +
+               koch_island.substr(23, koch_island.size() - 30) + "  reset-ticks\nend\n") ==
+          read(koch_island));
+    CHECK(said("to setup\n  clear-al\n  create-turtles 1 [ hide-turtle ]\n  set chain F-F\nend\n")
+              .starts_with(
+                  "x.netlogo:2:3: error: expected 'add-rule' or 'set', found 'clear-al'\n    "
+                  "clear-al\n    ^\n"
+                  "x.netlogo:3:3: error: expected 'add-rule' or 'set', found 'create-turtles'\n"
+                  "    create-turtles 1 [ hide-turtle ]\n    ^\n"
+                  "x.netlogo:4:13: error: expected a word in quotation marks behind 'set chain', "
+                  "found 'F-F'\n"));
+}
+
 TEST_CASE("numbers are those of NetLogo") {
     const auto step = [](const std::string& number) {
         const std::string text =
@@ -363,6 +377,7 @@ TEST_CASE("a procedure in the form that the writer gives it") {
           "");
     CHECK(print_netlogo(
               read_lsystem("axiom F; F -> F; F -> FF; step -2; start 1/3 sqrt(2) 30", "")) ==
+          "; several rules for a letter: the model picks one at random\n"
           "add-rule \"F\" \"F\" \"F\"\n"
           "add-rule \"F\" \"FF\" \"F\"\n"
           "set chain \"F\"\n"

@@ -94,6 +94,7 @@ private:
     template <class Item>
     void section(const std::string& name, const std::string& where, Item item) {
         keyword(name, where);
+        if (name == "angles" && scanner_.take(";")) return;  // no word turns
         do {
             try {
                 item();
@@ -156,7 +157,12 @@ private:
         const std::size_t at = scanner_.offset();
         const char name = letter("a module, one letter");
         BrnoPrimitive primitive;
-        if (scanner_.take("=")) primitive = read_primitive();
+        try {
+            if (scanner_.take("=")) primitive = read_primitive();
+        } catch (const Diagnostics&) {
+            system_.modules.emplace(name, primitive);  // declared, if not well
+            throw;
+        }
         if (!system_.modules.emplace(name, primitive).second)
             findings_.add(at, std::string("the module ") + name + " is declared twice");
     }

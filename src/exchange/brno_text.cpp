@@ -16,7 +16,6 @@ std::string text_of(const BrnoPrimitive& primitive) {
 
 std::string brno_text(BrnoSystem system, const std::string& title) {
     if (system.modules.empty()) system.modules['A'];
-    if (system.angles.empty()) system.angles['U'] = 90;
     if (system.rules.empty()) {
         const char letter = system.modules.begin()->first;
         system.rules.emplace_back(letter, std::string(1, letter));
@@ -28,7 +27,8 @@ std::string brno_text(BrnoSystem system, const std::string& title) {
         before = ", ";
     }
     out += ";\n\naxiom:\n    " + system.axiom;
-    before = ";\n\nangles:\n    ";
+    out += ";\n\nangles:\n    ";
+    before = "";
     for (const char vector : {'L', 'U', 'H'})
         if (system.angles.contains(vector)) {
             out += before + std::string(1, vector) + " = " + std::to_string(system.angles[vector]);

@@ -235,6 +235,26 @@ TEST_CASE("faults are found together, with their places") {
           "             ^");
 }
 
+TEST_CASE("a faulty module is declared all the same") {
+    for (const std::string primitive : {"P(8.5)", "P(0)", "C(8)", "Q(1)", "S 3"}) {
+        const std::string all = said(file("F = " + primitive + ", A", "FA", "U = 90", "F -> F+F"));
+        CAPTURE(all);
+        CHECK(all.starts_with("x.brno:1:"));
+        CHECK(all.find("x.brno:", 1) == std::string::npos);
+    }
+}
+
+TEST_CASE("no angle need be there where no word turns") {
+    const std::string text = file("F = P(1)", "F", "", "F -> F|F");
+    CHECK(lsys(text) == "axiom F\nF -> F|F\n");
+    CHECK(print_brno(read_brno(text, "")).find("angles:\n    ;\n") != std::string::npos);
+    CHECK(lsys(print_brno(read_brno(text, ""))) == lsys(text));
+    CHECK(said(file("F = P(1)", "F", "", "F -> F+F")) ==
+          "x.brno:4:14: error: expected the angle U among the angles, as '+' turns by it\n"
+          "  rules: F -> F+F;\n"
+          "               ^");
+}
+
 TEST_CASE("what no file can say is named") {
     CHECK(unsaid("axiom F; b < F -> F") ==
           "x.lsys:1:10: brno cannot say the rule b < F -> F: it has a context");
@@ -306,7 +326,7 @@ TEST_CASE("files in the form that the writer gives them") {
           "// Koch curve\n\nmodules:\n    F = P(1);\n\naxiom:\n    F;\n\nangles:\n    U = 60;\n\n"
           "rules:\n    F -> F+F--F+F;\n\nEND\n");
     CHECK(print_brno(read_lsystem("axiom ε", "")) ==
-          "modules:\n    A;\n\naxiom:\n    ;\n\nangles:\n    U = 90;\n\nrules:\n    A -> "
+          "modules:\n    A;\n\naxiom:\n    ;\n\nangles:\n    ;\n\nrules:\n    A -> "
           "A;\n\nEND\n");
     CHECK(system_format("examples/bush.brno")->name == "brno");
 }

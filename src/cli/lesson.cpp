@@ -8,6 +8,7 @@
 #include "cli/claims.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
+#include "cli/numbers.hpp"
 #include "cli/output.hpp"
 #include "lesson/lessons.hpp"
 #include "lesson/mark.hpp"
@@ -24,8 +25,7 @@ constexpr std::string_view ending = ".exercise";
 
 struct Options {
     std::string lesson;  // its number, or a file with an exercise
-    std::size_t exercise = 0;
-    std::string answer, out;
+    std::string exercise, answer, out;
     bool json = false;
     Bounds bounds;
 };
@@ -72,11 +72,11 @@ Lesson chosen_lesson(const Options& options) {
 }
 
 const Exercise& chosen_exercise(const Options& options, const Lesson& lesson) {
+    const std::uint64_t number = natural("--exercise", options.exercise);
     for (const Exercise& exercise : lesson.exercises)
-        if (exercise.number == options.exercise) return exercise;
+        if (exercise.number == number) return exercise;
     throw Error("lesson " + std::to_string(lesson.number) + " has the exercises 1 to " +
-                std::to_string(lesson.exercises.size()) + ", found " +
-                std::to_string(options.exercise));
+                std::to_string(lesson.exercises.size()) + ", found " + std::to_string(number));
 }
 
 Json as_json(const Exercise& exercise, const Mark& marked) {
@@ -134,8 +134,10 @@ int print_task_or_mark(const Options& options, const Exercise& exercise) {
 
 /// An exercise that does not come with algae.
 Exercise own_exercise(const Options& options) {
-    if (options.exercise > 0)
+    if (!options.exercise.empty())
         throw Error("--exercise chooses one of a lesson; " + options.lesson + " is one itself");
+    if (!options.out.empty())
+        throw Error("--out writes the files of a lesson; " + options.lesson + " is an exercise");
     const std::size_t name = options.lesson.size() - ending.size();
     return read_exercise(file_text(options.lesson, options.bounds.budget()),
                          options.lesson.substr(0, name));
@@ -155,10 +157,12 @@ int write_files(const Options& options, const Lesson& lesson) {
 }
 
 int lesson(const Options& options) {
+    options.bounds.budget();  // refuses bounds that are no numbers, whether they are needed or not
     if (options.lesson.empty()) return list(options);
     if (options.lesson.ends_with(ending)) return print_task_or_mark(options, own_exercise(options));
     const Lesson chosen = chosen_lesson(options);
-    if (options.exercise > 0) return print_task_or_mark(options, chosen_exercise(options, chosen));
+    if (!options.exercise.empty())
+        return print_task_or_mark(options, chosen_exercise(options, chosen));
     if (!options.answer.empty())
         throw Error("expected --exercise before the answer, found " + options.answer);
     if (!options.out.empty()) return write_files(options, chosen);
@@ -191,7 +195,6 @@ void add_lesson(Verbs& verbs) {
         verb.add_option("--exercise", options->exercise,
                         "print the task of an exercise, or mark its answer")
             ->needs(number)
-            ->check(CLI::PositiveNumber.description(""))
             ->type_name("K");
     verb.add_option("ANSWER", options->answer, "a file with an answer, or - for standard input")
         ->type_name("FILE");

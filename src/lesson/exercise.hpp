@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/place.hpp"
+#include "lesson/own_statement.hpp"
 
 namespace algae {
 
@@ -16,6 +17,7 @@ struct Demand {
     std::string text;  // a statement as claims write it, or one of an exercise's own
     std::string hint;
     Place place;
+    std::optional<OwnStatement> own;
 };
 
 /// A file `*.exercise` (NOTATION.md): a task and what must hold of an answer, in the order in which it is looked at.
@@ -61,8 +63,8 @@ struct Exercise {
 bool is_own_statement(std::string_view text, Exercise::Kind kind);
 
 /// The exercise that a text says; `name` is that of its file without the ending. One named as `03-2` is
-/// the second of lesson 3, others belong to no lesson. Statements are not read yet. Throws Error that names
-/// the line.
+/// the second of lesson 3, others belong to no lesson. Statements of claims are not read yet. Throws
+/// Diagnostics with all that is wrong with its lines.
 ///
 /// Example: read_exercise("exercise One\ntask Write a.\nanswer word\nshow answer == {a}", "01-2").label() == "1.2"
 /// Example: read_exercise("exercise One\ntask Write a.\nanswer word\nshow answer == {a}", "mine/a").label() == "a"

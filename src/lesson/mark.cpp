@@ -5,10 +5,10 @@
 
 #include "base/error.hpp"
 #include "claim/decide.hpp"
-#include "lesson/own_statement.hpp"
+#include "lesson/judge_own_statement.hpp"
 #include "notation/characters.hpp"
 #include "notation/claim_clauses.hpp"
-#include "notation/claim_scanner.hpp"
+#include "notation/findings.hpp"
 #include "notation/read.hpp"
 #include "system/et0l.hpp"
 #include "system/il.hpp"
@@ -54,6 +54,7 @@ public:
         : exercise_(exercise), text_(text), name_(name), open_(open), budget_(budget) {
         if (exercise.kind == Kind::system) system_ = read_lsystem(text, name);
         if (exercise.kind == Kind::claim) read_own_claim();
+        if (exercise.kind == Kind::word) expect_characters();
         if (exercise.kind == Kind::word && without_comments(text).empty())
             throw Error(name + ": expected a word (the empty word is ε), found nothing");
         if (exercise.kind == Kind::language) read_language(blank_comments(text), open, name);
@@ -73,11 +74,7 @@ public:
     }
 
     Judgement judge(const Demand& demand) {
-        if (is_own_statement(demand.text, exercise_.kind) && !system_)
-            throw Error(to_string(demand.place) +
-                        ": expected an exercise with `answer system` for '" + demand.text + "'");
-        if (is_own_statement(demand.text, exercise_.kind))
-            return judge_own_statement(demand, *system_, open_, budget_);
+        if (demand.own) return judge_own_statement(*demand.own, *system_, open_, budget_);
         const std::string before = definition() + "\n";
         const std::size_t line =
             static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) +
@@ -91,6 +88,11 @@ public:
     }
 
 private:
+    void expect_characters() const {
+        const Source source(text_, name_);
+        Findings(source).throw_if_no_text();
+    }
+
     void read_own_claim() {
         own_text_ = text_;
         bool titled = false;

@@ -14,6 +14,15 @@ namespace {
 
 constexpr std::size_t most_levels = 10'000;
 
+/// Why directions are not exact.
+std::string inexact(const Settings& settings) {
+    const auto& angle = settings.angle;
+    const std::string is_no = " no rational part of a turn with a denominator up to 360";
+    if (angle && !(angle->exact && (*angle->exact / Rational(360)).denominator() <= 360))
+        return "the angle " + to_text(angle->expression) + " is" + is_no;
+    return "the start's heading, together with the angle, is" + is_no;
+}
+
 /// Reads a system's letters as commands of a turtle with exact turns.
 class Reader {
 public:
@@ -22,8 +31,7 @@ public:
           compass_(system.settings, 0),
           commands_(system, rules.letters),
           place_(system.alphabet.size(), none) {
-        if (!compass_.is_exact())
-            throw Error("the angle is no rational part of a turn with a denominator up to 360");
+        if (!compass_.is_exact()) throw Error(inexact(system.settings));
         if (commands_.uses(Command::scale)) throw Error("the symbol * changes the turtle's step");
         if (commands_.uses(Command::cut)) throw Error("the symbol % leaves branches out");
         for (const Symbol a : rules.letters)

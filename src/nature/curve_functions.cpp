@@ -53,6 +53,19 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
     return map;
 }
 
+/// The recurrent set of a system's figure; errors name the system.
+RecurrentSet set_of(const LSystem& system, const D0L& rules, const Budget& budget) {
+    try {
+        return RecurrentSet(system, rules, budget);
+    } catch (const BoundReached&) {
+        throw;
+    } catch (const Interrupted&) {
+        throw;
+    } catch (const Error& error) {
+        throw Error(system.name + ": " + error.what());
+    }
+}
+
 /// From -180 (without it) to 180.
 double normal(double degrees) {
     degrees = std::remainder(degrees, 360);
@@ -63,8 +76,8 @@ double normal(double degrees) {
 
 IteratedFunctions functions_of_curve(const LSystem& system, const Budget& budget) {
     const View<D0L> rules = as_d0l(system);
-    if (!rules) throw Error(system.name + ": is no D0L system: " + rules.reason());
-    const RecurrentSet set(system, *rules, budget);
+    if (!rules) throw Error(system.name + ": " + rules.reason());
+    const RecurrentSet set = set_of(system, *rules, budget);
     const Unfolding& unfolding = set.unfolding();
     const std::complex<double> mu = set.displacement().factor();
     const double unit = 360.0 / static_cast<double>(set.order());

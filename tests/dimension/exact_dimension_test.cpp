@@ -123,7 +123,10 @@ TEST_CASE("systems without a formula say why") {
     CHECK(reason("axiom f; f -> fff") == "nothing is drawn in late generations");
     CHECK(reason("axiom F; F -> F*F; scale 1/2") == "the symbol * changes the turtle's step");
     CHECK(reason("axiom F; F -> F[+F]F; angle sqrt(2)") ==
-          "the angle is no rational part of a turn with a denominator up to 360");
+          "the angle sqrt(2) is no rational part of a turn with a denominator up to 360");
+    CHECK(reason("axiom F; F -> F[+F]F; angle 60; start 0 0 sqrt(2)") ==
+          "the start's heading, together with the angle, is no rational part of a turn with a "
+          "denominator up to 360");
     CHECK(reason("axiom X; X -> FX; F -> F+G; G -> F").find("grow") != std::string::npos);
 }
 

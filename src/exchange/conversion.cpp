@@ -1,10 +1,15 @@
 #include "exchange/conversion.hpp"
 
+#include <algorithm>
+#include <optional>
+
 #include "base/error.hpp"
 #include "exchange/relative_format.hpp"
 #include "exchange/system_format.hpp"
 #include "exchange/system_of_cells.hpp"
 #include "nature/curve_functions.hpp"
+#include "notation/characters.hpp"
+#include "notation/format.hpp"
 #include "notation/ifs_file.hpp"
 #include "notation/print.hpp"
 #include "notation/read.hpp"
@@ -43,7 +48,73 @@ const RelativeFormat* table_of(const std::string& name, const std::string& kind)
     return format && format->kind == kind ? format : nullptr;
 }
 
+/// What else a file of a format can become.
+std::vector<std::string> targets(const std::string& from) {
+    std::vector<std::string> all;
+    const auto add = [&](const std::string& to) {
+        if (to != from && std::find(all.begin(), all.end(), to) == all.end()) all.push_back(to);
+    };
+    for (const Conversion& one : conversions())
+        if (one.from == from) add(one.to);
+    if (system_format("." + from))
+        for (const SystemFormat& other : system_formats()) add(other.name);  // by way of lsys
+    return all;
+}
+
+/// Every format, in the order of the alphabet.
+std::vector<std::string> format_names() {
+    std::vector<std::string> all{"lsys"};
+    for (const RelativeKind& kind : relative_kinds()) all.push_back(kind.ending);
+    for (const SystemFormat& format : system_formats()) all.push_back(format.name);
+    for (const RelativeFormat& format : relative_formats()) all.push_back(format.name);
+    std::sort(all.begin(), all.end());
+    return all;
+}
+
+std::string listed(const std::vector<std::string>& names, const char* last) {
+    std::string all;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        all += (i == 0 ? "" : i + 1 == names.size() ? last : ", ") + names[i];
+    return all;
+}
+
+[[noreturn]] void refuse(const std::string& name, const std::string& from, const std::string& to) {
+    const std::vector<std::string> known = format_names();
+    const auto is_known = [&](const std::string& format) {
+        return std::find(known.begin(), known.end(), format) != known.end();
+    };
+    const auto no_format = [&](const std::string& format,
+                               const std::vector<std::string>& expected) {
+        return Error(name + ": " + algae::quoted(format) + " is no format; expected " +
+                     (expected.size() > 1 ? "one of " : "") + listed(expected, ", "));
+    };
+    if (!is_known(from)) throw no_format(from, known);
+    std::vector<std::string> possible = targets(from);
+    if (!is_known(to)) {
+        possible.push_back(from);
+        throw no_format(to, possible);
+    }
+    throw Error(name + ": cannot convert " + from + " to " + to + "; " + from + " converts to " +
+                (possible.empty() ? "nothing" : listed(possible, " and ")));
+}
+
 const SystemFormat* format_called(const std::string& name) { return system_format("." + name); }
+
+/// The text of a format in its canonical form; nothing where that takes another way.
+std::optional<std::string> canonical_text(std::string_view text, const std::string& name,
+                                          const std::string& format) {
+    if (format == "lsys") return format_lsystem(text, name);
+    if (const RelativeKind* kind = relative_kind("." + format)) {
+        const RelativeFile file = read_relative_file(text, name, kind->keys);
+        kind->make(file);
+        return print_relative_file(file);
+    }
+    if (const RelativeFormat* table = relative_format("." + format)) {
+        const RelativeKind& kind = *relative_kind("." + table->kind);
+        return table->print(*kind.make(table->read(text, name)));
+    }
+    return std::nullopt;
+}
 
 }  // namespace
 
@@ -62,6 +133,8 @@ std::vector<Conversion> conversions() {
 
 std::string converted(std::string_view text, const std::string& name, const std::string& from,
                       const std::string& to, const Budget& budget) {
+    if (from == to)
+        if (const auto canonical = canonical_text(text, name, from)) return *canonical;
     for (const Bridge& one : bridges())
         if (one.from == from && one.to == to) return one.convert(text, name, budget);
     if (const RelativeFormat* table = table_of(from, to))
@@ -75,10 +148,7 @@ std::string converted(std::string_view text, const std::string& name, const std:
         const LSystem system = source ? source->read(text, name) : read_lsystem(text, name);
         return target ? target->print(system) : print_lsystem(system);
     }
-    std::string known;
-    for (const Conversion& one : conversions())
-        known += (known.empty() ? "" : ", ") + one.from + " to " + one.to;
-    throw Error(name + ": cannot convert " + from + " to " + to + "; expected one of " + known);
+    refuse(name, from, to);
 }
 
 }  // namespace algae

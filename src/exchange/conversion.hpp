@@ -18,10 +18,11 @@ struct Conversion {
 /// `system_formats` the one into `lsys` and the one out of it.
 std::vector<Conversion> conversions();
 
-/// The text in another format. From one of `system_formats` to another it goes by way of `lsys`.
+/// The text in another format. From one of `system_formats` to another it goes by way of `lsys`. In its
+/// own format it is the canonical text.
 ///
 /// Throws Diagnostics or Error with the reason where the text is faulty or the other format cannot
-/// say it, and Error with the formats that there are if there is no such conversion.
+/// say it, and Error with the formats that this one can become if there is no such conversion.
 std::string converted(std::string_view text, const std::string& name, const std::string& from,
                       const std::string& to, const Budget& budget);
 

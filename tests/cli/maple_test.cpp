@@ -56,7 +56,7 @@ TEST_CASE("tables of maps and of cells are what their verbs take") {
     CHECK(holds(run("convert rule-110 --to ca-table").out, "110 -> 1\n111 -> 0\n"));
     CHECK(holds(run("ca " + fern).err, "fern.ifs-table is an iterated function system, expected"));
     CHECK(holds(run("derive " + rule + " -n 1").err, "expected an L-system"));
-    CHECK(holds(run("convert " + rule + " --to lsys").err, "cannot convert ca-table to lsys"));
+    CHECK(holds(run("convert " + rule + " --to lsys").err, "cannot convert ca-table to lsys; ca-table converts to ca\n"));
     CHECK(holds(run("fmt " + rule).err,
                 "rule-110.ca-table is the table of a rule of cells on a line; expected a "
                 "file of the notation, as `algae convert --to ca` makes of it"));

@@ -167,7 +167,7 @@ TEST_CASE("automata and curves are converted, and others refused") {
     const Run maps = run("convert koch --to ifs");
     CHECK(holds(maps.out, "similarity 1/3 60 "));
     CHECK(holds(run("ifs '" + scratch.file("koch.ifs", maps.out) + "'").out, "1.26186"));
-    CHECK(holds(refused("convert dla --to lsys"), "cannot convert dla to lsys; expected one of"));
+    CHECK(holds(refused("convert dla --to lsys"), "dla.dla: cannot convert dla to lsys; dla converts to nothing"));
     CHECK(holds(refused("convert rule-54.ca --to lsys"), "expected `boundary fixed 0`"));
 }
 

@@ -168,6 +168,53 @@ TEST_CASE("faults of a table of cells are named with their places") {
     }
 }
 
+TEST_CASE("what cannot be converted is told what it can become, and what is no format") {
+    const auto refused = [](const std::string& from, const std::string& to) {
+        return refusal([&] { converted("", "x", from, to, {}); });
+    };
+    CHECK(refused("dla", "lsys") == "x: cannot convert dla to lsys; dla converts to nothing");
+    CHECK(refused("ifs-table", "ca") ==
+          "x: cannot convert ifs-table to ca; ifs-table converts to ifs");
+    CHECK(refused("ca", "brno") ==
+          "x: cannot convert ca to brno; ca converts to lsys and ca-table");
+    CHECK(refused("lsys", "dla") ==
+          "x: cannot convert lsys to dla; lsys converts to ifs, brno, maple and netlogo");
+    CHECK(refused("brno", "ifs") ==
+          "x: cannot convert brno to ifs; brno converts to lsys, maple and netlogo");
+    CHECK(refused("lsys", "pdf") ==
+          "x: 'pdf' is no format; expected one of ifs, brno, maple, netlogo, lsys");
+    CHECK(refused("dla", "pdf") == "x: 'pdf' is no format; expected dla");
+    for (const auto& [from, to] :
+         {std::pair("pdf", "dla"), std::pair("pdf", "lsys"), std::pair("pdf", "pdf")})
+        CHECK(
+            refused(from, to).starts_with("x: 'pdf' is no format; expected one of boxes, brno, "));
+}
+
+TEST_CASE("what no functions stand for is named with its file") {
+    const auto refused = [](const std::string& text) {
+        return refusal([&] { converted(text, "x.lsys", "lsys", "ifs", {}); });
+    };
+    CHECK(refused("axiom F; F -> F+F; angle 41.37") ==
+          "x.lsys: the angle 41.37 is no rational part of a turn with a denominator up to 360");
+    CHECK(refused("axiom F; F -> F+F; angle 60; start 0 0 sqrt(2)") ==
+          "x.lsys: the start's heading, together with the angle, is no rational part of a turn "
+          "with a denominator up to 360");
+    CHECK(refused("axiom F; F -> F; F -> FF") == "x.lsys: not a D0L system: F has 2 rules");
+    CHECK(refused("axiom f; f -> fff") == "x.lsys: nothing is drawn in late generations");
+}
+
+TEST_CASE("in its own format a text becomes the canonical one") {
+    CHECK(converted("angle 60 # degrees\naxiom F", "x", "lsys", "lsys", {}) ==
+          "axiom F\nangle 60 # degrees\n");
+    CHECK(converted("rule   110", "x", "ca", "ca", {}) == "rule 110\n");
+    const std::string table = back("rule 110\n", "ca");
+    CHECK(converted("111 110 101 100 011 010 001 000\n0 1 1 0 1 1 1 0", "x", "ca-table", "ca-table",
+                    {}) == table);
+    CHECK(converted(table, "x", "ca-table", "ca-table", {}) == table);
+    CHECK(converted("1/2 0 0 1/2 0 0", "x", "ifs-table", "ifs-table", {}) ==
+          back("map 1/2 0 0 1/2 0 0\n", "ifs"));
+}
+
 TEST_CASE("errors about a configuration of a million cells are short") {
     const std::string cells(1'000'001, '0'), more(1'000'003, '0');
     for (const std::string& text :

@@ -10,6 +10,7 @@
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
 #include "cli/output.hpp"
+#include "lesson/check_exercise.hpp"
 #include "lesson/lessons.hpp"
 #include "lesson/mark.hpp"
 #include "notation/gallery.hpp"
@@ -105,7 +106,7 @@ std::string folder_of(const std::string& file) {
 /// Systems beside the answer; for an exercise of one's own those beside it come first.
 SystemSource systems_for(const Options& options, const Exercise& exercise, const Budget& budget) {
     const SystemSource beside_answer = systems_from(folder_of(options.answer), budget);
-    if (exercise.lesson > 0) return beside_answer;
+    if (!options.lesson.ends_with(ending)) return beside_answer;
     return [own = folder_of(exercise.file), beside_answer, budget](const std::string& name) {
         const std::filesystem::path beside = std::filesystem::path(own) / name;
         std::error_code ignored;
@@ -139,8 +140,11 @@ Exercise own_exercise(const Options& options) {
     if (!options.out.empty())
         throw Error("--out writes the files of a lesson; " + options.lesson + " is an exercise");
     const std::size_t name = options.lesson.size() - ending.size();
-    return read_exercise(file_text(options.lesson, options.bounds.budget()),
-                         options.lesson.substr(0, name));
+    const Budget budget = options.bounds.budget();
+    const Exercise exercise =
+        read_exercise(file_text(options.lesson, budget), options.lesson.substr(0, name));
+    check_exercise(exercise, systems_for(options, exercise, budget), options.answer.empty());
+    return exercise;
 }
 
 int write_files(const Options& options, const Lesson& lesson) {

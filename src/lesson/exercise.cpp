@@ -135,7 +135,7 @@ private:
         }
         if (keyword == "show") {
             has_show_ = true;
-            return read_show(value, line);
+            return read_show(value);
         }
         blank_out(line);  // whatever is wrong with it
         if (keyword == "exercise" || keyword == "source" || keyword == "answer")
@@ -194,13 +194,13 @@ private:
         }
     }
 
-    bool read_show(std::string_view value, std::string_view line) {
+    bool read_show(std::string_view value) {
         const std::vector<ClaimClause> clauses = claim_clauses(value);
         if (clauses.empty()) throw unexpected("a statement", value.data());
         if (clauses.size() > 1)
             throw SyntaxError{clauses[1].text.data(),
                               "expected one statement in a line, found " + quoted(clauses[1].text)};
-        const Place place{exercise_.file, source_.place(line.data()).line, 1};
+        const Place place = source_.place(clauses.front().text.data());
         exercise_.demands.push_back({std::string(clauses.front().text), "", place, {}});
         shown_.push_back(clauses.front().text);
         return true;
@@ -209,7 +209,7 @@ private:
     /// Reads it if it is one of exercises' own, which the claim has not.
     void read_demand(Demand& demand, std::string_view text) {
         if (!is_own_statement(text, exercise_.kind)) return;
-        const std::size_t begin = source_.offset(demand.place);
+        const std::size_t begin = source_.offset({exercise_.file, demand.place.line, 1});
         const std::size_t end = std::min(text_.find('\n', begin), text_.size());
         blank_out(text_.substr(begin, end - begin));
         if (exercise_.kind != Exercise::Kind::system)
@@ -277,6 +277,7 @@ bool is_own_statement(std::string_view text, Exercise::Kind kind) {
 Exercise read_exercise(std::string_view text, const std::string& name) {
     Exercise exercise;
     exercise.file = name + ".exercise";
+    exercise.text = text;
     read_label(name_of(exercise.file), exercise);
     const Source source(text, exercise.file);
     Findings findings(source);

@@ -16,7 +16,7 @@ namespace algae {
 struct Demand {
     std::string text;  // a statement as claims write it, or one of an exercise's own
     std::string hint;
-    Place place;
+    Place place;  // of the text
     std::optional<OwnStatement> own;
 };
 
@@ -50,6 +50,7 @@ struct Exercise {
     Kind kind = Kind::system;
     std::vector<std::string> names;
     std::vector<Demand> demands;
+    std::string text;   // of the file
     std::string claim;  // the text of the file with all but clauses of claims blanked out
 
     /// "3.2", as people call it; of one that belongs to no lesson the file's name without folder and ending.

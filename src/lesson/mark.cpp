@@ -141,9 +141,10 @@ private:
                 static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n'));
             const bool of_exercise = exercise_.lesson == 0 && first.place.line > lines_before;
             const std::string where =
-                of_exercise
-                    ? exercise_.file + ":" + std::to_string(first.place.line - lines_before) + ": "
-                    : "";
+                of_exercise ? to_string(Place{exercise_.file, first.place.line - lines_before,
+                                              first.place.column}) +
+                                  ": "
+                            : "";
             throw Error(name_ + ": exercise " + exercise_.label() +
                         " cannot be decided of this answer: " + where + first.message);
         }

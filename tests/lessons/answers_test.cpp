@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "cli/run.hpp"
+#include "lesson/check_exercise.hpp"
 #include "lesson/lessons.hpp"
 #include "lesson/mark.hpp"
 #include "notation/gallery.hpp"
@@ -52,6 +53,14 @@ TEST_CASE("every model answer is marked right") {
             CHECK(marked.demands.size() >= exercise.demands.size());
         }
     CHECK(files.size() == count);
+}
+
+TEST_CASE("nothing is wrong with the statements of any exercise before there is an answer") {
+    for (const Lesson& lesson : lessons())
+        for (const Exercise& exercise : lesson.exercises) {
+            CAPTURE(exercise.file);
+            CHECK_NOTHROW(check_exercise(exercise, from_gallery));
+        }
 }
 
 TEST_CASE("of every exercise three wrong answers are refused, each for its reason") {

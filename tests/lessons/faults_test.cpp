@@ -94,6 +94,49 @@ TEST_CASE("lines that an exercise does not have are refused, and those that it h
               .status == 0);
 }
 
+TEST_CASE("names, families and systems that there are not are told when an exercise is read") {
+    CHECK(refused(head + "show growth(answr) = 2^n\n",
+                  "e.exercise:4:13: error: expected a name that is defined above, found 'answr'; "
+                  "did you mean 'answer'?"));
+    CHECK(refused(head + "show answer is D0L\nshow growth(answer) == growth(model)\n",
+                  "e.exercise:5:31: error: expected a name that is defined above, found 'model'"));
+    CHECK(refused("exercise A\ntask x\nanswer language\nshow answer is FOO\n",
+                  "e.exercise:4:16: error: expected a family"));
+    CHECK(refused("exercise A\ntask x\nanswer word\nshow answer === {a}\n", "e.exercise:4:"));
+    CHECK(refused("exercise A\ntask x\nanswer claim G H\nshow L(G) == L(K)\n",
+                  "e.exercise:4:16: error: expected a name that is defined above, found 'K'"));
+    CHECK(refused(head + "let model = D0L fibonaci\nshow growth(answer) == growth(model)\n",
+                  "e.exercise:4:17: error: no file \"fibonaci\""));
+    CHECK(refused(head + "show figure(answer, 3) == figure(kochh, 3)\n",
+                  "e.exercise:4:34: error: no file \"kochh\""));
+    CHECK(refused(head + "hint none\nshow answer is D0L\n",
+                  "e.exercise:4:1: error: expected a 'show'"));
+}
+
+TEST_CASE("what is wrong with one kind of answer only is no fault of an exercise") {
+    CHECK(read(head + "show P(answer ==> aa in 1 step) = 1/4\n").status == 0);
+    CHECK(read(head + "show growth(answer) = 2^n\nshow L(answer) is regular\n").status == 0);
+    CHECK(read(head + "show answer ==> R(2)R(0) in 2 steps\n").status == 0);
+    CHECK(read("exercise A\ntask x\nanswer claim G A\nshow L(G) == A\nshow growth(G) = 2^n\n")
+              .status == 0);
+    CHECK(read("exercise A\ntask x\nanswer word\nlet h = { x -> xy; y -> x }\nshow h(answer) == "
+               "{xy}\n")
+              .status == 0);
+}
+
+TEST_CASE("a system that may stand beside the answer is sought when there is one") {
+    const std::string text = head +
+                             "let model = D0L model.lsys\nshow growth(answer) == growth(model)\n"
+                             "show figure(answer, 1) == figure(model.lsys, 1)\n";
+    CHECK(read(text).status == 0);
+    const Scratch files;
+    const std::string answer = files.file("answer.lsys", "axiom F\nF -> FF\n");
+    CHECK(read(text, answer).err.find("e.exercise:4:17: error: no file \"model.lsys\"") !=
+          std::string::npos);
+    files.file("model.lsys", "axiom F\nF -> FF\n");
+    CHECK(read(text, answer).status == 0);
+}
+
 TEST_CASE("an exercise without a task or anything to show is refused at the end of its file") {
     CHECK(refused(
         head,

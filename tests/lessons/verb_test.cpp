@@ -63,7 +63,7 @@ TEST_CASE(
         "broken.exercise", "exercise Broken\ntask Write a.\nanswer word\nshow answer === {a}\n");
     const Run undecidable = run("lesson " + broken + " " + elsewhere.file("c.txt", "a\n"));
     CHECK(undecidable.status == 2);
-    CHECK(undecidable.err.find("broken.exercise:4: ") != std::string::npos);
+    CHECK(undecidable.err.find("broken.exercise:4:") != std::string::npos);
     const std::string drawn = files.file(
         "drawn.exercise",
         "exercise Drawn\ntask Write a.\nanswer word\nshow figure(answer, 1) == figure(koch, 1)\n");

@@ -30,8 +30,8 @@ struct Demand {
 ///     hint      A letter that makes one a step grows by one; what makes such letters grows ...
 ///
 /// `exercise`, `task`, `source`, `answer` and `hint` take the rest of their line; several `task` lines
-/// are one text, an empty one begins a paragraph; a `hint` belongs to the `show` above it. All other lines are those
-/// of a claim (NOTATION.md) that speaks of `answer`, or of the names that the answer defines.
+/// are one text, an empty one begins a paragraph; a `hint` belongs to the `show` above it. All other lines are the `let`,
+/// `alphabet` and `allow` of a claim (NOTATION.md) that speaks of `answer`, or of the names that the answer defines.
 ///
 /// Statements of exercises' own, all about systems: `answer is D0L` and other forms of systems, S0L and
 /// parametric too; `answer has 2 rules`, `answer has at most 2 rules`, letters or symbols in the

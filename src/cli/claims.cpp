@@ -9,12 +9,20 @@
 
 namespace algae::cli {
 
-SystemSource systems_from(const std::string& folder, const Budget& budget) {
-    return [folder, budget](const std::string& name) {
-        const std::filesystem::path beside = std::filesystem::path(folder) / name;
-        std::error_code ignored;
-        return open_system(std::filesystem::exists(beside, ignored) ? beside.string() : name,
-                           budget);
+std::string folder_of(const std::string& file) {
+    const std::string folder = std::filesystem::path(file).parent_path().string();
+    return file == "-" || folder.empty() ? "." : folder;
+}
+
+SystemSource systems_from(const std::vector<std::string>& folders, const Budget& budget) {
+    return [folders, budget](const std::string& name) {
+        for (const std::string& folder : folders) {
+            const std::filesystem::path beside = std::filesystem::path(folder) / name;
+            std::error_code ignored;
+            if (std::filesystem::exists(beside, ignored))
+                return open_system(beside.string(), budget);
+        }
+        return open_system(name, budget);
     };
 }
 
@@ -41,12 +49,11 @@ Claim open_claim(const std::string& file, const Budget& budget) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         for (const GalleryEntry& claim : theory_claims())
-            if (claim.path == file) return read_claim(claim.text, file, systems_from(".", budget));
+            if (claim.path == file)
+                return read_claim(claim.text, file, systems_from({"."}, budget));
     const std::string text = file_text(file, budget);
-    const std::string folder =
-        file == "-" ? "." : std::filesystem::path(file).parent_path().string();
     return read_claim(text, file == "-" ? "standard input" : file,
-                      systems_from(folder.empty() ? "." : folder, budget));
+                      systems_from({folder_of(file)}, budget));
 }
 
 }  // namespace algae::cli

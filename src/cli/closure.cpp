@@ -46,7 +46,7 @@ private:
         for (const GalleryEntry& entry : theory_claims())
             if (entry.path.starts_with("theory/closure/"))
                 claims.push_back(
-                    read_claim(entry.text, std::string(entry.path), systems_from(".", budget)));
+                    read_claim(entry.text, std::string(entry.path), systems_from({"."}, budget)));
         return claims;
     }
 

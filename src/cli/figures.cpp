@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/parts.hpp"
+#include "claim/sentences.hpp"
 #include "cli/command.hpp"
 #include "cli/input.hpp"
 #include "cli/numbers.hpp"
@@ -160,10 +161,6 @@ void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     FigurePlates plates(system, shown_generations(system), {}, budget);
     if (options.captions) plates.caption_with_facts();
     draw_formats(options, outcome, plates.plates(), budget);
-}
-
-std::string counted(std::size_t count, const std::string& what) {
-    return std::to_string(count) + ' ' + what + (count == 1 ? "" : "s");
 }
 
 int worst(int left, int right) { return std::max(left, right); }

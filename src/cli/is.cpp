@@ -32,7 +32,7 @@ Judgement judge(const Options& options, const WrittenLanguage& written, const Bu
 
 int is(const Options& options) {
     const Budget budget = options.bounds.budget();
-    const WrittenLanguage written = read_language(options.expression, systems_from(".", budget));
+    const WrittenLanguage written = read_language(options.expression, systems_from({"."}, budget));
     const Judgement found = judge(options, written, budget);
     std::string text = found.truth == Truth::proved    ? "yes"
                        : found.truth == Truth::refuted ? "no"

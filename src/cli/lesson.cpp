@@ -98,21 +98,11 @@ Json as_json(const Exercise& exercise, const Mark& marked) {
             {"statements", std::move(statements)}};
 }
 
-std::string folder_of(const std::string& file) {
-    const std::string folder = std::filesystem::path(file).parent_path().string();
-    return file == "-" || folder.empty() ? "." : folder;
-}
-
 /// Systems beside the answer; for an exercise of one's own those beside it come first.
 SystemSource systems_for(const Options& options, const Exercise& exercise, const Budget& budget) {
-    const SystemSource beside_answer = systems_from(folder_of(options.answer), budget);
-    if (!options.lesson.ends_with(ending)) return beside_answer;
-    return [own = folder_of(exercise.file), beside_answer, budget](const std::string& name) {
-        const std::filesystem::path beside = std::filesystem::path(own) / name;
-        std::error_code ignored;
-        return std::filesystem::exists(beside, ignored) ? open_system(beside.string(), budget)
-                                                        : beside_answer(name);
-    };
+    std::vector<std::string> folders{folder_of(options.answer)};
+    if (options.lesson.ends_with(ending)) folders.insert(folders.begin(), folder_of(exercise.file));
+    return systems_from(folders, budget);
 }
 
 int mark_answer(const Options& options, const Exercise& exercise) {

@@ -1,6 +1,7 @@
 #include "exchange/conversion.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 
 #include "base/error.hpp"
@@ -24,9 +25,15 @@ std::string curve_to_functions(std::string_view text, const std::string& name,
     return print_relative_file(ifs_file(functions_of_curve(read_lsystem(text, name), budget)));
 }
 
+/// The relative of a kind that the text of a file says, whatever the end of its name.
+std::unique_ptr<Relative> relative_of(const std::string& kind_name, std::string_view text,
+                                      const std::string& name) {
+    const RelativeKind& kind = *relative_kind("." + kind_name);
+    return kind.make(read_relative_file(text, name, kind.keys));
+}
+
 std::string cells_to_system(std::string_view text, const std::string& name, const Budget&) {
-    const RelativeKind& kind = *relative_kind(".ca");
-    const auto relative = kind.make(read_relative_file(text, name, kind.keys));
+    const auto relative = relative_of("ca", text, name);
     return print_lsystem(system_of_cells(dynamic_cast<const CellularAutomaton&>(*relative)));
 }
 
@@ -139,10 +146,8 @@ std::string converted(std::string_view text, const std::string& name, const std:
         if (one.from == from && one.to == to) return one.convert(text, name, budget);
     if (const RelativeFormat* table = table_of(from, to))
         return print_relative_file(table->read(text, name));
-    if (const RelativeFormat* table = table_of(to, from)) {
-        const RelativeKind& kind = *relative_kind("." + from);
-        return table->print(*kind.make(read_relative_file(text, name, kind.keys)));
-    }
+    if (const RelativeFormat* table = table_of(to, from))
+        return table->print(*relative_of(from, text, name));
     const SystemFormat *source = format_called(from), *target = format_called(to);
     if ((source || from == "lsys") && (target || to == "lsys") && (source || target)) {
         const LSystem system = source ? source->read(text, name) : read_lsystem(text, name);

@@ -46,7 +46,7 @@ void ScenePainter::paint_tube(const SeenStick& stick) {
         const bool ahead = stick.to.depth >= stick.from.depth;
         paint_cap(ahead ? to : from, sight,
                   unit(cross(sight, std::fabs(sight.z) < 0.9 ? Vector{0, 0, 1} : Vector{1, 0, 0})),
-                  ahead ? b : a, colour);
+                  ahead ? b : a, 32, colour);
         return;
     }
     side = (1 / slant) * side;
@@ -131,8 +131,9 @@ void ScenePainter::paint_tube(const SeenStick& stick) {
     if (pixels < 3) return;
     const bool free_start = starts && rod.before == Rod::none,
                free_end = stops && after == Rod::none;
-    if (free_end && dot(along, sight) > 0) paint_cap(to, along, side, b, colour);
-    if (free_start && dot(along, sight) < 0) paint_cap(from, -1.0 * along, side, a, colour);
+    if (free_end && dot(along, sight) > 0) paint_cap(to, along, side, b, 2 * strips, colour);
+    if (free_start && dot(along, sight) < 0)
+        paint_cap(from, -1.0 * along, side, a, 2 * strips, colour);
 }
 
 void ScenePainter::joint_ball(std::uint32_t rod, const Vector& middle, double radius,
@@ -144,8 +145,7 @@ void ScenePainter::joint_ball(std::uint32_t rod, const Vector& middle, double ra
 }
 
 void ScenePainter::paint_cap(const Vector& middle, const Vector& outward, const Vector& side,
-                             double radius, const Colour& colour) {
-    constexpr int count = 32;
+                             double radius, int count, const Colour& colour) {
     const Vector other = cross(outward, side);
     corners_.clear();
     for (int i = 0; i < count; ++i) {

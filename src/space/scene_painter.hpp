@@ -42,9 +42,10 @@ private:
     void paint_edges(const SeenFacet& facet);
     void paint_line(const SeenStick& stick);
     void paint_tube(const SeenStick& stick);
-    /// A disc at the end of a tube that looks at the camera.
+    /// A disc at the end of a tube that looks at the camera, with so many corners: those of the tube's
+    /// strips, so that nothing shows between them.
     void paint_cap(const Vector& middle, const Vector& outward, const Vector& side, double radius,
-                   const Colour& colour);
+                   int count, const Colour& colour);
     void paint_ball(const Seen& middle, double radius, const Colour& colour);
     void paint_stub(std::uint32_t rod, bool at_start, double reach);
     void joint_ball(std::uint32_t rod, const Vector& middle, double radius, const Colour& colour);

@@ -229,6 +229,32 @@ TEST_CASE("the box of a perspective holds a thick rod that is seen nearly from i
         }
 }
 
+TEST_CASE("nothing shows between a thick rod and the disc at its end") {
+    Scene scene;
+    Rod rod;
+    rod.from = {-3, -2, -2.5};
+    rod.to = {-3, -0.4, -2.5};
+    rod.radius = 0.5;
+    rod.paint.colour = tag(0);
+    scene.rods.push_back(rod);
+    ViewChoices choices;
+    choices.camera = {82, -46, true, 40};
+    choices.sight = SpaceBox{{-5, -4, -4}, {-1, 2, -1}, false};
+    const Projection projection(choices.camera, *choices.sight);
+    std::vector<Point> points;
+    for (int i = 0; i < 3600; ++i) {
+        const Turn turn = turn_by(i / 10.0);
+        const double almost = 0.998 * rod.radius;
+        const Seen seen = projection(rod.to + Vector{almost * turn.cosine, 0, almost * turn.sine});
+        points.push_back({seen.x, seen.y});
+    }
+    const SpaceView view(scene, {}, {}, choices, {});
+    Samples samples(points);
+    view.draw(samples, view.box().breadth() / 1000, {});
+    CHECK(std::all_of(samples.colours.begin(), samples.colours.end(),
+                      [](const auto& colour) { return colour.has_value(); }));
+}
+
 TEST_CASE("things that hide each other in a ring are halved until an order is right") {
     // Three long beams, each over the next at one end: seen from above.
     Scene scene;

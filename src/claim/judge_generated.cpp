@@ -6,6 +6,7 @@
 #include "claim/certificate.hpp"
 #include "claim/sentences.hpp"
 #include "fold/interaction.hpp"
+#include "language/system_form.hpp"
 #include "language/tables_membership.hpp"
 #include "verify/obstruction_json.hpp"
 #include "word/spelling.hpp"
@@ -69,10 +70,15 @@ Judgement judge_tables(const SourceSystem& system, const Word& word, const Alpha
         {{"by", "membership"}, {"derivation", derivation_json(witness, alphabet)}});
 }
 
+/// Follows the generations. Where no rule has the empty successor, no generation is shorter than the
+/// one before, so the first that is longer than the word ends the search: without this the words of
+/// a growing system are followed to the bound, for each of the hundreds of short words in which two
+/// languages may differ.
 Judgement judge_interactive(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
                             const Budget& budget) {
     const std::string text = spell(alphabet, word), in = " L(" + system.name + ")";
     Derivation walk{{system.interactive->axiom}, {}};
+    const bool propagating = has_form(system, *system_form("PIL"));
     std::map<Word, std::uint64_t> seen;
     for (std::uint64_t n = 0; n < most_generations; ++n) {
         budget.check();
@@ -82,6 +88,11 @@ Judgement judge_interactive(const SourceSystem& system, const Word& word, const 
                 {text + " is in" + in +
                  (n == 0 ? ": it is the axiom." : ": " + arrows(walk, alphabet) + ".")},
                 {{"by", "membership"}, {"derivation", derivation_json(walk, alphabet)}});
+        if (propagating && current.size() > word.size())
+            return Judgement::refuted(
+                {reason({false, Membership::Reason::outgrown, n}, system.name, word, alphabet) +
+                 "."},
+                {{"by", "membership"}});
         if (const auto before = seen.find(current); before != seen.end())
             return Judgement::refuted(
                 {text + " is not in" + in + ": generation " + std::to_string(n) +

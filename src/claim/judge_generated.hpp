@@ -10,8 +10,9 @@
 
 namespace algae {
 
-/// Whether a system derives the word as a word of its language: tables are followed exactly, a system with
-/// context is derived until its words repeat or grow past a bound, and then the answer is undecided.
+/// Whether a system derives the word as a word of its language. Tables are followed exactly. A system with
+/// context is derived until its words repeat or, where no rule erases, are longer than the word; the answer is
+/// undecided where neither happens within a bound.
 Judgement judge_generated(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
                           const Budget& budget = {});
 

@@ -43,8 +43,9 @@ AxialTree next_tree(const TreeSystem& system, const AxialTree& tree, const Budge
         const AxialTree::Edge& edge = tree.edges[i];
         const AxialTree& image = system.images.at(edge.label);
         if (out.edges.size() + image.edges.size() > budget.letters)
-            throw BoundReached("the tree has more edges than the " +
-                               std::to_string(budget.letters) + " that --max-letters allows");
+            throw BoundReached(Bound::letters, "the tree has more edges than the " +
+                                                   std::to_string(budget.letters) + " allowed" +
+                                                   budget.by(Bound::letters));
         Tip tip{tips[edge.start].vertex, edge.straight && tips[edge.start].straight};
         std::size_t axis =
             0;  // the vertex of the replacement where its axis of order 0 has come to

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,15 +14,48 @@ struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// A bound (letters, memory, time) was reached before the answer. The message names the bound,
-/// how far the work came and what to use instead.
-struct BoundReached : Error {
-    using Error::Error;
+/// The work was stopped before its answer. This says nothing about the input, so it is no `Error`:
+/// who catches errors to go on, or to judge what was given, never catches a stop by that.
+class Stopped : public std::exception {
+public:
+    explicit Stopped(const std::string& message) : message_(message) {}
+    const char* what() const noexcept override { return message_.what(); }
+
+private:
+    std::runtime_error message_;  // copies of it throw nothing, as copies of an exception must
 };
 
 /// Somebody asked the work to stop (Ctrl-C).
-struct Interrupted : Error {
-    Interrupted() : Error("interrupted") {}
+struct Interrupted : Stopped {
+    Interrupted() : Stopped("interrupted") {}
+};
+
+/// What was used up. A budget gives `letters`, `memory` and `time`, and more of it takes the work
+/// further; `nodes` are those of a picture that a caller allows. The other two no caller moves: `digits`
+/// are those of the numbers that are worked with, and `method` is how far a method goes at all.
+enum class Bound { letters, memory, time, nodes, digits, method };
+
+/// Whether a larger budget takes the work further.
+///
+/// Example: is_of_budget(Bound::time) && !is_of_budget(Bound::method)
+inline bool is_of_budget(Bound bound) {
+    return bound == Bound::letters || bound == Bound::memory || bound == Bound::time;
+}
+
+/// A bound was reached before the answer. The message says which and what to use instead; `came`
+/// says how far the work came, where that is known, and ends the message.
+class BoundReached : public Stopped {
+public:
+    BoundReached(Bound bound, const std::string& message, const std::string& came = {})
+        : Stopped(came.empty() ? message : message + "; undecided: " + came),
+          bound_(bound),
+          came_(came) {}
+    Bound bound() const { return bound_; }
+    const char* came() const { return came_.what(); }
+
+private:
+    Bound bound_;
+    std::runtime_error came_;
 };
 
 /// One finding about a text: where, what, and the line it stands in.

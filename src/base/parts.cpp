@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <exception>
+#include <mutex>
 #include <thread>
 #include <vector>
 
@@ -13,8 +14,17 @@ void each_part(std::size_t count, unsigned threads, const Budget& budget,
     std::atomic<std::size_t> next{0};
     std::atomic<bool> failed{false};
     std::vector<std::exception_ptr> errors(count);
+    std::exception_ptr of_making;  // of making a worker: a thread that has none does no part
+    std::mutex making;
     const auto run = [&] {
-        const PartWorker work = worker();
+        PartWorker work;
+        try {
+            work = worker();
+        } catch (...) {
+            const std::lock_guard lock(making);
+            of_making = std::current_exception();
+            failed = true;
+        }
         while (!failed) {
             const std::size_t i = next++;
             if (i >= count) return;
@@ -35,6 +45,7 @@ void each_part(std::size_t count, unsigned threads, const Budget& budget,
     for (std::thread& thread : others) thread.join();
     for (const std::exception_ptr& error : errors)
         if (error) std::rethrow_exception(error);
+    if (of_making) std::rethrow_exception(of_making);
 }
 
 }  // namespace algae

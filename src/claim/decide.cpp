@@ -69,8 +69,6 @@ Judgement decide(const Statement& statement, const Claim& claim, const Budget& b
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
         return Judgement::undecided({error.what()});
-    } catch (const Interrupted&) {
-        throw;
     } catch (const Error& error) {
         const std::string what = error.what(), file = statement.place.file;
         if (statement.place.line == 0 || (!file.empty() && what.starts_with(file + ":"))) throw;

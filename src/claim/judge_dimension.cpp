@@ -95,7 +95,8 @@ Judgement judge_dimension(const LSystem& system, const ClaimedDimension& claimed
         return judge_exact(what, *found.value, claimed, std::move(argument), proof(found));
     if (found.status == Status::upper_bound)
         return judge_bounded(what, found, claimed, std::move(argument));
-    argument.push_back("The rules of " + system.name + " give no formula for the dimension.");
+    if (found.status == Status::none)
+        argument.push_back("The rules of " + system.name + " give no formula for the dimension.");
     return Judgement::undecided(std::move(argument));
 }
 

@@ -33,7 +33,8 @@ Judgement walked(const SourceSystem& system, const Word& from, const Word& word,
         budget.check();
         walk.words.push_back(next_word(*system.interactive, walk.words.back()));
         if (walk.words.back().size() > budget.letters)
-            throw BoundReached("a word of " + system.name + " has more letters than allowed");
+            throw BoundReached(Bound::letters,
+                               "a word of " + system.name + " has more letters than allowed");
     }
     const std::string line =
         derives(system, from, walk.words.back(), alphabet) + " in " + counted(steps, "step");

@@ -6,6 +6,14 @@
 namespace algae::cli {
 
 std::atomic<bool> stop = false;
+const std::function<void()>* at_check = nullptr;
+
+namespace {
+
+/// What messages of the library call the bounds that this command sets.
+constexpr BoundNames option_names{"--max-letters", "--max-memory", "--timeout"};
+
+}  // namespace
 
 void Bounds::add_to(CLI::App& verb) {
     verb.add_option("--max-letters", letters, "letters that may be written out (default 1000000000)")->type_name("N")->group(bounds_group);
@@ -16,6 +24,8 @@ void Bounds::add_to(CLI::App& verb) {
 Budget Bounds::budget() const {
     Budget budget;
     budget.stop = &stop;
+    budget.at_check = at_check;
+    budget.names = &option_names;
     if (!letters.empty()) budget.letters = natural("--max-letters", letters);
     if (!memory.empty()) budget.memory = bytes("--max-memory", memory);
     if (!timeout.empty()) {

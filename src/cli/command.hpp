@@ -50,6 +50,9 @@ CLI::App& add_verb(Verbs& verbs, const std::string& name, const std::string& des
 /// Set by Ctrl-C.
 extern std::atomic<bool> stop;
 
+/// What the budgets of all verbs call at each check, if anything: tests stop verbs by it.
+extern const std::function<void()>* at_check;
+
 /// All verbs, and what the help of the command says of them: the one table of options, from which
 /// `--help`, the manual page and the completions of shells come.
 void add_verbs(Verbs& verbs);

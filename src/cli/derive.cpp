@@ -30,10 +30,12 @@ void check_length(const D0L& system, std::uint64_t n, const Budget& budget) {
     } else {
         count = "about 10^" + std::to_string(static_cast<std::uint64_t>(estimate * 0.30102999566398120));
     }
-    throw BoundReached("generation " + std::to_string(n) + " has " + count + " letters, more than the " +
-                       std::to_string(budget.letters) + " that --max-letters allows. `algae letter -n " +
-                       std::to_string(n) + " --at P` gives any part of it, `algae growth -n " +
-                       std::to_string(n) + "` its length, `algae draw -n " + std::to_string(n) + "` its picture");
+    throw BoundReached(Bound::letters,
+                       "generation " + std::to_string(n) + " has " + count +
+                           " letters, more than the " + std::to_string(budget.letters) +
+                           " that --max-letters allows. `algae letter -n " + std::to_string(n) +
+                           " --at P` gives any part of it, `algae growth -n " + std::to_string(n) +
+                           "` its length, `algae draw -n " + std::to_string(n) + "` its picture");
 }
 
 }  // namespace

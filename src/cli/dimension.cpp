@@ -107,9 +107,11 @@ NamedFigure drawn(const LSystem& system, const Options& options, const Budget& b
         throw Error(name + ", n = " + std::to_string(n) +
                     ": nothing is drawn, expected something to measure");
     if (figure->segments() > Integer(most_segments))
-        throw BoundReached(name + ", n = " + std::to_string(n) + ": has " +
-                           readable(figure->segments()) + " segments, of which at most " +
-                           std::to_string(most_segments) + " can be gone through; use a lower -n");
+        throw BoundReached(Bound::method, name + ", n = " + std::to_string(n) + ": has " +
+                                              readable(figure->segments()) +
+                                              " segments, of which at most " +
+                                              std::to_string(most_segments) +
+                                              " can be gone through; use a lower -n");
     std::string what =
         name + ", n = " + std::to_string(n) + ": " + to_string(figure->segments()) + " segments";
     return {n, std::move(figure), std::move(what)};
@@ -267,6 +269,7 @@ int dimension(const Options& options) {
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
     print(options.json ? dimension_json(found).dump(2) + "\n" : dimension_page(found));
     // What the rules say is an answer where no generation was asked about.
+    if (found.exact && found.exact->status == ExactDimension::Status::unfinished) return undecided;
     const bool exact = found.exact && found.exact->status == ExactDimension::Status::exact;
     return found.fit.estimate || (exact && !found.generation) ? success : undecided;
 }

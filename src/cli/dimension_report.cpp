@@ -16,6 +16,8 @@ std::string status_name(ExactDimension::Status status) {
             return "exact";
         case ExactDimension::Status::upper_bound:
             return "upper bound";
+        case ExactDimension::Status::unfinished:
+            return "unfinished";
         default:
             return "none";
     }
@@ -43,6 +45,7 @@ std::string exact_page(const ExactDimension& exact) {
                     ? line("upper bound: 2, as for every set in the plane; the formula gives ",
                            *exact.value)
                     : line("upper bound: ", *exact.value);
+    if (exact.status == ExactDimension::Status::unfinished) text += "exact: unfinished\n";
     if (exact.status == ExactDimension::Status::none) text += "exact: no formula\n";
     for (const std::string& condition : exact.conditions) text += "  " + condition + "\n";
     if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())

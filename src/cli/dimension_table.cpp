@@ -59,7 +59,8 @@ struct Row {
     std::string name, title;
     ExactDimension exact;
     std::optional<BoxFit> fit;
-    std::string unmeasured;  // why it was not, where it was to be
+    std::string unmeasured;   // why it was not, where it was to be
+    bool unfinished = false;  // because the budget was used up
 
     /// The number that measurements are compared with: an upper bound above 2 is 2.
     double value() const { return std::min(exact.value->enclosure(64).midpoint(), 2.0); }
@@ -70,8 +71,16 @@ struct Row {
 };
 
 Row row_of(const Entry& entry, const DimensionTable& table, const Budget& budget) {
-    Row row{entry.name, entry.system.title, exact_dimension(entry.system, budget), {}, {}};
-    if (row.exact.status == Found::none || table.quick) return row;
+    Row row{entry.name, entry.system.title, {}, {}, {}};
+    try {
+        row.exact = exact_dimension(entry.system, budget);
+    } catch (const BoundReached& bound) {
+        row.exact.status = Found::unfinished;
+        row.exact.conditions.push_back(bound.what());
+    }
+    row.unfinished = row.exact.status == Found::unfinished;
+    if (row.unfinished) row.unmeasured = row.exact.conditions.back();
+    if (row.unfinished || row.exact.status == Found::none || table.quick) return row;
     if (!row.exact.limit) {
         row.unmeasured = "the rules do not lead to similar parts of one size";
         return row;
@@ -84,6 +93,7 @@ Row row_of(const Entry& entry, const DimensionTable& table, const Budget& budget
         if (!row.fit->estimate) row.unmeasured = row.fit->because;
     } catch (const BoundReached& bound) {
         row.unmeasured = bound.what();
+        row.unfinished = is_of_budget(bound.bound());
     }
     return row;
 }
@@ -148,7 +158,8 @@ int print_dimension_table(const DimensionTable& table, const Budget& budget) {
     std::size_t width = 0;
     for (const Entry& entry : all) width = std::max(width, entry.name.size());
     Json array = Json::array();
-    std::string without;
+    std::string without, unfinished;
+    bool complete = true;
     if (!table.json)
         print(fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}{}\n", "curve", width, "formula",
                           formula_width, "dimension", "boundary",
@@ -156,20 +167,25 @@ int print_dimension_table(const DimensionTable& table, const Budget& budget) {
     ProgressBar bar("dimension");
     for (std::size_t i = 0; i < all.size(); ++i) {
         const Row row = row_of(all[i], table, budget);
+        complete = complete && !row.unfinished;
+        const auto named_reason = [&] {
+            return fmt::format("{:<{}}  {}\n", row.name, width,
+                               shortened(row.exact.conditions.back()));
+        };
         if (table.json)
             array.push_back(json_of(row, table.quick));
         else if (row.exact.status == Found::none)
-            without += fmt::format("{:<{}}  {}\n", row.name, width,
-                                   shortened(row.exact.conditions.back()));
+            without += named_reason();
+        else if (row.exact.status == Found::unfinished)
+            unfinished += named_reason();
         else
             print(line(row, width));
         bar.report(static_cast<double>(i + 1) / static_cast<double>(all.size()));
     }
-    if (table.json)
-        print(array.dump(2) + "\n");
-    else if (!without.empty())
-        print("\nno formula:\n" + without);
-    return success;
+    if (table.json) print(array.dump(2) + "\n");
+    if (!without.empty()) print("\nno formula:\n" + without);
+    if (!unfinished.empty()) print("\nunfinished:\n" + unfinished);
+    return complete ? success : undecided;
 }
 
 }  // namespace algae::cli

@@ -29,8 +29,8 @@ std::optional<DerivedModules> short_word(const LSystem& system, std::uint64_t n,
         DerivedModules found = word_to_walk(system, n, choices, budget);
         length = std::to_string(found.word.kinds.size());
         if (found.word.kinds.size() <= longest_explanation) return found;
-    } catch (const BoundReached&) {
-        budget.check();
+    } catch (const BoundReached& bound) {
+        if (bound.bound() != Bound::letters) throw;
         length = "more than " + std::to_string(budget.letters);
     }
     return std::nullopt;

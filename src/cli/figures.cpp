@@ -178,11 +178,13 @@ int draw_all(const Options& options) {
         try {
             draw_one(options, outcomes[i], budget);
         } catch (const Interrupted&) {
-            outcomes[i].status = interrupted;
-            return;
+            throw;
+        } catch (const BoundReached& bound) {
+            outcomes[i].problems.push_back(bound.what());
+            outcomes[i].status = undecided;
         } catch (const std::exception& error) {
             outcomes[i].problems.push_back(error.what());
-            outcomes[i].status = dynamic_cast<const BoundReached*>(&error) ? undecided : bad_input;
+            outcomes[i].status = bad_input;
         }
         const std::lock_guard lock(reporting);
         bar.report(static_cast<double>(++done) / static_cast<double>(outcomes.size()));
@@ -190,10 +192,9 @@ int draw_all(const Options& options) {
     const std::uint64_t jobs =
         options.jobs.empty() ? 0
                              : std::clamp<std::uint64_t>(natural("--jobs", options.jobs), 1, 256);
-    // Each figure looks at the budget itself: what became of the others is told all the same.
+    // Each figure looks at the budget itself: past a bound, what became of the others is told all the same.
     each_part(
         outcomes.size(), static_cast<unsigned>(jobs), Budget(), [&] { return work; }, 1);
-    if (stop) throw Interrupted();
     if (options.page && !options.check) write_page(options, outcomes);
 
     int status = success;

@@ -31,10 +31,11 @@ std::string read_all(std::FILE* file, const std::string& name, const Budget& bud
     while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) {
         text.append(buffer, 0, count);
         if (text.size() > largest)
-            throw BoundReached(name + ": has more than " + std::to_string(largest >> 20) +
-                               " MiB, as much as can be read within the " +
-                               std::to_string(budget.memory >> 20) +
-                               " MiB allowed by --max-memory");
+            throw BoundReached(Bound::memory, name + ": has more than " +
+                                                  std::to_string(largest >> 20) +
+                                                  " MiB, as much as can be read within the " +
+                                                  std::to_string(budget.memory >> 20) +
+                                                  " MiB allowed by --max-memory");
         budget.check();
     }
     budget.check();  // reading that waited was interrupted

@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "cli/command.hpp"
+#include "environment/environments.hpp"
 #include "notation/suggestion.hpp"
 
 namespace {
@@ -36,6 +37,9 @@ int run(const std::function<int()>& verb) {
         return report(error.what(), cli::interrupted);
     } catch (const BoundReached& error) {
         return report(error.what(), cli::undecided);
+    } catch (const ProgramWanted& error) {
+        return report((std::string(error.what()) + ", with --environment 'COMMAND'").c_str(),
+                      cli::bad_input);
     } catch (const Diagnostics& error) {
         std::fprintf(stderr, "%s\n", error.what());
         return cli::bad_input;

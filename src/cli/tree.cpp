@@ -56,17 +56,16 @@ void check_usage(const Options& options) {
 }
 
 /// Throws BoundReached with the size, and with shapes that are smaller, if the tree is too large to show.
-void check_size(const Options& options, std::uint64_t n, const TreeShape& shape, const SizeOf& size, const Budget& budget) {
+void check_size(const Options& options, std::uint64_t n, const TreeShape& shape,
+                const SizeOf& size) {
     const std::uint64_t most = natural("--max-nodes", options.most_nodes);
     std::string found;
     try {
         const Integer nodes = size(shape);
         if (nodes <= Integer(most)) return;
         found = readable(nodes) + " nodes";
-    } catch (const Interrupted&) {
-        throw;
-    } catch (const BoundReached&) {
-        budget.check();  // out of time
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::time) throw;
         found = "more nodes than can be counted";
     }
     std::string message = std::string("the tree has ") + found + ", more than the " + std::to_string(most) + " of --max-nodes";
@@ -77,7 +76,7 @@ void check_size(const Options& options, std::uint64_t n, const TreeShape& shape,
     if (const auto depth = depth_within(last, most, size, shape.shared))
         suggest("--depth " + std::to_string(*depth), {*depth, shape.shared});
     if (!shape.shared) suggest("--dag", {shape.depth, true});
-    throw BoundReached(message);
+    throw BoundReached(Bound::nodes, message);
 }
 
 struct Drawing {
@@ -95,7 +94,8 @@ Drawing generation_tree(const Options& options, const TreeShape& shape, const Bu
     const View<D0L> system = as_d0l(written);
     if (!system) throw Error(system.reason() + "; --word draws the derivation of one word");
     const std::uint64_t n = natural("-n", options.generation);
-    check_size(options, n, shape, [&](const TreeShape& asked) { return tree_size(*system, n, asked, budget); }, budget);
+    check_size(options, n, shape,
+               [&](const TreeShape& asked) { return tree_size(*system, n, asked, budget); });
     return drawing_of(derivation_tree(*system, n, shape, budget), n);
 }
 
@@ -109,7 +109,8 @@ Drawing member_tree(const Options& options, const TreeShape& shape, const Budget
     if (!found.member)
         throw Error("--word: " + spell(alphabet, read.letters) + " is not in the language, `algae member` says why");
     const Derivation steps = derivation(*system, read.letters, found, budget);
-    check_size(options, found.step, shape, [&](const TreeShape& asked) { return tree_size(*system, steps, asked, budget); }, budget);
+    check_size(options, found.step, shape,
+               [&](const TreeShape& asked) { return tree_size(*system, steps, asked, budget); });
     return drawing_of(derivation_tree(*system, steps, shape, budget), found.step);
 }
 
@@ -118,8 +119,10 @@ Drawing growth_digraph(const Options& options, const Budget& budget) {
     const View<D0L> system = as_d0l(written);
     const std::uint64_t most = natural("--max-nodes", options.most_nodes);
     if (system->letters.size() > most)
-        throw BoundReached("the digraph has " + std::to_string(system->letters.size()) + " letters, more than the " +
-                           std::to_string(most) + " of --max-nodes");
+        throw BoundReached(Bound::nodes, "the digraph has " +
+                                             std::to_string(system->letters.size()) +
+                                             " letters, more than the " + std::to_string(most) +
+                                             " of --max-nodes");
     Drawing drawing{growth_graph(*system, budget), {}};
     const auto from_letters = std::count_if(drawing.graph.edges.begin(), drawing.graph.edges.end(), [&](const Graph::Edge& edge) {
         return edge.from < system->letters.size();  // and not one of the arrows to the letters of the axiom

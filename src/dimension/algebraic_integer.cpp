@@ -63,7 +63,7 @@ AlgebraicInteger::AlgebraicInteger(const std::vector<Polynomial>& candidates,
         }
         if (found == 1) return;
     }
-    throw BoundReached("a number cannot be told from other roots of polynomials");
+    throw BoundReached(Bound::digits, "a number cannot be told from other roots of polynomials");
 }
 
 std::optional<AlgebraicInteger> AlgebraicInteger::largest_root(const Polynomial& polynomial) {
@@ -87,7 +87,7 @@ std::optional<AlgebraicInteger> AlgebraicInteger::largest_root(const Polynomial&
         if (!largest || compare(*largest, Ball(0, bits)) != Order::greater) return std::nullopt;
         return AlgebraicInteger(*of, 0);
     }
-    throw BoundReached("the largest root cannot be told from others");
+    throw BoundReached(Bound::digits, "the largest root cannot be told from others");
 }
 
 std::optional<Integer> AlgebraicInteger::integer() const {
@@ -104,9 +104,10 @@ AlgebraicInteger power(const AlgebraicInteger& base, unsigned exponent) {
     if (const auto number = base.integer()) return AlgebraicInteger(power(*number, exponent));
     if (exponent == 1) return base;
     if (!can_be_raised(base, exponent))
-        throw BoundReached(
-            "the power " + std::to_string(exponent) + " of a root of a polynomial of degree " +
-            std::to_string(base.minimal_polynomial().degree()) + " is not worked out");
+        throw BoundReached(Bound::digits, "the power " + std::to_string(exponent) +
+                                              " of a root of a polynomial of degree " +
+                                              std::to_string(base.minimal_polynomial().degree()) +
+                                              " is not worked out");
     const IntegerMatrix matrix = companion(base.minimal_polynomial());
     std::vector<Polynomial> factors;
     for (const auto& [factor, times] :

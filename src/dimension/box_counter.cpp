@@ -19,8 +19,9 @@ int bits_for(double reach) {
     int bits = 3;
     while (bits <= most_bits && !(reach < std::ldexp(1.0, bits))) ++bits;
     if (bits > most_bits)
-        throw BoundReached("the finest cells are too fine: expected at most 2^" +
-                           std::to_string(most_bits) + " of them side by side; use fewer scales");
+        throw BoundReached(Bound::method, "the finest cells are too fine: expected at most 2^" +
+                                              std::to_string(most_bits) +
+                                              " of them side by side; use fewer scales");
     return bits;
 }
 

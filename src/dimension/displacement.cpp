@@ -36,7 +36,8 @@ std::vector<Displacement::Vector> small_matrix(const IntegerMatrix& matrix,
         for (std::size_t column = 0; column < matrix.columns(); ++column) {
             const Integer entry = exact_divide(matrix(row, column), divisor);
             if (!entry.fits_int64())
-                throw BoundReached("the lattice of positions needs numbers beyond 64 bits");
+                throw BoundReached(Bound::digits,
+                                   "the lattice of positions needs numbers beyond 64 bits");
             out[row].push_back(entry.to_int64());
         }
     return out;
@@ -128,8 +129,9 @@ Displacement::Displacement(const Unfolding& unfolding, const Budget& budget)
     const std::size_t degree = ring.degree();
     const auto rank = static_cast<std::size_t>(leading.factor().degree());
     if (rank > largest_rank)
-        throw BoundReached("positions lie in a number field of degree " + std::to_string(rank) +
-                           ", more than " + std::to_string(largest_rank));
+        throw BoundReached(Bound::method, "positions lie in a number field of degree " +
+                                              std::to_string(rank) + ", more than " +
+                                              std::to_string(largest_rank));
 
     // A row for zeta^j v(piece), for its image under zeta, and for that under mu.
     const auto coordinates = [&](const std::vector<std::vector<CyclotomicInteger>>& powers,
@@ -206,7 +208,7 @@ Displacement::Vector Displacement::product(const Vector& row, const Matrix& matr
             std::int64_t part = 0;
             if (__builtin_mul_overflow(row[i], matrix[i][j], &part) ||
                 __builtin_add_overflow(out[j], part, &out[j]))
-                throw BoundReached("positions need numbers beyond 64 bits");
+                throw BoundReached(Bound::digits, "positions need numbers beyond 64 bits");
         }
     }
     return out;
@@ -220,13 +222,13 @@ Displacement::Vector Displacement::turned(const Vector& vector, std::int64_t hea
 void Displacement::add(Vector& left, const Vector& right) const {
     for (std::size_t i = 0; i < left.size(); ++i)
         if (__builtin_add_overflow(left[i], right[i], &left[i]))
-            throw BoundReached("positions need numbers beyond 64 bits");
+            throw BoundReached(Bound::digits, "positions need numbers beyond 64 bits");
 }
 
 void Displacement::subtract(Vector& left, const Vector& right) const {
     for (std::size_t i = 0; i < left.size(); ++i)
         if (__builtin_sub_overflow(left[i], right[i], &left[i]))
-            throw BoundReached("positions need numbers beyond 64 bits");
+            throw BoundReached(Bound::digits, "positions need numbers beyond 64 bits");
 }
 
 std::complex<double> Displacement::value(const Vector& vector) const {

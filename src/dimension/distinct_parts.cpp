@@ -37,8 +37,8 @@ public:
         const auto [place, is_new] = numbers_.try_emplace(std::move(surroundings), kinds_.size());
         if (is_new) {
             if (kinds_.size() == most_)
-                throw BoundReached("more than " + std::to_string(most_) +
-                                   " kinds of surroundings of parts");
+                throw BoundReached(Bound::method, "more than " + std::to_string(most_) +
+                                                      " kinds of surroundings of parts");
             kinds_.push_back(place->first);
         }
         return place->second;

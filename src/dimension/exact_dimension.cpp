@@ -112,6 +112,7 @@ private:
                                       " of surroundings, multiply by " + distinct.rate.exact());
             return distinct.rate;
         } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
             out_.conditions.push_back(std::string("whether parts coincide is not known: ") +
                                       bound.what());
             return std::nullopt;
@@ -158,8 +159,11 @@ ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
         ExactDimension found = Search(*limit, budget).result();
         found.limit = limit;
         return found;
-    } catch (const Interrupted&) {
-        throw;
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::time) throw;
+        if (is_of_budget(bound.bound())) none.status = Status::unfinished;
+        none.conditions.push_back(bound.what());
+        return none;
     } catch (const Error& reason) {
         none.conditions.push_back(reason.what());
         return none;

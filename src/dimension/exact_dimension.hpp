@@ -17,6 +17,7 @@ struct ExactDimension {
     enum class Status {
         exact,        // the Hausdorff and the box dimension
         upper_bound,  // of both: some condition could not be verified
+        unfinished,   // the letters or the memory of the budget were used up before it was found
         none          // the rules give no formula; `conditions` says why
     };
 
@@ -39,8 +40,10 @@ struct ExactDimension {
 ///
 /// It is exact if there are finitely many ways in which parts meet (`Neighbours`): with all parts, if
 /// none coincide, otherwise with the different ones (`distinct_growth`). If these cannot be found
-/// within the budget, the value with multiplicity is an upper bound. Several components of letters
+/// within the memory of the budget or by this method, the value with multiplicity is an upper bound. Several components of letters
 /// each have their own dimension; the largest is that of the whole.
+///
+/// Throws BoundReached past the deadline, Interrupted: neither says anything about the rules.
 ///
 /// Of a parametric system whose rules multiply lengths by constants, it is `parametric_dimension`.
 ///

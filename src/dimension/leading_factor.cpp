@@ -44,9 +44,10 @@ LeadingFactor::LeadingFactor(const Unfolding& unfolding, const std::vector<bool>
         }
     if (pieces_.empty()) throw Error("the turtle always comes back to where it began");
     if (pieces_.size() * ring.degree() > Displacement::largest_matrix)
-        throw BoundReached(
-            "the ways of its pieces need " + std::to_string(pieces_.size() * ring.degree()) +
-            " coordinates, more than " + std::to_string(Displacement::largest_matrix));
+        throw BoundReached(Bound::method, "the ways of its pieces need " +
+                                              std::to_string(pieces_.size() * ring.degree()) +
+                                              " coordinates, more than " +
+                                              std::to_string(Displacement::largest_matrix));
     for (const std::size_t piece : pieces_) {
         std::vector<Entry>& row = rows_.emplace_back();
         for (const Unfolding::Item& item : unfolding.paths[piece])

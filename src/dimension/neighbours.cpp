@@ -67,8 +67,8 @@ Neighbours::Neighbours(const RecurrentSet& set, std::size_t component, const Bud
         const auto [place, is_new] = numbers_.try_emplace({piece, std::move(other)}, pairs_.size());
         if (is_new) {
             if (pairs_.size() == most)
-                throw BoundReached("more than " + std::to_string(most) +
-                                   " ways in which two parts may meet");
+                throw BoundReached(Bound::method, "more than " + std::to_string(most) +
+                                                      " ways in which two parts may meet");
             pairs_.push_back({piece, place->first.second, {}});
             if (pairs_.size() % 1024 == 0)
                 budget.check_memory(pairs_.size() * (200 + 16 * set.displacement().rank()),

@@ -104,8 +104,9 @@ private:
         if (!is_new) return place->second;
         if (keys_.size() == RatioGraph::most_states)
             throw BoundReached(
+                Bound::method,
                 "modules have more than " + std::to_string(RatioGraph::most_states) +
-                " different values of parameters that conditions or turns depend on");
+                    " different values of parameters that conditions or turns depend on");
         keys_.push_back(key);
         out_.states.push_back(described(key));
         return place->second;

@@ -110,7 +110,8 @@ Ball RatioSum::enclosure(long bits) const {
     Rational low = 0, high = largest_dimension;
     const Rational width = power(Rational(2), -bits);
     for (long precision = bits + 64;; precision *= 2) {
-        if (precision > 64 * (bits + 64)) throw BoundReached("the dimension needs too many digits");
+        if (precision > 64 * (bits + 64))
+            throw BoundReached(Bound::digits, "the dimension needs too many digits");
         const Ratios ratios(states_, entries_, growth_, precision);
         for (bool certain = true; certain;) {
             if (high - low <= width) return hull(Ball(low, bits + 16), Ball(high, bits + 16));

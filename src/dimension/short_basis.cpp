@@ -41,7 +41,8 @@ std::vector<std::vector<ComplexBall>> numbers_of(
     const std::function<std::vector<ComplexBall>(long)>& roots, long digits, const Budget& budget) {
     for (long bits = 256 + digits;; bits *= 2) {
         budget.check();
-        if (bits > (1 << 16)) throw BoundReached("the lattice of positions needs too many digits");
+        if (bits > (1 << 16))
+            throw BoundReached(Bound::digits, "the lattice of positions needs too many digits");
         std::vector<std::vector<ComplexBall>> numbers;
         bool certain = true;
         for (const ComplexBall& root : roots(bits)) {
@@ -103,7 +104,8 @@ IntegerMatrix embedded(const IntegerMatrix& basis, const LeadingFactor& leading,
 /// One step towards a basis of short elements. Says whether the basis changed.
 bool shorten(IntegerMatrix& basis, const LeadingFactor& leading, const Budget& budget) {
     for (long digits = 40;; digits *= 2) {
-        if (digits > 20'000) throw BoundReached("the lattice of positions needs too many digits");
+        if (digits > 20'000)
+            throw BoundReached(Bound::digits, "the lattice of positions needs too many digits");
         const IntegerMatrix rows = embedded(basis, leading, digits, budget);
         if (rank(rows) < rows.rows()) continue;
         const IntegerMatrix steps = reducing_matrix(rows);

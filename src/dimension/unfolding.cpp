@@ -185,8 +185,8 @@ Unfolding unfolding(const LSystem& system, const D0L& rules, std::size_t phase_f
     std::vector<std::vector<std::int64_t>> levels;
     while (seen.emplace(turns, levels.size()).second) {
         if (levels.size() == most_levels)
-            throw BoundReached("turns do not come back within " + std::to_string(most_levels) +
-                               " generations");
+            throw BoundReached(Bound::method, "turns do not come back within " +
+                                                  std::to_string(most_levels) + " generations");
         levels.push_back(turns);
         for (std::size_t a = 0; a < count; ++a)
             turns[a] = items(reader, rules.successor(reader.letters[a]), levels.back(), 0).second;

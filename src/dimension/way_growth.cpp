@@ -102,7 +102,8 @@ WayGrowth::WayGrowth(const RatioGraph& graph, const Budget& budget) : budget_(bu
     }
     if (size_ == 0) throw Error("the turtle does not move in late generations");
     if (size_ > most_moving)
-        throw BoundReached("more than " + std::to_string(most_moving) + " kinds of modules move");
+        throw BoundReached(Bound::method,
+                           "more than " + std::to_string(most_moving) + " kinds of modules move");
 
     // The turns of each level until they come back.
     std::vector<Rational> turns;
@@ -110,8 +111,8 @@ WayGrowth::WayGrowth(const RatioGraph& graph, const Budget& budget) : budget_(bu
     std::map<std::vector<Rational>, std::size_t> seen;
     while (seen.emplace(turns, levels_.size()).second) {
         if (levels_.size() == most_levels)
-            throw BoundReached("turns do not come back within " + std::to_string(most_levels) +
-                               " generations");
+            throw BoundReached(Bound::method, "turns do not come back within " +
+                                                  std::to_string(most_levels) + " generations");
         budget.check();
         auto& level = levels_.emplace_back();
         std::vector<Rational> next;

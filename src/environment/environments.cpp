@@ -54,8 +54,8 @@ Environments::Environments(const LSystem& system, std::shared_ptr<Environment> e
             throw Error("nothing fills the communication module " + name +
                         "; expected a setting such as `environment " + name + " position`");
         if (setting->kind == "external" && !external)
-            throw Error("the communication module " + name +
-                        " is filled by a program; say by which, with --environment 'COMMAND'");
+            throw ProgramWanted("the communication module " + name +
+                                " is filled by a program; say by which");
         asked_.push_back({name, setting->kind,
                           setting->kind == "external" ? external : environment_of(*setting),
                           arities(setting->kind)});

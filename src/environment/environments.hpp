@@ -3,17 +3,23 @@
 #include <memory>
 #include <vector>
 
+#include "base/error.hpp"
 #include "environment/environment.hpp"
 #include "system/lsystem.hpp"
 
 namespace algae {
+
+/// A communication module is left to a program and there is none.
+struct ProgramWanted : Error {
+    using Error::Error;
+};
 
 /// The environments of all communication modules of a system: those that its file sets, and without
 /// that the position for ?P and the heading for ?H.
 class Environments {
 public:
     /// `external` answers the modules that the file leaves to a program; it may be missing where there
-    /// are none. Throws Error if a module has no environment.
+    /// are none. Throws Error if a module has no environment, ProgramWanted if it is left to a program.
     explicit Environments(const LSystem& system, std::shared_ptr<Environment> external = nullptr);
 
     /// By query of the course, the new parameters. Throws what the environments throw, and Error if a

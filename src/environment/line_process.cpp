@@ -162,17 +162,19 @@ void LineProcess::check_time(const std::string& what, Clock::time_point begin,
         budget.check();
     } catch (const BoundReached& bound) {
         failed_ = true;
-        throw BoundReached(std::string(bound.what()) + ", and the environment program '" +
-                           command_ + "' has not given " + what);
-    } catch (const Interrupted&) {
+        throw BoundReached(bound.bound(), std::string(bound.what()) +
+                                              ", and the environment program '" + command_ +
+                                              "' has not given " + what);
+    } catch (const Stopped&) {
         failed_ = true;
         throw;
     }
-    if (!budget.deadline && Clock::now() - begin > wait)
-        fail(
-            "has not given " + what + " within " +
-            std::to_string(std::chrono::duration_cast<std::chrono::seconds>(wait).count()) +
-            " seconds. Does it write out each line at once? --timeout SECONDS lets it take longer");
+    if (budget.deadline || Clock::now() - begin <= wait) return;
+    const std::string by = budget.by(Bound::time);
+    fail("has not given " + what + " within " +
+         std::to_string(std::chrono::duration_cast<std::chrono::seconds>(wait).count()) +
+         " seconds. Does it write out each line at once? A deadline" +
+         (by.empty() ? "" : " set" + by) + " lets it take longer");
 }
 
 void LineProcess::send(std::string_view& rest) {

@@ -45,7 +45,8 @@ Rational exact_end(const Ball& ball, bool upper) {
     const arb_struct* value = arb(ball);
     if (!ball.is_finite()) throw Error("expected a finite interval, found " + to_string(ball));
     if (!is_moderate(value))
-        throw BoundReached("the ends of an interval lie beyond 2^(2^32) or below 2^(-2^32)");
+        throw BoundReached(Bound::digits,
+                           "the ends of an interval lie beyond 2^(2^32) or below 2^(-2^32)");
     arf_t low, high;
     arf_init(low);
     arf_init(high);
@@ -94,11 +95,12 @@ void require_digits(int digits, int least) {
 }
 
 [[noreturn]] void refuse_decimal(int digits, long largest_bits) {
-    throw BoundReached(
-        "the number could not be rounded to " + std::to_string(digits) + " digits with " +
-        std::to_string(largest_bits) +
-        " bits: it lies on or very near the middle between two decimals; ask for its exact form "
-        "or for another number of digits");
+    throw BoundReached(Bound::digits, "the number could not be rounded to " +
+                                          std::to_string(digits) + " digits with " +
+                                          std::to_string(largest_bits) +
+                                          " bits: it lies on or very near the middle between two "
+                                          "decimals; ask for its exact form "
+                                          "or for another number of digits");
 }
 
 }  // namespace

@@ -15,10 +15,11 @@ static_assert(COEFF_MAX == (1L << 62) - 1 && COEFF_MIN == -COEFF_MAX && COEFF_IS
 namespace {
 
 [[noreturn]] void refuse_length(const char* what, double bits) {
-    throw BoundReached(std::string("the ") + what + " would have about " +
-                       std::to_string(static_cast<std::uint64_t>(bits / 1e6)) +
-                       " million binary digits, more than the largest possible " +
-                       std::to_string(Integer::largest_bit_length / 1000000) + " million");
+    throw BoundReached(Bound::digits,
+                       std::string("the ") + what + " would have about " +
+                           std::to_string(static_cast<std::uint64_t>(bits / 1e6)) +
+                           " million binary digits, more than the largest possible " +
+                           std::to_string(Integer::largest_bit_length / 1000000) + " million");
 }
 
 void require_divisor(const Integer& divisor) {

@@ -51,9 +51,10 @@ void require_product_below(std::uint64_t largest_bits, const IntegerMatrix& left
     const std::uint64_t a = longest_entry(left);
     const std::uint64_t b = longest_entry(right);
     if (a != 0 && b != 0 && a + b > largest_bits)
-        throw BoundReached("a product of matrices would have entries of about " +
-                           std::to_string(a + b) + " binary digits, more than the bound of " +
-                           std::to_string(largest_bits));
+        throw BoundReached(Bound::digits, "a product of matrices would have entries of about " +
+                                              std::to_string(a + b) +
+                                              " binary digits, more than the bound of " +
+                                              std::to_string(largest_bits));
 }
 
 IntegerMatrix product(const IntegerMatrix& left, const IntegerMatrix& right) {

@@ -115,9 +115,10 @@ Polynomial& Polynomial::operator-=(const Polynomial& right) {
 Polynomial& Polynomial::operator*=(const Polynomial& right) {
     const std::uint64_t bits = longest_coefficient(*this) + longest_coefficient(right);
     if (bits > Integer::largest_bit_length)
-        throw BoundReached("a product of polynomials would have coefficients of about " +
-                           std::to_string(bits) + " binary digits, more than " +
-                           std::to_string(Integer::largest_bit_length));
+        throw BoundReached(Bound::digits,
+                           "a product of polynomials would have coefficients of about " +
+                               std::to_string(bits) + " binary digits, more than " +
+                               std::to_string(Integer::largest_bit_length));
     FlintPolynomial product;
     fmpz_poly_mul(product.value, PolynomialView(*this).value, PolynomialView(right).value);
     return *this = product.take();
@@ -144,9 +145,10 @@ Polynomial power(const Polynomial& base, std::uint64_t exponent) {
     // Constants and x^k apart, a power has about as many coefficients as the exponent says.
     if (base.degree() > 0 &&
         exponent > (std::uint64_t{1} << 33) / static_cast<std::uint64_t>(base.degree()))
-        throw BoundReached("a power of a polynomial would have a degree of " +
-                           std::to_string(base.degree()) + " times " + std::to_string(exponent) +
-                           ", more than " + std::to_string(std::uint64_t{1} << 33));
+        throw BoundReached(Bound::method, "a power of a polynomial would have a degree of " +
+                                              std::to_string(base.degree()) + " times " +
+                                              std::to_string(exponent) + ", more than " +
+                                              std::to_string(std::uint64_t{1} << 33));
     Polynomial result = 1;
     Polynomial square = base;
     for (std::uint64_t rest = exponent; rest != 0; rest >>= 1) {

@@ -93,8 +93,10 @@ Word derive(const D0L& system, std::uint64_t n, const Budget& budget) {
         if (++visits % 65536 == 0) budget.check();
         if (steps > 0) return true;
         if (word.size() == budget.letters)
-            throw BoundReached("generation " + std::to_string(n) + " has more than " +
-                               std::to_string(budget.letters) + " letters, the bound set by --max-letters");
+            throw BoundReached(Bound::letters,
+                               "generation " + std::to_string(n) + " has more than " +
+                                   std::to_string(budget.letters) + " letters, the bound set" +
+                                   budget.by(Bound::letters));
         word.push_back(a);
         return true;
     });

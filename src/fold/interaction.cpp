@@ -72,9 +72,10 @@ private:
     }
 
     [[noreturn]] void refuse(std::uint64_t generation) const {
-        throw BoundReached("generation " + std::to_string(generation) + " has more than " +
-                           std::to_string(budget_.letters) +
-                           " letters, the bound set by --max-letters");
+        throw BoundReached(Bound::letters, "generation " + std::to_string(generation) +
+                                               " has more than " + std::to_string(budget_.letters) +
+                                               " letters, the bound set" +
+                                               budget_.by(Bound::letters));
     }
 
     void check_length(std::uint64_t letters, std::uint64_t generation) const {

@@ -141,8 +141,9 @@ Word letters_at(const D0L& system, std::uint64_t n, const Integer& at, std::uint
         const std::uint64_t steps = here.steps;
         if (steps == 0 || fates.is_constant(a)) {
             if (found.size() == budget.letters)
-                throw BoundReached("more than " + std::to_string(budget.letters) +
-                                   " letters asked for, the bound set by --max-letters");
+                throw BoundReached(Bound::letters, "more than " + std::to_string(budget.letters) +
+                                                       " letters asked for, the bound set" +
+                                                       budget.by(Bound::letters));
             found.push_back(a);
         } else if (!fates.is_gone(a, steps)) {
             const Word& successor = system.successor(a);

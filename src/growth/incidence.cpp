@@ -33,14 +33,16 @@ void check_estimate(const D0L& system, std::uint64_t n, std::size_t numbers, con
     const double bits = estimated_log2_length(system, n, budget);
     const double digits = bits * std::log10(2.0);
     if (digits > static_cast<double>(budget.letters))
-        throw BoundReached("the length of generation " + std::to_string(n) + " alone has about " +
-                           std::to_string(static_cast<std::uint64_t>(std::min(digits, 1e19))) +
-                           " digits, more than the " + std::to_string(budget.letters) +
-                           " that --max-letters allows");
+        throw BoundReached(Bound::letters,
+                           "the length of generation " + std::to_string(n) + " alone has about " +
+                               std::to_string(static_cast<std::uint64_t>(std::min(digits, 1e19))) +
+                               " digits, more than the " + std::to_string(budget.letters) +
+                               " allowed" + budget.by(Bound::letters));
     if (bits / 8 * 3 * static_cast<double>(numbers) > static_cast<double>(budget.memory))
-        throw BoundReached("the numbers of letters in generation " + std::to_string(n) +
-                           " would take more than the " + std::to_string(budget.memory >> 20) +
-                           " MiB allowed by --max-memory");
+        throw BoundReached(Bound::memory, "the numbers of letters in generation " +
+                                              std::to_string(n) + " would take more than the " +
+                                              std::to_string(budget.memory >> 20) + " MiB allowed" +
+                                              budget.by(Bound::memory));
 }
 
 /// A square matrix of doubles with a common power of two.

@@ -94,8 +94,9 @@ DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom
     tree.alphabet = std::move(alphabet);
     const auto add = [&](Node node) {
         if (tree.nodes.size() >= budget.letters)
-            throw BoundReached("the tree has more than " + std::to_string(budget.letters) +
-                               " nodes, the letters allowed by --max-letters");
+            throw BoundReached(Bound::letters,
+                               "the tree has more than " + std::to_string(budget.letters) +
+                                   " nodes, the letters allowed" + budget.by(Bound::letters));
         tree.nodes.push_back(std::move(node));
         return tree.nodes.size() - 1;
     };
@@ -297,8 +298,8 @@ Word leaves(const DerivationTree& tree, const Budget& budget) {
             throw Error("the tree is cut: its leaves spell no word");
         if (node.kind == Node::Kind::letter && node.children.empty()) {
             if (word.size() >= budget.letters)
-                throw BoundReached("the tree has more than " + std::to_string(budget.letters) +
-                                   " leaves");
+                throw BoundReached(Bound::letters, "the tree has more than " +
+                                                       std::to_string(budget.letters) + " leaves");
             word.push_back(node.letter);
         }
         open.insert(open.end(), node.children.rbegin(), node.children.rend());

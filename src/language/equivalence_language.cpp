@@ -153,7 +153,7 @@ LanguageEquality equal_languages(const D0L& left, const D0L& right, const Budget
     try {
         return comparison.decided();
     } catch (const BoundReached& bound) {
-        throw BoundReached(std::string(bound.what()) + "; undecided: " + comparison.tried());
+        throw BoundReached(bound.bound(), bound.what(), comparison.tried());
     }
 }
 

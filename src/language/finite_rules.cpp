@@ -74,6 +74,7 @@ void RuleSearch::tick() {
 bool RuleSearch::narrow_to_solution(PossibleRules& rules, bool generating, ObstructionCase& why) {
     if (cases_ == 0)
         throw BoundReached(
+            Bound::method,
             "the bound on the number of cases was reached before the answer was known");
     --cases_;
     budget_.check();

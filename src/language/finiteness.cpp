@@ -36,8 +36,9 @@ Word after(const std::vector<Word>& images, const Word& word, const Budget& budg
     for (const Symbol a : word) {
         next.insert(next.end(), images[a].begin(), images[a].end());
         if (next.size() > budget.letters)
-            throw BoundReached("a generation has more than " + std::to_string(budget.letters) +
-                               " letters, the bound set by --max-letters");
+            throw BoundReached(Bound::letters,
+                               "a generation has more than " + std::to_string(budget.letters) +
+                                   " letters, the bound set" + budget.by(Bound::letters));
     }
     return next;
 }

@@ -157,8 +157,10 @@ std::optional<Derivation> find_derivation(const OL& system, const Word& word, st
         shares = std::move(next);
         letters += shares.size();
         if (letters > budget.letters)
-            throw BoundReached("the words of the derivation have more than " + std::to_string(budget.letters) +
-                               " letters together, the bound set by --max-letters");
+            throw BoundReached(Bound::letters, "the words of the derivation have more than " +
+                                                   std::to_string(budget.letters) +
+                                                   " letters together, the bound set" +
+                                                   budget.by(Bound::letters));
         Word reached;
         for (const Share& share : shares) reached.push_back(share.letter);
         found.words.push_back(std::move(reached));

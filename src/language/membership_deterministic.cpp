@@ -91,8 +91,9 @@ Word after(const D0L& system, const Word& now, const Budget& budget) {
         const Word& successor = system.successor(a);
         next.insert(next.end(), successor.begin(), successor.end());
         if (next.size() > budget.letters)
-            throw BoundReached("a generation has more than " + std::to_string(budget.letters) +
-                               " letters, the bound set by --max-letters");
+            throw BoundReached(Bound::letters,
+                               "a generation has more than " + std::to_string(budget.letters) +
+                                   " letters, the bound set" + budget.by(Bound::letters));
     }
     return next;
 }

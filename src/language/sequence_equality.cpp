@@ -64,7 +64,7 @@ SequenceEquality equal_sequences(const D0L& left, const D0L& right, const Budget
             next_attempt = attempt.generation + 1;
         }
     } catch (const BoundReached& bound) {
-        throw BoundReached(std::string(bound.what()) + "; undecided: " + tried(walk));
+        throw BoundReached(bound.bound(), bound.what(), tried(walk));
     }
 }
 

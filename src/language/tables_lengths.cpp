@@ -142,10 +142,11 @@ Derivation shortest_derivation(const ET0L& system, const UsefulStates& automaton
                                const std::vector<std::uint32_t>& tables, const Budget& budget) {
     const std::size_t steps = tables.size();
     const auto too_long = [&] {
-        return BoundReached("generation " + std::to_string(steps) +
-                            " is the first with such a word, but a derivation has more than " +
-                            std::to_string(budget.letters) +
-                            " letters, the bound set by --max-letters");
+        return BoundReached(Bound::letters,
+                            "generation " + std::to_string(steps) +
+                                " is the first with such a word, but a derivation has more than " +
+                                std::to_string(budget.letters) + " letters, the bound set" +
+                                budget.by(Bound::letters));
     };
     const Lengths lengths(system, automaton, budget.letters);
     budget.check_memory((steps + 1) * lengths.bytes(), "the tables of a derivation");

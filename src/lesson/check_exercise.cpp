@@ -77,10 +77,6 @@ private:
             return open_(name);
         } catch (const Diagnostics&) {
             throw;
-        } catch (const BoundReached&) {
-            throw;
-        } catch (const Interrupted&) {
-            throw;
         } catch (const Error&) {
             if (files_may_follow_ && name.find_first_of("./") != std::string::npos)
                 throw FileElsewhere();
@@ -93,10 +89,6 @@ private:
         try {
             opened(figure.system);
         } catch (const FileElsewhere&) {
-        } catch (const BoundReached&) {
-            throw;
-        } catch (const Interrupted&) {
-            throw;
         } catch (const Diagnostics& error) {
             const Diagnostic& first = error.findings().front();
             return "the system cannot be read: " + to_string(first.place) + ": " + first.message;

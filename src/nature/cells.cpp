@@ -13,7 +13,7 @@ CellGrid::CellGrid(std::size_t width, std::size_t height, const Budget& budget)
     if (width > budget.memory / 4 / height)
         throw Error("a grid of " + std::to_string(width) + " x " + std::to_string(height) +
                     " cells does not fit in the " + std::to_string(budget.memory >> 20) +
-                    " MiB allowed by --max-memory");
+                    " MiB allowed" + budget.by(Bound::memory));
     cells.resize(width * height);
 }
 

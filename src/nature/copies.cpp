@@ -49,10 +49,11 @@ std::unique_ptr<PathFigure> copies(const IteratedFunctions& system, std::uint64_
             }
         }
         if (next.size() > most_copies)
-            throw BoundReached(system.name + ", generation " + std::to_string(round + 1) +
-                               ": has " + std::to_string(next.size()) +
-                               " copies, of which at most 1000000 can be drawn; its attractor, "
-                               "without `generation`, has no such bound");
+            throw BoundReached(Bound::method,
+                               system.name + ", generation " + std::to_string(round + 1) +
+                                   ": has " + std::to_string(next.size()) +
+                                   " copies, of which at most 1000000 can be drawn; its attractor, "
+                                   "without `generation`, has no such bound");
         made = std::move(next);
     }
     std::vector<Path> paths;

@@ -57,10 +57,6 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
 RecurrentSet set_of(const LSystem& system, const D0L& rules, const Budget& budget) {
     try {
         return RecurrentSet(system, rules, budget);
-    } catch (const BoundReached&) {
-        throw;
-    } catch (const Interrupted&) {
-        throw;
     } catch (const Error& error) {
         throw Error(system.name + ": " + error.what());
     }

@@ -81,10 +81,10 @@ ParticleRun::ParticleRun(ParticleSystem system, const Budget& budget)
 
 void ParticleRun::bear(std::size_t kind, Point place, Point velocity, double size) {
     if (particles_.size() + newborn_.size() >= ParticleSystem::most)
-        throw BoundReached(
-            fmt::format("frame {}: more than {} particles are alive at once; let "
-                        "fewer be born or live shorter",
-                        frame_, ParticleSystem::most));
+        throw BoundReached(Bound::method,
+                           fmt::format("frame {}: more than {} particles are alive at once; let "
+                                       "fewer be born or live shorter",
+                                       frame_, ParticleSystem::most));
     const ParticleKind& of = system_.kinds[kind];
     const Draws draws(system_.seed, born_);
     const double speed = of.speed.at(draws.at(of_speed));

@@ -15,10 +15,10 @@ std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
         throw Error("deviation: expected a number above 0, found " +
                     std::to_string(walk.deviation));
     if (walk.steps >= budget.memory / sizeof(Vector))
-        throw BoundReached("a walk of " + std::to_string(walk.steps) +
-                           " steps takes more memory than the bound of " +
-                           std::to_string(budget.memory) +
-                           " bytes; use fewer steps or a higher --max-memory");
+        throw BoundReached(Bound::memory, "a walk of " + std::to_string(walk.steps) +
+                                              " steps takes more memory than the " +
+                                              std::to_string(budget.memory) + " bytes allowed" +
+                                              budget.by(Bound::memory) + "; use fewer steps");
     const Gaussians across(walk.seed, 0), along(walk.seed, 1), upward(walk.seed, 2);
     std::vector<Vector> places(walk.steps + 1);
     for (std::uint64_t t = 0; t < walk.steps; ++t) {

@@ -141,10 +141,6 @@ LSystem ClaimReading::opened(const std::string& name, const char* where) const {
                           "expected a system between braces: none can be opened by its name here"};
     try {
         return open(name);
-    } catch (const Interrupted&) {
-        throw;
-    } catch (const BoundReached&) {
-        throw;
     } catch (const Diagnostics& error) {
         const Diagnostic& first = error.findings().front();
         throw SyntaxError{

@@ -145,8 +145,6 @@ public:
                 "expected a line `born KIND COUNT at (x,y)`, found no particle that is born");
         try {
             show->check();
-        } catch (const BoundReached&) {
-            throw;
         } catch (const Error& error) {
             file_.fail(error.what());
         }

@@ -11,7 +11,7 @@
 namespace algae {
 
 /// The system that is known by a name: of a gallery entry, or a path, as a claim writes it. What it throws as
-/// `Error` becomes a finding at the place of the name; `BoundReached` and `Interrupted` are passed on.
+/// `Error` becomes a finding at the place of the name; `Stopped` is passed on.
 using SystemSource = std::function<LSystem(const std::string& name)>;
 
 /// The claim that the text of a `.claim` file makes (NOTATION.md), over one alphabet. `file_name` is named

@@ -138,8 +138,8 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     if (arrangement == Arrangement::pages && plates.size() > 1 && format != PictureFormat::pdf &&
         format != PictureFormat::ps)
         throw Error(std::string("a ") + format_name(format) +
-                    " file holds one page; several generations need pdf or ps, or --panels to "
-                    "stand side by side");
+                    " file holds one page; several generations need pdf or ps, or stand side "
+                    "by side as panels");
     check_figures(plates);
 
     Plan result;

@@ -69,9 +69,11 @@ ModuleString FreeStep::next() {
         values += std::exchange(part.values_out, values);
     }
     if (letters > budget_.letters)
-        throw BoundReached("generation " + std::to_string(generation_ + 1) + " has " +
-                           std::to_string(letters) + " letters, more than the " +
-                           std::to_string(budget_.letters) + " that --max-letters allows");
+        throw BoundReached(Bound::letters, "generation " + std::to_string(generation_ + 1) +
+                                               " has " + std::to_string(letters) +
+                                               " letters, more than the " +
+                                               std::to_string(budget_.letters) + " allowed" +
+                                               budget_.by(Bound::letters));
     budget_.check_memory(letters * sizeof(ModuleKind) + values * sizeof(double), "a word");
     out_.kinds.resize(letters);
     out_.values.resize(values);

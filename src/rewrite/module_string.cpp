@@ -17,9 +17,9 @@ ModuleKind ModuleKinds::kind(Symbol letter, std::size_t arity) {
     if (!fresh) return found->second;
     constexpr std::size_t most = 65'535;
     if (letters_.size() == most)
-        throw BoundReached(
-            "the system has more than 65535 letters, each with its number of "
-            "parameters, as many as a derivation can tell apart");
+        throw BoundReached(Bound::method,
+                           "the system has more than 65535 letters, each with its number of "
+                           "parameters, as many as a derivation can tell apart");
     letters_.push_back(letter);
     arities_.push_back(static_cast<std::uint32_t>(arity));
     return found->second;

@@ -18,7 +18,8 @@ void OutcomeTable::add(std::uint32_t successor, const ModuleKind* kinds, std::si
 OutcomeTable::OutcomeTable(const CompiledRules& rules, const RuleSet& set) {
     const std::size_t kinds = rules.kinds.size();
     const std::size_t count = kinds + rules.successors.size();
-    if (count > 65'535) throw BoundReached("the system has more than 65535 rules and letters");
+    if (count > 65'535)
+        throw BoundReached(Bound::method, "the system has more than 65535 rules and letters");
     std::size_t letters = 0;
     for (const Successor& successor : rules.successors) letters += successor.kinds.size();
     padded_.reserve(letters + kinds + count * near);  // so that outcomes may point into it

@@ -160,9 +160,10 @@ ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& 
         append(outcome, word, i, offset, generation, out);
         offset += rules_.kinds.arity(kind);
         if (out.kinds.size() > budget.letters)
-            throw BoundReached("generation " + std::to_string(generation + 1) + rules_.of +
-                               " has more than " + std::to_string(budget.letters) +
-                               " letters, the bound set by --max-letters");
+            throw BoundReached(Bound::letters,
+                               "generation " + std::to_string(generation + 1) + rules_.of +
+                                   " has more than " + std::to_string(budget.letters) +
+                                   " letters, the bound set" + budget.by(Bound::letters));
         budget.check_memory(
             out.kinds.capacity() * sizeof(ModuleKind) + out.values.capacity() * sizeof(double),
             "a word");

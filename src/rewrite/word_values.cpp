@@ -53,12 +53,14 @@ double WordValues::value(ModuleString word, const Budget& budget) {
     }
     constexpr std::size_t deepest = 100;
     if (next.depth > deepest)
-        throw BoundReached("words stand in words as parameters more than " +
-                           std::to_string(deepest) + " deep");
+        throw BoundReached(Bound::method, "words stand in words as parameters more than " +
+                                              std::to_string(deepest) + " deep");
     if (next.modules > budget.letters)
-        throw BoundReached(
-            "a word that is a parameter has more than " + std::to_string(budget.letters) +
-            " letters with those of its own parameters, the bound set by --max-letters");
+        throw BoundReached(Bound::letters,
+                           "a word that is a parameter has more than " +
+                               std::to_string(budget.letters) +
+                               " letters with those of its own parameters, the bound set" +
+                               budget.by(Bound::letters));
     bytes_ += sizeof(Held) + next.word.kinds.size() * sizeof(ModuleKind) +
               next.word.values.size() * sizeof(double);
     budget.check_memory(bytes_, "the words that are parameters");

@@ -16,8 +16,10 @@ namespace {
 
 void check_count(const Integer& boxes, const Budget& budget) {
     if (boxes > Integer(budget.letters))
-        throw BoundReached("a step makes at least " + to_string(boxes) + " boxes, more than the " +
-                           std::to_string(budget.letters) + " that --max-letters allows");
+        throw BoundReached(Bound::letters, "a step makes at least " + to_string(boxes) +
+                                               " boxes, more than the " +
+                                               std::to_string(budget.letters) + " allowed" +
+                                               budget.by(Bound::letters));
     budget.check_memory(static_cast<std::uint64_t>(boxes.to_int64()) * sizeof(ShapeBox), "boxes");
 }
 

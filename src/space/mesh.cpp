@@ -52,9 +52,10 @@ TubeSize checked_size(const Scene& scene, const Limbs& limbs, const MeshOptions&
     add({sheets, sheets, sheets});
     if (std::max(all.triangles * 3, all.corners) >= std::numeric_limits<std::uint32_t>::max())
         throw BoundReached(
+            Bound::method,
             "the mesh of " + scene.name + " would have " + std::to_string(all.triangles) +
-            " triangles, more than the 2^32 indices that files of meshes allow; use fewer "
-            "facets or an earlier generation");
+                " triangles, more than the 2^32 indices that files of meshes allow; use fewer "
+                "facets or an earlier generation");
     const std::uint64_t bytes = all.triangles * sizeof(Mesh::Triangle) +
                                 all.corners * sizeof(Mesh::Corner) + all.points * sizeof(Vector) +
                                 sheets * 64;

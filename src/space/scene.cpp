@@ -27,7 +27,7 @@ double SpaceBox::diagonal() const { return length(high - low); }
 
 void Scene::add_face(std::span<const Vector> points, const Paint& paint) {
     if (corners.size() + points.size() > std::numeric_limits<std::uint32_t>::max())
-        throw BoundReached(name + " has more than 2^32 corners of polygons");
+        throw BoundReached(Bound::method, name + " has more than 2^32 corners of polygons");
     faces.push_back({static_cast<std::uint32_t>(corners.size()),
                      static_cast<std::uint32_t>(points.size()), paint});
     corners.insert(corners.end(), points.begin(), points.end());

@@ -41,7 +41,7 @@ void SceneBuilder::check_memory() const {
 void SceneBuilder::stroke(const Vector& from, const TurtleState& state) {
     if (scene_.rods.size() % 65536 == 0) check_memory();
     if (scene_.rods.size() == Rod::none)
-        throw BoundReached(scene_.name + " has more than 2^32 - 1 segments");
+        throw BoundReached(Bound::method, scene_.name + " has more than 2^32 - 1 segments");
     Rod rod;
     rod.from = from;
     rod.to = state.position;

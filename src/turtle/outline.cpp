@@ -21,8 +21,9 @@ constexpr std::size_t most_strokes = 1'000'000;
 
 void check_size(std::size_t strokes) {
     if (strokes > most_strokes)
-        throw BoundReached("more than " + std::to_string(most_strokes) +
-                           " strokes are not compared; ask for an earlier generation");
+        throw BoundReached(Bound::method,
+                           "more than " + std::to_string(most_strokes) +
+                               " strokes are not compared; ask for an earlier generation");
 }
 
 template <class T>

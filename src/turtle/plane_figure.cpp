@@ -48,7 +48,8 @@ double letters_for_drawing(const D0L& rules, std::uint64_t steps, const std::str
         counts = std::move(next);
         sum = std::accumulate(counts.begin(), counts.end(), 0.0);
         if (!std::isfinite(sum))
-            throw BoundReached(figure + " has more than 10^308 letters: no drawing can hold them");
+            throw BoundReached(Bound::method,
+                               figure + " has more than 10^308 letters: no drawing can hold them");
     }
     return sum;
 }

@@ -86,8 +86,10 @@ void PlaneFigure::measure_by_walking(const Budget& budget) {
                       Coordinate(pen_.start.y + pen_.unit * end.imag())};
         survey_pieces(surveyor, rows, budget);
     } else if (pen_.letters > static_cast<double>(budget.letters)) {
-        throw BoundReached(pen_.figure + " must be walked letter by letter and has more than " +
-                           std::to_string(budget.letters) + " letters, the bound set by --max-letters");
+        throw BoundReached(Bound::letters,
+                           pen_.figure + " must be walked letter by letter and has more than " +
+                               std::to_string(budget.letters) + " letters, the bound set" +
+                               budget.by(Bound::letters));
     } else {
         const Point end = draw_letters(surveyor, budget);
         facts_.end = {Coordinate(end.x), Coordinate(end.y)};

@@ -81,8 +81,6 @@ void check_relations(const Checking& with, const Statement& statement, const Fie
     try {
         within = within_regular(statement.languages[0], statement.languages[1], with.alphabet(),
                                 with.budget);
-    } catch (const BoundReached&) {
-        throw;
     } catch (const Error& error) {
         proof.refuse(error.what());
     }

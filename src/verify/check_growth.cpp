@@ -65,7 +65,8 @@ void check_formula(const Checking& with, const Statement& statement, bool holds,
     proof.only({"by", "generation"});
     const Integer generation = proof.at("generation").integer();
     const Integer length = length_of_generation(system, generation, with.budget);
-    if (generation > 10'000) throw BoundReached("the formula is not worked out beyond 10000");
+    if (generation > 10'000)
+        throw BoundReached(Bound::method, "the formula is not worked out beyond 10000");
     if (formula(generation.to_uint64()) == Rational(length))
         proof.at("generation").refuse("the word has as many letters as the formula says");
 }

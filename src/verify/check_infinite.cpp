@@ -74,10 +74,9 @@ void check_pumping(const Checking& with, const Language& language, const Field& 
 void check_has_word(const Checking& with, const Language& language, const Field& proof) {
     try {
         if (!within_regular(language, words_of({}), with.alphabet(), with.budget)) return;
-    } catch (const BoundReached&) {
-        throw;
     } catch (const Error& error) {
-        throw BoundReached(std::string("whether the other part has a word: ") + error.what());
+        throw BoundReached(Bound::method,
+                           std::string("whether the other part has a word: ") + error.what());
     }
     proof.refuse("the other part has no word");
 }

@@ -7,7 +7,7 @@ void check_rewriting(const Checking& with, const Statement& statement, bool hold
                      const Field& proof, const std::string& by) {
     if (by == "environment") {
         proof.only({"by"});
-        throw BoundReached("what environments answer is not worked out again");
+        throw BoundReached(Bound::method, "what environments answer is not worked out again");
     }
     if (by != "rewriting") wrong_kind(proof, by);
     proof.only({"by"});

@@ -21,7 +21,8 @@ bool covers_all(const std::vector<Progression>& progressions) {
     for (const Progression& each : progressions) {
         beyond = std::max(beyond, each.first + 1);
         if (each.step > 0) period = std::lcm(period, each.step);
-        if (period > furthest) throw BoundReached("the sections repeat too late to be checked");
+        if (period > furthest)
+            throw BoundReached(Bound::method, "the sections repeat too late to be checked");
     }
     for (std::uint64_t n = 0; n < beyond + period; ++n)
         if (std::none_of(progressions.begin(), progressions.end(), [&](const Progression& each) {
@@ -38,14 +39,15 @@ Word next(const System& system, const Word& word, const Budget& budget) {
     for (const Symbol a : word) {
         const Word& image = system.tables.front()[a].front();
         if (longer.size() + image.size() > 10'000'000)
-            throw BoundReached("the words of the sequences are too long");
+            throw BoundReached(Bound::method, "the words of the sequences are too long");
         longer.insert(longer.end(), image.begin(), image.end());
     }
     return longer;
 }
 
 Word generation(const System& system, Word word, std::uint64_t steps, const Budget& budget) {
-    if (steps > furthest) throw BoundReached("the sections begin too late to be checked");
+    if (steps > furthest)
+        throw BoundReached(Bound::method, "the sections begin too late to be checked");
     for (; steps > 0; --steps) word = next(system, word, budget);
     return word;
 }

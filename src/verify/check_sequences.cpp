@@ -109,7 +109,8 @@ void check_finite_sequences(const Checking& with, const System& left, const Syst
         if (one != other) proof.refuse("generation " + std::to_string(generation) + " differs");
         if (!known.insert(one).second) return;  // equal words give equal words from here on
         letters += one.size() + 16;
-        if (letters > 50'000'000) throw BoundReached("the words of the sequences are too long");
+        if (letters > 50'000'000)
+            throw BoundReached(Bound::method, "the words of the sequences are too long");
         one = next(left, one);
         other = next(right, other);
     }
@@ -126,8 +127,8 @@ void check_difference(const Checking& with, const System& left, const System& ri
         return;
     }
     if (generation > 100'000)
-        throw BoundReached("the letters of generation " + to_string(generation) +
-                           " are not looked up");
+        throw BoundReached(Bound::method, "the letters of generation " + to_string(generation) +
+                                              " are not looked up");
     const Integer position = proof.at("position").integer();
     const auto one = letter_of_generation(left, generation.to_uint64(), position, with.budget);
     const auto other = letter_of_generation(right, generation.to_uint64(), position, with.budget);

@@ -43,8 +43,6 @@ void check_size(const Checking& with, const Statement& statement, bool holds, co
         proof.only({"by"});
         try {
             if (within_regular(language, words_of({}), with.alphabet(), with.budget)) return;
-        } catch (const BoundReached&) {
-            throw;
         } catch (const Error& error) {
             proof.refuse(error.what());
         }

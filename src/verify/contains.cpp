@@ -17,9 +17,10 @@ constexpr std::uint64_t longest_sequence =
 
 void must_be_short(const Word& word) {
     if (word.size() > longest)
-        throw BoundReached("a word of " + std::to_string(word.size()) +
-                           " letters is not taken apart in all ways, only up to " +
-                           std::to_string(longest));
+        throw BoundReached(Bound::method,
+                           "a word of " + std::to_string(word.size()) +
+                               " letters is not taken apart in all ways, only up to " +
+                               std::to_string(longest));
 }
 
 using Images = std::map<Symbol, Word>;
@@ -55,7 +56,7 @@ bool some_word(const System& system, const Word& from, std::size_t most, const B
         if (wanted(word)) return true;
         letters += word.size() + 16;
         if (letters > longest_sequence)
-            throw BoundReached("the words of the sequence are too long");
+            throw BoundReached(Bound::method, "the words of the sequence are too long");
         if (!known.insert(word).second) return false;
     }
     return false;
@@ -69,7 +70,7 @@ Word word_after(const System& system, Word word, const Integer& steps, const Bud
         budget.check();
         letters += word.size() + 16;
         if (letters > longest_sequence)
-            throw BoundReached("the words of the sequence are too long");
+            throw BoundReached(Bound::method, "the words of the sequence are too long");
         const auto [place, is_new] = known.emplace(word, all.size());
         if (!is_new) {  // it comes round again
             const std::size_t first = place->second;
@@ -221,6 +222,7 @@ private:
         for (const auto& [a, image] : tree.morphism)
             if (image.empty())
                 throw BoundReached(
+                    Bound::method,
                     "whether a word is the image of a word of this language cannot be checked: a "
                     "letter is erased");
         Word before;
@@ -231,7 +233,8 @@ private:
     bool some_preimage(const Tree& tree, const Word& word, std::size_t done, Word& before,
                        std::uint64_t& tries) {
         must_be_short(word);
-        if (++tries > 1'000'000) throw BoundReached("too many words have this image");
+        if (++tries > 1'000'000)
+            throw BoundReached(Bound::method, "too many words have this image");
         if (done == word.size()) return in(tree.parts[0], before);
         for (const auto& [a, image] : tree.morphism) {
             if (image.size() > word.size() - done ||

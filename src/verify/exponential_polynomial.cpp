@@ -12,7 +12,7 @@ constexpr std::uint64_t most_bits = 200'000;
 constexpr std::size_t most_coefficients = 2'000;
 
 [[noreturn]] void too_hard(const Field& field, const std::string& why) {
-    throw BoundReached(field.path() + ": " + why);
+    throw BoundReached(Bound::method, field.path() + ": " + why);
 }
 
 std::uint64_t bits(const Rational& value) {
@@ -161,7 +161,8 @@ private:
     }
 
     Value sum() {
-        if (++depth_ > 200) throw BoundReached(field_.path() + ": brackets nested too deeply");
+        if (++depth_ > 200)
+            throw BoundReached(Bound::method, field_.path() + ": brackets nested too deeply");
         Value value = product();
         for (;;) {
             if (take('+'))
@@ -201,7 +202,8 @@ private:
     Value power() {
         Value base = operand();
         if (!take('^')) return base;
-        if (++depth_ > 200) throw BoundReached(field_.path() + ": powers nested too deeply");
+        if (++depth_ > 200)
+            throw BoundReached(Bound::method, field_.path() + ": powers nested too deeply");
         const Value exponent = signed_power();
         --depth_;
         return checked(Value::raised(base, exponent, field_));

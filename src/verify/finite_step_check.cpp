@@ -29,8 +29,9 @@ StepCheck::StepCheck(const FamilyObstruction& proof, const Budget& budget)
         const auto size = static_cast<double>(word.size() + 1);
         bytes += size * size * (50 + size);  // of the factors, which are the images of each letter
         if (word.size() > longest)
-            throw BoundReached("a proof by cases with words of more than " +
-                               std::to_string(longest) + " letters is not checked");
+            throw BoundReached(Bound::method, "a proof by cases with words of more than " +
+                                                  std::to_string(longest) +
+                                                  " letters is not checked");
     }
     bytes *= static_cast<double>(letters_of(proof.language).size() + 1);
     budget.check_memory(static_cast<std::uint64_t>(std::min(bytes, 1e18)),

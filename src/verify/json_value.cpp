@@ -115,8 +115,9 @@ private:
 
     bool open(JsonValue::Kind kind) {
         if (open_.size() >= deepest)
-            throw BoundReached(file_ + ":" + std::to_string(line()) + ": nested deeper than " +
-                               std::to_string(deepest) + " levels");
+            throw BoundReached(Bound::method, file_ + ":" + std::to_string(line()) +
+                                                  ": nested deeper than " +
+                                                  std::to_string(deepest) + " levels");
         JsonValue& value = open_.emplace_back();
         value.kind = kind;
         value.line = line();

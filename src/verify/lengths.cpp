@@ -32,8 +32,8 @@ void Lengths::next() {
 Integer length_of_generation(const System& system, const Integer& generation,
                              const Budget& budget) {
     if (generation > 100'000)
-        throw BoundReached("generation " + to_string(generation) +
-                           " is not counted, only those up to 100000");
+        throw BoundReached(Bound::method, "generation " + to_string(generation) +
+                                              " is not counted, only those up to 100000");
     Lengths lengths(system);
     for (std::uint64_t n = 0; generation != n; ++n) {
         budget.check();

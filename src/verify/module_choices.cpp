@@ -215,9 +215,10 @@ double value(const Term& term, const Bindings& names, const Field& proof) {
         else if (name == "^")
             result = std::pow(x, y);
         else
-            throw BoundReached("the operation '" + name + "' is not worked out again");
+            throw BoundReached(Bound::method,
+                               "the operation '" + name + "' is not worked out again");
     } else {
-        throw BoundReached("the function '" + name + "' is not worked out again");
+        throw BoundReached(Bound::method, "the function '" + name + "' is not worked out again");
     }
     if (!std::isfinite(result)) proof.refuse("an expression of a rule has no value");
     return result;

@@ -161,11 +161,12 @@ Rational walked(const ModuleSystem& system, const Modules& from, const Modules& 
                     }
                 made = std::move(longer);
                 if (made.size() > most)
-                    throw BoundReached("more than 10,000 words are not derived again");
+                    throw BoundReached(Bound::method,
+                                       "more than 10,000 words are not derived again");
             }
             for (const auto& [whole, part] : made) all[whole] += part;
             if (all.size() > most)
-                throw BoundReached("more than 10,000 words are not derived again");
+                throw BoundReached(Bound::method, "more than 10,000 words are not derived again");
         }
         words = std::move(all);
     }
@@ -212,7 +213,8 @@ Rational chance(const ModuleSystem& system, const Modules& from, const Modules& 
                 const Integer& steps, const Field& proof, const Budget& budget) {
     constexpr std::uint64_t most = 1000;  // each step is a level of the recursion
     if (steps > Integer(static_cast<long>(most)))
-        throw BoundReached("only derivations of at most 1000 steps are worked out again");
+        throw BoundReached(Bound::method,
+                           "only derivations of at most 1000 steps are worked out again");
     if (std::any_of(system.rules.begin(), system.rules.end(), [](const ModuleSystem::Rule& rule) {
             return !rule.left.empty() || !rule.right.empty() || !rule.elsewhere.empty();
         }))

@@ -22,13 +22,15 @@ void check_proof(const Checking& with, const Statement& statement, bool holds, c
     if (by == "construction") {
         proof.only({"by", "system"});
         proof.at("system").only({"axiom", "tables", "terminals"});
-        throw BoundReached("it rests on a system made by the constructions of a theorem");
+        throw BoundReached(Bound::method,
+                           "it rests on a system made by the constructions of a theorem");
     }
     if (by == "dimension") {
         proof.only({"by", "conditions"});
         if (statement.kind != Kind::dimension && statement.kind != Kind::boundary)
             wrong_kind(proof, by);
-        throw BoundReached("how the parts of a limit set meet is not worked out again");
+        throw BoundReached(Bound::method,
+                           "how the parts of a limit set meet is not worked out again");
     }
     switch (statement.kind) {
         case Kind::family:

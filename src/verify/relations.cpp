@@ -44,7 +44,8 @@ public:
         budget_.check();
         done_ += one_step_;
         if (done_ > most)
-            throw BoundReached("the tables of what letters derive would take too long");
+            throw BoundReached(Bound::method,
+                               "the tables of what letters derive would take too long");
     }
 
 private:

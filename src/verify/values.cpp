@@ -23,9 +23,9 @@ public:
         if (!words.insert(std::move(word)).second) return false;
         bytes_ += size;
         if (bytes_ > budget_.memory / 16)
-            throw BoundReached("the words take more than a sixteenth of the " +
-                               std::to_string(budget_.memory >> 20) +
-                               " MiB allowed by --max-memory");
+            throw BoundReached(Bound::memory, "the words take more than a sixteenth of the " +
+                                                  std::to_string(budget_.memory >> 20) +
+                                                  " MiB allowed" + budget_.by(Bound::memory));
         return true;
     }
 
@@ -151,8 +151,8 @@ private:
     std::optional<Set> tried(const Language& language) {
         try {
             return of(language);
-        } catch (const BoundReached&) {
-            budget_.check();
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
             return std::nullopt;  // or not known: whoever asks goes another way
         }
     }
@@ -250,7 +250,8 @@ std::optional<std::set<Word>> finite_values(const Language& language, const Alph
 
 std::vector<Word> finite_values_of_leaf(const Tree& leaf, const Budget& budget) {
     if (leaf.kind == Tree::Kind::words) return leaf.words;
-    if (is_endless(*leaf.system)) throw BoundReached("the words of the system have no end");
+    if (is_endless(*leaf.system))
+        throw BoundReached(Bound::method, "the words of the system have no end");
     std::vector<Word> words;
     for (const Word& word : derived(*leaf.system, budget))
         if (is_terminal(*leaf.system, word)) words.push_back(word);

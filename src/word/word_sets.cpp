@@ -37,11 +37,16 @@ void WordSets::append(value_type& left, const value_type& right) const {
             letters += word.size();
         }
         if (letters > budget_->letters)
-            throw BoundReached("the set of words has more than " + std::to_string(budget_->letters) +
-                               " letters, the bound set by --max-letters");
+            throw BoundReached(Bound::letters, "the set of words has more than " +
+                                                   std::to_string(budget_->letters) +
+                                                   " letters, the bound set" +
+                                                   budget_->by(Bound::letters));
         if (bytes > share)
-            throw BoundReached("the set of words, one of those for each letter, would take more than an eighth of the " +
-                               std::to_string(budget_->memory >> 20) + " MiB allowed by --max-memory");
+            throw BoundReached(Bound::memory,
+                               "the set of words, one of those for each letter, would take more "
+                               "than an eighth of the " +
+                                   std::to_string(budget_->memory >> 20) + " MiB allowed" +
+                                   budget_->by(Bound::memory));
     };
     std::uint64_t next_settling = std::min(std::uint64_t{1} << 20, share);
     for (const Word& u : left)

@@ -152,6 +152,6 @@ TEST_CASE("brackets that are rewritten make no tree system") {
     Budget small;
     small.letters = 100;
     CHECK_THROWS_WITH_AS(derived_tree(*as_tree_system(d0l("a", {{'a', "aa"}})), 60, small),
-                         "the tree has more edges than the 100 that --max-letters allows",
+                         "the tree has more edges than the 100 allowed",
                          BoundReached);
 }

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <nlohmann/json.hpp>
 
 #include "certified.hpp"
@@ -88,6 +89,18 @@ TEST_CASE("without a formula nothing is decided") {
           "The rules of G give no formula for the dimension.");
     CHECK(truth("S0L { axiom F; F -(1/2)-> FF; F -(1/2)-> F }", "dimension(G) = 1") ==
           Truth::undecided);
+}
+
+TEST_CASE("a dimension that is not found in time is undecided, which says nothing of the rules") {
+    Budget over;
+    over.deadline = std::chrono::steady_clock::now();
+    for (const char* statement : {"dimension(G) = 2", "boundary(G) = 1.5", "dimension(G) <= 1"}) {
+        CAPTURE(statement);
+        const CheckedClaim found = check(claim_of(terdragon, statement), over);
+        CHECK(found.statements[0].judgement.truth == Truth::undecided);
+        CHECK(found.statements[0].judgement.argument ==
+              std::vector<std::string>{"the time allowed is over"});
+    }
 }
 
 TEST_CASE("certificates of dimensions say that they are not checked") {

@@ -40,6 +40,18 @@ TEST_CASE(
     CHECK(source.out == "cited      star\n");
 }
 
+TEST_CASE("check of a dimension within a time says that it is over, and nothing of the rules") {
+    const std::string claim = ALGAE_SOURCE_DIR "/theory/document-001/dimension-gosper.claim";
+    for (const char* json : {"", " --json"}) {
+        const Run found = run("check '" + claim + "' --timeout 0.001" + json);
+        CHECK(found.status == 3);
+        CHECK((found.out + found.err).find("the time allowed by --timeout is over") !=
+              std::string::npos);
+        CHECK((found.out + found.err).find("formula") == std::string::npos);
+    }
+    CHECK(run("check '" + claim + "'").status == 0);
+}
+
 TEST_CASE("check of a folder counts its claims, those in folders of it too, and other files not") {
     const Scratch files;
     std::filesystem::create_directory(files.path() / "more");

@@ -50,6 +50,35 @@ TEST_CASE("the table measures, and gives the difference") {
     CHECK(run("dimension --table " + folder).out.find(" in [1.2") != std::string::npos);
 }
 
+TEST_CASE("curves that the time does not suffice for are unfinished, and not without a formula") {
+    const std::string over = "the time allowed by --timeout is over";
+    const Run shown = run("dimension --table --quick --timeout 0.001");
+    CHECK(shown.status == 3);
+    const std::size_t without = shown.out.find("\nno formula:\n"),
+                      unfinished = shown.out.find("\nunfinished:\n");
+    REQUIRE(unfinished != std::string::npos);
+    CHECK(shown.out.find(over) > unfinished);
+    CHECK(shown.out.find("gosper", unfinished) != std::string::npos);
+    if (without != std::string::npos) CHECK(without < unfinished);
+
+    for (const char* quick : {" --quick", ""}) {
+        const Run listed = run("dimension --table --timeout 0.001 --json" + std::string(quick));
+        CHECK(listed.status == 3);
+        std::size_t late = 0;
+        for (const json& row : json::parse(listed.out)) {
+            const bool is_late = row["exact"]["conditions"].dump().find(over) != std::string::npos;
+            CHECK(is_late == (row["exact"]["status"] == "unfinished"));
+            late += is_late ? 1 : 0;
+        }
+        CHECK(late > 10);
+    }
+    // Those that are done in time have their line, and the rest has none: 0.3 seconds are enough for some
+    // curves, or for all.
+    const Run some = run("dimension --table --quick --timeout 0.3");
+    CHECK(some.status == (some.out.find("\nunfinished:\n") == std::string::npos ? 0 : 3));
+    CHECK((some.out.find(over) == std::string::npos) == (some.status == 0));
+}
+
 TEST_CASE("the table refuses what it cannot be made of") {
     const auto message = [](const std::string& arguments) {
         const Run refused = run("dimension " + arguments);

@@ -65,6 +65,8 @@ std::optional<RecurrentSet> recurrent_set(const LSystem& system) {
         return RecurrentSet(system, *as_d0l(system), short_time());
     } catch (const Error&) {
         return std::nullopt;
+    } catch (const BoundReached&) {
+        return std::nullopt;
     }
 }
 

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include <atomic>
+#include <chrono>
 
 #include "base/error.hpp"
 #include "notation/read.hpp"
@@ -128,6 +129,19 @@ TEST_CASE("systems without a formula say why") {
           "the start's heading, together with the angle, is no rational part of a turn with a "
           "denominator up to 360");
     CHECK(reason("axiom X; X -> FX; F -> F+G; G -> F").find("grow") != std::string::npos);
+}
+
+TEST_CASE("past the deadline there is no answer, and past the memory one that is unfinished") {
+    const LSystem system = read_lsystem("axiom F; F -> FF-F+F-F-FF; angle 90", "");
+    Budget over;
+    over.deadline = std::chrono::steady_clock::now();
+    CHECK_THROWS_AS(exact_dimension(system, over), BoundReached);
+    Budget small;
+    small.memory = 0;
+    const ExactDimension found = exact_dimension(system, small);
+    CHECK(found.status != Status::exact);
+    CHECK(found.status != Status::none);
+    CHECK(found.conditions.back().find("MiB allowed") != std::string::npos);
 }
 
 TEST_CASE("work on the exact dimension stops when it is asked to") {

@@ -100,6 +100,8 @@ struct Analysis {
             return Analysis{std::move(set), component, std::move(neighbours)};
         } catch (const Error&) {
             return std::nullopt;
+        } catch (const BoundReached&) {
+            return std::nullopt;
         }
     }
 

@@ -31,6 +31,8 @@ Refusal refusal(const std::string& command, const std::string& question = "?",
         program.answer(question, "an answer", longest, budget, wait);
     } catch (const Error& error) {
         message = error.what();
+    } catch (const Stopped& stopped) {
+        message = stopped.what();
     }
     return {message, std::chrono::steady_clock::now() - begin};
 }
@@ -74,7 +76,7 @@ TEST_CASE("programs that never answer") {
     CHECK(silent.message ==
           "the environment program 'sleep 30 & sleep 30' has not given an answer within 1 seconds. "
           "Does it write out "
-          "each line at once? --timeout SECONDS lets it take longer");
+          "each line at once? A deadline lets it take longer");
     CHECK(silent.time < 10s);
     // Neither reads nor writes, and the question is longer than the pipe.
     CHECK(refusal("sleep 30", std::string(1'000'000, 'x'), 100ms).time < 10s);
@@ -83,7 +85,7 @@ TEST_CASE("programs that never answer") {
     bounded.deadline = std::chrono::steady_clock::now() + 200ms;
     const Refusal late = refusal("sleep 30", "?", 20s, 1000, bounded);
     CHECK(late.message ==
-          "the time allowed by --timeout is over, and the environment program 'sleep 30' has not "
+          "the time allowed is over, and the environment program 'sleep 30' has not "
           "given an answer");
     CHECK(late.time < 10s);
 

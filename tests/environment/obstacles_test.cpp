@@ -104,7 +104,7 @@ TEST_CASE("the grid takes lines of any length and place") {
     small.memory = 100;
     CHECK_THROWS_WITH_AS(
         SegmentGrid(course.segments, 1, small),
-        "the grid of an environment would take more than the 0 MiB allowed by --max-memory",
+        "the grid of an environment would take more than the 0 MiB allowed",
         BoundReached);
 }
 

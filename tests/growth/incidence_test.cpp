@@ -60,7 +60,7 @@ TEST_CASE("a length too long to write is refused at once, with about how many di
     const D0L koch = d0l("F", {{'F', "F+F--F+F"}});
     CHECK_THROWS_WITH_AS(length(koch, 9'000'000'000'000),
                          "the length of generation 9000000000000 alone has about 5418539921952 digits, more than the "
-                         "1000000000 that --max-letters allows",
+                         "1000000000 allowed",
                          BoundReached);
 }
 

@@ -47,6 +47,30 @@ TEST_CASE("only the command line prints or exits") {
               "the library returns or throws");
 }
 
+TEST_CASE("a message of the library names no option of the command") {
+    for (const fs::path& file : files("src", {".hpp", ".cpp"})) {
+        if (file.string().starts_with("src/cli/")) continue;
+        std::size_t number = 0;
+        for (const std::string& line : lines(file)) {
+            ++number;
+            // The page of a lesson shows whole commands.
+            if (std::regex_search(line, std::regex(R"--("[^"]*--[a-z][^"]*")--")) && line.find("`algae ") == std::string::npos)
+                FAIL_CHECK(file.string() << ":" << number << ": an option; the command adds it");
+        }
+    }
+}
+
+TEST_CASE("a stop is let through where errors are caught, as it is none") {
+    // No ladder of `throw;` stands before an Error: stops are let through by themselves.
+    const std::regex ladder(R"(catch \(const (Stopped|BoundReached|Interrupted)&\) \{\s*throw;\s*\} catch \(const Error)");
+    for (const fs::path& file : files("src", {".hpp", ".cpp"})) {
+        std::string text;
+        for (const std::string& line : lines(file)) text += line + '\n';
+        INFO(file.string());
+        CHECK(!std::regex_search(text, ladder));
+    }
+}
+
 TEST_CASE("a property that does not hold fails its test") {
     for (const fs::path& file : files("tests", {".hpp", ".cpp"})) {
         std::string before;

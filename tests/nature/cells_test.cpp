@@ -215,7 +215,7 @@ TEST_CASE("what is wrong with a file of cells") {
         "cells.ca:1:6: error: expected a rule such as B3/S23 with numbers of neighbours from 0 to "
         "8, found 'B9/S23'\n  life B9/S23\n       ^");
     CHECK(message("rule 30\ncells 900000000000") ==
-          "a grid of 900000000000 x 1 cells does not fit in the 4096 MiB allowed by --max-memory");
+          "a grid of 900000000000 x 1 cells does not fit in the 4096 MiB allowed");
     CHECK(message("rule 30\ncells 0") ==
           "cells.ca:2:7: error: expected cells with a whole number from 1 to 1099511627776, found "
           "'0'\n"

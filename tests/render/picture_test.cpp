@@ -363,8 +363,8 @@ TEST_CASE("pages and panels") {
         CHECK_THROWS_AS(draw_pages(plates, svg, format, {}, Budget{}), Error);
     CHECK_THROWS_WITH_AS(
         draw_pages(plates, svg, PictureFormat::svg, {}, Budget{}),
-        "a svg file holds one page; several generations need pdf or ps, or --panels "
-        "to stand side by side",
+        "a svg file holds one page; several generations need pdf or ps, or stand side by side "
+        "as panels",
         Error);
     CHECK(svg.str().empty());
     const Drawn panels = draw_panels(plates, svg, PictureFormat::svg, {}, Budget{});
@@ -431,7 +431,7 @@ TEST_CASE("memory, time and interruption bound the work") {
     std::ostringstream out;
     CHECK_THROWS_WITH_AS(
         draw_picture(plate(figure), out, PictureFormat::png, options, budget),
-        "a picture of 2000 x 1337 pixels would take more than the 1 MiB allowed by --max-memory",
+        "a picture of 2000 x 1337 pixels would take more than the 1 MiB allowed",
         BoundReached);
     budget = {};
     budget.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);

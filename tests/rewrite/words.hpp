@@ -35,6 +35,8 @@ inline std::string refusal(const std::string& system, std::uint64_t n) {
         return word_of(system, n);
     } catch (const Error& error) {
         return error.what();
+    } catch (const BoundReached& bound) {
+        return bound.what();
     }
 }
 

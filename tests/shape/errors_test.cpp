@@ -61,7 +61,7 @@ TEST_CASE("two rules for one box") {
 
 TEST_CASE("too many boxes are refused before they are made") {
     CHECK_THROWS_WITH_AS(boxes("axiom A(1000000000000,1,1)\nA -> repeat(X, 1){ B }", 1),
-                         "a step makes at least 1000000000000 boxes, more than the 1000000000 that "
-                         "--max-letters allows",
+                         "a step makes at least 1000000000000 boxes, more than the 1000000000 "
+                         "allowed",
                          BoundReached);
 }

@@ -30,6 +30,6 @@ TEST_CASE("a set that takes more than the memory allowed is refused") {
         [&] {
             for (int i = 0; i < 20; ++i) sets.append(set, {{0}, {1}});
         }(),
-        "the set of words, one of those for each letter, would take more than an eighth of the 1 MiB allowed by "
-        "--max-memory", BoundReached);
+        "the set of words, one of those for each letter, would take more than an eighth of the 1 MiB allowed",
+        BoundReached);
 }

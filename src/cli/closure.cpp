@@ -39,6 +39,12 @@ public:
         if (!checked_[claim]) checked_[claim] = check(claims_[claim], budget_);
         return *checked_[claim];
     }
+    /// Whether every claim that was asked for is decided, and no bound was reached before.
+    bool is_decided() const {
+        return std::none_of(checked_.begin(), checked_.end(), [](const auto& checked) {
+            return checked && checked->outcome() == Outcome::undecided;
+        });
+    }
 
 private:
     static std::vector<Claim> read(const Budget& budget) {
@@ -79,7 +85,8 @@ Json as_json(Theory& theory, const std::string& family, const std::string& opera
         return entry;
     }
     const CheckedClaim& checked = theory.checked(cell->claim);
-    entry["closed"] = cell->closed;
+    const bool is_known = checked.outcome() != Outcome::undecided;
+    entry["closed"] = is_known ? Json(cell->closed) : Json(nullptr);
     entry["status"] = to_string(checked.outcome());
     entry["claim"] = checked.claim.name;
     return entry;
@@ -109,8 +116,11 @@ std::string cell_text(Theory& theory, const std::string& family, const std::stri
     const auto cell = theory.cell(family, operation);
     if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
     const CheckedClaim& checked = theory.checked(cell->claim);
+    const std::string under = "closed under " + operation;
     const std::string name =
-        family + " languages are " + (cell->closed ? "" : "not ") + "closed under " + operation;
+        checked.outcome() == Outcome::undecided
+            ? "Whether " + family + " languages are " + under + " is undecided"
+            : family + " languages are " + (cell->closed ? "" : "not ") + under;
     return name + " (" + checked.claim.name + ", " + to_string(checked.outcome()) + ").\n\n" +
            explanation(checked, family);
 }
@@ -149,16 +159,17 @@ int closure(const Options& options) {
                 entries.push_back(as_json(theory, family, operation));
         if (!one_cell) {
             print(Json{{"table", entries}}.dump(2) + "\n");
-            return success;
+            return theory.is_decided() ? success : undecided;
         }
         const auto cell = theory.cell(families[0], operations[0]);
         Json proof = Json::array();
         if (cell)
             for (const CheckedStatement& statement : theory.checked(cell->claim).statements)
                 for (const std::string& line : statement.judgement.argument) proof.push_back(line);
-        print(Json{{"verdict", !cell          ? "not settled"
-                               : cell->closed ? "closed"
-                                              : "not closed"},
+        print(Json{{"verdict", !cell                  ? "not settled"
+                               : !theory.is_decided() ? "undecided"
+                               : cell->closed         ? "closed"
+                                                      : "not closed"},
                    {"cell", entries[0]},
                    {"proof", proof}}
                   .dump(2) +
@@ -176,6 +187,7 @@ int closure(const Options& options) {
     } else {
         print(table_text(theory, families, operations));
     }
+    if (!theory.is_decided()) return undecided;
     if (!one_cell) return success;
     const auto cell = theory.cell(families[0], operations[0]);
     return !cell ? undecided : cell->closed ? success : refuted;

@@ -2,12 +2,9 @@
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
-#include <exception>
-#include <new>
 
-#include "base/error.hpp"
 #include "cli/command.hpp"
-#include "environment/environments.hpp"
+#include "cli/ending.hpp"
 #include "notation/suggestion.hpp"
 
 namespace {
@@ -21,35 +18,6 @@ void handle_interrupt() {
     struct sigaction action = {};
     action.sa_handler = on_interrupt;
     sigaction(SIGINT, &action, nullptr);
-}
-
-int report(const char* message, int status) {
-    std::fprintf(stderr, "algae: %s\n", message);
-    return status;
-}
-
-/// Runs the chosen verb; every failure becomes one message and a status.
-int run(const std::function<int()>& verb) {
-    using namespace algae;
-    try {
-        return verb();
-    } catch (const Interrupted& error) {
-        return report(error.what(), cli::interrupted);
-    } catch (const BoundReached& error) {
-        return report(error.what(), cli::undecided);
-    } catch (const ProgramWanted& error) {
-        return report((std::string(error.what()) + ", with --environment 'COMMAND'").c_str(),
-                      cli::bad_input);
-    } catch (const Diagnostics& error) {
-        std::fprintf(stderr, "%s\n", error.what());
-        return cli::bad_input;
-    } catch (const Error& error) {
-        return report(error.what(), cli::bad_input);
-    } catch (const std::bad_alloc&) {
-        return report("the machine has no more memory; lower --max-memory or the generation", cli::undecided);
-    } catch (const std::exception& error) {
-        return report(error.what(), cli::bad_input);
-    }
 }
 
 }  // namespace

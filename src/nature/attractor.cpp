@@ -24,7 +24,7 @@ double angle(std::size_t direction) {
 
 /// An upper bound of how far the image of a set reaches in a direction: `shift`, and a positive
 /// combination of what the set reaches in two neighbouring directions.
-struct SideBound {
+struct Reach {
     double shift = 0, before_share = 0, after_share = 0;
     std::size_t before = 0, after = 0;
 
@@ -33,9 +33,9 @@ struct SideBound {
     }
 };
 
-SideBound bound_of(const AffineMap& map, std::size_t direction) {
+Reach bound_of(const AffineMap& map, std::size_t direction) {
     const double x = std::cos(angle(direction)), y = std::sin(angle(direction));
-    SideBound bound;
+    Reach bound;
     bound.shift = x * map.e + y * map.f;
     const double turned_x = map.a * x + map.c * y, turned_y = map.b * x + map.d * y;
     const double length = std::hypot(turned_x, turned_y), step = angle(1);
@@ -96,7 +96,7 @@ struct Cells {
 std::vector<Box> attractor_boxes(const IteratedFunctions& system) {
     std::vector<Support> supports;
     for (const double radius : radii(system)) supports.emplace_back(directions, radius);
-    std::vector<std::vector<SideBound>> bounds;
+    std::vector<std::vector<Reach>> bounds;
     for (const Map& map : system.maps) {
         auto& own = bounds.emplace_back();
         for (std::size_t k = 0; k < directions; ++k) own.push_back(bound_of(map.map, k));

@@ -1,7 +1,6 @@
 #pragma once
 // base: what every room says when it cannot go on. Error, Place, Diagnostics, Budget; nothing else.
 
-#include <compare>
 #include <cstddef>
 #include <string>
 
@@ -14,7 +13,7 @@ struct Place {
     std::size_t line = 0;
     std::size_t column = 0;
 
-    auto operator<=>(const Place&) const = default;
+    bool operator==(const Place&) const = default;
 };
 
 /// "koch.lsys:3:11", or "koch.lsys" where the whole file is meant.

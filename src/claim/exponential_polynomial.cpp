@@ -137,8 +137,8 @@ Rational ExponentialPolynomial::operator()(std::uint64_t n) const {
     for (const auto& [base, coefficients] : terms) {
         Rational polynomial(0);
         for (std::size_t i = coefficients.size(); i-- > 0;)
-            polynomial = polynomial * Rational(static_cast<long>(n)) + coefficients[i];
-        value += polynomial * power(base, static_cast<long>(n));
+            polynomial = polynomial * Rational(n) + coefficients[i];
+        value += polynomial * power(base, static_cast<std::int64_t>(n));
     }
     return value;
 }

@@ -209,7 +209,7 @@ private:
         const RegularLanguage sources = algae::inverse_image(
             finite_set({word}), images_by_symbol(tree.morphism), domain_of(tree.morphism));
         const auto count = number_of_words(sources);
-        if (count && *count <= Integer(static_cast<long>(most_preimages))) {
+        if (count && *count <= Integer(most_preimages)) {
             bool unknown = false;
             for (const Word& source : words_up_to(sources, sources.automaton().states(), budget_)) {
                 const Truth truth = judge(part, source).truth;

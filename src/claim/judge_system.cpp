@@ -259,8 +259,8 @@ Judgement judge_growth_formula(const SourceSystem& system, const Expression& for
 Judgement judge_growth_class(const SourceSystem& system, const std::string& kind,
                              const std::optional<Integer>& degree, const Budget& budget) {
     const GrowthClass found = growth_class(as_d0l(system), budget);
-    const bool right = to_string(found.order.kind) == kind &&
-                       (!degree || Integer(static_cast<long>(found.order.degree)) == *degree);
+    const bool right =
+        to_string(found.order.kind) == kind && (!degree || Integer(found.order.degree) == *degree);
     const std::vector<std::string> argument{
         "The length of generation n of " + system.name + " grows like " + found.order.text() +
         ": " + to_string(found.order.kind) +

@@ -276,7 +276,7 @@ Judgement judge_empty(const Language& language, const Alphabet& alphabet, const 
 Judgement judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
                      const Budget& budget) {
     if (const auto known = finite_value(language, alphabet, budget)) {
-        const bool right = Integer(static_cast<long>(known->words.size())) == size;
+        const bool right = Integer(known->words.size()) == size;
         return with(
             right ? Truth::proved : Truth::refuted, known->argument,
             to_string(language, alphabet) + " has " + counted(known->words.size(), "word") + ".");

@@ -29,7 +29,7 @@ std::string words_text(const std::vector<Word>& words, const Alphabet& alphabet)
 /// The words of an automaton that has finitely many, if they are not too many.
 std::optional<std::vector<Word>> listed(const RegularLanguage& language, const Budget& budget) {
     const std::optional<Integer> count = number_of_words(language);
-    if (!count || *count > Integer(static_cast<long>(most_words))) return std::nullopt;
+    if (!count || *count > Integer(most_words)) return std::nullopt;
     return words_up_to(language, language.automaton().states(), budget);
 }
 

@@ -13,9 +13,10 @@ namespace {
 constexpr int first_table_bits = 10;
 
 std::uint64_t number_of_bits(const std::vector<std::uint64_t>& words, std::size_t count) {
-    return std::accumulate(
-        words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count), std::uint64_t{0},
-        [](std::uint64_t sum, std::uint64_t word) { return sum + std::popcount(word); });
+    return std::accumulate(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(count),
+                           std::uint64_t{0}, [](std::uint64_t sum, std::uint64_t word) {
+                               return sum + static_cast<unsigned>(std::popcount(word));
+                           });
 }
 
 }  // namespace

@@ -17,7 +17,7 @@ using Kind = Unfolding::Item::Kind;
 /// The unfolding with as few phases as part the scaling factors, and its displacement.
 std::pair<Unfolding, Displacement> unfolded(const LSystem& system, const D0L& rules,
                                             const Budget& budget) {
-    for (const std::size_t factor : {1, 2, 3, 4, 5, 6, 8, 10, 12}) {
+    for (const std::size_t factor : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u}) {
         Unfolding found = unfolding(system, rules, factor);
         try {
             Displacement displacement(found, budget);

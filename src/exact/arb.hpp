@@ -1,9 +1,8 @@
 #pragma once
 // For the .cpp files of this room only: what a Ball is made of.
 
-#include <arb.h>
-
 #include "exact/ball.hpp"
+#include "exact/flint.hpp"
 
 namespace algae {
 

@@ -14,6 +14,7 @@ namespace algae {
 namespace {
 
 constexpr long most_bits = 1L << 30;
+constexpr int moderate_exponent_bits = FLINT_BITS == 64 ? 32 : 30;
 constexpr long first_bits = 64;
 
 void require_bits(long bits) {
@@ -30,7 +31,7 @@ bool is_below(const arb_struct* value, long exponent) {
 
 /// Whether a number of this size can be written out: its exponent is moderate.
 bool is_moderate(const arb_struct* value) {
-    constexpr long far = 1L << 32;
+    constexpr slong far = WORD(1) << moderate_exponent_bits;
     const bool midpoint =
         arf_is_zero(arb_midref(value)) || (arf_cmpabs_2exp_si(arb_midref(value), far) < 0 &&
                                            arf_cmpabs_2exp_si(arb_midref(value), -far) > 0);
@@ -45,8 +46,10 @@ Rational exact_end(const Ball& ball, bool upper) {
     const arb_struct* value = arb(ball);
     if (!ball.is_finite()) throw Error("expected a finite interval, found " + to_string(ball));
     if (!is_moderate(value))
-        throw BoundReached(Bound::digits,
-                           "the ends of an interval lie beyond 2^(2^32) or below 2^(-2^32)");
+        throw BoundReached(Bound::digits, "the ends of an interval lie beyond 2^(2^" +
+                                              std::to_string(moderate_exponent_bits) +
+                                              ") or below 2^(-2^" +
+                                              std::to_string(moderate_exponent_bits) + ")");
     arf_t low, high;
     arf_init(low);
     arf_init(high);

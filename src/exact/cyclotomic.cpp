@@ -57,13 +57,13 @@ CyclotomicInteger CyclotomicRing::integer(const Integer& value) const {
     return result;
 }
 
-CyclotomicInteger CyclotomicRing::zeta(long exponent) const {
+CyclotomicInteger CyclotomicRing::zeta(std::int64_t exponent) const {
     CyclotomicInteger result = zero();
     context_->add_power(result.coefficients, context_->reduced(exponent), 1);
     return result;
 }
 
-std::span<const std::int64_t> CyclotomicRing::power(long exponent) const {
+std::span<const std::int64_t> CyclotomicRing::power(std::int64_t exponent) const {
     return std::span(context_->dense_powers())
         .subspan(context_->reduced(exponent) * degree(), degree());
 }
@@ -87,7 +87,7 @@ void CyclotomicRing::scale(CyclotomicInteger& value, const Integer& factor) cons
 }
 
 void CyclotomicRing::add_rotated(CyclotomicInteger& left, const CyclotomicInteger& right,
-                                 long exponent) const {
+                                 std::int64_t exponent) const {
     if (&left == &right) return add_rotated(left, CyclotomicInteger(right), exponent);
     const std::size_t k = context_->reduced(exponent);
     for (std::size_t j = 0; j < context_->degree; ++j)
@@ -96,7 +96,8 @@ void CyclotomicRing::add_rotated(CyclotomicInteger& left, const CyclotomicIntege
                                 right.coefficients[j]);
 }
 
-CyclotomicInteger CyclotomicRing::rotate(const CyclotomicInteger& value, long exponent) const {
+CyclotomicInteger CyclotomicRing::rotate(const CyclotomicInteger& value,
+                                         std::int64_t exponent) const {
     CyclotomicInteger result = zero();
     add_rotated(result, value, exponent);
     return result;
@@ -140,7 +141,7 @@ std::weak_ordering CyclotomicRing::compare_imaginary(const CyclotomicInteger& le
 
 std::weak_ordering CyclotomicRing::compare_along(const CyclotomicInteger& left,
                                                  const CyclotomicInteger& right,
-                                                 long exponent) const {
+                                                 std::int64_t exponent) const {
     return context_->compare(left.coefficients, right.coefficients,
                              context_->along(context_->reduced(exponent)));
 }
@@ -193,10 +194,10 @@ std::string CyclotomicRing::imaginary_decimal(const CyclotomicInteger& value,
 }
 
 std::size_t hash_value(const CyclotomicInteger& value) {
-    std::size_t hash = value.coefficients.size();
+    std::uint64_t hash = value.coefficients.size();
     for (const Integer& coefficient : value.coefficients)
         hash = hash * 0x9e3779b97f4a7c15u + hash_value(coefficient);
-    return hash;
+    return static_cast<std::size_t>(hash);
 }
 
 }  // namespace algae

@@ -49,10 +49,10 @@ public:
     /// zeta^exponent, for any exponent, also negative.
     ///
     /// Example: CyclotomicRing(6).zeta(3) == CyclotomicRing(6).integer(-1)
-    CyclotomicInteger zeta(long exponent) const;
+    CyclotomicInteger zeta(std::int64_t exponent) const;
     /// The coordinates of zeta^exponent as machine numbers. They are small: for m up to 3600 they
     /// are at most 18 in size. The table behind it is built at the first call (m * phi(m) numbers).
-    std::span<const std::int64_t> power(long exponent) const;
+    std::span<const std::int64_t> power(std::int64_t exponent) const;
 
     /// left += right and so on, in place.
     void add(CyclotomicInteger& left, const CyclotomicInteger& right) const;
@@ -60,10 +60,11 @@ public:
     void negate(CyclotomicInteger& value) const;
     void scale(CyclotomicInteger& value, const Integer& factor) const;
     /// left += zeta^exponent * right: one step of a turtle's product, without temporaries.
-    void add_rotated(CyclotomicInteger& left, const CyclotomicInteger& right, long exponent) const;
+    void add_rotated(CyclotomicInteger& left, const CyclotomicInteger& right,
+                     std::int64_t exponent) const;
 
     /// zeta^exponent * value. At most phi(m) * phi(r) additions, r the product of the primes in m.
-    CyclotomicInteger rotate(const CyclotomicInteger& value, long exponent) const;
+    CyclotomicInteger rotate(const CyclotomicInteger& value, std::int64_t exponent) const;
     CyclotomicInteger multiply(const CyclotomicInteger& left, const CyclotomicInteger& right) const;
     /// The complex conjugate: zeta becomes 1/zeta.
     CyclotomicInteger conjugate(const CyclotomicInteger& value) const;
@@ -80,7 +81,7 @@ public:
     /// Which of two points lies farther in the direction of zeta^exponent: compares the real parts
     /// of zeta^-exponent times each, exactly and without rotating them.
     std::weak_ordering compare_along(const CyclotomicInteger& left, const CyclotomicInteger& right,
-                                     long exponent) const;
+                                     std::int64_t exponent) const;
 
     /// Real and imaginary part, each the nearest double.
     std::complex<double> to_complex(const CyclotomicInteger& value) const;

@@ -35,9 +35,9 @@ CyclotomicRing::Context::Context(long m)
     const auto small_degree = static_cast<std::size_t>(phi.degree());
     degree = small_degree * stride;
 
-    std::vector<long> modulus;
+    std::vector<std::int64_t> modulus;
     for (std::size_t i = 0; i < small_degree; ++i) modulus.push_back(phi.coefficient(i).to_int64());
-    std::vector<long> power(small_degree);
+    std::vector<std::int64_t> power(small_degree);
     power[0] = 1;
     starts.push_back(0);
     for (long q = 0; q < r; ++q) {
@@ -48,7 +48,7 @@ CyclotomicRing::Context::Context(long m)
         }
         starts.push_back(terms.size());
         // Times zeta: shift, and replace what leaves at the top by lower powers.
-        const long top = power.back();
+        const std::int64_t top = power.back();
         for (std::size_t i = small_degree; i-- > 1;) power[i] = power[i - 1] - top * modulus[i];
         power[0] = -top * modulus[0];
     }

@@ -50,9 +50,10 @@ struct CyclotomicRing::Context {
     std::size_t step;                   // turn / m
     std::vector<DoubleDouble> cosines;  // of 2 pi j / turn
 
-    std::size_t reduced(long exponent) const {
-        const long rest = exponent % static_cast<long>(order);
-        return static_cast<std::size_t>(rest < 0 ? rest + static_cast<long>(order) : rest);
+    std::size_t reduced(std::int64_t exponent) const {
+        const auto m = static_cast<std::int64_t>(order);
+        const std::int64_t rest = exponent % m;
+        return static_cast<std::size_t>(rest < 0 ? rest + m : rest);
     }
     /// left + right modulo the order, for operands below it.
     std::size_t add_exponents(std::size_t left, std::size_t right) const {

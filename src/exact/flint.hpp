@@ -1,10 +1,24 @@
 #pragma once
-// For the .cpp files of this room only: how they hand numbers to FLINT without copying them.
+// For the .cpp files of this room only: FLINT and Arb, and how they are handed numbers without copying them.
 
+#include <flint/flint.h>
+#include <flint/fmpq.h>
 #include <flint/fmpz.h>
+#include <flint/fmpz_lll.h>
 #include <flint/fmpz_mat.h>
 #include <flint/fmpz_poly.h>
+#include <flint/fmpz_poly_factor.h>
 #include <flint/fmpz_vec.h>
+
+#if __FLINT_RELEASE >= 30000  // holds Arb
+#include <flint/acb.h>
+#include <flint/arb.h>
+#include <flint/arb_fmpz_poly.h>
+#else
+#include <acb.h>
+#include <arb.h>
+#include <arb_fmpz_poly.h>
+#endif
 
 #include <type_traits>
 #include <utility>
@@ -22,6 +36,10 @@ static_assert(sizeof(Integer) == sizeof(fmpz) && std::is_standard_layout_v<Integ
 
 /// The words of our numbers as FLINT knows them.
 struct FlintHandle {
+    static_assert(std::is_same_v<Integer::Word, fmpz>);
+    static_assert(COEFF_MAX == Integer::small_limit && COEFF_MIN == -Integer::small_limit &&
+                  COEFF_IS_MPZ(Integer::small_limit + 1));
+
     static fmpz* of(Integer& value) { return &value.word_; }
     static const fmpz* of(const Integer& value) { return &value.word_; }
     static fmpz* of(std::vector<Integer>& values) { return reinterpret_cast<fmpz*>(values.data()); }
@@ -70,19 +88,26 @@ struct FlintPolynomial {
     Polynomial take() { return take(value); }
 };
 
-/// A matrix that FLINT reads where it lies.
+/// A matrix that FLINT reads where it lies. FLINT finds the rows by pointers, from 3.3 by their distance.
 struct MatrixView {
+#if __FLINT_RELEASE < 30300
     std::vector<fmpz*> starts;
+#endif
     fmpz_mat_struct value[1];
 
-    explicit MatrixView(const IntegerMatrix& matrix) : starts(matrix.rows()) {
+    explicit MatrixView(const IntegerMatrix& matrix) {
         auto* entries = const_cast<fmpz*>(FlintHandle::of(FlintHandle::entries(matrix)));
-        for (std::size_t row = 0; row < starts.size(); ++row)
-            starts[row] = entries + row * matrix.columns();
         value->entries = entries;
         value->r = static_cast<slong>(matrix.rows());
         value->c = static_cast<slong>(matrix.columns());
+#if __FLINT_RELEASE >= 30300
+        value->stride = value->c;
+#else
+        starts.reserve(matrix.rows());
+        for (std::size_t row = 0; row < matrix.rows(); ++row)
+            starts.push_back(entries + row * matrix.columns());
         value->rows = starts.data();
+#endif
     }
 };
 
@@ -103,7 +128,8 @@ struct FlintMatrix {
                              static_cast<std::size_t>(value->c));
         for (std::size_t row = 0; row < matrix.rows(); ++row)
             for (std::size_t column = 0; column < matrix.columns(); ++column)
-                fmpz_swap(flint(matrix(row, column)), value->rows[row] + column);
+                fmpz_swap(flint(matrix(row, column)), fmpz_mat_entry(value, static_cast<slong>(row),
+                                                                     static_cast<slong>(column)));
         return matrix;
     }
 };

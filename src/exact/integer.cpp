@@ -10,9 +10,26 @@
 
 namespace algae {
 
-static_assert(COEFF_MAX == (1L << 62) - 1 && COEFF_MIN == -COEFF_MAX && COEFF_IS_MPZ(1L << 62));
-
 namespace {
+
+constexpr int words_in_64_bits = 64 / FLINT_BITS;
+
+/// 64 bits as FLINT's words, the lowest first.
+struct Words {
+    ulong value[words_in_64_bits]{};
+
+    Words() = default;
+    explicit Words(std::uint64_t whole) {
+        for (int i = 0; i < words_in_64_bits; ++i)
+            value[i] = static_cast<ulong>(whole >> (i * FLINT_BITS));
+    }
+    std::uint64_t whole() const {
+        std::uint64_t result = 0;
+        for (int i = 0; i < words_in_64_bits; ++i)
+            result |= static_cast<std::uint64_t>(value[i]) << (i * FLINT_BITS);
+        return result;
+    }
+};
 
 [[noreturn]] void refuse_length(const char* what, double bits) {
     throw BoundReached(Bound::digits,
@@ -42,11 +59,18 @@ Integer::Integer(std::string_view decimal) {
     if (decimal.starts_with('-')) negate();
 }
 
-void Integer::set_large(long value) { fmpz_init_set_si(&word_, value); }
-void Integer::set_large(unsigned long value) { fmpz_init_set_ui(&word_, value); }
+void Integer::set_large(std::int64_t value) {
+    const Words words(static_cast<std::uint64_t>(value));
+    fmpz_set_signed_ui_array(&word_, words.value, words_in_64_bits);
+}
+
+void Integer::set_large(std::uint64_t value) {
+    const Words words(value);
+    fmpz_set_ui_array(&word_, words.value, words_in_64_bits);
+}
 
 void Integer::copy_large() {
-    const long other = word_;
+    const Word other = word_;
     fmpz_init_set(&word_, &other);
 }
 
@@ -57,7 +81,7 @@ void Integer::subtract_large(const Integer& right) { fmpz_sub(&word_, &word_, &r
 void Integer::negate_large() { fmpz_neg(&word_, &word_); }
 
 void Integer::multiply_large(const Integer& right) {
-    const std::uint64_t bits = fmpz_bits(&word_) + fmpz_bits(&right.word_);
+    const std::uint64_t bits = std::uint64_t{fmpz_bits(&word_)} + fmpz_bits(&right.word_);
     if (bits > largest_bit_length) refuse_length("product", static_cast<double>(bits));
     fmpz_mul(&word_, &word_, &right.word_);
 }
@@ -67,15 +91,24 @@ int Integer::compare_large(const Integer& left, const Integer& right) {
 }
 
 bool Integer::is_even() const { return fmpz_is_even(&word_) != 0; }
-bool Integer::fits_int64() const { return fmpz_fits_si(&word_) != 0; }
-bool Integer::fits_uint64() const { return fmpz_sgn(&word_) >= 0 && fmpz_abs_fits_ui(&word_) != 0; }
+
+bool Integer::fits_int64() const {
+    if (is_small()) return true;
+    const auto bits = fmpz_bits(&word_);
+    return bits < 64 || (bits == 64 && fmpz_sgn(&word_) < 0 && fmpz_val2(&word_) == 63);
+}
+
+bool Integer::fits_uint64() const { return fmpz_sgn(&word_) >= 0 && fmpz_bits(&word_) <= 64; }
 
 std::int64_t Integer::to_int64() const {
     if (!fits_int64())
         throw Error("expected a number of at most 63 binary digits, found " +
                     (bit_length(*this) < 200 ? to_string(*this)
                                              : "one of " + std::to_string(bit_length(*this))));
-    return fmpz_get_si(&word_);
+    if (is_small()) return word_;
+    Words words;
+    fmpz_get_signed_ui_array(words.value, words_in_64_bits, &word_);
+    return static_cast<std::int64_t>(words.whole());
 }
 
 std::uint64_t Integer::to_uint64() const {
@@ -83,7 +116,10 @@ std::uint64_t Integer::to_uint64() const {
         throw Error("expected a number from 0 of at most 64 binary digits, found " +
                     (bit_length(*this) < 200 ? to_string(*this)
                                              : "one of " + std::to_string(bit_length(*this))));
-    return fmpz_get_ui(&word_);
+    if (is_small()) return static_cast<std::uint64_t>(word_);
+    Words words;
+    fmpz_get_ui_array(words.value, words_in_64_bits, &word_);
+    return words.whole();
 }
 
 double Integer::large_to_double() const {
@@ -96,7 +132,7 @@ double Integer::large_to_double() const {
     // The 64 highest bits, the lowest of them set if anything below is: that rounds as the whole.
     const std::uint64_t shift = bits - 64;
     Integer top;
-    fmpz_tdiv_q_2exp(&top.word_, &word_, shift);
+    fmpz_tdiv_q_2exp(&top.word_, &word_, static_cast<ulong>(shift));
     const bool inexact = fmpz_val2(&word_) < shift;
     const std::uint64_t size = abs(std::move(top)).to_uint64() | (inexact ? 1u : 0u);
     const double rounded = std::ldexp(static_cast<double>(size), static_cast<int>(shift));
@@ -142,8 +178,10 @@ Integer power(const Integer& base, std::uint64_t exponent) {
         static_cast<double>(bit_length(base) - 1) * static_cast<double>(exponent);
     if (bit_length(base) > 1 && least_bits >= static_cast<double>(Integer::largest_bit_length))
         refuse_length("power", least_bits);
+    // The powers of 0, 1 and -1 repeat after two, and all other exponents are small here.
+    if (bit_length(base) <= 1 && exponent > 2) exponent = 2 - exponent % 2;
     Integer result;
-    fmpz_pow_ui(flint(result), flint(base), exponent);
+    fmpz_pow_ui(flint(result), flint(base), static_cast<ulong>(exponent));
     return result;
 }
 
@@ -174,12 +212,14 @@ std::size_t hash_value(const Integer& value) {
         return x ^ (x >> 31);
     };
     const fmpz word = *flint(value);
-    if (!COEFF_IS_MPZ(word)) return mix(static_cast<std::uint64_t>(word) + 0x9e3779b97f4a7c15u);
+    if (!COEFF_IS_MPZ(word))
+        return static_cast<std::size_t>(
+            mix(static_cast<std::uint64_t>(word) + 0x9e3779b97f4a7c15u));
     const __mpz_struct* large = COEFF_TO_PTR(word);
     std::uint64_t hash = large->_mp_size < 0 ? 1 : 2;
     for (int i = 0; i < std::abs(large->_mp_size); ++i)
         hash = mix(hash + 0x9e3779b97f4a7c15u) ^ large->_mp_d[i];
-    return mix(hash);
+    return static_cast<std::size_t>(mix(hash));
 }
 
 }  // namespace algae

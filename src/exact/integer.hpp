@@ -9,13 +9,14 @@
 #include <limits>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 namespace algae {
 
 /// An integer of any size, a value like `int`. Sums and products are Integers, not expressions that
-/// refer to their operands, so `auto` is safe. Numbers below 2^62 in size live in the object itself
-/// and cost what machine numbers cost; the others are FLINT's (`fmpz`), which uses GMP.
+/// refer to their operands, so `auto` is safe. Numbers below 2^62 in size (2^30 where addresses
+/// have 32 bits) live in the object itself and cost what machine numbers cost; the others are FLINT's (`fmpz`), which uses GMP.
 ///
 /// An operation whose result would need more than `largest_bit_length` bits throws `BoundReached`.
 class Integer {
@@ -25,18 +26,19 @@ public:
     /// Example: Integer(std::numeric_limits<std::uint64_t>::max()) + 1 == power(Integer(2), 64)
     template <std::integral T>
     Integer(T value) {
-        if constexpr (sizeof(T) < sizeof(long)) {
-            word_ = static_cast<long>(value);
+        static_assert(sizeof(T) <= sizeof(std::int64_t));
+        if constexpr (sizeof(T) < sizeof(Word)) {
+            word_ = static_cast<Word>(value);
         } else if constexpr (std::signed_integral<T>) {
             if (value >= -small_limit && value <= small_limit)
-                word_ = static_cast<long>(value);
+                word_ = static_cast<Word>(value);
             else
-                set_large(static_cast<long>(value));
+                set_large(static_cast<std::int64_t>(value));
         } else {
-            if (value <= static_cast<unsigned long>(small_limit))
-                word_ = static_cast<long>(value);
+            if (value <= static_cast<std::make_unsigned_t<Word>>(small_limit))
+                word_ = static_cast<Word>(value);
             else
-                set_large(static_cast<unsigned long>(value));
+                set_large(static_cast<std::uint64_t>(value));
         }
     }
 
@@ -75,7 +77,7 @@ public:
         return *this;
     }
     Integer& operator*=(const Integer& right) {
-        long product = 0;
+        Word product = 0;
         if (!is_small() || !right.is_small() ||
             __builtin_mul_overflow(word_, right.word_, &product) || !set_small(product))
             multiply_large(right);
@@ -125,25 +127,28 @@ public:
     /// The nearest double, ties to even; infinite beyond the doubles.
     double to_double() const { return is_small() ? static_cast<double>(word_) : large_to_double(); }
 
-    /// No Integer has more bits than this: it would fill a GiB.
-    static constexpr std::uint64_t largest_bit_length = std::uint64_t{1} << 33;
+    /// No Integer has more bits than this: it would fill a GiB, or 128 MiB where addresses have 32 bits.
+    static constexpr std::uint64_t largest_bit_length = std::uint64_t{1}
+                                                        << (sizeof(void*) < 8 ? 30 : 33);
 
 private:
     friend struct FlintHandle;  // exact/flint.hpp, for the .cpp files of this room
 
-    static constexpr long small_limit = (1L << 62) - 1;
-    static_assert(sizeof(long) == 8, "FLINT's small numbers are words of 64 bits here");
+    /// FLINT's `slong`, as long as an address; which of the two types matters for pointers to it.
+    using Word = std::conditional_t<sizeof(long) == sizeof(void*), long, long long>;
+    static constexpr int small_bits = std::numeric_limits<Word>::digits - 1;  // 62 or 30
+    static constexpr Word small_limit = (Word{1} << small_bits) - 1;
 
     /// FLINT marks a word that stands for a GMP number by its two highest bits, 01.
-    bool is_small() const { return word_ >> 62 != 1; }
+    bool is_small() const { return word_ >> small_bits != 1; }
     /// Takes the value if it is small; the old one must be small.
-    bool set_small(long value) {
+    bool set_small(Word value) {
         if (value < -small_limit || value > small_limit) return false;
         word_ = value;
         return true;
     }
-    void set_large(long value);
-    void set_large(unsigned long value);
+    void set_large(std::int64_t value);
+    void set_large(std::uint64_t value);
     void copy_large();
     void assign_large(const Integer& other);
     void clear_large() noexcept;
@@ -154,7 +159,7 @@ private:
     double large_to_double() const;
     static int compare_large(const Integer& left, const Integer& right);
 
-    long word_ = 0;  // FLINT's fmpz
+    Word word_ = 0;  // FLINT's fmpz
 };
 
 /// The quotient rounded towards minus infinity. Throws `Error` if `divisor` is 0.

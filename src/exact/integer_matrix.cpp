@@ -1,7 +1,5 @@
 #include "exact/integer_matrix.hpp"
 
-#include <flint/fmpz_lll.h>
-
 #include <algorithm>
 #include <bit>
 #include <ostream>
@@ -157,7 +155,7 @@ IntegerMatrix power(const IntegerMatrix& matrix, const Integer& exponent,
     for (std::uint64_t bit = bit_length(exponent); bit-- > 0;) {
         require_product_below(largest_bits, result, result);
         result = product(result, result);
-        if (fmpz_tstbit(flint(exponent), bit) != 0) {
+        if (fmpz_tstbit(flint(exponent), static_cast<ulong>(bit)) != 0) {
             require_product_below(largest_bits, result, matrix);
             result = product(result, matrix);
         }

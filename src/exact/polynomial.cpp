@@ -1,7 +1,5 @@
 #include "exact/polynomial.hpp"
 
-#include <arb_fmpz_poly.h>
-
 #include <algorithm>
 #include <ostream>
 

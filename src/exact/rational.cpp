@@ -1,7 +1,5 @@
 #include "exact/rational.hpp"
 
-#include <flint/fmpq.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -15,7 +13,7 @@ namespace algae {
 namespace {
 
 constexpr int most_digits = 10'000'000;
-constexpr long largest_exponent = 10'000;
+constexpr std::int64_t largest_exponent = 10'000;
 
 [[noreturn]] void refuse(std::string_view text) {
     throw Error("expected a number such as 7, 257/10, 25.7 or 1e-3, found \"" +
@@ -28,7 +26,7 @@ bool is_digits(std::string_view text) {
 }
 
 /// The exponent behind an e: a sign, digits.
-long read_exponent(std::string_view exponent, std::string_view text) {
+std::int64_t read_exponent(std::string_view exponent, std::string_view text) {
     const bool negative = exponent.starts_with('-');
     if (negative || exponent.starts_with('+')) exponent.remove_prefix(1);
     if (!is_digits(exponent)) refuse(text);
@@ -40,7 +38,7 @@ long read_exponent(std::string_view exponent, std::string_view text) {
 }
 
 Rational read_decimal(std::string_view number, std::string_view text) {
-    long exponent = 0;
+    std::int64_t exponent = 0;
     if (const auto e = number.find_first_of("eE"); e != std::string_view::npos) {
         exponent = read_exponent(number.substr(e + 1), text);
         number = number.substr(0, e);
@@ -50,7 +48,7 @@ Rational read_decimal(std::string_view number, std::string_view text) {
         const std::string_view after = number.substr(point + 1);
         if (!is_digits(after) || !(point == 0 || is_digits(number.substr(0, point)))) refuse(text);
         digits = std::string(number.substr(0, point)) + std::string(after);
-        exponent -= static_cast<long>(after.size());
+        exponent -= static_cast<std::int64_t>(after.size());
     }
     if (!is_digits(digits)) refuse(text);
     const Integer tens = power(Integer(10), static_cast<std::uint64_t>(std::abs(exponent)));
@@ -182,7 +180,7 @@ Integer round_half_even(const Rational& value) {
     return round_quotient(value.numerator(), value.denominator());
 }
 
-Rational power(const Rational& base, long exponent) {
+Rational power(const Rational& base, std::int64_t exponent) {
     const std::uint64_t size = exponent < 0 ? 0 - static_cast<std::uint64_t>(exponent)
                                             : static_cast<std::uint64_t>(exponent);
     if (exponent < 0 && base.is_zero())

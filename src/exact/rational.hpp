@@ -3,6 +3,7 @@
 #include <compare>
 #include <concepts>
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <iosfwd>
 #include <optional>
@@ -69,7 +70,7 @@ public:
     /// Throws `Error` on a negative power of 0, `BoundReached` if the result would be too long.
     ///
     /// Example: power(Rational(2, 3), -2) == Rational(9, 4)
-    friend Rational power(const Rational& base, long exponent);
+    friend Rational power(const Rational& base, std::int64_t exponent);
     /// Example: abs(Rational(-1, 2)) == Rational(1, 2)
     friend Rational abs(Rational value);
     /// -1, 0 or 1.

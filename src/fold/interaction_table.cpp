@@ -113,7 +113,7 @@ bool WindowTable::step_middle(const Budget& budget, std::size_t& at, std::size_t
             std::memcpy(&bytes, from, sizeof bytes);
             std::uint64_t window = packed<bits>(bytes);
             for (std::size_t j = 0; j < lookups; ++j, window >>= bits * middle) {
-                const Entry& entry = table_[window & mask];
+                const Entry& entry = table_[static_cast<std::size_t>(window & mask)];
                 std::memcpy(to, &entry, sizeof entry);
                 to += entry.count;
             }

@@ -39,7 +39,7 @@ public:
         const std::uint64_t segment = k / stride_;
         if (segment != segment_ || rows_.empty()) {
             segment_ = segment;
-            rows_.assign(1, kept_.at(segment));
+            rows_.assign(1, kept_.at(static_cast<std::size_t>(segment)));
         }
         while (rows_.size() <= k % stride_) {
             if (rows_.size() % 1024 == 0) {
@@ -48,7 +48,7 @@ public:
             }
             rows_.push_back(after(rows_.back()));
         }
-        return rows_[k % stride_][a];
+        return rows_[static_cast<std::size_t>(k % stride_)][a];
     }
 
 private:

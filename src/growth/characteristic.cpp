@@ -132,13 +132,13 @@ MatrixPolynomials matrix_polynomials(const GrowthMatrix& matrix, const Component
     found.characteristic_factors.content = 1;
     auto& powers = found.characteristic_factors.powers;
     for (const Component& component : components.list)
-        for (const auto& [factor, exponent] : component.characteristic.powers) {
+        for (const auto& own : component.characteristic.powers) {
             const auto known = std::find_if(powers.begin(), powers.end(),
-                                            [&](const auto& power) { return power.factor == factor; });
+                                            [&](const auto& power) { return power.factor == own.factor; });
             if (known == powers.end())
-                powers.push_back({factor, exponent});
+                powers.push_back(own);
             else
-                known->exponent += exponent;
+                known->exponent += own.exponent;
         }
     sort(found.characteristic_factors);
     budget.check();

@@ -124,18 +124,18 @@ std::vector<std::uint64_t> counts(const FactorSet& set, const Budget& budget) {
 
 FactorSet factors(const D0L& system, std::size_t length, const Budget& budget) {
     const auto lifetime = lifetimes(system.rules.images);
-    std::size_t steps = 0;  // after so many nothing is left of a mortal letter
+    std::uint64_t steps = 0;  // after so many nothing is left of a mortal letter
     for (const Symbol a : system.letters)
         if (lifetime[a] != lasts) steps = std::max(steps, lifetime[a]);
     FactorSet set;
-    const auto left = [&](const Word& word, std::size_t j) {  // without what vanishes within j steps
+    const auto left = [&](const Word& word, std::uint64_t j) {  // without what vanishes within j steps
         Word rest;
         for (const Symbol a : word)
             if (lifetime[a] == lasts || lifetime[a] > j) rest.push_back(a);
         return rest;
     };
     Windows windows = closed(skeleton(system), length, budget);
-    for (std::size_t j = steps; j-- > 0;) {
+    for (std::uint64_t j = steps; j-- > 0;) {
         std::vector<Word> images(system.rules.images.size());
         for (const Symbol a : system.letters) images[a] = left(system.successor(a), j);
         Windows next(length, budget);

@@ -4,6 +4,7 @@
 #include <map>
 #include <optional>
 #include <set>
+#include <tuple>
 
 #include "growth/factors.hpp"
 #include "growth/growth_class.hpp"
@@ -39,7 +40,10 @@ struct Side {
 /// A place between growing letters: the growing letter before, letters that do not grow, the growing one after.
 struct Place {
     Word left, between, right;
-    auto operator<=>(const Place&) const = default;
+    bool operator==(const Place&) const = default;
+    bool operator<(const Place& other) const {
+        return std::tie(left, between, right) < std::tie(other.left, other.between, other.right);
+    }
 };
 
 /// How often each letter occurs in each image.
@@ -191,7 +195,7 @@ private:
         if (const auto place = lasting_place(system, repetitions))
             return {linear, linear, above + "; not ultimately periodic, because " + text(*place) +
                                         " comes back without end and is no part of a word repeated without end"};
-        for (const std::size_t length : {16, 64, 256}) {
+        for (const std::size_t length : {16u, 64u, 256u}) {
             const auto complexity = factor_complexity(system, length, budget_);
             for (std::size_t k = 1; k <= length; ++k)
                 if (complexity[k] <= k)

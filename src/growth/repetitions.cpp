@@ -169,12 +169,12 @@ std::vector<InfiniteRepetition> infinite_repetitions(const D0L& system, const Bu
     }
     // As the system itself writes them, with the letters that vanish.
     const auto lifetime = lifetimes(system.rules.images);
-    std::size_t steps = 0;
+    std::uint64_t steps = 0;
     for (const Symbol a : system.letters)
         if (lifetime[a] != lasts) steps = std::max(steps, lifetime[a]);
     std::map<Word, InfiniteRepetition> all;
     for (InfiniteRepetition& repetition : found) {
-        for (std::size_t i = 0; i < steps; ++i) {
+        for (std::uint64_t i = 0; i < steps; ++i) {
             repetition.word = primitive_root(image(system.rules.images, repetition.word));
             check_length(repetition.word, budget);
         }

@@ -11,13 +11,13 @@ __extension__ typedef unsigned __int128 Wide;
 /// Miller and Rabin's test with bases that settle it for all numbers of 64 bits.
 bool is_prime(Residue n) {
     if (n < 2) return false;
-    for (const Residue p : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37})
+    for (const Residue p : {2u, 3u, 5u, 7u, 11u, 13u, 17u, 19u, 23u, 29u, 31u, 37u})
         if (n % p == 0) return n == p;
     const PrimeField field(n);
     Residue odd = n - 1;
     int twos = 0;
     for (; odd % 2 == 0; odd /= 2) ++twos;
-    for (const Residue base : {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37}) {
+    for (const Residue base : {2u, 3u, 5u, 7u, 11u, 13u, 17u, 19u, 23u, 29u, 31u, 37u}) {
         Residue x = field.power(base, odd);
         if (x == 1 || x == n - 1) continue;
         bool composite = true;

@@ -48,7 +48,7 @@ std::optional<RegularInduction> regular_induction(const RegularLanguage& languag
     const RegularLanguage derived = image(marked_once(language, letters, budget), images, budget);
     const RegularLanguage base = difference(language, derived, budget);
     const std::optional<Integer> count = number_of_words(base);
-    if (!count || *count > Integer(static_cast<long>(most))) return std::nullopt;
+    if (!count || *count > Integer(most)) return std::nullopt;
     return RegularInduction{words_up_to(base, base.automaton().states(), budget)};
 }
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <optional>
+#include <tuple>
 
 #include "language/sequence_pair.hpp"
 
@@ -15,7 +15,10 @@ struct Overflow {
     enum class Ahead { left, right };
     Ahead ahead = Ahead::left;
     Word word;
-    auto operator<=>(const Overflow&) const = default;
+    bool operator==(const Overflow&) const = default;
+    bool operator<(const Overflow& other) const {
+        return std::tie(ahead, word) < std::tie(other.ahead, other.word);
+    }
 };
 
 /// What a further letter makes of an overflow.

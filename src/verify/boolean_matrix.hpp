@@ -1,6 +1,5 @@
 #pragma once
 
-#include <compare>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -42,7 +41,7 @@ public:
     }
     std::size_t bytes() const { return sizeof(*this) + 8 * bits_.size(); }
 
-    auto operator<=>(const BooleanMatrix&) const = default;
+    bool operator==(const BooleanMatrix&) const = default;
 
 private:
     static std::size_t size_of(std::size_t size) { return size * ((size + 63) / 64); }

@@ -31,7 +31,7 @@ void check_steps(const Checking& with, const System& system, const Word& from, c
         } else {
             const std::uint64_t table = tables.empty() ? 0 : tables[i - 1].number();
             if (table >= system.tables.size()) tables[i - 1].refuse("there is no such table");
-            if (!may_give(system.tables[table], word, next))
+            if (!may_give(system.tables[static_cast<std::size_t>(table)], word, next))
                 words[i].refuse("the word before does not give it");
         }
         word = next;

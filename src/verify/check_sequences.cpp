@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <map>
+#include <tuple>
 
 #include "base/error.hpp"
 #include "verify/lengths.hpp"
@@ -14,7 +15,10 @@ namespace {
 struct Overhang {
     bool left_ahead = true;
     Word word;
-    auto operator<=>(const Overhang&) const = default;
+    bool operator==(const Overhang&) const = default;
+    bool operator<(const Overhang& other) const {
+        return std::tie(left_ahead, word) < std::tie(other.left_ahead, other.word);
+    }
 };
 
 /// What a letter with these images makes of it; nothing if they differ at a letter that both have.

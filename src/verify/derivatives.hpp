@@ -1,7 +1,7 @@
 #pragma once
 
-#include <compare>
 #include <map>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -56,7 +56,10 @@ private:
         Kind kind = Kind::none;
         std::size_t number = 0;  // of the letter or morphism
         std::vector<Term> parts;
-        auto operator<=>(const Node&) const = default;
+        bool operator==(const Node&) const = default;
+        bool operator<(const Node& other) const {
+            return std::tie(kind, number, parts) < std::tie(other.kind, other.number, other.parts);
+        }
     };
     using Morphism = std::map<Symbol, Word>;
 

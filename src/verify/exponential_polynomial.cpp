@@ -24,7 +24,7 @@ Rational checked_power(const Rational& base, const Integer& exponent, const Fiel
         bits(base) * static_cast<std::uint64_t>(abs(exponent).to_int64()) > most_bits)
         too_hard(field, "the power is too large to be checked");
     if (base.is_zero() && exponent < 0) field.fail("a negative power of 0");
-    return power(base, static_cast<long>(exponent.to_int64()));
+    return power(base, exponent.to_int64());
 }
 
 }  // namespace
@@ -270,7 +270,7 @@ Rational ExponentialPolynomial::operator()(std::uint64_t n) const {
         Rational polynomial;
         for (auto each = coefficients.rbegin(); each != coefficients.rend(); ++each)
             polynomial = polynomial * Rational(Integer(n)) + *each;
-        value += polynomial * power(base, static_cast<long>(n));
+        value += polynomial * power(base, static_cast<std::int64_t>(n));
     }
     return value;
 }

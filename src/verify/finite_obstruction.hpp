@@ -1,6 +1,6 @@
 #pragma once
 
-#include <compare>
+#include <tuple>
 #include <vector>
 
 #include "verify/family.hpp"
@@ -13,7 +13,10 @@ struct LetterRule {
     Symbol letter = 0;
     Word image;
 
-    auto operator<=>(const LetterRule&) const = default;
+    bool operator==(const LetterRule&) const = default;
+    bool operator<(const LetterRule& other) const {
+        return std::tie(letter, image) < std::tie(other.letter, other.image);
+    }
 };
 
 /// Why a rule is in no table that keeps the language closed, given which rules are still possible

@@ -212,7 +212,7 @@ ModuleSystem module_system(const Field& field) {
 Rational chance(const ModuleSystem& system, const Modules& from, const Modules& to,
                 const Integer& steps, const Field& proof, const Budget& budget) {
     constexpr std::uint64_t most = 1000;  // each step is a level of the recursion
-    if (steps > Integer(static_cast<long>(most)))
+    if (steps > Integer(most))
         throw BoundReached(Bound::method,
                            "only derivations of at most 1000 steps are worked out again");
     if (std::any_of(system.rules.begin(), system.rules.end(), [](const ModuleSystem::Rule& rule) {

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <compare>
 #include <cstdint>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "base/budget.hpp"
@@ -18,7 +18,10 @@ namespace algae::verify {
 struct Module {
     std::string letter;
     std::vector<double> values;
-    auto operator<=>(const Module&) const = default;
+    bool operator==(const Module&) const = default;
+    bool operator<(const Module& other) const {
+        return std::tie(letter, values) < std::tie(other.letter, other.values);
+    }
 };
 using Modules = std::vector<Module>;
 
@@ -37,7 +40,7 @@ struct ModuleSystem {
     struct Pattern {
         std::string letter;
         std::vector<std::string> parameters;
-        auto operator<=>(const Pattern&) const = default;
+        bool operator==(const Pattern&) const = default;
     };
     struct Rule {
         Pattern module;

@@ -18,7 +18,7 @@ struct System {
         Word left;
         Symbol letter = 0;
         Word right, successor;
-        auto operator<=>(const Rule&) const = default;
+        bool operator==(const Rule&) const = default;
     };
 
     Word axiom;

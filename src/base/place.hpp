@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <string>
+#include <tuple>
 
 namespace algae {
 
@@ -14,6 +15,9 @@ struct Place {
     std::size_t column = 0;
 
     bool operator==(const Place&) const = default;
+    bool operator<(const Place& other) const {
+        return std::tie(file, line, column) < std::tie(other.file, other.line, other.column);
+    }
 };
 
 /// "koch.lsys:3:11", or "koch.lsys" where the whole file is meant.

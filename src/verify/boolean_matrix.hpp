@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <tuple>
 #include <vector>
 
 namespace algae::verify {
@@ -42,6 +43,9 @@ public:
     std::size_t bytes() const { return sizeof(*this) + 8 * bits_.size(); }
 
     bool operator==(const BooleanMatrix&) const = default;
+    bool operator<(const BooleanMatrix& other) const {
+        return std::tie(size_, bits_) < std::tie(other.size_, other.bits_);
+    }
 
 private:
     static std::size_t size_of(std::size_t size) { return size * ((size + 63) / 64); }

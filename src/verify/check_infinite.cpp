@@ -96,9 +96,10 @@ void check_part(const Checking& with, const Language& language, const Field& pro
     }
     if (index >= language->parts.size()) proof.at("index").refuse("there is no such part");
     if (language->kind == Tree::Kind::concatenation)
-        check_has_word(with, language->parts[1 - index], proof);
+        check_has_word(with, language->parts[1 - static_cast<std::size_t>(index)], proof);
     const Field part = proof.at("proof");
-    check_infinite(with, language->parts[index], part, part.at("by").text());
+    check_infinite(with, language->parts[static_cast<std::size_t>(index)], part,
+                   part.at("by").text());
 }
 
 }  // namespace

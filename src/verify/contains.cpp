@@ -74,7 +74,9 @@ Word word_after(const System& system, Word word, const Integer& steps, const Bud
         const auto [place, is_new] = known.emplace(word, all.size());
         if (!is_new) {  // it comes round again
             const std::size_t first = place->second;
-            return all[first + remainder(steps - first, Integer(all.size() - first)).to_uint64()];
+            return all[first +
+                       static_cast<std::size_t>(
+                           remainder(steps - first, Integer(all.size() - first)).to_uint64())];
         }
         all.push_back(word);
         word = next_word(system, word);

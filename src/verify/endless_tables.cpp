@@ -55,7 +55,9 @@ public:
         must_branch(round, beside);
         same_tables("kept", kept, round);
         follow("kept", kept, other, other, finish_round);
-        const Symbol last = after.empty() ? other : after.back().successor.at(after.back().place);
+        const Symbol last =
+            after.empty() ? other
+                          : after.back().successor.at(static_cast<std::size_t>(after.back().place));
         if (!terminals.contains(last)) proof_.at("after").refuse("it does not end with a terminal");
         follow("after", after, other, last, finish_after);
     }
@@ -69,7 +71,7 @@ private:
                       with_.reader.word(field.at("successor")), field.at("place").number(), field};
             if (step.table >= system_.tables.size())
                 field.at("table").refuse("there is no such table");
-            const auto& all = system_.tables[step.table][step.letter];
+            const auto& all = system_.tables[static_cast<std::size_t>(step.table)][step.letter];
             if (std::find(all.begin(), all.end(), step.successor) == all.end())
                 field.at("successor").refuse("the table has no such rule");
             if (step.place >= step.successor.size())
@@ -84,7 +86,7 @@ private:
         std::vector<Letters> all{last};
         for (auto step = steps.rbegin(); step != steps.rend(); ++step) {
             Letters earlier;
-            const auto& table = system_.tables[step->table];
+            const auto& table = system_.tables[static_cast<std::size_t>(step->table)];
             for (Symbol a = 0; a < table.size(); ++a)
                 if (std::any_of(table[a].begin(), table[a].end(),
                                 [&](const Word& word) { return within(word, all.back()); }))
@@ -102,7 +104,7 @@ private:
                 steps[i].field.refuse("it is not a step of the letter before");
             if (!within(steps[i].successor, finish[i + 1]))
                 steps[i].field.refuse("a letter of the successor cannot finish");
-            from = steps[i].successor[steps[i].place];
+            from = steps[i].successor[static_cast<std::size_t>(steps[i].place)];
         }
         if (from != to) proof_.at(name).refuse("it ends with another letter");
     }

@@ -255,8 +255,8 @@ ExponentialPolynomial ExponentialPolynomial::read_terms(const Field& field) {
         const std::uint64_t power = each.at("power").number();
         if (power >= most_coefficients) too_hard(each, "the power is too large to be checked");
         ExponentialPolynomial term;
-        Coefficients coefficients(power + 1);
-        coefficients[power] = rational("coefficient");
+        Coefficients coefficients(static_cast<std::size_t>(power) + 1);
+        coefficients.back() = rational("coefficient");
         term.terms_[rational("base")] = std::move(coefficients);
         term.settle();
         all.add(term, 1);

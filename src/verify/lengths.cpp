@@ -54,7 +54,8 @@ std::optional<Symbol> letter_of_generation(const System& system, std::uint64_t g
         auto& later = lengths.emplace_back();
         for (const Symbol a : symbols) {
             Integer& length = later[a];
-            for (const Symbol b : table[a].front()) length += lengths[step - 1].at(b);
+            for (const Symbol b : table[a].front())
+                length += lengths[static_cast<std::size_t>(step) - 1].at(b);
             bytes += 64 + bit_length(length) / 8;
         }
         budget.check_memory(bytes, "the lengths of what letters become");
@@ -63,7 +64,7 @@ std::optional<Symbol> letter_of_generation(const System& system, std::uint64_t g
     for (std::uint64_t left = generation + 1; left-- > 0;) {
         std::optional<Symbol> at;
         for (const Symbol a : *word) {
-            const Integer& length = lengths[left].at(a);
+            const Integer& length = lengths[static_cast<std::size_t>(left)].at(a);
             if (position < length) {
                 at = a;
                 break;

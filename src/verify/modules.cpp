@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <locale>
 #include <map>
+#include <sstream>
 #include <tuple>
 #include <utility>
 
@@ -13,11 +15,24 @@ namespace algae::verify {
 
 namespace {
 
+/// Whether the whole text is a decimal number that a double holds.
+bool read_decimal(const std::string& text, double& value) {
+#ifdef __cpp_lib_to_chars
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    return error == std::errc() && end == text.data() + text.size();
+#else  // a library that converts integers only
+    if (text.find_first_not_of("0123456789-.eE+") != std::string::npos || text.starts_with('+'))
+        return false;
+    std::istringstream in(text);
+    in.imbue(std::locale::classic());
+    return in >> value && in.peek() == std::istringstream::traits_type::eof();
+#endif
+}
+
 double number(const Field& field) {
     const std::string& text = field.text();
     double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+    if (!read_decimal(text, value) || !std::isfinite(value))
         field.fail("expected a number, found '" + text + "'");
     return value;
 }

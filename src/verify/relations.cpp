@@ -99,7 +99,8 @@ bool some_relations_after(const System& system, const Relations& start, std::siz
         std::size_t wanted = levels.size();
         if (!is_new) {  // from the level before on they come round again
             const std::size_t first = place->second, period = levels.size() - first;
-            wanted = first + remainder(steps - first, Integer(period)).to_uint64();
+            wanted = first + static_cast<std::size_t>(
+                                 remainder(steps - first, Integer(period)).to_uint64());
         } else {
             levels.push_back(&place->first);
         }

@@ -2,6 +2,10 @@
 
 #include <array>
 #include <charconv>
+#include <iomanip>
+#include <limits>
+#include <locale>
+#include <sstream>
 
 namespace algae::verify {
 
@@ -75,15 +79,33 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     return shortened(text);
 }
 
+/// The shortest decimal that is read back as the same number.
+std::string shortest_decimal(double value) {
+#ifdef __cpp_lib_to_chars
+    std::array<char, 400> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    return {digits.data(), end};
+#else  // a library that converts integers only
+    for (int precision = 1;; ++precision) {
+        std::ostringstream out;
+        out.imbue(std::locale::classic());
+        out << std::setprecision(precision) << value;
+        if (precision == std::numeric_limits<double>::max_digits10) return out.str();
+        std::istringstream in(out.str());
+        in.imbue(std::locale::classic());
+        double again = 0;
+        if (in >> again && again == value) return out.str();
+    }
+#endif
+}
+
 std::string modules_text(const Modules& word) {
     std::string text;
     for (const Module& module : word) {
         text += module.letter;
         std::string list;
         for (const double value : module.values) {
-            std::array<char, 400> digits;
-            const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-            list += (list.empty() ? "" : ",") + std::string(digits.data(), end);
+            list += (list.empty() ? "" : ",") + shortest_decimal(value);
         }
         if (!list.empty()) text += "(" + list + ")";
     }

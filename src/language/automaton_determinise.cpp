@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <unordered_map>
 
@@ -13,9 +14,9 @@ using States = std::vector<std::size_t>;
 
 struct Hash {
     std::size_t operator()(const States& states) const {
-        std::size_t hash = states.size();
+        std::uint64_t hash = states.size();
         for (const std::size_t s : states) hash = (hash ^ s) * 0x9E3779B97F4A7C15u + (hash >> 29);
-        return hash;
+        return static_cast<std::size_t>(hash);
     }
 };
 

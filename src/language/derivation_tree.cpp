@@ -58,18 +58,19 @@ std::pair<Word, bool> next_letters(const D0L& system, const Word& letters) {
 /// The nodes of generations 0 to last where each generation has each letter once: the number of
 /// letters of every generation repeats when the generation does.
 Integer shared_size(const D0L& system, std::uint64_t last, bool cut, const Budget& budget) {
-    std::map<Word, std::uint64_t> first;   // where the letters of a generation first came
+    std::map<Word, std::size_t> first;     // where the letters of a generation first came
     std::vector<std::uint64_t> before{0};  // nodes of all generations before, erased ones with them
     Word letters = distinct(system.axiom);
-    for (std::uint64_t t = 0;; ++t) {
+    for (std::size_t t = 0;; ++t) {
         budget.check();
         budget.check_memory((t + 1) * (letters.size() * sizeof(Symbol) + 100),
                             "letters of generations");
         if (t == last) return Integer(before[t] + letters.size() * (cut ? 2 : 1));
         const auto [found, is_new] = first.emplace(letters, t);
         if (!is_new) {
-            const std::uint64_t from = found->second, period = t - from;
-            const std::uint64_t rounds = (last - from) / period, rest = (last - from) % period;
+            const std::size_t from = found->second, period = t - from;
+            const std::uint64_t rounds = (last - from) / period;
+            const auto rest = static_cast<std::size_t>((last - from) % period);
             // The letters of generation `last` are those of generation from + rest.
             std::uint64_t there = 0;
             for (const auto& [word, generation] : first)
@@ -140,8 +141,9 @@ DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom
 /// What letter number i of a word of a derivation becomes.
 const Word& successor_in(const ET0L& system, const Derivation& derivation, std::uint64_t t,
                          std::size_t i) {
-    const std::uint32_t table = derivation.tables.empty() ? 0 : derivation.tables[t];
-    return system.tables.at(table)[derivation.words[t][i]][derivation.choices[t][i]];
+    const auto step = static_cast<std::size_t>(t);
+    const std::uint32_t table = derivation.tables.empty() ? 0 : derivation.tables[step];
+    return system.tables.at(table)[derivation.words[step][i]][derivation.choices[step][i]];
 }
 
 /// The last generation that is shown, and whether something is left out below it.
@@ -188,13 +190,13 @@ Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeSh
     const auto [last, cut] = extent(derivation.choices.size(), shape);
     if (derivation.words.front().empty()) return 1;
     std::uint64_t nodes = 0;
-    for (std::uint64_t t = 0; t <= last; ++t) {
+    for (std::size_t t = 0; t <= last; ++t) {
         nodes += derivation.words[t].size();
         if (t == last) break;
         for (std::size_t i = 0; i < derivation.words[t].size(); ++i)
             nodes += successor_in(system, derivation, t, i).empty();
     }
-    return Integer(cut ? nodes + derivation.words[last].size() : nodes);
+    return Integer(cut ? nodes + derivation.words[static_cast<std::size_t>(last)].size() : nodes);
 }
 
 DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
@@ -205,7 +207,7 @@ DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
     };
     // How many letters of the last word stand below each letter of the last generation shown.
     std::vector<std::uint64_t> counts(derivation.words.back().size(), 1);
-    for (std::uint64_t t = derivation.choices.size(); t-- > last;) {
+    for (std::size_t t = derivation.choices.size(); t-- > last;) {
         std::vector<std::uint64_t> above;
         std::size_t next = 0;
         for (std::size_t i = 0; i < derivation.words[t].size(); ++i) {
@@ -219,7 +221,7 @@ DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
     const auto below = [&](std::size_t i, Symbol) { return Integer(counts.at(i)); };
     DerivationTree tree = build(system.alphabet, derivation.words.front(), last, cut, false,
                                 successor, below, budget);
-    for (std::uint64_t t = 0; t < last && !derivation.tables.empty(); ++t)
+    for (std::size_t t = 0; t < last && !derivation.tables.empty(); ++t)
         tree.tables.push_back(system.table_names.at(derivation.tables[t]));
     return shape.shared ? with_shared_subtrees(tree, budget) : tree;
 }

@@ -18,7 +18,7 @@ GenerationCounts::GenerationCounts(const D0L& system, const Budget& budget)
         if (futures.growing[system.letters[i]]) growing_.push_back(i);
 }
 
-void GenerationCounts::extend(std::size_t size) {
+void GenerationCounts::extend(std::uint64_t size) {
     while (counts_.size() < size) {
         budget_.check();
         LetterCounts counts(system_.alphabet->size());

@@ -72,10 +72,11 @@ bool covers_all(const std::vector<std::uint64_t>& single,
         cycle = std::lcm(cycle, difference);
         if (cycle > longest_cycle || from > longest_cycle) return false;
     }
-    std::vector<char> covered(from + cycle, 0);
-    for (const std::uint64_t n : single) covered[n] = 1;
+    std::vector<char> covered(static_cast<std::size_t>(from + cycle), 0);
+    for (const std::uint64_t n : single) covered[static_cast<std::size_t>(n)] = 1;
     for (const auto& [first, difference] : progressions)
-        for (std::uint64_t n = first; n < covered.size(); n += difference) covered[n] = 1;
+        for (std::uint64_t n = first; n < covered.size(); n += difference)
+            covered[static_cast<std::size_t>(n)] = 1;
     return std::find(covered.begin(), covered.end(), 0) == covered.end();
 }
 

@@ -61,14 +61,14 @@ public:
         if (block_.empty() || t / stride_ != number_) {
             budget_->check();
             number_ = t / stride_;
-            block_.assign(1, kept_[number_]);
+            block_.assign(1, kept_[static_cast<std::size_t>(number_)]);
             while (block_.size() < stride_) {
                 FactorTables::Table following;
                 tables_->next(block_.back(), following);
                 block_.push_back(std::move(following));
             }
         }
-        return block_[t % stride_];
+        return block_[static_cast<std::size_t>(t % stride_)];
     }
 
 private:

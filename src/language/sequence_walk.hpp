@@ -34,7 +34,7 @@ private:
     /// A word of which `read` letters have been read, each standing for what it becomes in `level` steps.
     struct Reading {
         const Word* word;
-        std::uint64_t level;
+        std::size_t level;
         std::size_t read;
         Number at;
     };
@@ -53,7 +53,7 @@ private:
     std::map<Overflow, Number> numbers_;
     std::vector<std::unordered_map<std::uint64_t, Number>>
         led_;  // by level: where a letter leads from an overflow
-    std::uint64_t generations_ = 0;
+    std::size_t generations_ = 0;
     std::uint64_t kept_ = 0;  // bytes
     std::size_t agreed_ = 0;  // by the step that found the difference
 };

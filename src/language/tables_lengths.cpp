@@ -31,7 +31,7 @@ public:
     std::uint64_t infinite() const { return infinite_; }
 
     Table first() const {
-        Table lengths(bytes() / sizeof(std::uint64_t), infinite_);
+        Table lengths(static_cast<std::size_t>(bytes() / sizeof(std::uint64_t)), infinite_);
         for (const Symbol a : letters_)
             for (std::size_t s = 0; s < automaton_->states(); ++s)
                 if (const std::size_t to = automaton_->step(s, a); to != UsefulStates::nowhere)

@@ -45,7 +45,7 @@ TablesWalk by_one_table(Process& process, const Budget& budget) {
         if (step > 0 && state == remembered) return {std::nullopt, step, remembered_step, step};
         if (process.stops(state)) {
             budget.check_memory(step * sizeof(std::uint32_t), "the tables of a derivation");
-            return {std::vector<std::uint32_t>(step, 0), step, 0, step + 1};
+            return {std::vector<std::uint32_t>(static_cast<std::size_t>(step), 0), step, 0, step + 1};
         }
         if (step == until) {
             remembered = state;

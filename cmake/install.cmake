@@ -24,8 +24,8 @@ install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 install(TARGETS algae_library EXPORT algaeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(DIRECTORY src/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/algae
-  FILES_MATCHING PATTERN "*.hpp" PATTERN cli EXCLUDE)
+include(cmake/faces.cmake)
+install(DIRECTORY ${algae_faces}/algae DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 install(EXPORT algaeTargets NAMESPACE algae:: DESTINATION ${algae_package})
 configure_package_config_file(cmake/algaeConfig.cmake.in algaeConfig.cmake
   INSTALL_DESTINATION ${algae_package} NO_SET_AND_CHECK_MACRO)

@@ -25,7 +25,7 @@ foreach(line IN LISTS sortable)
 endforeach()
 
 file(WRITE ${OUTPUT} "// Written by cmake/write_gallery.cmake from files of the project.
-#include \"notation/gallery.hpp\"
+#include \"notation/notation.hpp\"
 
 #include <array>
 #include <cstddef>

@@ -1,18 +1,365 @@
-#include "dimension/displacement.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "dimension/leading_factor.hpp"
-#include "dimension/short_basis.hpp"
-#include "growth/complex_ball.hpp"
-#include "growth/residues.hpp"
+#include "dimension/detail/recurrent_set.hpp"
+
+// The factor mu by which the ways of pieces grow, and the lattice in which the limit of the ways
+// lies, exactly.
+//
+// Let M be the matrix over Z[zeta] that maps the ways of one level to those of the next. Where one
+// eigenvalue mu outgrows all others, the ways divided by mu^k tend to an eigenvector v, and
+// positions in the limit are combinations of zeta^i v(a). To compare positions exactly they need
+// coordinates in the field Q(mu, zeta). The steps:
+//
+// 1. `LeadingFactor` replaces M by A = M + t zeta over the integers, t so large that the
+//    eigenvalues of A for different embeddings of zeta lie apart. The polynomial that annihilates
+//    the ways under A is factorised; the factor q with the root mu + t zeta is the minimal
+//    polynomial of a generator of Q(mu, zeta). Applying the other factors to the ways leaves u,
+//    their part that belongs to q. Several eigenvalues may be equally large and still agree where
+//    the turns' period makes their powers equal; otherwise EqualFactors asks for more phases.
+// 2. An element c of the field has the coordinates F(c)_i = c A^i u, i < deg q, which are integers
+//    for the ways. The complex number is recovered by Lagrange's interpolation (`trace_dual`), in
+//    balls.
+// 3. The rows of zeta^j v(piece) span a lattice. A basis of it is shortened by the algorithm of
+//    Lenstra, Lenstra and Lovasz (1982) with respect to all embeddings, so that multiplication by
+//    mu and by zeta has small integer matrices; coordinates then are machine integers, and every
+//    operation checks for overflow.
+//
+// The set is at last scaled so that the longest way has length 1, and turned as late generations
+// are drawn.
 
 namespace algae {
 
 namespace {
+
+/// The eigenvalue mu of the ways of an unfolding that outgrows all others, and the part of the ways
+/// that belongs to it: step 1.
+class LeadingFactor {
+public:
+    /// Looks at the pieces marked as moving. Throws what `Displacement` throws.
+    LeadingFactor(const Unfolding& unfolding, const std::vector<bool>& moving,
+                  const CyclotomicRing& ring, const Budget& budget);
+
+    /// The moving pieces, and the place of one among them.
+    const std::vector<std::size_t>& pieces() const { return pieces_; }
+    std::size_t place(std::size_t piece) const { return places_[piece]; }
+
+    /// The minimal polynomial q of mu + t zeta.
+    const Polynomial& factor() const { return factor_; }
+    /// mu + t zeta, and mu itself, to about so many bits.
+    ComplexBall root(long bits) const;
+    ComplexBall eigenvalue(long bits) const;
+    /// A^i u for i from 0 to the degree of q, less one: u is the part of the ways that q
+    /// annihilates, times an integer. By place.
+    const std::vector<std::vector<CyclotomicInteger>>& powers() const { return powers_; }
+
+private:
+    std::vector<CyclotomicInteger> next(const std::vector<CyclotomicInteger>& ways) const;
+    Polynomial annihilator_of(const std::vector<CyclotomicInteger>& ways,
+                              const Budget& budget) const;
+    void choose(const Polynomial& annihilator, std::size_t phases);
+    ComplexBall shift(long bits) const;  // t zeta
+
+    CyclotomicRing ring_;
+    std::vector<std::size_t> pieces_, places_;
+    struct Entry {
+        std::size_t place;
+        std::int64_t heading;
+    };
+    std::vector<std::vector<Entry>> rows_;  // of M, by place
+    std::size_t widest_ = 0;                // no eigenvalue of M is larger
+    long times_ = 0;                        // t
+    Polynomial factor_;
+    ComplexBall near_{Ball(0, 64), Ball(0, 64)};  // mu + t zeta, apart from the other roots of q
+    std::vector<std::vector<CyclotomicInteger>> powers_;
+};
+
+constexpr long root_bits = 192;
+
+struct Candidate {
+    std::size_t power;  // of the factorisation
+    ComplexBall root, eigenvalue;
+    unsigned multiplicity;
+
+    double size() const {
+        return std::hypot(eigenvalue.real.midpoint(), eigenvalue.imaginary.midpoint());
+    }
+    Ball square() const {
+        return eigenvalue.real * eigenvalue.real + eigenvalue.imaginary * eigenvalue.imaginary;
+    }
+};
+
+bool is_one(const ComplexBall& number) {
+    return number.real.contains(Rational(1)) && number.imaginary.contains(Rational(0));
+}
+
+LeadingFactor::LeadingFactor(const Unfolding& unfolding, const std::vector<bool>& moving,
+                             const CyclotomicRing& ring, const Budget& budget)
+    : ring_(ring), places_(unfolding.size(), 0) {
+    for (std::size_t p = 0; p < unfolding.size(); ++p)
+        if (moving[p]) {
+            places_[p] = pieces_.size();
+            pieces_.push_back(p);
+        }
+    if (pieces_.empty()) throw Error("the turtle always comes back to where it began");
+    if (pieces_.size() * ring.degree() > Displacement::largest_matrix)
+        throw BoundReached(Bound::method, "the ways of its pieces need " +
+                                              std::to_string(pieces_.size() * ring.degree()) +
+                                              " coordinates, more than " +
+                                              std::to_string(Displacement::largest_matrix));
+    for (const std::size_t piece : pieces_) {
+        std::vector<Entry>& row = rows_.emplace_back();
+        for (const Unfolding::Item& item : unfolding.paths[piece])
+            if (moving[item.piece]) row.push_back({places_[item.piece], item.heading});
+        widest_ = std::max(widest_, row.size());
+    }
+    if (ring.degree() > 1)
+        times_ = static_cast<long>(
+            std::ceil((2.0 * static_cast<double>(widest_) + 1) /
+                      (2 * std::sin(std::numbers::pi / static_cast<double>(ring.order())))));
+
+    std::vector<CyclotomicInteger> ways;
+    for (const std::size_t piece : pieces_) ways.push_back(unfolding.moves[piece]);
+    const Polynomial annihilator = annihilator_of(ways, budget);
+    choose(annihilator, unfolding.phases);
+
+    // u: what the other factors leave of the ways, by Horner's rule.
+    const Polynomial others = *exact_divide(annihilator, factor_);
+    std::vector<CyclotomicInteger> part(ways.size(), ring_.zero());
+    for (std::size_t k = others.coefficients().size(); k-- > 0;) {
+        budget.check();
+        part = next(part);
+        for (std::size_t i = 0; i < part.size(); ++i) {
+            CyclotomicInteger term = ways[i];
+            ring_.scale(term, others.coefficients()[k]);
+            ring_.add(part[i], term);
+        }
+    }
+    for (long i = 0; i < factor_.degree(); ++i) {
+        powers_.push_back(part);
+        part = next(part);
+        budget.check();
+    }
+}
+
+/// A times the ways.
+std::vector<CyclotomicInteger> LeadingFactor::next(
+    const std::vector<CyclotomicInteger>& ways) const {
+    std::vector<CyclotomicInteger> out;
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        CyclotomicInteger sum = ring_.rotate(ways[i], 1);
+        ring_.scale(sum, Integer(times_));
+        for (const Entry& entry : rows_[i])
+            ring_.add_rotated(sum, ways[entry.place], entry.heading);
+        out.push_back(std::move(sum));
+    }
+    return out;
+}
+
+Polynomial LeadingFactor::annihilator_of(const std::vector<CyclotomicInteger>& ways,
+                                         const Budget& budget) const {
+    // The transpose of A over the integers, as `annihilator` wants a row times a matrix.
+    const std::size_t degree = ring_.degree();
+    GrowthMatrix matrix;
+    std::vector<std::map<std::size_t, Integer>> rows(ways.size() * degree);
+    const auto add = [&](std::size_t from, std::size_t to, std::int64_t heading,
+                         const Integer& times) {
+        for (std::size_t j = 0; j < degree; ++j) {
+            const auto power = ring_.power(static_cast<long>(heading) + static_cast<long>(j));
+            for (std::size_t i = 0; i < degree; ++i)
+                if (power[i] != 0)
+                    rows[from * degree + j][to * degree + i] += times * Integer(power[i]);
+        }
+    };
+    for (std::size_t i = 0; i < ways.size(); ++i) {
+        if (times_ != 0) add(i, i, 1, Integer(times_));
+        for (const Entry& entry : rows_[i]) add(entry.place, i, entry.heading, 1);
+    }
+    for (const auto& row : rows) {
+        auto& entries = matrix.rows.emplace_back();
+        for (const auto& [column, times] : row)
+            if (!times.is_zero()) entries.push_back({column, times});
+    }
+    std::vector<Integer> start;
+    for (const CyclotomicInteger& way : ways)
+        start.insert(start.end(), way.coefficients.begin(), way.coefficients.end());
+    return annihilator(start, matrix, budget);
+}
+
+void LeadingFactor::choose(const Polynomial& annihilator, std::size_t phases) {
+    if (annihilator.degree() < 1) throw Error("the turtle always comes back to where it began");
+    const Factorisation factors = factorise(annihilator);
+    const ComplexBall centre = shift(root_bits);
+    std::vector<Candidate> candidates;
+    for (std::size_t k = 0; k < factors.powers.size(); ++k)
+        for (const Root& root : roots(factors.powers[k].factor, root_bits)) {
+            const ComplexBall number{root.real, root.imaginary};
+            const ComplexBall rest{number.real - centre.real, number.imaginary - centre.imaginary};
+            const Candidate candidate{k, number, rest, factors.powers[k].exponent};
+            if (candidate.size() <= static_cast<double>(widest_) + 0.25)
+                candidates.push_back(candidate);
+        }
+    const Candidate* largest = nullptr;
+    for (const Candidate& candidate : candidates)
+        if (!largest || candidate.size() > largest->size()) largest = &candidate;
+    if (!largest || compare(largest->square(), Ball(1, root_bits)) != Order::greater)
+        throw Error(
+            "the way from the beginning of the curve to its end does not grow exponentially");
+    const Candidate* chosen = nullptr;
+    for (const Candidate& candidate : candidates) {
+        if (compare(candidate.square(), largest->square()) == Order::less) continue;
+        if (candidate.multiplicity > 1)
+            throw Error(
+                "lengths grow like a power of the number of the generation times that of a "
+                "factor, so parts do not become similar");
+        const ComplexBall quotient = candidate.eigenvalue / largest->eigenvalue;
+        if (!is_one(power(quotient, phases)))
+            throw EqualFactors(
+                "several scaling factors are equally large, so parts do not become similar");
+        const auto degree_of = [&](const Candidate& c) {
+            return factors.powers[c.power].factor.degree();
+        };
+        if (!chosen || degree_of(candidate) < degree_of(*chosen) ||
+            (degree_of(candidate) == degree_of(*chosen) &&
+             candidate.eigenvalue.real.midpoint() > chosen->eigenvalue.real.midpoint() + 1e-9))
+            chosen = &candidate;
+    }
+    factor_ = factors.powers[chosen->power].factor;
+    near_ = chosen->root;
+}
+
+ComplexBall LeadingFactor::shift(long bits) const {
+    const Rational part(2, Integer(ring_.order()));
+    return {cos_pi(part, bits) * Ball(times_, bits), sin_pi(part, bits) * Ball(times_, bits)};
+}
+
+ComplexBall LeadingFactor::root(long bits) const {
+    for (const Root& root : roots(factor_, bits))
+        if (root.real.overlaps(near_.real) && root.imaginary.overlaps(near_.imaginary))
+            return {root.real, root.imaginary};
+    throw Error("a root of a polynomial was lost");
+}
+
+ComplexBall LeadingFactor::eigenvalue(long bits) const {
+    const ComplexBall whole = root(bits), part = shift(bits);
+    return {whole.real - part.real, whole.imaginary - part.imaginary};
+}
+
+/// The complex numbers that the coordinates F(c)_i = c A^i u of a number c stand for: the part of u
+/// that belongs to the root of the factor, by Lagrange's interpolation.
+std::vector<ComplexBall> trace_dual(const Polynomial& factor, const ComplexBall& root) {
+    // factor(x) / (x - root), by Horner's rule from the top, over its value at the root.
+    const auto degree = static_cast<std::size_t>(factor.degree());
+    const long bits = root.real.bits();
+    std::vector<ComplexBall> quotient(degree, {Ball(0, bits), Ball(0, bits)});
+    ComplexBall carry{Ball(0, bits), Ball(0, bits)};
+    for (std::size_t k = degree; k-- > 0;) {
+        carry = carry * root + ComplexBall{Ball(factor.coefficient(k + 1), bits), Ball(0, bits)};
+        quotient[k] = carry;
+    }
+    const ComplexBall slope = value_at(derivative(factor), root);
+    for (ComplexBall& coefficient : quotient) coefficient = coefficient / slope;
+    return quotient;
+}
+
+/// The double as a rational.
+Rational rational(double value) {
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    return Rational(Integer(static_cast<std::int64_t>(std::ldexp(fraction, 53)))) *
+           power(Rational(2), exponent - 53);
+}
+
+/// The complex numbers that the rows of a basis stand for, for each of some roots of an irreducible
+/// polynomial: with relative errors below 2^-digits. Rows are coordinates c A^i u of a number c
+/// (see LeadingFactor). `roots` gives the roots to so many bits. Throws BoundReached where that
+/// takes too many bits.
+std::vector<std::vector<ComplexBall>> numbers_of(
+    const IntegerMatrix& basis, const Polynomial& factor,
+    const std::function<std::vector<ComplexBall>(long)>& roots, long digits, const Budget& budget) {
+    for (long bits = 256 + digits;; bits *= 2) {
+        budget.check();
+        if (bits > (1 << 16))
+            throw BoundReached(Bound::digits, "the lattice of positions needs too many digits");
+        std::vector<std::vector<ComplexBall>> numbers;
+        bool certain = true;
+        for (const ComplexBall& root : roots(bits)) {
+            const auto dual = trace_dual(factor, root);
+            auto& of_root = numbers.emplace_back();
+            for (std::size_t k = 0; k < basis.rows() && certain; ++k) {
+                ComplexBall sum{Ball(0, bits), Ball(0, bits)};
+                for (std::size_t i = 0; i < dual.size(); ++i)
+                    sum = sum + dual[i] * ComplexBall{Ball(basis(k, i), bits), Ball(0, bits)};
+                certain = sum.real.is_finite() && sum.imaginary.is_finite();
+                if (!certain) break;
+                const double size =
+                    std::abs(sum.real.midpoint()) + std::abs(sum.imaginary.midpoint());
+                const long exponent =
+                    static_cast<long>(std::floor(std::log2(size + 1e-300))) - digits;
+                certain =
+                    sum.real.has_radius_below(exponent) && sum.imaginary.has_radius_below(exponent);
+                of_root.push_back(std::move(sum));
+            }
+        }
+        if (certain) return numbers;
+    }
+}
+
+/// The numbers of a basis with all roots, as integers, to so many bits behind the first of the
+/// smallest element.
+IntegerMatrix embedded(const IntegerMatrix& basis, const LeadingFactor& leading, long digits,
+                       const Budget& budget) {
+    const auto all_roots = [&](long bits) {
+        std::vector<ComplexBall> all;
+        for (const Root& root : roots(leading.factor(), bits))
+            all.push_back({root.real, root.imaginary});
+        return all;
+    };
+    const auto numbers = numbers_of(basis, leading.factor(), all_roots, digits + 20, budget);
+    double smallest = INFINITY;
+    for (std::size_t k = 0; k < basis.rows(); ++k) {
+        double size = 0;
+        for (const auto& of_root : numbers)
+            size +=
+                std::abs(of_root[k].real.midpoint()) + std::abs(of_root[k].imaginary.midpoint());
+        smallest = std::min(smallest, size);
+    }
+    const Rational unit = rational(smallest) * power(Rational(2), -digits);
+    IntegerMatrix out(basis.rows(), 2 * numbers.size());
+    for (std::size_t k = 0; k < basis.rows(); ++k)
+        for (std::size_t l = 0; l < numbers.size(); ++l) {
+            const auto rounded = [&](const Ball& number) {
+                return round_half_even((number / Ball(unit, number.bits())).lower());
+            };
+            out(k, 2 * l) = rounded(numbers[l][k].real);
+            out(k, 2 * l + 1) = rounded(numbers[l][k].imaginary);
+        }
+    return out;
+}
+
+/// One step towards a basis of short elements. Says whether the basis changed.
+bool shorten(IntegerMatrix& basis, const LeadingFactor& leading, const Budget& budget) {
+    for (long digits = 40;; digits *= 2) {
+        if (digits > 20'000)
+            throw BoundReached(Bound::digits, "the lattice of positions needs too many digits");
+        const IntegerMatrix rows = embedded(basis, leading, digits, budget);
+        if (rank(rows) < rows.rows()) continue;
+        const IntegerMatrix steps = reducing_matrix(rows);
+        basis = steps * basis;
+        return steps != IntegerMatrix::identity(basis.rows());
+    }
+}
+
+/// A basis of the same lattice whose elements are small with all roots of the factor, so that mu
+/// and zeta have small matrices in it: by the algorithm of Lenstra, Lenstra and Lovasz (1982).
+/// Throws BoundReached where that takes too many digits.
+IntegerMatrix short_basis(IntegerMatrix basis, const LeadingFactor& leading, const Budget& budget) {
+    constexpr int most_rounds = 50;
+    for (int round = 0; round < most_rounds && shorten(basis, leading, budget); ++round) {
+    }
+    return basis;
+}
 
 /// The pieces that some level moves along: the others have no way.
 std::vector<bool> moving_pieces(const Unfolding& unfolding) {
@@ -69,8 +416,8 @@ std::vector<Displacement::Vector> map_on_lattice(const IntegerMatrix& generators
     return small_matrix(mapped, from_inverse->denominator * basis_inverse.denominator);
 }
 
-/// The first rows that span the same space as all, by elimination modulo a prime: independent modulo
-/// a prime, they are independent.
+/// The first rows that span the same space as all, by elimination modulo a prime: independent
+/// modulo a prime, they are independent.
 std::vector<std::size_t> independent_rows(const IntegerMatrix& matrix, std::size_t rank) {
     const PrimeField field(prime_below(Residue{1} << 61));
     std::vector<std::size_t> found, pivots;

@@ -1,18 +1,27 @@
-#include "dimension/divider.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 
-#include "base/error.hpp"
-#include "dimension/drawn_segments.hpp"
+#include "dimension/detail/cells.hpp"
+#include "dimension/detail/measures.hpp"
+
+// Richardson's dividers: how the length of a coast depends on the opening with which it is walked
+// (Richardson 1961; Mandelbrot, How long is the coast of Britain?, 1967).
+//
+// A step goes to the first point of the stroke, on its segments too, that is one opening away: the
+// first segment whose end lies outside of the circle is met by it in exactly one point, since its
+// beginning lies inside. Of the two forms of the root of the quadratic equation the one is taken
+// that does not subtract like numbers. Where openings are so fine that a step does not leave its
+// place in doubles, an error says so. What remains at the end counts as a share of a step.
+//
+// The result depends on where the walk begins, so each stroke is walked from eight of its points in
+// both directions.
 
 namespace algae {
 
 namespace {
 
-constexpr std::size_t starts = 8, most_scales = 20;
+constexpr std::size_t starts = 8;
 constexpr std::size_t check_every = 1 << 16;
 
 double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
@@ -93,7 +102,7 @@ Scaling divider(const std::vector<Stroke>& strokes, double detail, const Budget&
             "expected a stroke that is wider or higher than a point, found a size of {}", whole));
     Scaling result;
     const double coarsest = whole / ScaleRange::parts_of_whole;
-    result.sizes = halved_sizes(coarsest, detail, most_scales);
+    result.sizes = halved_sizes(coarsest, detail);
     if (result.sizes.empty()) result.sizes = {coarsest};
     std::vector<double> steps(result.sizes.size());
     std::size_t left_out = 0;

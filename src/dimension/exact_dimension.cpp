@@ -1,19 +1,116 @@
-#include "dimension/exact_dimension.hpp"
-
 #include <algorithm>
 
-#include "base/error.hpp"
-#include "dimension/distinct_parts.hpp"
-#include "dimension/neighbours.hpp"
-#include "dimension/parametric_dimension.hpp"
-#include "growth/annihilator.hpp"
-#include "system/d0l.hpp"
+#include "dimension/detail/ratio_graph.hpp"
+#include "dimension/detail/recurrent_set.hpp"
+
+// The exact dimension of the limit curve of a system.
+//
+// D0L systems: the recurrent set is a graph-directed set with one ratio 1/|mu|. A strongly
+// connected component of pieces whose different parts multiply by the rate r has the dimension log
+// r / log |mu|, if its parts meet in finitely many ways (neighbours.cpp); the dimension of the
+// whole is the largest of those of components that are reached. Components whose pieces shrink to
+// points (all offsets 0) have the dimension 0. The search goes through components from the largest
+// rate with multiplicity downward and stops at the first that cannot exceed the best found. A
+// component that this method does not resolve makes the value with multiplicity an upper bound.
+//
+// Where a component has no coinciding parts and the dimension 2, the limit has interior points, and
+// the pairs of parts that meet describe its boundary: their rate over that of mu is the dimension
+// of the boundary.
+//
+// Parametric systems (ratio_graph.cpp): with one ratio they are D0L systems in disguise. Otherwise
+// the similarity dimension (ratio_sum.cpp) is an upper bound, as overlaps are not looked at;
+// figures that only contain whole segments have dimension 1.
 
 namespace algae {
 
 namespace {
 
 using Status = ExactDimension::Status;
+
+/// Parts of states that draw for ever.
+std::vector<RatioSum::Entry> lasting_entries(const RatioGraph& graph,
+                                             const std::vector<bool>& drawing) {
+    std::vector<RatioSum::Entry> found;
+    for (std::size_t k = 0; k < graph.states.size(); ++k)
+        for (const RatioGraph::Part& part : graph.states[k].parts)
+            if (drawing[k] && !part.is_fence && drawing[part.state])
+                found.push_back({k, part.state, part.ratio});
+    return found;
+}
+
+/// Whether the figures of a component without branching become points beside the whole.
+bool vanishes(const std::vector<RatioSum::Entry>& cycle, const WayGrowth& growth) {
+    constexpr long bits = 192;
+    Ball product(1, bits);
+    for (const RatioSum::Entry& entry : cycle)
+        product *= abs(enclosure(entry.ratio, bits)) / growth.enclosure(bits);
+    return compare(product, Ball(1, bits)) == Order::less;
+}
+
+/// The dimension of the limit curve of a parametric system whose rules multiply lengths by
+/// constants (`RatioGraph`). Where all of them are the same, it is that of the D0L system with
+/// steps of one length. Otherwise it is the similarity dimension (`RatioSum`), an upper bound, as
+/// whether parts overlap is not looked at; segments that stay segments have the dimension 1.
+///
+/// Throws what `ratio_graph`, `WayGrowth` and `RatioSum` throw.
+ExactDimension parametric_dimension(const LSystem& system, const Budget& budget) {
+    const RatioGraph graph = ratio_graph(system, budget);
+    if (const auto equal = with_equal_lengths(graph)) {
+        ExactDimension found = exact_dimension(*equal, budget);
+        if (found.status != Status::none) {
+            found.conditions.insert(found.conditions.begin(),
+                                    "every rule multiplies lengths by the same number");
+            return found;
+        }
+    }
+    std::vector<bool> draws;
+    for (const RatioGraph::State& state : graph.states) draws.push_back(state.draws);
+    const std::vector<bool> drawing = lasting(graph, draws);
+    if (std::none_of(drawing.begin(), drawing.end(), [](bool lasts) { return lasts; }))
+        throw Error("nothing is drawn in late generations");
+    const auto growth = std::make_shared<const WayGrowth>(graph, budget);
+    const std::vector<RatioSum::Entry> entries = lasting_entries(graph, drawing);
+    const Components all = RatioSum::components(graph.states.size(), entries, budget);
+
+    std::optional<RatioSum> largest;
+    double dimension = 0;
+    bool has_segments = false;
+    for (const Component& component : all.list) {
+        if (!component.rate) continue;
+        std::vector<RatioSum::Entry> own = RatioSum::within(component, entries);
+        if (*component.rate == Rate(1)) {
+            const bool draws_itself =
+                std::any_of(component.letters.begin(), component.letters.end(),
+                            [&](std::size_t k) { return graph.states[k].draws; });
+            has_segments = has_segments || (draws_itself && !vanishes(own, *growth));
+            continue;
+        }
+        RatioSum sum(component.letters.size(), std::move(own), growth);
+        const double value = sum.enclosure(64).midpoint();
+        if (largest && value <= dimension) continue;
+        dimension = value;
+        largest = std::move(sum);
+    }
+    ExactDimension found;
+    if (largest && (!has_segments || dimension > 1)) {
+        found.status = Status::upper_bound;
+        found.value = found.similarity = DimensionFormula(*largest);
+        found.conditions.push_back(
+            "rules multiply lengths by constants, and m is the factor by which the ways from the "
+            "beginnings to the ends of figures grow in each generation");
+        found.conditions.push_back("whether parts overlap is not known");
+        return found;
+    }
+    found.status = Status::exact;
+    if (has_segments) {
+        found.value = found.similarity = LogRatio(Rate(2), ScalingRatio(Integer(2)));
+        found.conditions.push_back("segments stay segments");
+    } else {
+        found.value = found.similarity = LogRatio(Rate(1), ScalingRatio(Integer(2)));
+        found.conditions.push_back("the parts that are drawn do not multiply");
+    }
+    return found;
+}
 
 /// Whether all of a component's pieces shrink to points.
 bool is_point(const RecurrentSet& set, const Component& component) {
@@ -25,21 +122,6 @@ bool is_point(const RecurrentSet& set, const Component& component) {
 
 std::string counted(std::size_t count, const std::string& one, const std::string& many) {
     return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
-/// The rate of the number of pairs of parts that meet.
-std::optional<Rate> meeting_rate(const Neighbours& neighbours, const Budget& budget) {
-    if (neighbours.pairs().empty()) return std::nullopt;
-    const GrowthMatrix matrix = neighbours.matrix();
-    const std::vector<Integer> ones(matrix.size(), Integer(1));
-    const Polynomial polynomial = annihilator(neighbours.starts(), matrix, ones, budget);
-    Integer widest = 1;
-    for (const auto& row : matrix.rows) {
-        Integer sum;
-        for (const auto& entry : row) sum += entry.times;
-        if (widest < sum) widest = sum;
-    }
-    return spectral_radius(factorise(polynomial).powers, Rational(widest + 1));
 }
 
 /// Looks at components from the largest possible dimension downwards.
@@ -120,7 +202,7 @@ private:
     }
 
     void find_boundary(const Neighbours& neighbours, const Rate& rate) {
-        const auto meeting = meeting_rate(neighbours, budget_).value_or(Rate(1));
+        const Rate meeting = neighbours.meeting_rate(budget_);
         if (!(meeting < rate)) return;
         if (!out_.meeting || *out_.meeting < meeting) out_.meeting = meeting;
         if (LogRatio(rate, ratio_).rational() == Rational(2))
@@ -168,11 +250,6 @@ ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
         none.conditions.push_back(reason.what());
         return none;
     }
-}
-
-double greatest_dimension(const ExactDimension& exact) {
-    if (exact.status != Status::upper_bound) return 2;
-    return std::min(exact.value->enclosure(64).midpoint(), 2.0);
 }
 
 }  // namespace algae

@@ -1,28 +1,160 @@
-#include "dimension/generalised.hpp"
-
 #include <algorithm>
-#include <cmath>
 #include <numeric>
-#include <string>
+#include <unordered_map>
 
-#include "base/error.hpp"
-#include "dimension/box_counts.hpp"
-#include "dimension/cell_masses.hpp"
+#include "dimension/detail/cells.hpp"
+#include "dimension/detail/measures.hpp"
+
+// Generalised dimensions D_q: how the moments sum p^q of a measure over the boxes of a grid grow
+// (Hentschel and Procaccia 1983).
+//
+// The length that a figure draws in each cell is collected in any order and merged by sorting,
+// cells being coded in Morton order; the masses of cells twice as wide follow from the sorted list
+// in one pass. For q < 0, boxes that the set barely touches would dominate the sum; there the mass
+// of a box and of all boxes around it is taken (Riedi 1995), which is found by a hash table.
+//
+// As with counts of boxes, a finite generation gives too little rather than too much, so the
+// interval is widened upward by the same shares as in fit.cpp; for orders below 0 twice as much, as
+// boxes along the edge of the set are partly empty.
 
 namespace algae {
 
 namespace {
 
-constexpr std::size_t most_scales = 20;
-constexpr double points_in_cell = 8;
-// As for counts of boxes, see fit.cpp: a finite generation gives too little rather than too much.
-// For orders below 0 the boxes along the edge of the set, part of them empty, weigh more still.
-constexpr double upward = 4.5, missed = 0.05;
-
-/// Sums over the boxes of each order, over all grids; coarsest scale first.
-class Sums {
+/// Collects masses of cells in any order. Memory for the different cells, three times over at most.
+class CellMasses {
 public:
-    Sums(std::span<const double> orders, std::size_t scales)
+    explicit CellMasses(const Budget& budget) : budget_(budget) {}
+
+    void add(std::uint64_t code, double mass) {
+        if (!masses_.empty() && masses_.back().code == code) {
+            masses_.back().mass += mass;
+            return;
+        }
+        if (masses_.size() >= limit_) merge();
+        masses_.push_back({code, mass});
+    }
+    /// Every cell once, in the order of codes; empties the collection. Throws BoundReached.
+    std::vector<CellMass> take() {
+        merge();
+        return std::exchange(masses_, {});
+    }
+
+private:
+    void merge();
+
+    Budget budget_;
+    std::vector<CellMass> masses_;
+    std::size_t limit_ = 1 << 16;
+};
+
+constexpr double most_cells = 2147483648.0;  // side by side: 31 bits a coordinate
+
+/// The bits of one coordinate of a code.
+std::uint64_t bits_of(int coordinate, int columns) {
+    std::uint64_t mask = 0;
+    for (int bit = coordinate; bit < 64; bit += columns) mask |= std::uint64_t{1} << bit;
+    return mask;
+}
+
+/// Steps to the neighbours on one axis; one beyond 0 has a code that no cell has.
+std::uint64_t next(std::uint64_t code, std::uint64_t axis) {
+    return (code & ~axis) | (((code | ~axis) + 1) & axis);
+}
+
+std::uint64_t previous(std::uint64_t code, std::uint64_t axis) {
+    return (code & ~axis) | (((code & axis) - 1) & axis);
+}
+
+void CellMasses::merge() {
+    budget_.check();
+    std::sort(masses_.begin(), masses_.end(),
+              [](const CellMass& a, const CellMass& b) { return a.code < b.code; });
+    std::size_t kept = 0;
+    for (std::size_t i = 0; i < masses_.size(); ++i)
+        if (kept > 0 && masses_[kept - 1].code == masses_[i].code)
+            masses_[kept - 1].mass += masses_[i].mass;
+        else
+            masses_[kept++] = masses_[i];
+    masses_.resize(kept);
+    limit_ = std::max(limit_, 2 * kept);
+    budget_.check_memory(3 * kept * sizeof(CellMass), "the lengths in the cells of a grid");
+}
+
+}  // namespace
+
+std::vector<CellMass> drawn_masses(const Figure& figure, const Grid& grid, const Budget& budget) {
+    const Box& box = figure.box();
+    const double most = (most_cells - 1) * grid.cell;
+    if (!(box.low.x >= grid.origin.x && box.low.y >= grid.origin.y &&
+          box.high.x - grid.origin.x < most && box.high.y - grid.origin.y < most))
+        throw Error("expected a figure within 2^31 cells right of and above the grid's origin");
+    CellMasses masses(budget);
+    DrawnSegments canvas([&](Point start, Point end, bool) {
+        const GridPoint from = grid.at(start), to = grid.at(end);
+        const double length = std::hypot(end.x - start.x, end.y - start.y);
+        const bool right = to.x > from.x, up = to.y > from.y;
+        Morton cell(static_cast<std::uint64_t>(from.column()),
+                    static_cast<std::uint64_t>(from.row()));
+        double done = 0;
+        walk_cells(from, to, [&](const Crossing& crossing) {
+            const double share = crossing.share();
+            masses.add(cell.code, (share - done) * length);
+            done = share;
+            if (crossing.sideways) right ? cell.right() : cell.left();
+            if (crossing.upright) up ? cell.up() : cell.down();
+        });
+        masses.add(cell.code, (1 - done) * length);
+    });
+    figure.draw(canvas, 0, budget);
+    return masses.take();
+}
+
+namespace {
+
+/// The same measure in cells twice as wide, where codes have the bits of so many coordinates in
+/// turns. The list must be in the order of codes. O(cells).
+std::vector<CellMass> in_cells_twice_as_wide(const std::vector<CellMass>& cells, int columns) {
+    std::vector<CellMass> wider;
+    for (const CellMass& cell : cells) {
+        const std::uint64_t code = cell.code >> columns;
+        if (!wider.empty() && wider.back().code == code)
+            wider.back().mass += cell.mass;
+        else
+            wider.push_back({code, cell.mass});
+    }
+    return wider;
+}
+
+/// For each cell the mass of it and of all cells around it: of a box three times as wide. O(cells).
+std::vector<double> masses_around(const std::vector<CellMass>& cells, int columns) {
+    std::unordered_map<std::uint64_t, double> mass_of;
+    mass_of.reserve(cells.size());
+    for (const CellMass& cell : cells) mass_of.emplace(cell.code, cell.mass);
+    std::vector<double> around;
+    around.reserve(cells.size());
+    std::vector<std::uint64_t> codes;
+    for (const CellMass& cell : cells) {
+        codes.assign(1, cell.code);
+        for (int i = 0; i < columns; ++i) {
+            const std::uint64_t axis = bits_of(i, columns);
+            for (std::size_t k = codes.size(); k-- > 0;) {
+                codes.push_back(next(codes[k], axis));
+                codes.push_back(previous(codes[k], axis));
+            }
+        }
+        double sum = 0;
+        for (const std::uint64_t code : codes)
+            if (const auto found = mass_of.find(code); found != mass_of.end()) sum += found->second;
+        around.push_back(sum);
+    }
+    return around;
+}
+
+/// OrderSums over the boxes of each order, over all grids; coarsest scale first.
+class OrderSums {
+public:
+    OrderSums(std::span<const double> orders, std::size_t scales)
         : orders_(orders.begin(), orders.end()),
           sums_(orders.size(), std::vector<double>(scales)),
           boxes_(scales) {}
@@ -50,8 +182,8 @@ public:
             result.values.push_back(order == 1 ? -mean : mean);
             powers.push_back(order == 1 ? mean : std::log(mean) / (order - 1));
         }
-        Widening widening{order == 0 ? 0.0 : 1.0, order < 0 ? 2 * upward : upward, 0};
-        if (detail > 0) widening.beyond = missed * detail / sizes.back();
+        Widening widening{order == 0 ? 0.0 : 1.0, (order < 0 ? 2 : 1) * Widening::upward, 0};
+        if (detail > 0) widening.beyond = Widening::missed * detail / sizes.back();
         fit_scaling(result, powers, range, widening, order < 0 ? HUGE_VAL : space);
         return result;
     }
@@ -103,7 +235,7 @@ double whole_of(const std::vector<CellMass>& cells) {
     return whole;
 }
 
-std::vector<GeneralisedDimension> all_of(const Sums& sums, std::span<const double> orders,
+std::vector<GeneralisedDimension> all_of(const OrderSums& sums, std::span<const double> orders,
                                          const std::vector<double>& sizes, const ScaleRange& range,
                                          double detail, int space) {
     std::vector<GeneralisedDimension> result;
@@ -123,9 +255,8 @@ std::vector<GeneralisedDimension> generalised_dimensions(const Figure& figure,
     ScaleRange range{ScaleRange::details * detail, whole / ScaleRange::parts_of_whole};
     range.scales = "boxes";
     range.follow_rises = true;
-    const std::vector<double> sizes =
-        halved_sizes(whole, std::min(range.finest, whole), most_scales);
-    Sums sums(orders, sizes.size());
+    const std::vector<double> sizes = halved_sizes(whole, std::min(range.finest, whole));
+    OrderSums sums(orders, sizes.size());
     for (const Point offset : even_offsets(offsets)) {
         auto cells =
             drawn_masses(figure, Grid::before(figure.box(), sizes.back(), offset, whole), budget);
@@ -149,8 +280,8 @@ std::vector<GeneralisedDimension> generalised_dimensions(const PointSet& points,
             throw Error("expected weights of 0 or more, found " + std::to_string(weight));
     const double whole = longest_side(points);
     const std::vector<double> sizes =
-        halved_sizes(whole, std::min(ScaleRange::details * points.detail, whole), most_scales);
-    Sums sums(orders, sizes.size());
+        halved_sizes(whole, std::min(ScaleRange::details * points.detail, whole));
+    OrderSums sums(orders, sizes.size());
     for (const auto& shares : even_places(offsets)) {
         const auto codes = cell_codes(points, sizes.size(), shares, budget);
         CellMasses masses(budget);
@@ -166,7 +297,8 @@ std::vector<GeneralisedDimension> generalised_dimensions(const PointSet& points,
         static_cast<double>(std::unique(different.begin(), different.end()) - different.begin());
     ScaleRange range{HUGE_VAL, whole / ScaleRange::parts_of_whole};
     for (std::size_t i = 0; i < sizes.size(); ++i)
-        if (points.detail > 0 || sums.boxes(i) * points_in_cell <= count) range.finest = sizes[i];
+        if (points.detail > 0 || sums.boxes(i) * ScaleRange::points_in_cell <= count)
+            range.finest = sizes[i];
     range.scales = "boxes";
     range.follow_rises = true;
     range.finest_is = points.detail > 0 ? "4 " + points.part + "s"

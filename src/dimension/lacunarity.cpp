@@ -1,23 +1,27 @@
-#include "dimension/lacunarity.hpp"
-
 #include <algorithm>
 #include <bit>
-#include <cmath>
-#include <string>
 
-#include "base/error.hpp"
-#include "dimension/box_counts.hpp"
-#include "dimension/cell_walk.hpp"
-#include "dimension/drawn_segments.hpp"
+#include "dimension/detail/cells.hpp"
+#include "dimension/detail/measures.hpp"
+
+// Lacunarity (Allain and Cloitre 1991): how unevenly the gaps of a set are distributed, by a box
+// that glides over it.
+//
+// With M the number of filled cells in a box, lacunarity is the mean of M^2 over the square of the
+// mean of M, over all places of the box. A table of sums over rectangles from the corner gives M
+// with three additions, whatever the box; sums of squares are exact, in 128 bits, so that a set
+// that fills all boxes alike has the lacunarity 1 exactly.
+//
+// For a self-similar set it falls as side^(D - space), so log lacunarity + space * log side is
+// fitted as the other measures are. Figures are put into the square around them by walking along
+// segments; points into the rectangle around them.
 
 namespace algae {
 
 namespace {
 
 __extension__ using Wide = unsigned __int128;
-
 constexpr std::size_t most_halvings = 11;
-constexpr double points_in_cell = 8;
 constexpr std::size_t most_pixels = std::size_t{1} << 31;  // so that counts fit 32 bits
 
 /// How many cells are filled left of and below each corner.
@@ -144,8 +148,8 @@ CellRectangle filled_cells(const PointSet& points, const Budget& budget) {
     if (!(cells.cell > 0)) {
         const BoxCounts counts = box_counts(points, most_halvings, 1, budget);
         std::size_t scale = 0;
-        while (scale + 1 < most_halvings &&
-               counts.mean(scale + 1) * points_in_cell <= static_cast<double>(counts.parts))
+        while (scale + 1 < most_halvings && counts.mean(scale + 1) * ScaleRange::points_in_cell <=
+                                                static_cast<double>(counts.parts))
             ++scale;
         cells.cell = counts.scales.cell(scale);
     }

@@ -1,18 +1,59 @@
-#include "dimension/neighbours.hpp"
-
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
+#include "dimension/detail/recurrent_set.hpp"
+
+// Where do the parts of a recurrent set meet, and which of them coincide?
+//
+// Two parts of one level that lie too far apart never meet below. Seen from one of them, the other
+// is a `Placement`: piece, heading and exact offset. From a pair follow the pairs of their parts; a
+// pair is dropped as soon as the discs of the two are disjoint. If only finitely many pairs arise,
+// the set has finite type (Bandt and Graf 1992; Strichartz and Wang 1999; Ngai and Wang 2001).
+// Pairs without successors are removed at the end, so two pieces meet exactly if their pair is
+// left. The search cannot know beforehand whether it ends, so it is bounded by a number of pairs
+// and by the budget.
+//
+// If no pair is one of a piece with itself in the same place, no parts coincide, the number of
+// pieces that meet in one place is bounded, and all parts count: the dimension of the component is
+// log rate / log |mu|. Otherwise the different parts are counted (`distinct_growth`): a part is
+// told apart by its surroundings, the other parts that may still coincide with parts of it. The
+// surroundings of the parts of a part follow from its own, so there are finitely many kinds, and a
+// part that k parts share counts 1/k for each. The rate of this matrix is that of the different
+// parts, and an algebraic integer, because it is the rate of a sequence of integers (Fatou).
 
 namespace algae {
 
 namespace {
 
-bool is_zero(const Displacement::Vector& vector) {
-    for (const std::int64_t x : vector)
-        if (x != 0) return false;
-    return true;
+void add_row(GrowthMatrix& matrix, const std::map<std::size_t, Integer>& counts) {
+    auto& row = matrix.rows.emplace_back();
+    for (const auto& [column, times] : counts) row.push_back({column, times});
+}
+
+/// A number that no eigenvalue of the matrix reaches: one more than the largest sum of a row.
+Rational above_all(const GrowthMatrix& matrix) {
+    Integer widest = 1;
+    for (const auto& row : matrix.rows) {
+        Integer sum;
+        for (const auto& entry : row) sum += entry.times;
+        if (widest < sum) widest = sum;
+    }
+    return Rational(widest + 1);
+}
+
+/// The rate at which paths that begin so multiply, whatever they end in.
+Rate rate_of(const std::vector<Integer>& start, const GrowthMatrix& matrix, const Budget& budget) {
+    const std::vector<Integer> ones(matrix.size(), Integer(1));
+    const Polynomial polynomial = annihilator(start, matrix, ones, budget);
+    return spectral_radius(factorise(polynomial).powers, above_all(matrix));
+}
+
+/// Whether the two pieces of a pair are the same one in the same place.
+bool is_one_place(const Neighbours::Pair& pair) {
+    const auto& [piece, heading, offset] = pair.other;
+    return pair.piece == piece && heading == 0 &&
+           std::all_of(offset.begin(), offset.end(), [](std::int64_t x) { return x == 0; });
 }
 
 /// Whether the discs of a piece and one placed so come together.
@@ -101,8 +142,7 @@ Neighbours::Neighbours(const RecurrentSet& set, std::size_t component, const Bud
         if (k % 256 == 0) budget.check();
         const std::size_t piece = pairs_[k].piece;
         const Placement other = pairs_[k].other;
-        // A pair of one piece with itself says all there is to say.
-        if (piece == other.piece && other.heading == 0 && is_zero(other.offset)) {
+        if (is_one_place(pairs_[k])) {  // its parts coincide too, and say nothing more
             coincide_ = true;
             pairs_[k].next = {k};
             continue;
@@ -155,8 +195,7 @@ void Neighbours::find_critical() {
     std::vector<std::size_t> open;
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
         for (const std::size_t next : pairs_[k].next) before[next].push_back(k);
-        const Placement& other = pairs_[k].other;
-        if (pairs_[k].piece == other.piece && other.heading == 0 && is_zero(other.offset)) {
+        if (is_one_place(pairs_[k])) {
             critical_[k] = true;
             open.push_back(k);
         }
@@ -178,21 +217,156 @@ std::optional<std::size_t> Neighbours::find(std::size_t piece, const Placement& 
     return place->second;
 }
 
-GrowthMatrix Neighbours::matrix() const {
-    GrowthMatrix out;
+Rate Neighbours::meeting_rate(const Budget& budget) const {
+    if (pairs_.empty()) return Rate(1);
+    GrowthMatrix matrix;
     for (const Pair& pair : pairs_) {
         std::map<std::size_t, Integer> counts;
         for (const std::size_t next : pair.next) counts[next] += 1;
-        auto& row = out.rows.emplace_back();
-        for (const auto& [column, times] : counts) row.push_back({column, times});
+        add_row(matrix, counts);
     }
-    return out;
+    std::vector<Integer> start(pairs_.size());
+    for (const std::size_t k : starts_) start[k] += 1;
+    return rate_of(start, matrix, budget);
 }
 
-std::vector<Integer> Neighbours::starts() const {
-    std::vector<Integer> out(pairs_.size());
-    for (const std::size_t k : starts_) out[k] += 1;
-    return out;
+namespace {
+
+constexpr std::size_t counted_levels = 8;
+
+/// A piece with the others that may coincide with parts of it, in order.
+struct Surroundings {
+    std::size_t piece;
+    std::vector<Placement> others;
+    bool operator<(const Surroundings& other) const {
+        return piece != other.piece ? piece < other.piece : others < other.others;
+    }
+};
+
+/// Every piece is told apart from those that have been seen, and its parts counted.
+class Census {
+public:
+    Census(const RecurrentSet& set, const Neighbours& neighbours, const Budget& budget,
+           std::size_t most)
+        : set_(set),
+          neighbours_(neighbours),
+          budget_(budget),
+          most_(most),
+          here_{0, 0, set.displacement().zero()} {}
+
+    std::size_t number(Surroundings surroundings) {
+        const auto [place, is_new] = numbers_.try_emplace(std::move(surroundings), kinds_.size());
+        if (is_new) {
+            if (kinds_.size() == most_)
+                throw BoundReached(Bound::method, "more than " + std::to_string(most_) +
+                                                      " kinds of surroundings of parts");
+            kinds_.push_back(place->first);
+        }
+        return place->second;
+    }
+
+    /// For each kind, the kinds of its parts and among how many they are shared.
+    struct Share {
+        std::size_t kind;
+        long sharers;
+    };
+    std::vector<std::vector<Share>> all(std::size_t start_piece) {
+        number({start_piece, {}});
+        std::vector<std::vector<Share>> rows;
+        for (std::size_t k = 0; k < kinds_.size(); ++k) {
+            budget_.check();
+            rows.push_back(parts_of(k));
+        }
+        return rows;
+    }
+
+private:
+    std::vector<Share> parts_of(std::size_t kind) {
+        const Surroundings whole = kinds_[kind];
+        // All parts of the piece and of those around it, each with its owners; 0 is the piece.
+        std::map<Placement, std::vector<std::size_t>> parts;
+        const auto add = [&](const Placement& owner, std::size_t number) {
+            for (const RecurrentSet::Part& part : parts_within(set_, owner.piece)) {
+                auto& owners = parts[placed(set_, owner, part)];
+                if (owners.empty() || owners.back() != number) owners.push_back(number);
+            }
+        };
+        add({whole.piece, 0, here_.offset}, 0);
+        for (std::size_t i = 0; i < whole.others.size(); ++i) add(whole.others[i], i + 1);
+        std::vector<Share> found;
+        for (const auto& [part, owners] : parts) {
+            if (owners.front() != 0) continue;
+            Surroundings around{part.piece, {}};
+            for (const auto& [other, others_owners] : parts) {
+                if (other == part) continue;
+                const Placement seen = seen_from(set_, part, other);
+                const Placement back = seen_from(set_, other, part);
+                if (is_critical(part.piece, seen) || is_critical(other.piece, back))
+                    around.others.push_back(seen);
+            }
+            std::sort(around.others.begin(), around.others.end());
+            found.push_back({number(std::move(around)), static_cast<long>(owners.size())});
+        }
+        return found;
+    }
+
+    bool is_critical(std::size_t piece, const Placement& other) const {
+        const auto pair = neighbours_.find(piece, other);
+        return pair && neighbours_.leads_to_coincidence()[*pair];
+    }
+
+    const RecurrentSet& set_;
+    const Neighbours& neighbours_;
+    const Budget& budget_;
+    std::size_t most_;
+    Placement here_;
+    std::map<Surroundings, std::size_t> numbers_;
+    std::vector<Surroundings> kinds_;
+};
+
+/// rate / scale, an algebraic integer because it is the rate of a sequence of integers (Fatou).
+Rate divided(const Rate& rate, const Integer& scale, const Rational& above) {
+    const Polynomial& polynomial = rate.minimal_polynomial();
+    std::vector<Integer> coefficients;
+    const auto degree = static_cast<std::uint64_t>(polynomial.degree());
+    for (std::uint64_t i = 0; i <= degree; ++i)
+        coefficients.push_back(exact_divide(polynomial.coefficient(i), power(scale, degree - i)));
+    return Rate(Polynomial(std::move(coefficients)), above);
+}
+
+}  // namespace
+
+DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
+                               const Neighbours& neighbours, const Budget& budget,
+                               std::size_t most) {
+    Census census(set, neighbours, budget, most);
+    const auto rows = census.all(set.components().list[component].letters.front());
+    Integer scale = 1;
+    for (const auto& row : rows)
+        for (const auto& share : row) scale = lcm(scale, Integer(share.sharers));
+    GrowthMatrix matrix;
+    for (const auto& row : rows) {
+        std::map<std::size_t, Integer> counts;
+        for (const auto& share : row)
+            counts[share.kind] += exact_divide(scale, Integer(share.sharers));
+        add_row(matrix, counts);
+    }
+    std::vector<Integer> start(rows.size());
+    start[0] = 1;
+    DistinctGrowth found;
+    found.kinds = rows.size();
+    std::vector<Integer> level = start;
+    Integer divisor = 1;
+    for (std::size_t n = 0; n < counted_levels; ++n) {
+        Integer sum;
+        for (const Integer& count : level) sum += count;
+        found.first_counts.push_back(exact_divide(sum, divisor));
+        level = level * matrix;
+        divisor *= scale;
+    }
+    found.rate =
+        divided(rate_of(start, matrix, budget), scale, above_all(matrix) / Rational(scale));
+    return found;
 }
 
 }  // namespace algae

@@ -1,17 +1,207 @@
-#include "dimension/ratio_graph.hpp"
-
 #include <algorithm>
-#include <map>
-#include <utility>
+#include <compare>
+#include <set>
 
-#include "base/error.hpp"
-#include "dimension/constant_expression.hpp"
-#include "dimension/length_multiple.hpp"
-#include "dimension/parameter_meanings.hpp"
+#include "dimension/detail/ratio_graph.hpp"
+#include "dimension/detail/recurrent_set.hpp"
+
+// What becomes of lengths in a parametric system: is every module a scaled copy of one of finitely
+// many?
+//
+// The exact dimension needs parts that are similar to the whole. In a parametric system this holds
+// where each kind of module has one parameter that is its length, rules multiply lengths by
+// constants, and everything that conditions and turns depend on takes finitely many values. The
+// plan:
+//
+// 1. `ParameterMeanings` works backward from what the turtle does. Arguments of turns, and
+//    parameters in conditions, are numbers, and so is what they are computed from; first arguments
+//    of steps are lengths, and so is what they are computed from; other parameters do not matter. A
+//    length that decides what becomes of its module is refused.
+// 2. `multiple_of` computes an expression as a number or as a constant times the length of the
+//    module that is rewritten.
+// 3. `Builder` explores the states from the axiom: a state is a symbol with the values of its
+//    numbers. An argument without relation to the length of the whole is allowed only where no
+//    turtle ever steps from it.
+// 4. Where all ratios are the same, `with_equal_lengths` writes the D0L system that draws the same
+//    figures with unit steps, whose dimension `exact_dimension` finds by the recurrent set; turns
+//    become powers of one common angle.
 
 namespace algae {
 
 namespace {
+
+/// What the parameters of a system's modules are to the way of its turtle. Backward from what the
+/// turtle does: what conditions and turns depend on are numbers, what lengths of steps depend on
+/// are lengths, and everything else (widths, colours, ages that nobody asks for) is of no account.
+/// What is both is a number.
+class ParameterMeanings {
+public:
+    enum class Meaning : unsigned char { none, length, number };
+
+    /// Throws Error where the length of a step stands in a condition or turns something.
+    explicit ParameterMeanings(const LSystem& system);
+
+    /// Of a parameter of modules with this symbol and so many parameters.
+    Meaning of(Symbol symbol, std::size_t arity, std::size_t place) const;
+
+private:
+    struct Slot {
+        Symbol symbol;
+        std::size_t arity, place;
+        auto operator<=>(const Slot&) const = default;
+    };
+    void spread(const LSystem& system, Meaning meaning);
+    std::map<Slot, Meaning> meanings_;
+};
+
+/// Whether a symbol makes the turtle step, and whether it draws then.
+enum class Step : unsigned char { none, draw, move };
+
+void collect_names(const Expression& expression, std::set<std::string>& into) {
+    if (expression.kind == Expression::Kind::name) into.insert(expression.name);
+    for (const Expression& operand : expression.operands) collect_names(operand, into);
+}
+
+Step step_of(const Alphabet& alphabet, Symbol symbol) {
+    const std::string& name = alphabet.name(symbol);
+    if (name == "F" || name == "G" || name.starts_with("F_")) return Step::draw;
+    if (name == "f" || name.starts_with("f_")) return Step::move;
+    return Step::none;
+}
+
+ParameterMeanings::ParameterMeanings(const LSystem& system) {
+    const auto visit = [&](const ModuleWord& word, const auto& see) {
+        for (const auto& [at, arguments] : word.arguments) see(word.letters[at], arguments.size());
+    };
+    const auto visit_all = [&](const auto& see) {
+        visit(system.axiom, see);
+        for (const Production& rule : system.rules) {
+            visit(rule.successor, see);
+            if (!rule.predecessor.parameters.empty())
+                see(rule.predecessor.symbol, rule.predecessor.parameters.size());
+        }
+    };
+    visit_all([&](Symbol symbol, std::size_t arity) {
+        const std::string& name = system.alphabet.name(symbol);
+        if (name == "+" || name == "-") meanings_[{symbol, arity, 0}] = Meaning::number;
+    });
+    for (const Production& rule : system.rules) {
+        if (!rule.condition) continue;
+        std::set<std::string> names;
+        collect_names(*rule.condition, names);
+        const auto& parameters = rule.predecessor.parameters;
+        for (std::size_t k = 0; k < parameters.size(); ++k)
+            if (names.contains(parameters[k]))
+                meanings_[{rule.predecessor.symbol, parameters.size(), k}] = Meaning::number;
+    }
+    spread(system, Meaning::number);
+    visit_all([&](Symbol symbol, std::size_t arity) {
+        if (step_of(system.alphabet, symbol) == Step::none) return;
+        Meaning& meaning = meanings_[{symbol, arity, 0}];
+        if (meaning == Meaning::number)
+            throw Error("the length of " + system.alphabet.name(symbol) +
+                        " decides what comes of it, so parts are not similar to the whole");
+        meaning = Meaning::length;
+    });
+    spread(system, Meaning::length);
+}
+
+void ParameterMeanings::spread(const LSystem& system, Meaning meaning) {
+    for (bool changed = true; changed;) {
+        changed = false;
+        for (const Production& rule : system.rules) {
+            const auto& parameters = rule.predecessor.parameters;
+            std::set<std::string> names;
+            for (const auto& [at, arguments] : rule.successor.arguments)
+                for (std::size_t k = 0; k < arguments.size(); ++k)
+                    if (of(rule.successor.letters[at], arguments.size(), k) == meaning)
+                        collect_names(arguments[k], names);
+            for (std::size_t k = 0; k < parameters.size(); ++k) {
+                if (!names.contains(parameters[k])) continue;
+                Meaning& own = meanings_[{rule.predecessor.symbol, parameters.size(), k}];
+                if (own != Meaning::none) continue;
+                own = meaning;
+                changed = true;
+            }
+        }
+    }
+}
+
+ParameterMeanings::Meaning ParameterMeanings::of(Symbol symbol, std::size_t arity,
+                                                 std::size_t place) const {
+    const auto found = meanings_.find({symbol, arity, place});
+    return found == meanings_.end() ? Meaning::none : found->second;
+}
+
+/// What the parameters of a module are, as far as they matter to a turtle's way.
+struct ModuleValues {
+    std::optional<std::string> length;  // the name of the one that is a length
+    std::map<std::string, Rational> numbers;
+};
+
+/// A number, or so many times the length of the module that a rule rewrites.
+struct LengthMultiple {
+    bool of_length = false;
+    Expression factor;  // without names, shortened
+};
+
+using Kind = Expression::Kind;
+
+Expression number(const Rational& value) { return quantity(value).expression; }
+
+const Quantity* constant(const std::string& name, const LSystem& system) {
+    for (const auto& [known, value] : system.constants)
+        if (known == name) return &value;
+    return nullptr;
+}
+
+/// An expression over a module's parameters and a system's constants as a multiple of its length.
+/// Throws Error where it is none: x+1, x^2.
+LengthMultiple multiple_of(const Expression& expression, const ModuleValues& values,
+                           const LSystem& system) {
+    if (expression.kind == Kind::name) {
+        if (values.length == expression.name) return {true, number(1)};
+        const auto known = values.numbers.find(expression.name);
+        if (known != values.numbers.end()) return {false, number(known->second)};
+        if (const Quantity* named = constant(expression.name, system))
+            return multiple_of(named->expression, {}, system);
+        throw Error("'" + expression.name + "' is no number that rules keep count of");
+    }
+    std::vector<LengthMultiple> operands;
+    for (const Expression& operand : expression.operands)
+        operands.push_back(multiple_of(operand, values, system));
+    Expression whole = expression;
+    for (std::size_t k = 0; k < operands.size(); ++k) whole.operands[k] = operands[k].factor;
+    const auto lengths =
+        std::count_if(operands.begin(), operands.end(), [](const LengthMultiple& x) {
+            return x.of_length && rational_value(x.factor) != Rational(0);
+        });
+    if (lengths == 0) return {false, shortened(std::move(whole))};
+    const std::string& name = expression.name;
+    const bool is_sum = expression.kind == Kind::binary && (name == "+" || name == "-");
+    const bool is_multiple =
+        (expression.kind == Kind::unary && name == "-") ||
+        (expression.kind == Kind::binary && name == "*" && lengths == 1) ||
+        (expression.kind == Kind::binary && name == "/" && lengths == 1 && operands[0].of_length) ||
+        (is_sum && (lengths == 2 || rational_value(operands[0].factor) == Rational(0) ||
+                    rational_value(operands[1].factor) == Rational(0)));
+    if (!is_multiple)
+        throw Error("the length '" + to_text(expression) +
+                    "' is no multiple of that of the module it comes from");
+    return {true, shortened(std::move(whole))};
+}
+
+/// The value of an expression that does not depend on the length. Throws Error where it is not
+/// rational.
+Rational exact_number(const Expression& expression, const ModuleValues& values,
+                      const LSystem& system) {
+    const LengthMultiple found = multiple_of(expression, values, system);
+    const auto value = found.of_length ? std::nullopt : rational_value(found.factor);
+    if (!value)
+        throw Error("'" + to_text(expression) +
+                    "', which conditions or turns depend on, is no rational number");
+    return *value;
+}
 
 using Meaning = ParameterMeanings::Meaning;
 
@@ -68,8 +258,8 @@ private:
         return found == word.arguments.end() ? none : found->second;
     }
 
-    /// The module at a place of a word, or nothing if it has the length 0. Without a ratio where its
-    /// length and that of the whole have nothing to do with each other.
+    /// The module at a place of a word, or nothing if it has the length 0. Without a ratio where
+    /// its length and that of the whole have nothing to do with each other.
     std::optional<RatioGraph::Part> part(const ModuleWord& word, std::size_t at,
                                          const ModuleValues& values) {
         const Symbol symbol = word.letters[at];
@@ -232,25 +422,88 @@ RatioGraph ratio_graph(const LSystem& system, const Budget& budget) {
 }
 
 std::vector<bool> lasting(const RatioGraph& graph, const std::vector<bool>& holds) {
-    const auto any_part = [&](std::size_t k, const std::vector<bool>& of) {
-        return std::any_of(graph.states[k].parts.begin(), graph.states[k].parts.end(),
-                           [&](const auto& part) { return !part.is_fence && of[part.state]; });
+    std::vector<std::vector<std::size_t>> parts(graph.states.size());
+    for (std::size_t k = 0; k < parts.size(); ++k)
+        for (const RatioGraph::Part& part : graph.states[k].parts)
+            if (!part.is_fence) parts[k].push_back(part.state);
+    return lasting(parts, holds);
+}
+
+namespace {
+
+/// Whether all lengths are multiplied by one number.
+bool has_one_ratio(const RatioGraph& graph) {
+    const Expression* ratio = nullptr;
+    for (const RatioGraph::State& state : graph.states)
+        for (const RatioGraph::Part& part : state.parts) {
+            if (part.is_fence || !graph.states[part.state].matters) continue;
+            if (ratio && !(*ratio == part.ratio)) return false;
+            ratio = &part.ratio;
+        }
+    return true;
+}
+
+bool stays(const RatioGraph& graph, std::size_t k) {
+    const auto& parts = graph.states[k].parts;
+    return parts.size() == 1 && !parts[0].is_fence && parts[0].state == k;
+}
+
+/// The largest angle that 360 degrees and all turns are multiples of.
+Rational common_angle(const RatioGraph& graph) {
+    Rational common = 360;
+    for (const RatioGraph::State& state : graph.states)
+        for (Rational rest = abs(state.degrees); !rest.is_zero();) {
+            const Rational next = common - rest * Rational(floor(common / rest));
+            common = rest;
+            rest = next;
+        }
+    return common;
+}
+
+}  // namespace
+
+std::optional<LSystem> with_equal_lengths(const RatioGraph& graph) {
+    constexpr long most_directions = 720;
+    if (!has_one_ratio(graph)) return std::nullopt;
+    const Rational unit = common_angle(graph);
+    if (unit * Rational(most_directions) < Rational(360)) return std::nullopt;
+    LSystem system;
+    system.settings.angle = quantity(unit);
+    std::vector<Word> words;
+    for (std::size_t k = 0; k < graph.states.size(); ++k) {
+        const RatioGraph::State& state = graph.states[k];
+        if (!state.degrees.is_zero()) {
+            if (!stays(graph, k)) return std::nullopt;
+            const Rational times = abs(state.degrees) / unit;
+            const Rational turns =
+                times - Rational(360) / unit * Rational(floor(times * unit / Rational(360)));
+            const Symbol turn = system.alphabet.symbol(sign(state.degrees) > 0 ? "+" : "-");
+            words.emplace_back(static_cast<std::size_t>(turns.numerator().to_int64()), turn);
+        } else {
+            const std::string kind = state.draws ? "F_" : state.moves ? "f_" : "X_";
+            words.push_back({system.alphabet.symbol(kind + std::to_string(k))});
+        }
+    }
+    const Symbol open = system.alphabet.symbol("["), close = system.alphabet.symbol("]");
+    const auto word = [&](const std::vector<RatioGraph::Part>& parts) {
+        Word found;
+        for (const RatioGraph::Part& part : parts) {
+            if (part.is_fence)
+                found.push_back(part.opens ? open : close);
+            else
+                found.insert(found.end(), words[part.state].begin(), words[part.state].end());
+        }
+        return found;
     };
-    std::vector<bool> leads = holds;
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t k = 0; k < leads.size(); ++k)
-            if (!leads[k] && any_part(k, leads)) leads[k] = changed = true;
+    for (std::size_t k = 0; k < graph.states.size(); ++k) {
+        if (!graph.states[k].degrees.is_zero()) continue;
+        Production rule;
+        rule.predecessor.symbol = words[k].front();
+        rule.successor.letters = word(graph.states[k].parts);
+        system.rules.push_back(std::move(rule));
     }
-    for (bool changed = true; changed;) {
-        changed = false;
-        for (std::size_t k = 0; k < leads.size(); ++k)
-            if (leads[k] && !any_part(k, leads)) {
-                leads[k] = false;
-                changed = true;
-            }
-    }
-    return leads;
+    system.axiom.letters = word(graph.axiom);
+    return system;
 }
 
 }  // namespace algae

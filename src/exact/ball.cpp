@@ -1,13 +1,11 @@
-#include "exact/ball.hpp"
+#include "exact/exact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
 
-#include "base/error.hpp"
-#include "exact/arb.hpp"
-#include "exact/flint.hpp"
+#include "exact/detail/flint.hpp"
 
 namespace algae {
 

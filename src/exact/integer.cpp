@@ -1,12 +1,11 @@
-#include "exact/integer.hpp"
+#include "exact/exact.hpp"
 
 #include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
 
-#include "base/error.hpp"
-#include "exact/flint.hpp"
+#include "exact/detail/flint.hpp"
 
 namespace algae {
 

@@ -1,11 +1,10 @@
-#include "exact/integer_matrix.hpp"
+#include "exact/exact.hpp"
 
 #include <algorithm>
 #include <bit>
 #include <ostream>
 
-#include "base/error.hpp"
-#include "exact/flint.hpp"
+#include "exact/detail/flint.hpp"
 
 namespace algae {
 

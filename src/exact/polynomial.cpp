@@ -1,11 +1,9 @@
-#include "exact/polynomial.hpp"
+#include "exact/exact.hpp"
 
 #include <algorithm>
 #include <ostream>
 
-#include "base/error.hpp"
-#include "exact/arb.hpp"
-#include "exact/flint.hpp"
+#include "exact/detail/flint.hpp"
 
 namespace algae {
 

@@ -1,12 +1,11 @@
-#include "exact/rational.hpp"
+#include "exact/exact.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <ostream>
 
-#include "base/error.hpp"
-#include "exact/flint.hpp"
+#include "exact/detail/flint.hpp"
 
 namespace algae {
 

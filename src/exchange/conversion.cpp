@@ -1,22 +1,116 @@
-#include "exchange/conversion.hpp"
-
 #include <algorithm>
 #include <memory>
 #include <optional>
 
-#include "base/error.hpp"
-#include "exchange/relative_format.hpp"
-#include "exchange/system_format.hpp"
-#include "exchange/system_of_cells.hpp"
-#include "nature/curve_functions.hpp"
-#include "notation/characters.hpp"
-#include "notation/format.hpp"
-#include "notation/ifs_file.hpp"
-#include "notation/print.hpp"
-#include "notation/read.hpp"
-#include "notation/relative_reader.hpp"
+#include "exchange/detail/formats.hpp"
+#include "exchange/exchange.hpp"
+
+// What can become what: the registry of formats and the conversions between them.
+//
+// Formats of other programs for systems all go by way of `lsys`: to it and from it, and so from any one to
+// any other. A printed table goes to and from the kind of file that says the same. Only two conversions go
+// between kinds of generators: a curve drawn by a system to its graph-directed iterated function system, and
+// a cellular automaton on a line to a system with interactions. For the latter, each local configuration is a
+// rule, and near the ends of the word, where context is missing, rules with shorter contexts take the fixed
+// state outside for it; the longest context wins.
 
 namespace algae {
+
+const std::vector<SystemFormat>& system_formats() {
+    static const std::vector<SystemFormat> all{
+        {"brno", "a text file of a geometric interpreter of D0L systems", read_brno, print_brno},
+        {"maple", "a worksheet that calls the Maple procedure Lsystem", read_maple, print_maple},
+        {"netlogo", "the setup procedure of a NetLogo model of L-systems", read_netlogo,
+         print_netlogo},
+    };
+    return all;
+}
+
+const SystemFormat* system_format(std::string_view file_name) {
+    for (const SystemFormat& one : system_formats())
+        if (file_name.ends_with("." + one.name)) return &one;
+    return nullptr;
+}
+
+const std::vector<RelativeFormat>& relative_formats() {
+    static const std::vector<RelativeFormat> all{
+        {"ca-table", "ca", "the table of a rule of cells on a line", read_ca_table, print_ca_table},
+        {"ifs-table", "ifs", "the table of an iterated function system", read_ifs_table,
+         print_ifs_table}};
+    return all;
+}
+
+const RelativeFormat* relative_format(std::string_view file_name) {
+    for (const RelativeFormat& one : relative_formats())
+        if (file_name.ends_with("." + one.name)) return &one;
+    return nullptr;
+}
+
+namespace {
+
+constexpr std::size_t most_rules = 20'000;
+
+/// The states of a number's digits in base `states`, `count` of them.
+std::vector<std::uint8_t> digits(std::size_t number, std::uint32_t states, std::size_t count) {
+    std::vector<std::uint8_t> found(count);
+    for (std::size_t i = count; i-- > 0; number /= states)
+        found[i] = static_cast<std::uint8_t>(number % states);
+    return found;
+}
+
+std::size_t power(std::size_t base, std::size_t exponent) {
+    std::size_t product = 1;
+    while (exponent-- > 0) product = std::min(product * base, most_rules + 1);
+    return product;
+}
+
+std::string word(const std::vector<std::uint8_t>& states, std::size_t first, std::size_t count) {
+    std::string text;
+    for (std::size_t i = first; i < first + count; ++i) text += state_character(states[i]);
+    return text;
+}
+
+}  // namespace
+
+LSystem system_of_cells(const CellularAutomaton& automaton) {
+    const CellRule& rule = automaton.rule;
+    if (rule.dimensions != 1)
+        throw Error(automaton.name + ": lies in the plane, and the letters of a word on a line");
+    if (automaton.boundary.periodic)
+        throw Error(automaton.name +
+                    ": its edges are joined, and no context of a word reaches from its end to its "
+                    "beginning; expected `boundary fixed 0` or another state");
+    const auto radius = static_cast<std::size_t>(rule.radius());
+    std::size_t count = 0;
+    for (std::size_t left = 0; left <= radius; ++left)
+        for (std::size_t right = 0; right <= radius; ++right)
+            count += power(rule.states, left + 1 + right);
+    if (count > most_rules) throw Error(automaton.name + ": would have more than 20000 rules");
+    std::string text;
+    if (!automaton.title.empty()) text += "title " + automaton.title + "\n";
+    if (!automaton.source.empty()) text += "source " + automaton.source + "\n";
+    text += "axiom " + word(automaton.start.cells, 0, automaton.start.cells.size()) + "\n";
+    // The longest contexts first.
+    for (std::size_t size = 2 * radius + 1; size-- > 0;)
+        for (std::size_t left = size > radius ? size - radius : 0; left <= std::min(size, radius);
+             ++left) {
+            const std::size_t right = size - left;
+            for (std::size_t number = 0; number < power(rule.states, size + 1); ++number) {
+                const auto seen = digits(number, rule.states, size + 1);
+                std::size_t local = 0;
+                for (std::size_t i = 0; i < 2 * radius + 1; ++i) {
+                    const bool inside = i + left >= radius && i <= radius + right;
+                    local = local * rule.states +
+                            (inside ? seen[i + left - radius] : automaton.boundary.outside);
+                }
+                if (left > 0) text += word(seen, 0, left) + " < ";
+                text += state_character(seen[left]);
+                if (right > 0) text += " > " + word(seen, left + 1, right);
+                text += std::string(" -> ") + state_character(rule.table[local]) + "\n";
+            }
+        }
+    return read_lsystem(text, automaton.name);
+}
 
 namespace {
 
@@ -105,8 +199,6 @@ std::string listed(const std::vector<std::string>& names, const char* last) {
                 (possible.empty() ? "nothing" : listed(possible, " and ")));
 }
 
-const SystemFormat* format_called(const std::string& name) { return system_format("." + name); }
-
 /// The text of a format in its canonical form; nothing where that takes another way.
 std::optional<std::string> canonical_text(std::string_view text, const std::string& name,
                                           const std::string& format) {
@@ -148,7 +240,7 @@ std::string converted(std::string_view text, const std::string& name, const std:
         return print_relative_file(table->read(text, name));
     if (const RelativeFormat* table = table_of(to, from))
         return table->print(*relative_of(from, text, name));
-    const SystemFormat *source = format_called(from), *target = format_called(to);
+    const SystemFormat *source = system_format("." + from), *target = system_format("." + to);
     if ((source || from == "lsys") && (target || to == "lsys") && (source || target)) {
         const LSystem system = source ? source->read(text, name) : read_lsystem(text, name);
         return target ? target->print(system) : print_lsystem(system);

@@ -1,17 +1,276 @@
-#include "exchange/maple_worksheet.hpp"
-
 #include <algorithm>
 #include <cctype>
 #include <utility>
 
-#include "base/error.hpp"
-#include "notation/characters.hpp"
+#include "exchange/detail/maple.hpp"
+
+// Worksheets of Maple: what is assigned and called in them, and what the values come to.
+//
+// A worksheet uses the procedures Lsystem and GRAFICO, which usually stand in it too. Of Maple's language
+// only this is read: assignments of numbers, strings, lists and functions L -> [...], `restart`, `with(...)`,
+// and one call of Lsystem. Procedures are skipped to their `end proc`, but where GRAFICO's turtle starts is
+// taken from its first assignments.
+//
+// Expressions are turned into those of the notation as they are read: angles are radians there and degrees
+// here, so sin(x) becomes sin(x*180/pi), and x*Pi/180 within it is taken back to x, so that what is printed
+// reads back unchanged. A name must be assigned above its use, so values are worked out in one pass
+// (`MapleValues`); those that a system really uses become its constants.
 
 namespace algae {
 
 namespace {
 
-constexpr std::size_t most_depth = 100;
+constexpr std::size_t most_depth = 100, most_operations = 150, longest_number = 1000;
+
+/// A letter or `_`, then letters, digits and `_`; empty if the next token is none. Not gone past.
+std::string next_maple_name(Scanner& scanner) {
+    const std::string_view rest = scanner.rest();
+    std::size_t size = 0;
+    while (size < rest.size() &&
+           (std::isalpha(static_cast<unsigned char>(rest[size])) || rest[size] == '_' ||
+            (size > 0 && std::isdigit(static_cast<unsigned char>(rest[size])))))
+        ++size;
+    return std::string(rest.substr(0, size));
+}
+
+Expression binary(const std::string& name, Expression left, Expression right) {
+    return made_expression(Expression::Kind::binary, name, {std::move(left), std::move(right)});
+}
+
+const Expression& pi() {
+    static const Expression value =
+        number_expression(Rational("3.14159265358979323846264338327950288419716939937511"));
+    return value;
+}
+
+/// Whether it is x*first/second.
+bool is_scaled(const Expression& expression, const Expression& first, const Expression& second) {
+    return expression.kind == Expression::Kind::binary && expression.name == "/" &&
+           expression.operands[1] == second &&
+           expression.operands[0].kind == Expression::Kind::binary &&
+           expression.operands[0].name == "*" && expression.operands[0].operands[1] == first;
+}
+
+/// x*first/second, or y if x is y*second/first.
+Expression scaled(Expression x, const Expression& first, const Expression& second) {
+    if (is_scaled(x, second, first)) return Expression(x.operands[0].operands[0]);
+    return binary("/", binary("*", std::move(x), first), second);
+}
+
+/// Reads an expression. `parameters` is the name of the list of the function in which it stands, or
+/// empty. Fails on what it does not know, on brackets more than 100 deep, and on more than 150 operators
+/// and calls.
+class ExpressionReader {
+public:
+    ExpressionReader(Scanner& scanner, const std::string& parameters)
+        : scanner_(scanner), parameters_(parameters) {
+        read_.offset = scanner.offset();
+    }
+
+    MapleExpression all() {
+        read_.expression = sum();
+        return std::move(read_);
+    }
+
+private:
+    void count(std::size_t offset) {
+        if (++operations_ > most_operations)
+            scanner_.fail_at(offset, "an expression with more than " +
+                                         std::to_string(most_operations) + " operators and calls");
+    }
+
+    Expression sum() {
+        if (++depth_ > most_depth)
+            scanner_.fail_at(scanner_.offset(), "an expression nested more than " +
+                                                    std::to_string(most_depth) + " deep");
+        Expression left = product();
+        for (;;) {
+            const std::size_t where = scanner_.offset();
+            const bool plus = scanner_.take("+");
+            if (!plus && !scanner_.take("-")) break;
+            count(where);
+            left = binary(plus ? "+" : "-", std::move(left), product());
+        }
+        --depth_;
+        return left;
+    }
+
+    Expression product() {
+        Expression left = signed_power();
+        for (;;) {
+            const std::size_t where = scanner_.offset();
+            const bool times = scanner_.take("*");
+            if (!times && !scanner_.take("/")) return left;
+            count(where);
+            Expression right = signed_power();
+            if (!times && right == pi() && left.kind == Expression::Kind::binary &&
+                left.name == "*" && left.operands[1] == number_expression(180))
+                left = scaled(Expression(left.operands[0]), number_expression(180), pi());
+            else
+                left = binary(times ? "*" : "/", std::move(left), std::move(right));
+        }
+    }
+
+    Expression signed_power() {
+        const std::size_t where = scanner_.offset();
+        if (scanner_.take("+")) {
+            count(where);
+            return signed_power();
+        }
+        if (!scanner_.take("-")) return power();
+        count(where);
+        return made_expression(Expression::Kind::unary, "-", {signed_power()});
+    }
+
+    Expression power() {
+        Expression base = atom();
+        const std::size_t where = scanner_.offset();
+        if (!scanner_.take("^") && !scanner_.take("**")) return base;
+        count(where);
+        const std::size_t minus = scanner_.offset();
+        Expression exponent;
+        if (scanner_.take("-")) {
+            count(minus);
+            exponent = made_expression(Expression::Kind::unary, "-", {atom()});
+        } else {
+            exponent = atom();
+        }
+        if (scanner_.rest().starts_with("^") || scanner_.rest().starts_with("**"))
+            scanner_.fail("brackets that say which power is taken first");
+        return binary("^", std::move(base), std::move(exponent));
+    }
+
+    Expression atom() {
+        const std::string_view rest = scanner_.rest();
+        if (scanner_.take("(")) {
+            Expression inside = sum();
+            scanner_.expect(")", "");
+            return inside;
+        }
+        if (!rest.empty() && (std::isdigit(static_cast<unsigned char>(rest[0])) || rest[0] == '.'))
+            return literal();
+        const std::size_t where = scanner_.offset();
+        const std::string name = next_maple_name(scanner_);
+        if (name.empty()) scanner_.fail("a number, a name or '('");
+        if (name == parameters_) return parameter();
+        scanner_.take(name);
+        if (name == "Pi") return pi();
+        if (scanner_.rest().starts_with("(")) return call(name, where);
+        if (scanner_.rest().starts_with("["))
+            scanner_.fail_at(where,
+                             parameters_.empty()
+                                 ? "expected a number, found an entry of " + algae::quoted(name)
+                                 : "expected an entry of " + algae::quoted(parameters_) +
+                                       ", found one of " + algae::quoted(name));
+        read_.names.emplace_back(name, where);
+        return made_expression(Expression::Kind::name, name, {});
+    }
+
+    Expression literal() {
+        const std::string_view rest = scanner_.rest();
+        const auto digits = [&](std::size_t from) {
+            while (from < rest.size() && std::isdigit(static_cast<unsigned char>(rest[from])))
+                ++from;
+            return from;
+        };
+        std::size_t size = digits(0);
+        std::string text(rest.substr(0, size));
+        if (rest.substr(size).starts_with('.')) {
+            const std::size_t end = digits(size + 1);
+            if (end == 1) scanner_.fail("a number");
+            if (end > size + 1) text += rest.substr(size, end - size);
+            size = end;
+        }
+        if (size < rest.size() && (rest[size] == 'e' || rest[size] == 'E')) {
+            const bool sign =
+                size + 1 < rest.size() && (rest[size + 1] == '-' || rest[size + 1] == '+');
+            const std::size_t first = size + (sign ? 2 : 1), end = digits(first);
+            if (end > first) {
+                text += rest.substr(size, end - size);
+                size = end;
+            }
+        }
+        Rational value;
+        try {
+            if (text.size() > longest_number) throw Error("");
+            value = Rational(text);
+        } catch (const Error&) {
+            scanner_.fail_at(scanner_.offset(),
+                             "the number " + algae::quoted(text) + " is out of range");
+        }
+        scanner_.take(rest.substr(0, size));
+        return number_expression(value);
+    }
+
+    Expression parameter() {
+        scanner_.take(parameters_);
+        scanner_.expect("[", "behind the list " + parameters_);
+        const std::size_t where = scanner_.offset();
+        const Rational index = scanner_.number("the number of a parameter", 1, 1000);
+        if (!index.is_integer())
+            scanner_.fail_at(where, "expected a whole number, found " + to_string(index));
+        scanner_.expect("]", "");
+        const std::string text = to_string(index);
+        read_.most_index = std::max(read_.most_index, std::stoul(text));
+        return made_expression(Expression::Kind::name, parameters_ + "[" + text + "]", {});
+    }
+
+    Expression call(const std::string& name, std::size_t where) {
+        count(where);
+        const auto* function =
+            std::find_if(std::begin(maple_functions), std::end(maple_functions),
+                         [&](const MapleFunction& one) { return name == one.maple; });
+        if (function == std::end(maple_functions) && name != "evalf") {
+            std::string known;
+            for (const MapleFunction& one : maple_functions) known += std::string(one.maple) + ", ";
+            scanner_.fail_at(where, "expected one of " + known + "evalf, found the function " +
+                                        algae::quoted(name));
+        }
+        scanner_.expect("(", "");
+        std::vector<Expression> arguments{sum()};
+        if (name == "evalf") {
+            scanner_.expect(")", "behind the argument of evalf");
+            return std::move(arguments[0]);
+        }
+        const Arity arity = *function_arity(function->name);
+        while (arguments.size() < arity.least || arity.or_more) {
+            if (!scanner_.take(",")) break;
+            count(scanner_.offset());
+            arguments.push_back(sum());
+        }
+        if (arguments.size() < arity.least) scanner_.fail("',' and another argument of " + name);
+        scanner_.expect(")", "behind the arguments of " + name);
+        if (function->angle == MapleFunction::Angle::argument)
+            arguments[0] = scaled(std::move(arguments[0]), number_expression(180), pi());
+        Expression value =
+            made_expression(Expression::Kind::call, function->name, std::move(arguments));
+        if (function->angle == MapleFunction::Angle::value)
+            return scaled(std::move(value), pi(), number_expression(180));
+        return value;
+    }
+
+    Scanner& scanner_;
+    const std::string& parameters_;
+    MapleExpression read_;
+    std::size_t depth_ = 0, operations_ = 0;
+};
+
+const char* kind_name(const MapleValue& value) {
+    switch (value.kind) {
+        case MapleValue::Kind::text:
+            return "a string";
+        case MapleValue::Kind::list:
+            return "a list";
+        case MapleValue::Kind::function:
+            return "a function";
+        case MapleValue::Kind::parameters:
+            return "the list of parameters";
+        case MapleValue::Kind::expression:
+            break;
+    }
+    return "a number";
+}
+
 const char* const statements_known = "an assignment, restart, with(...) or a call Lsystem(...)";
 
 bool is_start(const std::string& name) {
@@ -64,8 +323,8 @@ private:
         } else if (name == "Lsystem") {
             call(where);
         } else if (name != "restart") {
-            scanner_.fail_at(
-                where, std::string("expected ") + statements_known + ", found " + quoted(name));
+            scanner_.fail_at(where, std::string("expected ") + statements_known + ", found " +
+                                        algae::quoted(name));
         }
         if (!scanner_.take(";") && !scanner_.take(":"))
             scanner_.fail("';' or ':' at the end of the statement");
@@ -80,7 +339,7 @@ private:
         if (is_start(name) && calls_.empty()) sheet_.start[name] = read;
         const auto [at, is_new] = sheet_.assigned.emplace(name, sheet_.assignments.size());
         if (!is_new)
-            scanner_.fail_at(where, quoted(name) + " is assigned twice, first in " +
+            scanner_.fail_at(where, algae::quoted(name) + " is assigned twice, first in " +
                                         line_of(sheet_.assignments[at->second].offset));
         sheet_.assignments.push_back({name, where, std::move(read)});
     }
@@ -162,7 +421,7 @@ private:
             if (depth == 0 && !in_call_ && behind(rest, name).starts_with("->"))
                 return function(name);
         }
-        read.expression = read_maple_expression(scanner_, parameters);
+        read.expression = ExpressionReader(scanner_, parameters).all();
         if (parameters.empty()) check_names(read);
         return read;
     }
@@ -193,7 +452,8 @@ private:
     void check_names(const MapleValue& value) const {
         for (const auto& [name, where] : value.expression.names)
             if (!sheet_.assigned.contains(name) && !(in_call_ && name == "N"))
-                scanner_.fail_at(where, "nothing is assigned to " + quoted(name) + " before");
+                scanner_.fail_at(where,
+                                 "nothing is assigned to " + algae::quoted(name) + " before");
         for (const MapleValue& item : value.items) check_names(item);
     }
 
@@ -218,5 +478,104 @@ const MapleValue* MapleWorksheet::find(const std::string& name) const {
 }
 
 MapleWorksheet read_maple_worksheet(Scanner& scanner) { return Reader(scanner).all(); }
+
+MapleValues::MapleValues(const Scanner& scanner, const MapleWorksheet& sheet)
+    : scanner_(scanner), sheet_(sheet) {
+    for (const auto& [name, offset, value] : sheet.assignments) {
+        const std::string other = bare_name(value);
+        ends_[name] = other.empty() ? &value : ends_.at(other);  // which was assigned before
+        if (resolved(value).kind == MapleValue::Kind::expression)
+            numbers_[name] = worked_out(checked(value, "a number"));
+    }
+}
+
+const MapleValue& MapleValues::resolved(const MapleValue& value) const {
+    const std::string name = bare_name(value);
+    if (name.empty()) return value;
+    const auto found = ends_.find(name);
+    if (found == ends_.end())
+        fail(value, "nothing is assigned to " + algae::quoted(name) + " before");
+    return found->second->kind == MapleValue::Kind::expression ? value : *found->second;
+}
+
+const MapleValue& MapleValues::text(const MapleValue& value, const std::string& what) const {
+    const MapleValue& found = resolved(value);
+    if (found.kind != MapleValue::Kind::text)
+        fail(value, "expected " + what + ", found " + kind_name(found));
+    return found;
+}
+
+const MapleValue& MapleValues::list(const MapleValue& value, const std::string& what) const {
+    const MapleValue& found = resolved(value);
+    if (found.kind != MapleValue::Kind::list)
+        fail(value, "expected " + what + ", found " + kind_name(found));
+    return found;
+}
+
+const MapleExpression& MapleValues::checked(const MapleValue& value,
+                                            const std::string& what) const {
+    const MapleValue& found = resolved(value);
+    if (found.kind != MapleValue::Kind::expression)
+        fail(value, "expected " + what + ", found " + kind_name(found));
+    for (const auto& [name, offset] : value.expression.names)
+        if (!numbers_.contains(name)) {
+            const MapleValue* assigned = sheet_.find(name);
+            scanner_.fail_at(
+                offset, assigned ? "expected a number, and " + algae::quoted(name) + " is " +
+                                       kind_name(resolved(*assigned))
+                                 : "nothing is assigned to " + algae::quoted(name) + " before");
+        }
+    return value.expression;
+}
+
+Quantity MapleValues::worked_out(const MapleExpression& expression) const {
+    try {
+        return evaluate(expression.expression, [&](const std::string& name) {
+            const auto found = numbers_.find(name);
+            return found == numbers_.end() ? nullptr : &found->second;
+        });
+    } catch (const Diagnostics& error) {
+        scanner_.fail_at(expression.offset, error.findings().front().message);
+    }
+}
+
+const Expression& MapleValues::number(const MapleValue& value, const std::string& what) {
+    const MapleExpression& expression = checked(value, what);
+    std::vector<const MapleExpression*> open{&expression};
+    while (!open.empty()) {
+        const MapleExpression* next = open.back();
+        open.pop_back();
+        for (const auto& [name, offset] : next->names)
+            if (used_.insert(name).second) open.push_back(&sheet_.find(name)->expression);
+    }
+    return expression.expression;
+}
+
+Quantity MapleValues::quantity(const MapleValue& value, const std::string& what) const {
+    return worked_out(checked(value, what));
+}
+
+Quantity MapleValues::setting(const MapleValue& value, const std::string& what) {
+    Quantity found = quantity(value, what);
+    if (found.exact) return algae::quantity(*found.exact);
+    found.expression = number(value, what);
+    return found;
+}
+
+Rational MapleValues::rational(const MapleValue& value, const std::string& what) const {
+    const Quantity found = quantity(value, what);
+    if (!found.exact) fail(value, "expected " + what + " without roots and functions");
+    return *found.exact;
+}
+
+std::vector<std::pair<std::string, Quantity>> MapleValues::constants() const {
+    std::vector<std::pair<std::string, Quantity>> all;
+    for (const auto& [name, offset, value] : sheet_.assignments)
+        if (used_.contains(name)) {
+            all.emplace_back(name, numbers_.at(name));
+            all.back().second.expression = value.expression.expression;
+        }
+    return all;
+}
 
 }  // namespace algae

@@ -1,10 +1,7 @@
-#include "exchange/plain_rules.hpp"
-
 #include <algorithm>
 #include <set>
 
-#include "base/error.hpp"
-#include "notation/print.hpp"
+#include "exchange/detail/plain_rules.hpp"
 
 namespace algae {
 

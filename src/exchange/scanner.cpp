@@ -1,11 +1,15 @@
-#include "exchange/scanner.hpp"
-
 #include <algorithm>
 #include <cctype>
+#include <utility>
 
-#include "base/error.hpp"
-#include "notation/characters.hpp"
-#include "notation/findings.hpp"
+#include "exchange/detail/scanner.hpp"
+
+// Reading other programs' files token by token, and what several of their readers need: words with the places
+// of their letters, and expressions made without a text.
+//
+// White space and comments between tokens are skipped; what begins a comment differs from format to format
+// and, within one, from section to section. The first fault ends the reading, with its place (`fail`), and a
+// reader that can go on behind it catches that and gathers findings.
 
 namespace algae {
 
@@ -142,6 +146,39 @@ void Scanner::fail(const std::string& expectation) {
 
 void Scanner::fail_at(std::size_t offset, const std::string& message) const {
     throw Diagnostics({source_.finding(offset, message)});
+}
+
+void PlacedWord::add(std::string_view letter, std::size_t offset) {
+    text += letter;
+    offsets.resize(text.size(), offset);
+}
+
+void check_brackets(const PlacedWord& word, Findings& findings) {
+    std::vector<std::size_t> open;
+    for (std::size_t i = 0; i < word.text.size(); ++i) {
+        if (word.text[i] == '[') open.push_back(word.offsets[i]);
+        if (word.text[i] != ']') continue;
+        if (open.empty())
+            findings.add(word.offsets[i], "unmatched ']'");
+        else
+            open.pop_back();
+    }
+    for (const std::size_t at : open) findings.add(at, "'[' is never closed");
+}
+
+Expression number_expression(const Rational& value) {
+    Expression out;
+    out.value = value;
+    return out;
+}
+
+Expression made_expression(Expression::Kind kind, const std::string& name,
+                           std::vector<Expression> operands) {
+    Expression out;
+    out.kind = kind;
+    out.name = name;
+    out.operands = std::move(operands);
+    return out;
 }
 
 }  // namespace algae

@@ -1,8 +1,317 @@
-#include "growth/closed_form.hpp"
+#include <algorithm>
+#include <numeric>
+#include <random>
 
-#include "growth/complex_ball.hpp"
+#include "exact/exact.hpp"
+#include "growth/growth.hpp"
+
+// From the matrix to formulas: the shortest recurrence, the generating function and the closed form of lengths.
+//
+// The shortest recurrence is found modulo primes of 61 bits (Berlekamp and Massey), lifted to integers by the Chinese remainder
+// theorem, and only then proved: `annihilates` checks the candidate against the matrix exactly, on as many terms as there are
+// letters. A prime for which the sequence is simpler only costs another round. In the closed form, roots that are
+// zeta times one number for roots of unity zeta are taken together, so that periodic factors appear as residues of n
+// and not as complex roots. What has no form that a person would write stays enclosed, and the text says so.
 
 namespace algae {
+
+namespace {
+
+bool is_zero(const std::vector<Integer>& numbers) {
+    return std::all_of(numbers.begin(), numbers.end(),
+                       [](const Integer& x) { return x.is_zero(); });
+}
+
+/// row * p(matrix), by Horner's rule.
+std::vector<Integer> image(const Polynomial& p, const std::vector<Integer>& row,
+                           const GrowthMatrix& matrix, const Budget& budget) {
+    std::vector<Integer> sum(row.size());
+    for (std::size_t k = p.coefficients().size(); k-- > 0;) {
+        budget.check();
+        sum = sum * matrix;
+        const Integer& coefficient = p.coefficients()[k];
+        if (coefficient.is_zero()) continue;
+        for (std::size_t i = 0; i < row.size(); ++i)
+            if (!row[i].is_zero()) sum[i] += row[i] * coefficient;
+    }
+    return sum;
+}
+
+/// The numbers row * matrix^n * column modulo a prime, for n < 2 size.
+std::vector<Residue> residues_of(const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                                 const std::vector<Integer>& column, const PrimeField& field) {
+    struct Entry {
+        std::size_t column;
+        Residue times;
+    };
+    std::vector<std::vector<Entry>> rows(matrix.size());
+    for (std::size_t i = 0; i < matrix.size(); ++i)
+        for (const auto& [j, times] : matrix.rows[i]) rows[i].push_back({j, field.residue(times)});
+    std::vector<Residue> now, end, found;
+    for (const Integer& x : row) now.push_back(field.residue(x));
+    for (const Integer& x : column) end.push_back(field.residue(x));
+    for (std::size_t n = 0; n < 2 * matrix.size(); ++n) {
+        Residue sum = 0;
+        for (std::size_t i = 0; i < now.size(); ++i)
+            sum = field.add(sum, field.multiply(now[i], end[i]));
+        found.push_back(sum);
+        std::vector<Residue> next(now.size(), 0);
+        for (std::size_t i = 0; i < now.size(); ++i)
+            if (now[i] != 0)
+                for (const auto& [j, times] : rows[i])
+                    next[j] = field.add(next[j], field.multiply(now[i], times));
+        now = std::move(next);
+    }
+    return found;
+}
+
+/// The residues of one number modulo more and more primes, and the number of least size they allow.
+struct Reconstruction {
+    std::vector<Integer> values;
+    Integer modulus = 1;
+
+    void restart(const std::vector<Residue>& residues, Residue prime) {
+        values.assign(residues.size(), 0);
+        modulus = 1;
+        extend(residues, PrimeField(prime));
+    }
+
+    /// Returns whether the numbers stay as they are.
+    bool extend(const std::vector<Residue>& residues, const PrimeField& field) {
+        const Residue inverse = field.inverse(field.residue(modulus));
+        const Integer larger = modulus * field.prime();
+        bool stands = true;
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            const Residue missing =
+                field.multiply(field.subtract(residues[i], field.residue(values[i])), inverse);
+            if (missing == 0) continue;
+            stands = false;
+            values[i] += modulus * missing;
+            if (values[i] + values[i] > larger) values[i] -= larger;
+        }
+        modulus = larger;
+        return stands;
+    }
+};
+
+}  // namespace
+
+bool annihilates(const Polynomial& p, const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                 const std::vector<Integer>& column, const Budget& budget) {
+    std::vector<Integer> rest = image(p, row, matrix, budget);
+    for (std::size_t n = 0; n < matrix.size() && !is_zero(rest); ++n) {
+        budget.check();
+        if (!dot(rest, column).is_zero()) return false;
+        rest = rest * matrix;
+    }
+    return true;
+}
+
+Polynomial annihilator(const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                       const std::vector<Integer>& column, const Budget& budget) {
+    Reconstruction found;
+    std::size_t order = 0;
+    for (Residue prime = prime_below(Residue{1} << 61);; prime = prime_below(prime)) {
+        budget.check();
+        const PrimeField field(prime);
+        const std::vector<Residue> polynomial =
+            shortest_recurrence_modulo(residues_of(row, matrix, column, field), field);
+        if (polynomial.size() < order + 1) continue;  // a prime for which the sequence is simpler
+        bool stands = false;
+        if (polynomial.size() > order + 1 || found.values.empty()) {
+            order = polynomial.size() - 1;
+            found.restart(polynomial, prime);
+            stands = std::all_of(found.values.begin(), found.values.end(),
+                                 [](const Integer& x) { return bit_length(x) < 50; });
+        } else {
+            stands = found.extend(polynomial, field);
+        }
+        if (!stands) continue;
+        Polynomial candidate(found.values);
+        if (annihilates(candidate, row, matrix, column, budget)) return candidate;
+    }
+}
+
+Polynomial annihilator(const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                       const Budget& budget) {
+    std::mt19937_64 random(2026);
+    for (;;) {
+        std::vector<Integer> column(row.size());
+        for (Integer& x : column) x = static_cast<long>(random() >> 34);
+        Polynomial found = annihilator(row, matrix, column, budget);
+        if (is_zero(image(found, row, matrix, budget))) return found;
+    }
+}
+
+namespace {
+
+__extension__ typedef unsigned __int128 Wide;
+
+/// Miller and Rabin's test with bases that settle it for all numbers of 64 bits.
+bool is_prime(Residue n) {
+    if (n < 2) return false;
+    for (const Residue p : {2u, 3u, 5u, 7u, 11u, 13u, 17u, 19u, 23u, 29u, 31u, 37u})
+        if (n % p == 0) return n == p;
+    const PrimeField field(n);
+    Residue odd = n - 1;
+    int twos = 0;
+    for (; odd % 2 == 0; odd /= 2) ++twos;
+    for (const Residue base : {2u, 3u, 5u, 7u, 11u, 13u, 17u, 19u, 23u, 29u, 31u, 37u}) {
+        Residue x = field.power(base, odd);
+        if (x == 1 || x == n - 1) continue;
+        bool composite = true;
+        for (int i = 1; i < twos && composite; ++i) {
+            x = field.multiply(x, x);
+            composite = x != n - 1;
+        }
+        if (composite) return false;
+    }
+    return true;
+}
+
+}  // namespace
+
+Residue PrimeField::residue(const Integer& value) const {
+    return remainder(value, Integer(prime_)).to_uint64();
+}
+
+Residue PrimeField::multiply(Residue left, Residue right) const {
+    return static_cast<Residue>(static_cast<Wide>(left) * right % prime_);
+}
+
+Residue PrimeField::power(Residue base, std::uint64_t exponent) const {
+    Residue result = 1 % prime_;
+    for (; exponent != 0; exponent >>= 1) {
+        if (exponent & 1) result = multiply(result, base);
+        base = multiply(base, base);
+    }
+    return result;
+}
+
+Residue prime_below(Residue bound) {
+    do --bound;
+    while (!is_prime(bound));
+    return bound;
+}
+
+std::vector<Residue> shortest_recurrence_modulo(const std::vector<Residue>& terms,
+                                                const PrimeField& field) {
+    std::vector<Residue> now{1},
+        before{1};  // connection polynomials: now[0] a(n) + now[1] a(n-1) + ... == 0
+    std::size_t order = 0, shift = 1;
+    Residue last = 1;
+    for (std::size_t n = 0; n < terms.size(); ++n, ++shift) {
+        Residue wrong = 0;
+        for (std::size_t i = 0; i < now.size() && i <= n; ++i)
+            wrong = field.add(wrong, field.multiply(now[i], terms[n - i]));
+        if (wrong == 0) continue;
+        const Residue factor = field.multiply(wrong, field.inverse(last));
+        std::vector<Residue> next = now;
+        next.resize(std::max(now.size(), before.size() + shift), 0);
+        for (std::size_t i = 0; i < before.size(); ++i)
+            next[i + shift] = field.subtract(next[i + shift], field.multiply(factor, before[i]));
+        if (2 * order <= n) {
+            order = n + 1 - order;
+            before = std::move(now);
+            last = wrong;
+            shift = 0;
+        }
+        now = std::move(next);
+    }
+    now.resize(order + 1, 0);
+    std::reverse(now.begin(), now.end());
+    return now;
+}
+
+namespace {
+
+/// "1 - 5x + 4x^2".
+std::string rising(const Polynomial& value) {
+    if (value.is_zero()) return "0";
+    std::string text;
+    for (std::size_t k = 0; k < value.coefficients().size(); ++k) {
+        const Integer& coefficient = value.coefficients()[k];
+        if (coefficient.is_zero()) continue;
+        const bool negative = sign(coefficient) < 0;
+        text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
+        if (k == 0 || abs(coefficient) != 1) text += to_string(abs(coefficient));
+        if (k > 0) text += k == 1 ? "x" : "x^" + std::to_string(k);
+    }
+    return text;
+}
+
+std::size_t terms(const Polynomial& value) {
+    return static_cast<std::size_t>(std::count_if(value.coefficients().begin(),
+                                                  value.coefficients().end(),
+                                                  [](const Integer& x) { return !x.is_zero(); }));
+}
+
+std::string fenced(const Polynomial& value) {
+    return terms(value) > 1 ? "(" + rising(value) + ")" : rising(value);
+}
+
+}  // namespace
+
+std::vector<Integer> Recurrence::values(std::size_t count) const {
+    std::vector<Integer> found(
+        initial.begin(), initial.begin() + static_cast<long>(std::min(count, initial.size())));
+    const auto& q = polynomial.coefficients();
+    while (found.size() < count) {
+        Integer next;
+        const std::size_t start = found.size() - order();
+        for (std::size_t j = 0; j < order(); ++j)
+            if (!q[j].is_zero()) next -= q[j] * found[start + j];
+        found.push_back(std::move(next));
+    }
+    return found;
+}
+
+std::string Recurrence::text() const {
+    std::string sum;
+    for (std::size_t j = 1; j <= order(); ++j) {
+        const Integer coefficient = -polynomial.coefficients()[order() - j];
+        if (coefficient.is_zero()) continue;
+        const bool negative = sign(coefficient) < 0;
+        sum += sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
+        if (abs(coefficient) != 1) sum += to_string(abs(coefficient));
+        sum += "a(n-" + std::to_string(j) + ")";
+    }
+    return "a(n) = " + (sum.empty() ? "0" : sum);
+}
+
+Recurrence shortest_recurrence(const std::vector<Integer>& row, const GrowthMatrix& matrix,
+                               const std::vector<Integer>& column, const Budget& budget) {
+    std::vector<Integer> coefficients = annihilator(row, matrix, column, budget).coefficients();
+    Recurrence found;
+    while (coefficients[found.exceptions].is_zero()) ++found.exceptions;
+    coefficients.erase(coefficients.begin(),
+                       coefficients.begin() + static_cast<long>(found.exceptions));
+    found.polynomial = Polynomial(std::move(coefficients));
+    std::vector<Integer> now = row;
+    for (std::size_t n = 0; n < found.holds_from(); ++n) {
+        found.initial.push_back(dot(now, column));
+        now = now * matrix;
+    }
+    return found;
+}
+
+Recurrence shortest_recurrence(const D0L& system, const Budget& budget) {
+    const GrowthMatrix matrix = growth_matrix(system);
+    return shortest_recurrence(axiom_counts(system), matrix, std::vector<Integer>(matrix.size(), 1),
+                               budget);
+}
+
+GeneratingFunction generating_function(const Recurrence& recurrence) {
+    const Polynomial denominator = reversed(recurrence.polynomial);
+    std::vector<Integer> numerator = (Polynomial(recurrence.initial) * denominator).coefficients();
+    numerator.resize(std::min(numerator.size(), recurrence.initial.size()));
+    return {Polynomial(std::move(numerator)), denominator};
+}
+
+std::string to_string(const GeneratingFunction& function) {
+    if (function.denominator == Polynomial(1)) return rising(function.numerator);
+    return fenced(function.numerator) + "/" + fenced(function.denominator);
+}
 
 namespace {
 
@@ -24,7 +333,8 @@ std::vector<Polynomial> product(const NumberField& field, const std::vector<Poly
                                 const std::vector<Polynomial>& right, std::size_t count) {
     std::vector<Polynomial> found(count);
     for (std::size_t i = 0; i < count && i < left.size(); ++i)
-        for (std::size_t j = 0; i + j < count && j < right.size(); ++j) found[i + j] += field.multiply(left[i], right[j]);
+        for (std::size_t j = 0; i + j < count && j < right.size(); ++j)
+            found[i + j] += field.multiply(left[i], right[j]);
     return found;
 }
 
@@ -39,7 +349,8 @@ Polynomial numerator(const Recurrence& recurrence) {
     std::vector<Integer> found(order);
     for (std::size_t t = 0; t < order; ++t)
         for (std::size_t j = t + 1; j <= order; ++j)
-            found[t] += recurrence.polynomial.coefficient(j) * recurrence.initial[recurrence.exceptions + j - 1 - t];
+            found[t] += recurrence.polynomial.coefficient(j) *
+                        recurrence.initial[recurrence.exceptions + j - 1 - t];
     return Polynomial(std::move(found));
 }
 
@@ -51,7 +362,8 @@ Polynomial falling(std::size_t start, std::size_t count) {
 }
 
 /// The residues of N(z) z^n / q(z) at the roots of one factor of q, as polynomials in n.
-ClosedFormTerm term(const Polynomial& above, const Polynomial& q, const Factorisation::Power& part, std::size_t exceptions) {
+ClosedFormTerm term(const Polynomial& above, const Polynomial& q, const Factorisation::Power& part,
+                    std::size_t exceptions) {
     const NumberField field(part.factor);
     const std::size_t e = part.exponent;
     const Polynomial others = *exact_divide(q, power(part.factor, e));
@@ -74,17 +386,18 @@ ClosedFormTerm term(const Polynomial& above, const Polynomial& q, const Factoris
     // a(n) gets sum_i quotient[i]/down[0]^(i+1) binomial(n-s, e-1-i) r^(n-s-(e-1-i)).
     Integer factorial = 1;
     for (std::size_t i = 2; i < e; ++i) factorial *= Integer(i);
-    const Polynomial denominator =
-        field.multiply(field.multiply(powers[e], field.power(Polynomial({0, 1}), exceptions + e - 1)), factorial);
+    const Polynomial denominator = field.multiply(
+        field.multiply(powers[e], field.power(Polynomial({0, 1}), exceptions + e - 1)), factorial);
     std::vector<Polynomial> numerators(e);
     for (std::size_t i = 0; i < e; ++i) {
         const std::size_t lower = e - 1 - i;
         Integer rest = factorial;  // over lower!
         for (std::size_t j = 2; j <= lower; ++j) rest = exact_divide(rest, Integer(j));
-        const Polynomial weight = field.multiply(
-            field.multiply(quotient[i], powers[e - 1 - i]), field.power(Polynomial({0, 1}), i));
+        const Polynomial weight = field.multiply(field.multiply(quotient[i], powers[e - 1 - i]),
+                                                 field.power(Polynomial({0, 1}), i));
         const Polynomial in_n = falling(exceptions, lower);
-        for (std::size_t k = 0; k <= lower; ++k) numerators[k] += weight * Polynomial(in_n.coefficient(k) * rest);
+        for (std::size_t k = 0; k <= lower; ++k)
+            numerators[k] += weight * Polynomial(in_n.coefficient(k) * rest);
     }
     ClosedFormTerm found{part.factor, {}};
     for (const Polynomial& numerator : numerators) {
@@ -117,7 +430,8 @@ Ball ClosedForm::value(std::uint64_t n, long bits) const {
             ComplexBall factor{Ball(0, bits), Ball(0, bits)};
             Ball power_of_n(1, bits);
             for (const AlgebraicNumber& coefficient : term.coefficients) {
-                factor = factor + value_at(coefficient.numerator, r) / value_at(coefficient.denominator, r) *
+                factor = factor + value_at(coefficient.numerator, r) /
+                                      value_at(coefficient.denominator, r) *
                                       ComplexBall{power_of_n, Ball(0, bits)};
                 power_of_n *= Ball(n, bits);
             }
@@ -134,6 +448,168 @@ std::string ClosedForm::text() const {
 
 ClosedForm closed_form(const D0L& system, const Budget& budget) {
     return ClosedForm(shortest_recurrence(system, budget), budget);
+}
+
+namespace {
+
+/// Adds a summand with its sign: "a - b".
+void add(std::string& sum, std::string summand) {
+    if (sum.empty())
+        sum = std::move(summand);
+    else if (summand.starts_with('-'))
+        sum += " - " + summand.substr(1);
+    else
+        sum += " + " + summand;
+}
+
+/// A factor before a power: "", "-", "7*", "(n + 2)*", "-2n*".
+std::string before_power(const Polynomial& factor) {
+    if (factor == Polynomial(1)) return "";
+    if (factor == Polynomial(-1)) return "-";
+    const std::string text = to_string(factor, "n");
+    return (terms(factor) > 1 ? "(" + text + ")" : text) + "*";
+}
+
+/// A number as the base of a power: "4", "(-1)", "sqrt(2)", "((1+sqrt(5))/2)".
+std::string base(const std::string& number) {
+    if (number == "i" || number.find_first_not_of("0123456789") == std::string::npos) return number;
+    if (number.starts_with("sqrt(") && number.find(')') == number.size() - 1) return number;
+    return "(" + number + ")";
+}
+
+/// The terms with rational roots over one denominator: "(7*4^n - 4)/3".
+std::string rational_part(const std::vector<const ClosedFormTerm*>& parts) {
+    Integer below = 1;
+    for (const auto* part : parts)
+        for (const auto& coefficient : part->coefficients)
+            below = lcm(below, coefficient.denominator.coefficient(0));
+    std::string sum;
+    std::size_t summands = 0;
+    for (const auto* part : parts) {
+        std::vector<Integer> factors;
+        for (const auto& coefficient : part->coefficients)
+            factors.push_back(coefficient.numerator.coefficient(0) *
+                              exact_divide(below, coefficient.denominator.coefficient(0)));
+        const Polynomial factor(std::move(factors));
+        const Integer root = -part->polynomial.coefficient(0);
+        summands += root == 1 ? terms(factor) : 1;
+        if (root == 1)
+            add(sum, to_string(factor, "n"));
+        else
+            add(sum, before_power(factor) + base(to_string(root)) + "^n");
+    }
+    if (below == 1) return sum;
+    return (summands > 1 ? "(" + sum + ")" : sum) + "/" + to_string(below);
+}
+
+/// The coefficient of one power of n for one root of a quadratic polynomial.
+QuadraticNumber at_root(const AlgebraicNumber& coefficient, const QuadraticNumber& root) {
+    const Integer below = coefficient.denominator.coefficient(0);
+    return combination(Rational(coefficient.numerator.coefficient(0), below),
+                       Rational(coefficient.numerator.coefficient(1), below), root);
+}
+
+std::string fenced(const std::string& number) {
+    return number.find_first_of("+-/*", 1) == std::string::npos ? number : "(" + number + ")";
+}
+
+std::string with_power_of_n(const std::string& number, std::size_t k) {
+    if (k == 0) return number;
+    const std::string n = k == 1 ? "n" : "n^" + std::to_string(k);
+    return number == "1" ? n : number == "-1" ? "-" + n : fenced(number) + "*" + n;
+}
+
+std::string quadratic_part(const ClosedFormTerm& part, const QuadraticNumber& root) {
+    std::string factor;
+    std::size_t summands = 0;
+    for (std::size_t k = part.coefficients.size(); k-- > 0;) {
+        const QuadraticNumber coefficient = at_root(part.coefficients[k], root);
+        if (coefficient.rational.is_zero() && coefficient.factor.is_zero()) continue;
+        add(factor, with_power_of_n(to_string(coefficient), k));
+        ++summands;
+    }
+    const std::string power = base(to_string(root)) + "^n";
+    if (factor == "1") return power;
+    if (factor == "-1") return "-" + power;
+    return (summands > 1 ? "(" + factor + ")" : fenced(factor)) + "*" + power;
+}
+
+/// "(2*r^2 - r + 1)/23".
+std::string in_root(const AlgebraicNumber& coefficient) {
+    const std::string above = to_string(coefficient.numerator, "r");
+    if (coefficient.denominator == Polynomial(1)) return above;
+    return (terms(coefficient.numerator) > 1 ? "(" + above + ")" : above) + "/" +
+           to_string(coefficient.denominator);
+}
+
+std::string general_part(const ClosedFormTerm& part) {
+    std::string text = "sum over the roots r of " + to_string(part.polynomial) + " of ";
+    if (part.polynomial.degree() > ClosedForm::largest_written_degree)
+        return text + "c(r)*r^n, c(r) the residue of the generating function";
+    std::string factor;
+    for (std::size_t k = part.coefficients.size(); k-- > 0;)
+        if (!part.coefficients[k].numerator.is_zero())
+            add(factor, with_power_of_n(in_root(part.coefficients[k]), k));
+    return text + fenced(factor) + "*r^n";
+}
+
+}  // namespace
+
+std::string closed_form_text(const std::vector<ClosedFormTerm>& parts) {
+    std::vector<const ClosedFormTerm*> rational;
+    for (const ClosedFormTerm& part : parts)
+        if (part.polynomial.degree() == 1) rational.push_back(&part);
+    std::stable_sort(rational.begin(), rational.end(), [](const auto* left, const auto* right) {
+        return abs(left->polynomial.coefficient(0)) > abs(right->polynomial.coefficient(0));
+    });
+    std::string sum;
+    for (const ClosedFormTerm& part : parts) {
+        if (part.polynomial.degree() != 2) continue;
+        const QuadraticNumber root = larger_root(part.polynomial);
+        add(sum, quadratic_part(part, root));
+        add(sum, quadratic_part(part, root.conjugate()));
+    }
+    for (const ClosedFormTerm& part : parts)
+        if (part.polynomial.degree() > 2) add(sum, general_part(part));
+    if (rational.empty()) return sum.empty() ? "0" : sum;
+    if (sum.empty()) return rational_part(rational);
+    // The exponential terms first; a rational part that outgrows them is read first too.
+    const bool first = abs(rational.front()->polynomial.coefficient(0)) > 1;
+    std::string text = first ? rational_part(rational) : sum;
+    add(text, first ? sum : rational_part(rational));
+    return text;
+}
+
+namespace {
+
+std::string digits(const Ball& value) {
+    std::string text = decimal([&](long) { return value; }, 12);
+    if (text.find('.') != std::string::npos) {
+        while (text.ends_with('0')) text.pop_back();
+        if (text.ends_with('.')) text.pop_back();
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> root_lines(const ClosedForm& form, long largest_degree) {
+    std::vector<std::string> lines;
+    for (const ClosedFormTerm& part : form.terms()) {
+        if (part.polynomial.degree() <= 2 || part.polynomial.degree() > largest_degree) continue;
+        std::string line = "the roots of " + to_string(part.polynomial) + " are";
+        bool first = true;
+        for (const Root& root : roots(part.polynomial, 128)) {
+            const auto above = sign(root.imaginary);
+            if (!root.is_real && above && *above < 0) continue;
+            line += first ? " " : ", ";
+            first = false;
+            line += digits(root.real);
+            if (!root.is_real) line += " +- " + digits(root.imaginary) + "i";
+        }
+        lines.push_back(std::move(line));
+    }
+    return lines;
 }
 
 }  // namespace algae

@@ -1,15 +1,23 @@
-#include "language/construct_coding.hpp"
+#include "language/detail/construct.hpp"
 
 #include <algorithm>
-#include <memory>
+#include <map>
 #include <set>
-#include <utility>
-#include <vector>
 
-#include "base/error.hpp"
-#include "language/construct_draft.hpp"
-#include "language/construct_propagating.hpp"
-#include "word/word_sets.hpp"
+#include "exact/exact.hpp"
+#include "word/word.hpp"
+
+// Every E0L language with a non-empty word is a coding of an 0L language (Ehrenfeucht and Rozenberg 1974;
+// Rozenberg and Salomaa 1980, II.2).
+//
+// Rules that erase are eliminated and the system is synchronised. The sets B(t) of letters that derive terminal
+// words in exactly t steps are those of t - 1 seen through the rules, so from some s on they come again after p
+// steps. A terminal word of step n >= s is derived through a word of letters of B(r) in step n - r, where r of
+// s, ..., s + p - 1 differs from n by a multiple of p; every letter of B(r) has words of B(r) in p steps, and
+// terminal words in r. So L(G) is a finite set and, for each r, what a finite substitution without empty words
+// makes of the words of an 0L system with the p-step rules. The new letters are those of the blocks that it
+// gives: the first letter of a block is rewritten to the blocks of a successor, the others vanish. The axiom is
+// a shortest word of L(G), whose first letter starts everything else.
 
 namespace algae {
 
@@ -17,10 +25,6 @@ namespace {
 
 using Marks = std::vector<char>;
 using Derived = std::vector<std::vector<Word>>;  // words of each letter
-
-bool all_marked(const Word& word, const Marks& marks) {
-    return std::all_of(word.begin(), word.end(), [&](Symbol a) { return marks[a] != 0; });
-}
 
 /// B(0), ..., B(s + p - 1): the letters from which terminal words are derived in so many steps.
 struct Spectrum {

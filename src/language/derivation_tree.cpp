@@ -1,13 +1,18 @@
-#include "language/derivation_tree.hpp"
+#include "language/language.hpp"
 
 #include <algorithm>
 #include <map>
-#include <tuple>
-#include <utility>
 
-#include "base/error.hpp"
-#include "growth/growth_matrix.hpp"
-#include "growth/incidence.hpp"
+#include "exact/exact.hpp"
+#include "growth/growth.hpp"
+#include "system/system.hpp"
+
+// Derivations as trees, of D0L systems generation by generation and of given derivations, whole, cut at a
+// depth, or with equal subtrees shared.
+//
+// Sizes are known without the tree: a system in which every letter leaves one more letter behind has as many
+// letters in generation n as the tree has nodes. With shared subtrees a generation has each letter once, and
+// the sets of letters of the generations repeat.
 
 namespace algae {
 

@@ -1,15 +1,31 @@
 #pragma once
 
+// language: languages as values, what can be decided about them and how it is known, and claims: statements
+// about languages, systems and what they draw, each with its verdict, an argument in sentences and a proof that
+// the room verify checks again.
+
+#include <compare>
+#include <cstddef>
+#include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
 #include <vector>
 
-#include "system/et0l.hpp"
-#include "system/il.hpp"
+#include "dimension/dimension.hpp"
+#include "exact/exact.hpp"
+#include "system/system.hpp"
+#include "word/word.hpp"
 
 namespace algae {
+
+// --- Languages as values ---
 
 /// An L-system that a language or a statement speaks of: without context (ET0L and all that it
 /// includes) or deterministic with context (IL), over the symbols of a common alphabet.
@@ -20,6 +36,7 @@ struct SourceSystem {
 };
 
 struct LanguageTree;
+
 /// A language as a value: an expression whose parts are languages. All parts are over the symbols of
 /// one alphabet that the caller knows. Cheap to copy.
 using Language = std::shared_ptr<const LanguageTree>;
@@ -44,21 +61,26 @@ struct LanguageTree {
     Kind kind = Kind::words;
     std::vector<Word> words;  // sorted: shorter ones first, then by symbol numbers
     std::shared_ptr<const SourceSystem> system;  // of L(G)
-    std::vector<Language>
-        parts;  // two of a union, intersection, difference, concatenation; otherwise one
+    /// Two of a union, intersection, difference, concatenation; otherwise one.
+    std::vector<Language> parts;
     std::map<Symbol, Word> morphism;
     std::vector<Symbol> letters;  // increasing
     std::string name;             // what the text calls it, where it has a name
 };
 
+/// The finite set of these words, in any order and with repetitions.
 Language words_language(std::vector<Word> words);
+/// L(G).
 Language generated_language(std::shared_ptr<const SourceSystem> system);
 /// Any kind with parts and nothing else.
 Language combined(LanguageTree::Kind kind, std::vector<Language> parts);
 /// The words over `letters` that are not in the language.
 Language complement_language(Language language, std::vector<Symbol> letters);
+/// The images of the words all of whose letters have an image.
 Language image_language(Language language, std::map<Symbol, Word> morphism);
+/// The words over the letters that have an image whose images are in the language.
 Language inverse_image_language(Language language, std::map<Symbol, Word> morphism);
+/// The same language with a name, by which texts call it.
 Language named(Language language, std::string name);
 
 /// The letters that may occur in words of the language, in increasing order: none is missing, but one
@@ -69,5 +91,608 @@ std::vector<Symbol> letters_of(const Language& language);
 ///
 /// Example: to_string(words_language({{}}), Alphabet()) == "{ε}"
 std::string to_string(const Language& language, const Alphabet& alphabet);
+
+/// What the name of a family says of the form of its systems: E extended, P propagating, D deterministic,
+/// T with tables, then 0L, or with context IL, 1L, 2L, (k,l)L.
+struct SystemForm {
+    bool extended = false, propagating = false, deterministic = false, tables = false;
+    bool interactive = false;
+    std::optional<std::pair<std::size_t, std::size_t>> context;  // longest contexts, left and right
+    bool one_sided = false;                                      // 1L: (1,0) or (0,1)
+};
+
+/// The form that a family's name says; nothing if it is not such a name.
+///
+/// Example: system_form("PD0L")->deterministic
+/// Example: !system_form("DOL")
+std::optional<SystemForm> system_form(std::string_view name);
+
+/// Whether the rules of the system have the form. Rules of letters that never occur do not matter.
+bool has_form(const SourceSystem& system, const SystemForm& form);
+
+// --- Membership ---
+
+/// A derivation: every letter of a word is replaced by one of its successors, which makes the next
+/// word. words.front() is the axiom; letter i of words[t] becomes its successor number choices[t][i].
+struct Derivation {
+    std::vector<Word> words;
+    std::vector<std::vector<std::uint32_t>> choices;  // one fewer than words
+    std::vector<std::uint32_t> tables = {};  // of each step; empty where the system has one table
+};
+
+/// Whether the derivation begins with the axiom and each step does what the rules, or those of its table, say.
+/// (Its last word is in L(G) if its letters are terminals.) Linear time.
+bool is_derivation(const OL& system, const Derivation& derivation);
+bool is_derivation(const ET0L& system, const Derivation& derivation);
+
+/// Whether a word is in the language of a system, and how that is known.
+struct Membership {
+    enum class Reason {
+        derived,  // yes: it is a word of generation `step`, and of none before
+        foreign,  // no: letter number `position` of the word is in no word of the language
+        repeated,  // no: what the letters derive within the word in `step` steps is what they derive in
+        // `earlier` steps, so nothing new is derived afterwards, and no generation before had it
+        outgrown,  // no: from generation `step` on all words are longer, and no generation before had it
+        periodic,  // no: generation `step` is the same word as generation `earlier` (D0L systems)
+        nonterminal,  // no: letter number `position` of the word is not a terminal
+        exhausted,  // no: what the letters derive within the word by any `step` tables is what they derive
+                    // by fewer, so nothing new comes, and none of the `states` families seen has it
+    };
+    bool member = false;
+    Reason reason = Reason::derived;
+    std::uint64_t step = 0;
+    std::uint64_t earlier = 0;
+    std::uint64_t position = 0;
+    std::uint64_t states = 0;
+    std::vector<std::uint32_t> tables = {};  // of a member's steps, where there are several
+};
+
+/// Whether the word is in L(G), decided: complete, with erasing rules too. Time O(|word|^3 / 64 * size of the
+/// rules) a step; the steps are O(|word|) times a number that depends on the rules, which can be as large as
+/// the least common multiple of the lengths of cycles of letters. With one rule a letter O(size of the rules) a
+/// step, until every letter that grows has outgrown the word.
+///
+/// Throws what budget.check throws, and BoundReached if two tables of factors take more than budget.memory.
+///
+/// Example: membership(ol("a", {{'a', "a"}, {'a', "aa"}}), {0, 0, 0}).step == 2
+Membership membership(const OL& system, const Word& word, const Budget& budget = {});
+
+/// The same for tables and terminals. With several tables the problem is NP-complete for some fixed systems
+/// (van Leeuwen 1975): there may be exponentially many families of factors. All are kept, and BoundReached is
+/// thrown where they take more than budget.memory.
+///
+/// Example: membership(et0l("a", {{{'a', "aa"}}, {{'a', "aaa"}}}), Word(6, 0)).step == 2
+Membership membership(const ET0L& system, const Word& word, const Budget& budget = {});
+
+/// A derivation of the word in exactly `step` steps, if there is one, with tables kept only here and there on the
+/// way and worked out again in between: O(sqrt(step)) tables. What is erased is erased as soon as the
+/// rules can. Throws BoundReached if its words have more than budget.letters letters together.
+///
+/// Example: !find_derivation(ol("a", {{'a', "aa"}}), {0, 0, 0}, 2)
+std::optional<Derivation> find_derivation(const OL& system, const Word& word, std::uint64_t step,
+                                          const Budget& budget = {});
+
+/// The same of a word that has one. Throws Error if there is none.
+///
+/// Example: derivation(ol("a", {{'a', "a"}, {'a', "aa"}}), {0, 0, 0}, 2).words.size() == 3
+Derivation derivation(const OL& system, const Word& word, std::uint64_t step,
+                      const Budget& budget = {});
+
+/// The derivation of a member as `membership` found it. Throws Error if it is not one, BoundReached
+/// if the words have more than budget.letters letters together.
+///
+/// Example: derivation(et0l("S", {{{'S', "a"}}}, "a"), {1}, membership(et0l("S", {{{'S', "a"}}}, "a"), {1})).words.size() == 2
+Derivation derivation(const ET0L& system, const Word& word, const Membership& found,
+                      const Budget& budget = {});
+
+/// The 0L system of the only table, in which every letter is a terminal. Throws Error if there are
+/// several tables.
+///
+/// Example: without_terminals(et0l("S", {{{'S', "a"}}}, "a")).letters.size() == 2
+OL without_terminals(const ET0L& system);
+
+// --- Finiteness ---
+
+/// Whether every accessible letter has one successor, so that the system is a D0L system.
+bool is_deterministic(const OL& system);
+
+/// One use of a rule: successor number `choice` of a letter.
+struct RuleUse {
+    Symbol letter = 0;
+    std::size_t choice = 0;
+    bool operator==(const RuleUse&) const = default;
+};
+
+/// Why the language of an 0L system is infinite: starting with rules.front(), the successor of each rule has
+/// the letter of the next one, that of the last has the first letter again; and the successor of the first rule
+/// has `other` besides, which can go on for ever. So n rounds give a word with n letters and more.
+struct EndlessRound {
+    std::vector<RuleUse> rules;
+    Symbol other = 0;
+};
+
+/// Whether L(G) is finite: a proof if it is not.
+struct Finiteness {
+    bool finite = false;
+    std::optional<EndlessRound> round;  // where it is infinite
+};
+
+/// Decided, in the time of the components of letters.
+///
+/// Example: !finiteness(ol("a", {{'a', "ab"}})).finite
+Finiteness finiteness(const OL& system);
+
+/// The number of words of a finite L(G): for D0L systems by `repetition`, otherwise as the words that
+/// the minimal automaton of the language accepts, so there may be far more words than could be listed.
+/// Throws Error if the language is infinite, BoundReached if an automaton needs more than
+/// budget.memory.
+///
+/// Example: number_of_words(ol("aa", {{'a', ""}, {'a', "a"}})) == 3
+Integer number_of_words(const OL& system, const Budget& budget = {});
+
+/// From generation `preperiod` on every generation is the same word as the one `period` later; both
+/// are least.
+struct Repetition {
+    std::uint64_t preperiod = 0;
+    Integer period = 1;
+    bool operator==(const Repetition&) const = default;
+};
+
+/// When the words of a D0L system with a finite language repeat. Once every lasting letter lies on a
+/// cycle of letters, a word is back when all of them are, so the period is the least common multiple of
+/// the lengths of their cycles; generations are compared across it by squaring h^period.
+/// Throws Error if a letter has several successors or the language is infinite.
+///
+/// Example: repetition(ol("ca", {{'a', "b"}, {'b', "a"}, {'c', "d"}})) == Repetition{1, 2}
+Repetition repetition(const OL& system, const Budget& budget = {});
+
+/// One step of one letter: by a table it becomes successor number `choice`, and the letter at
+/// `place` of that is the one that is followed.
+struct TableUse {
+    std::uint32_t table = 0;
+    Symbol letter = 0;
+    std::uint32_t choice = 0;
+    std::uint32_t place = 0;
+    bool operator==(const TableUse&) const = default;
+};
+using Course = std::vector<TableUse>;
+
+/// Why L(G) is infinite. By the tables of `round` the letter `again` becomes a word with itself
+/// and, at another place, `other`, which becomes a word with itself by the same tables; so n rounds
+/// give a word with n letters `other` and more. By the tables of `after` each of these becomes a
+/// word of terminals that is not empty, and the other letters finish too.
+struct EndlessTables {
+    Symbol again = 0, other = 0;
+    Course before;  // from a letter of the axiom to `again`
+    Course round;   // from `again` to itself
+    Course beside;  // from `again` to `other`: as `round` up to a step where only the place differs
+    Course kept;    // from `other` to itself
+    Course after;   // from `other` to a terminal
+};
+
+/// Whether the proof holds: it only follows the courses and works out backwards which letters finish. Linear time.
+bool is_proof(const ET0L& system, const EndlessTables& proof);
+
+/// Whether L(G) is finite: a proof if it is not.
+struct TablesFiniteness {
+    bool finite = false;
+    std::optional<EndlessTables> endless;  // where it is infinite
+};
+
+/// Decided for every ET0L system. Time and memory: the number of finishing sets (one for T0L systems, at most
+/// 2^letters) * letters^3 * tables * the product of the numbers of letters that three letters can become.
+/// Throws BoundReached if that takes more than budget.memory.
+///
+/// Example: !finiteness(et0l("a", {{{'a', "b"}}, {{'b', "aa"}}})).finite
+TablesFiniteness finiteness(const ET0L& system, const Budget& budget = {});
+
+/// The number of words of a finite L(G), by the minimal automaton of its words. Throws Error if the language is
+/// infinite, BoundReached if automata or families of them take more than budget.memory.
+///
+/// Example: number_of_words(et0l("aa", {{{'a', "b"}, {'a', "c"}}, {{'a', ""}}})) == 6
+Integer number_of_words(const ET0L& system, const Budget& budget = {});
+
+// --- Equality of D0L sequences and languages ---
+
+/// Two D0L systems over one alphabet, so that their words can be compared. Letters are the same if their
+/// names are.
+struct SequencePair {
+    std::shared_ptr<const Alphabet> alphabet;
+    D0L left, right;
+};
+
+/// The same systems over the letters of both, those of the left one first with the numbers they have. A
+/// letter that only the other system has stays as it is.
+///
+/// Example: over_common_alphabet(d0l("a", {{'a', "b"}}), d0l("b", {{'b', "a"}})).right.axiom == Word{1}
+SequencePair over_common_alphabet(const D0L& left, const D0L& right);
+
+/// What one image of a word has beyond the other: where g and h are the rules of the left and the right
+/// system, g(u) = h(u) word if the left is ahead, and g(u) word = h(u) if the right is. The empty
+/// overflow counts as the left's.
+struct Overflow {
+    enum class Ahead { left, right };
+    Ahead ahead = Ahead::left;
+    Word word;
+    bool operator==(const Overflow&) const = default;
+    bool operator<(const Overflow& other) const {
+        return std::tie(ahead, word) < std::tie(other.ahead, other.word);
+    }
+};
+
+/// A proof that two D0L systems with the same axiom w have the same sequence. g and h are their rules.
+///
+/// The states and a state of refusal form an automaton: letter a leads from overflow v to
+/// overflow_step(v, a) if that is a state, otherwise to refusal. Let T_k(a) be the map of states by the word
+/// g^k(a); T_0 is the automaton's, and T_{k+1}(a) the product of T_k over the letters of g(a). T_steps =
+/// T_earlier, so no map comes after them that did not come before; and for every k < steps the word g^k(w)
+/// leads from the empty overflow to itself. So g and h have the same value on every word g^k(w), and by
+/// induction g^k(w) = h^k(w) for all k.
+struct Balance {
+    std::size_t bound = 0;         // no overflow is longer
+    std::vector<Overflow> states;  // the empty one first
+    std::uint64_t steps = 0;
+    std::uint64_t earlier = 0;
+};
+
+/// The first generation in which two sequences of words differ, and where.
+struct SequenceDifference {
+    std::uint64_t generation = 0;
+    /// Of the first letter, counted from 0, that is not the same or that only one word has.
+    Integer position;
+    Integer from;      // where the letters shown begin: a little before the position
+    Word left, right;  // the letters of both words from there on, over the alphabet of both systems
+    Integer left_length, right_length;
+};
+
+/// Whether two D0L systems have the same word in every generation, and how that is known.
+struct SequenceEquality {
+    bool equal = false;
+    std::optional<Balance> balance;                // if they have
+    std::optional<SequenceDifference> difference;  // if they have not
+};
+
+/// D0L sequence equivalence, decided (Culik and Fris 1977; Ehrenfeucht and Rozenberg 1978). Throws
+/// BoundReached, and says what was tried, if the overflows take more than budget.memory or time is up.
+///
+/// Example: equal_sequences(d0l("ab", {{'a', "abb"}, {'b', "aabba"}}),
+///     d0l("ab", {{'a', "abbaabb"}, {'b', "a"}})).difference->generation == 3
+SequenceEquality equal_sequences(const D0L& left, const D0L& right, const Budget& budget = {});
+
+/// For all n: word number left + n step of one sequence and number right + n stride of the other.
+struct Section {
+    std::uint64_t left = 0, step = 1, right = 0, stride = 1;
+    bool operator==(const Section&) const = default;
+};
+
+/// A section of the one sequence that is the same sequence of words as one of the other: the rules of the
+/// section are the powers h^step and h^stride of the rules of the systems.
+struct SectionMatch {
+    Section section;
+    Balance balance;  // of (w_left, g^step) and (v_right, h^stride)
+};
+
+/// A word that only one of two languages has.
+struct LanguageDifference {
+    bool in_left = false;          // the language that has it
+    std::uint64_t generation = 0;  // of which it is the word
+    Integer length;
+    std::optional<Word> word;  // over the alphabet of both, unless it is too long to be written out
+    /// The only generation of the other with as many of each letter, if there is one.
+    std::optional<std::uint64_t> alike;
+};
+
+/// Whether two D0L systems generate the same language, and how that is known.
+struct LanguageEquality {
+    bool equal = false;
+    bool finite = false;             // both languages: then they were compared word by word
+    std::uint64_t words_in_all = 0;  // of equal finite languages
+    /// Of equal infinite languages: the same words, by generation.
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> words;
+    std::vector<SectionMatch> sections;            // and all others
+    std::optional<LanguageDifference> difference;  // if they are not equal
+};
+
+/// D0L language equivalence, decided by sequence equivalence (after Nielsen 1974). Throws BoundReached, and
+/// says what was tried, if this takes more than budget.memory or time is up.
+///
+/// Example: equal_languages(d0l("a", {{'a', "b"}, {'b', "aa"}}), d0l("a", {{'a', "b"}, {'b', "aa"}})).equal
+LanguageEquality equal_languages(const D0L& left, const D0L& right, const Budget& budget = {});
+
+// The proofs as a certificate writes them (CERTIFICATES.md).
+
+/// Equal sequences: by `balance`. The alphabet is that of both systems.
+nlohmann::ordered_json balance_certificate(const Balance& balance, const Alphabet& alphabet);
+
+/// Sequences that differ: by `generation`, with the position of the first difference.
+nlohmann::ordered_json difference_certificate(const SequenceDifference& difference);
+
+/// Equal languages: by `values` if they are finite, otherwise by `sections`. The alphabet is that of both
+/// systems; the languages must be equal.
+nlohmann::ordered_json language_certificate(const LanguageEquality& equality,
+                                            const Alphabet& alphabet);
+
+// --- Derivation trees ---
+
+/// A derivation as a tree; as several trees side by side where the axiom has several letters. The
+/// children of a letter are the letters of its successor.
+struct DerivationTree {
+    struct Node {
+        enum class Kind {
+            letter,
+            erased,   // the empty word, below a letter whose successor it is
+            omitted,  // everything below a letter at which the tree was cut
+        };
+        Kind kind = Kind::letter;
+        Symbol letter = 0;             // omitted: the letter above; erased: 0
+        std::uint64_t generation = 0;  // of the letter; erased and omitted: one more than above
+        Integer leaves = 0;  // omitted: letters of the last generation, -1 if beyond count
+        std::vector<std::size_t> children;  // from left to right, as places in `nodes`
+        bool operator==(const Node&) const = default;
+    };
+    std::shared_ptr<const Alphabet> alphabet;
+    std::vector<std::size_t> roots;  // the letters of the axiom
+    std::vector<Node> nodes;         // generation after generation, in each from left to right
+    /// The names of the tables that the steps use; empty with one table.
+    std::vector<std::string> tables;
+};
+
+/// How a derivation is shown.
+struct TreeShape {
+    std::optional<std::uint64_t>
+        depth;            // the last generation shown, one mark below each of its letters
+    bool shared = false;  // equal subtrees of one generation are one: no tree any more
+};
+
+/// How many nodes the tree of generation n has, without the tree: the length of a generation of a
+/// system in which every letter leaves one more letter behind. Of a tree with shared subtrees by
+/// the sets of letters of each generation, until they repeat. Throws what `length` throws.
+///
+/// Example: tree_size(d0l("b", {{'a', "ab"}, {'b', "a"}}), 31) == 5702886
+Integer tree_size(const D0L& system, std::uint64_t n, const TreeShape& shape = {},
+                  const Budget& budget = {});
+
+/// The tree of generation n. Throws BoundReached if it has more nodes than budget.letters.
+///
+/// Example: derivation_tree(d0l("b", {{'a', "ab"}, {'b', "a"}}), 3).nodes.size() == 7
+DerivationTree derivation_tree(const D0L& system, std::uint64_t n, const TreeShape& shape = {},
+                               const Budget& budget = {});
+
+/// The same of a derivation. Linear time, n log n with shared subtrees.
+Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeShape& shape = {},
+                  const Budget& budget = {});
+DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
+                               const TreeShape& shape = {}, const Budget& budget = {});
+
+/// A depth below n at which a tree is small enough to show, and the next depth is not, if depth 0
+/// is: `size` gives the size of the tree in a shape. O(log n) calls.
+///
+/// Example: depth_within(30, 100, [](const TreeShape& shape) { return Integer(*shape.depth + 1); }) == 29
+std::optional<std::uint64_t> depth_within(std::uint64_t n, std::uint64_t most_nodes,
+                                          const std::function<Integer(const TreeShape&)>& size,
+                                          bool shared = false);
+
+/// The same tree with equal subtrees of one generation made one, each at its first place.
+DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& budget = {});
+
+/// How many generations there are below the axiom, marks of erased letters and of cuts not counted.
+std::uint64_t depth(const DerivationTree& tree);
+
+/// How many edges there are; a letter twice in a successor counts twice.
+std::uint64_t edge_count(const DerivationTree& tree);
+
+/// The word that the leaves spell from left to right, erased letters left out. Throws Error if the
+/// tree is cut or has more leaves than budget.letters.
+///
+/// Example: leaves(derivation_tree(d0l("a", {{'a', "ab"}, {'b', ""}}), 2)) == Word{0, 1}
+Word leaves(const DerivationTree& tree, const Budget& budget = {});
+
+// --- Claims ---
+
+/// What a dimension is compared with.
+struct ClaimedDimension {
+    DimensionValue value;
+    std::string text;  // as written
+    bool at_most = false;
+};
+
+/// One thing that is said of languages and systems, true or false.
+struct Statement {
+    enum class Kind {
+        family,    // languages[0] is of the family `family`
+        finite,    // languages[0] is a finite language
+        empty,     // languages[0] has no word
+        equal,     // languages[0] == languages[1]
+        included,  // languages[0] <= languages[1]
+        member,    // `word` is in languages[0]
+        size,      // languages[0] has exactly `size` words
+        derives,  // systems[0] derives `word` from `from` (or its axiom) in `steps` steps (or some number)
+        equal_sequences,  // systems[0] and systems[1], D0L: the same word in every generation
+        equal_growth,     // the same length in every generation
+        growth_formula,  // the length of generation n of systems[0] is `formula`, an expression in n
+        rewrites,  // `rewriting` derives `modules` from `modules_from` (or its axiom) in `steps` steps
+        chance,  // it does so with exactly this `probability`
+        growth_class,  // the growth of systems[0] is of class `family`: zero, bounded, polynomial, exponential;
+                       // polynomial of degree `size` if given
+        dimension,  // the limit set that `drawn` draws has this `dimension`, or one at most as large
+        boundary,   // its boundary has
+    };
+    Kind kind = Kind::family;
+    bool negated = false;
+    std::vector<Language> languages;
+    std::vector<std::shared_ptr<const SourceSystem>> systems;
+    std::string family;
+    Word word;
+    std::optional<Word> from;
+    std::optional<std::uint64_t> steps;
+    std::optional<Integer> size;
+    std::optional<Expression> formula;
+    std::shared_ptr<const LSystem> rewriting;  // its alphabet has all letters of both words
+    ModuleWord modules;
+    std::optional<ModuleWord> modules_from;
+    std::optional<Rational> probability;
+    std::shared_ptr<const LSystem> drawn;  // with the turtle
+    std::optional<ClaimedDimension> dimension;
+    std::string text;  // as written
+    Place place;
+};
+
+/// A statement and what the claim says of it.
+struct ClaimedStatement {
+    Statement statement;
+    enum class Purpose { show, lemma, refute } purpose = Purpose::show;  // `refute`: it is false
+    std::string citation;  // `by ...`: the source it rests on where it is not decided
+};
+
+/// What a claim settles in the table of closure: families closed, or not closed, under an operation.
+struct ClosureFact {
+    bool closed = false;
+    std::string operation;  // "union", "intersection with regular", ...
+    std::vector<std::string> families;
+    Place place;
+};
+
+/// A `.claim` file: definitions and statements about them.
+struct Claim {
+    std::string name;  // of the file
+    std::string title, source;
+    std::vector<std::string> notes;  // `note`, in the order of the file, printed by explanations
+    bool empty_axiom = false;        // whether families of systems may have the empty word as axiom
+    std::shared_ptr<const Alphabet> alphabet;
+    std::vector<std::shared_ptr<const SourceSystem>> systems;  // defined by the claim, in order
+    /// Defined by the claim: systems whose words are derived module by module.
+    std::vector<std::shared_ptr<const LSystem>> rewritings;
+    std::vector<Language> languages;  // defined by the claim, each with its name
+    std::vector<ClaimedStatement> statements;
+    std::vector<ClosureFact> closure;
+};
+
+/// What is known of a statement and why: the argument in sentences, and the proof that a certificate
+/// holds (CERTIFICATES.md), which the room `verify` checks again. The proof is of the statement where it is
+/// proved and of its opposite where it is refuted; there is none where it is undecided.
+struct Judgement {
+    Truth truth = Truth::undecided;
+    /// One sentence or line each; an indented line belongs to the one before.
+    std::vector<std::string> argument;
+    std::shared_ptr<const nlohmann::ordered_json> proof;
+
+    static Judgement proved(std::vector<std::string> argument, const nlohmann::ordered_json& proof);
+    static Judgement refuted(std::vector<std::string> argument,
+                             const nlohmann::ordered_json& proof);
+    static Judgement undecided(std::vector<std::string> tried);
+};
+
+/// The judgement on the opposite statement, by the same proof.
+Judgement opposite(Judgement judgement);
+
+/// What is known of a statement of a claim. A bound that is reached makes it undecided, and the judgement says
+/// which. Throws Interrupted if the work was asked to stop, Error where the statement cannot be about its systems.
+Judgement decide(const Statement& statement, const Claim& claim, const Budget& budget = {});
+
+/// What may be used besides the language itself.
+struct FamilyQuestion {
+    std::string family;        // REG, CF or a family of L-systems, as `system_form` reads it
+    bool empty_axiom = false;  // whether the empty word may be an axiom
+    std::vector<std::shared_ptr<const SourceSystem>> systems;  // that may generate the language
+};
+
+/// Whether the language is of the family. Finite languages are decided for 0L, P0L, D0L, PD0L, T0L, PT0L, DT0L,
+/// PDT0L; families that have all finite languages, and regular expressions for REG and CF, by theorem. Another
+/// language is proved to be of the family if it is given by a system of the form, equal to the language of one of
+/// `systems`, or made by operations under which the family is closed. An infinite one is refuted if it is the language
+/// of a D0L system that is too sparse to be regular or context-free; otherwise the question is undecided.
+///
+/// Throws Error if the family has no such name, what budget.check throws, BoundReached where a table is too large.
+Judgement judge_family(const Language& language, const FamilyQuestion& question,
+                       const Alphabet& alphabet, const Budget& budget = {});
+
+// How many words a language has. All throw what budget.check throws, BoundReached where a table is too large.
+
+/// Whether the language is finite: worked out where it can be, otherwise by a part of it that is not.
+Judgement judge_finite(const Language& language, const Alphabet& alphabet,
+                       const Budget& budget = {});
+
+/// Whether it has no word.
+Judgement judge_empty(const Language& language, const Alphabet& alphabet,
+                      const Budget& budget = {});
+
+/// Whether it has exactly so many words.
+Judgement judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
+                     const Budget& budget = {});
+
+/// The result for one statement of a claim. It stands if it is as the claim says: proved, or refuted where the claim
+/// says `refute`. A statement is cited if it is undecided here and rests on a source that the claim names.
+struct CheckedStatement {
+    enum class Outcome { stands, cited, undecided, wrong };
+    Outcome outcome = Outcome::undecided;
+    Judgement judgement;
+};
+
+/// The result for a claim: one entry for each of its statements.
+struct CheckedClaim {
+    Claim claim;
+    std::vector<CheckedStatement> statements;
+
+    /// The worst of its statements, of `wrong`, `undecided`, `cited`, `stands`.
+    CheckedStatement::Outcome outcome() const;
+};
+
+/// Decides all statements of a claim. Throws what `decide` throws.
+CheckedClaim check(Claim claim, const Budget& budget = {});
+
+/// "proved", "cited", "undecided" or "WRONG", as reports print it.
+std::string to_string(CheckedStatement::Outcome outcome);
+
+/// "proved", "refuted", "cited", "undecided" or "WRONG", as reports print it.
+std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked);
+
+/// The claim as a page: its title and source, the definitions, its notes, then each statement with its verdict
+/// and the argument in sentences, in lines of at most 100 characters. With a family, what is said of a language
+/// and other families is left out where the same is said of this one.
+std::string explanation(const CheckedClaim& checked, const std::string& family = {});
+
+/// The claim as a certificate (CERTIFICATES.md).
+nlohmann::ordered_json certificate(const CheckedClaim& checked);
+
+/// The operations and the families of the table of closure, in its order.
+///
+/// Example: closure_operations().front() == "union"
+const std::vector<std::string>& closure_operations();
+/// Example: closure_families().front() == "REG"
+const std::vector<std::string>& closure_families();
+
+/// Which families of languages are closed under which operations, and which claim settles it.
+class ClosureTable {
+public:
+    struct Cell {
+        bool closed = false;
+        std::size_t claim = 0;  // index into the claims
+    };
+
+    /// Throws Error if two claims settle one cell, with the places of both.
+    explicit ClosureTable(const std::vector<Claim>& claims);
+
+    /// What is settled about a family and an operation, if anything is.
+    std::optional<Cell> cell(std::string_view family, std::string_view operation) const;
+
+private:
+    std::map<std::pair<std::string, std::string>, Cell, std::less<>> cells_;
+};
+
+// Pieces of the sentences that arguments are made of.
+
+/// A number and what it counts.
+///
+/// Example: counted(1, "step") + ", " + counted(2, "step") == "1 step, 2 steps"
+inline std::string counted(std::uint64_t count, const std::string& noun) {
+    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+/// The name of a family or system behind "a" or "an", as it is spoken.
+///
+/// Example: with_article("0L") + ", " + with_article("E0L") == "a 0L, an E0L"
+inline std::string with_article(const std::string& name) {
+    return (!name.empty() && (name.front() == 'E' || name.front() == 'I') ? "an " : "a ") + name;
+}
 
 }  // namespace algae

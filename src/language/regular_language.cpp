@@ -1,7 +1,17 @@
-#include "language/regular_language.hpp"
+#include "language/detail/regular.hpp"
 
 #include <algorithm>
 #include <unordered_map>
+
+// Operations on regular languages, their words, and a proof by induction that a regular language is within L(G).
+//
+// Boolean operations run over pairs of states of both automata; the others connect nondeterministic automata by
+// silent moves. A letter that an automaton does not know leads to a state that refuses, so operands may have
+// different alphabets (`widened`).
+//
+// Words are found through the distances of states to an accepting one: a shortest word follows decreasing
+// distances, words up to a length are extended only while the distance still fits, and a language is finite if
+// its useful states have no cycle, which also gives the order in which words are counted.
 
 namespace algae {
 
@@ -9,7 +19,8 @@ namespace {
 
 /// Both automata side by side; `accepts` says from the two whether to accept.
 template <class Accepts>
-RegularLanguage product(const RegularLanguage& left, const RegularLanguage& right, const Budget& budget, Accepts accepts) {
+RegularLanguage product(const RegularLanguage& left, const RegularLanguage& right,
+                        const Budget& budget, Accepts accepts) {
     const std::size_t letters = std::max(left.automaton().letters, right.automaton().letters);
     const Dfa a = widened(left.automaton(), letters), b = widened(right.automaton(), letters);
     Dfa found{letters, 0, {}, {}};
@@ -27,10 +38,12 @@ RegularLanguage product(const RegularLanguage& left, const RegularLanguage& righ
     for (std::size_t i = 0; i < pairs.size(); ++i) {
         if (i % 1024 == 0) {
             budget.check();
-            budget.check_memory(pairs.size() * (letters + 8) * sizeof(std::size_t), "a product of automata");
+            budget.check_memory(pairs.size() * (letters + 8) * sizeof(std::size_t),
+                                "a product of automata");
         }
         for (Symbol letter = 0; letter < letters; ++letter)
-            found.transitions.push_back(number_of(a.step(pairs[i] / b.states(), letter), b.step(pairs[i] % b.states(), letter)));
+            found.transitions.push_back(number_of(a.step(pairs[i] / b.states(), letter),
+                                                  b.step(pairs[i] % b.states(), letter)));
     }
     return RegularLanguage(found);
 }
@@ -65,27 +78,33 @@ RegularLanguage all_words(const std::vector<Symbol>& letters) {
     return RegularLanguage(loop);
 }
 
-RegularLanguage united(const RegularLanguage& left, const RegularLanguage& right, const Budget& budget) {
+RegularLanguage united(const RegularLanguage& left, const RegularLanguage& right,
+                       const Budget& budget) {
     return product(left, right, budget, [](bool l, bool r) { return l || r; });
 }
 
-RegularLanguage intersected(const RegularLanguage& left, const RegularLanguage& right, const Budget& budget) {
+RegularLanguage intersected(const RegularLanguage& left, const RegularLanguage& right,
+                            const Budget& budget) {
     return product(left, right, budget, [](bool l, bool r) { return l && r; });
 }
 
-RegularLanguage difference(const RegularLanguage& left, const RegularLanguage& right, const Budget& budget) {
+RegularLanguage difference(const RegularLanguage& left, const RegularLanguage& right,
+                           const Budget& budget) {
     return product(left, right, budget, [](bool l, bool r) { return l && !r; });
 }
 
-RegularLanguage symmetric_difference(const RegularLanguage& left, const RegularLanguage& right, const Budget& budget) {
+RegularLanguage symmetric_difference(const RegularLanguage& left, const RegularLanguage& right,
+                                     const Budget& budget) {
     return product(left, right, budget, [](bool l, bool r) { return l != r; });
 }
 
-RegularLanguage complement(const RegularLanguage& language, const std::vector<Symbol>& letters, const Budget& budget) {
+RegularLanguage complement(const RegularLanguage& language, const std::vector<Symbol>& letters,
+                           const Budget& budget) {
     return difference(all_words(letters), language, budget);
 }
 
-RegularLanguage concatenated(const RegularLanguage& left, const RegularLanguage& right, const Budget& budget) {
+RegularLanguage concatenated(const RegularLanguage& left, const RegularLanguage& right,
+                             const Budget& budget) {
     Nfa both = as_nfa(left.automaton());
     const std::size_t size = both.states.size();
     const Nfa second = as_nfa(right.automaton());
@@ -93,7 +112,8 @@ RegularLanguage concatenated(const RegularLanguage& left, const RegularLanguage&
     for (std::size_t s = 0; s < size; ++s) {
         if (!both.states[s].accepting) continue;
         both.states[s].accepting = false;
-        for (const std::size_t begin : second.initial) both.states[s].silent.push_back(begin + shift);
+        for (const std::size_t begin : second.initial)
+            both.states[s].silent.push_back(begin + shift);
     }
     return RegularLanguage(both, budget);
 }
@@ -101,7 +121,8 @@ RegularLanguage concatenated(const RegularLanguage& left, const RegularLanguage&
 RegularLanguage plus(const RegularLanguage& language, const Budget& budget) {
     Nfa again = as_nfa(language.automaton());
     for (Nfa::State& state : again.states)
-        if (state.accepting) state.silent.insert(state.silent.end(), again.initial.begin(), again.initial.end());
+        if (state.accepting)
+            state.silent.insert(state.silent.end(), again.initial.begin(), again.initial.end());
     return RegularLanguage(again, budget);
 }
 
@@ -111,6 +132,227 @@ RegularLanguage star(const RegularLanguage& language, const Budget& budget) {
 
 RegularLanguage reversed(const RegularLanguage& language, const Budget& budget) {
     return RegularLanguage(reversed(as_nfa(language.automaton())), budget);
+}
+
+namespace {
+
+template <class Image>
+const Image& image_of(Symbol a, const std::vector<Image>& images) {
+    if (a >= images.size()) throw Error("letter number " + std::to_string(a) + " has no image");
+    return images[a];
+}
+
+}  // namespace
+
+RegularLanguage image(const RegularLanguage& language, const std::vector<Word>& images,
+                      const Budget& budget) {
+    const Nfa letters = as_nfa(language.automaton());
+    Nfa words;
+    for (const Nfa::State& state : letters.states) words.add_state(state.accepting);
+    words.initial = letters.initial;
+    for (std::size_t s = 0; s < letters.states.size(); ++s)
+        for (const auto& [letter, to] : letters.states[s].moves)
+            words.add_path(s, image_of(letter, images), to);
+    return RegularLanguage(words, budget);
+}
+
+RegularLanguage image(const RegularLanguage& language, const std::vector<RegularLanguage>& images,
+                      const Budget& budget) {
+    const Nfa letters = as_nfa(language.automaton());
+    Nfa words;
+    for (const Nfa::State& state : letters.states) words.add_state(state.accepting);
+    words.initial = letters.initial;
+    for (std::size_t s = 0; s < letters.states.size(); ++s)
+        for (const auto& [letter, to] : letters.states[s].moves) {
+            const Nfa part = as_nfa(image_of(letter, images).automaton());
+            const std::size_t shift = words.add_states(part);
+            for (const std::size_t begin : part.initial)
+                words.states[s].silent.push_back(begin + shift);
+            for (std::size_t t = shift; t < words.states.size(); ++t)
+                if (words.states[t].accepting) {
+                    words.states[t].accepting = false;
+                    words.states[t].silent.push_back(to);
+                }
+        }
+    return RegularLanguage(words, budget);
+}
+
+RegularLanguage inverse_image(const RegularLanguage& language, const std::vector<Word>& images,
+                              const std::vector<Symbol>& domain) {
+    std::size_t letters = language.automaton().letters;
+    for (const Symbol a : domain)
+        for (const Symbol b : image_of(a, images)) letters = std::max<std::size_t>(letters, b + 1);
+    const Dfa before = widened(language.automaton(), letters);
+    Nfa found;
+    for (const char accepting : before.accepting) found.add_state(accepting != 0);
+    found.initial.push_back(before.initial);
+    for (std::size_t s = 0; s < before.states(); ++s)
+        for (const Symbol a : domain) {
+            std::size_t to = s;
+            for (const Symbol b : images[a]) to = before.step(to, b);
+            found.states[s].moves.emplace_back(a, to);
+        }
+    return RegularLanguage(found);
+}
+
+namespace {
+
+/// The useful states in an order in which every step goes forward; nothing if there is a cycle.
+std::optional<std::vector<std::size_t>> without_cycle(const Dfa& automaton) {
+    const std::vector<std::size_t> distance = distances(automaton);
+    const auto is_useful = [&](std::size_t s) { return distance[s] < automaton.states(); };
+    std::vector<std::size_t> arrivals(automaton.states(), 0), order;
+    std::size_t useful = 0;
+    for (std::size_t s = 0; s < automaton.states(); ++s) {
+        if (!is_useful(s)) continue;
+        ++useful;
+        for (Symbol a = 0; a < automaton.letters; ++a) ++arrivals[automaton.step(s, a)];
+    }
+    for (std::size_t s = 0; s < automaton.states(); ++s)
+        if (is_useful(s) && arrivals[s] == 0) order.push_back(s);
+    for (std::size_t i = 0; i < order.size(); ++i)
+        for (Symbol a = 0; a < automaton.letters; ++a) {
+            const std::size_t to = automaton.step(order[i], a);
+            if (--arrivals[to] == 0 && is_useful(to)) order.push_back(to);
+        }
+    if (order.size() < useful) return std::nullopt;
+    return order;
+}
+
+}  // namespace
+
+bool is_empty(const RegularLanguage& language) { return language == RegularLanguage(); }
+
+std::optional<Word> shortest_word(const RegularLanguage& language) {
+    if (is_empty(language)) return std::nullopt;
+    const Dfa& automaton = language.automaton();
+    const std::vector<std::size_t> distance = distances(automaton);
+    Word word;
+    for (std::size_t s = automaton.initial; distance[s] > 0;)
+        for (Symbol a = 0; a < automaton.letters; ++a)
+            if (distance[automaton.step(s, a)] + 1 == distance[s]) {
+                word.push_back(a);
+                s = automaton.step(s, a);
+                break;
+            }
+    return word;
+}
+
+bool is_finite(const RegularLanguage& language) {
+    return without_cycle(language.automaton()).has_value();
+}
+
+std::optional<Integer> number_of_words(const RegularLanguage& language) {
+    const Dfa& automaton = language.automaton();
+    const auto order = without_cycle(automaton);
+    if (!order) return std::nullopt;
+    std::vector<Integer> count(automaton.states(),
+                               Integer(0));  // of words accepted from each state
+    for (std::size_t i = order->size(); i-- > 0;) {
+        const std::size_t s = (*order)[i];
+        count[s] = automaton.accepting[s] ? 1 : 0;
+        for (Symbol a = 0; a < automaton.letters; ++a) count[s] += count[automaton.step(s, a)];
+    }
+    return count[automaton.initial];
+}
+
+Integer number_of_words(const RegularLanguage& language, std::size_t length) {
+    const Dfa& automaton = language.automaton();
+    std::vector<Integer> count(automaton.states(), Integer(0));
+    for (std::size_t s = 0; s < automaton.states(); ++s) count[s] = automaton.accepting[s] ? 1 : 0;
+    for (; length > 0; --length) {
+        std::vector<Integer> longer(automaton.states(), Integer(0));
+        for (std::size_t s = 0; s < automaton.states(); ++s)
+            for (Symbol a = 0; a < automaton.letters; ++a) longer[s] += count[automaton.step(s, a)];
+        count = std::move(longer);
+    }
+    return count[automaton.initial];
+}
+
+std::vector<Word> words_up_to(const RegularLanguage& language, std::size_t longest,
+                              const Budget& budget) {
+    const Dfa& automaton = language.automaton();
+    const std::vector<std::size_t> distance = distances(automaton);
+    std::vector<Word> found;
+    std::uint64_t bytes = 0;
+    // Of one length, with the states they lead to.
+    std::vector<std::pair<Word, std::size_t>> beginnings;
+    if (distance[automaton.initial] <= longest && distance[automaton.initial] < automaton.states())
+        beginnings.emplace_back(Word{}, automaton.initial);
+    for (std::size_t length = 0; !beginnings.empty(); ++length) {
+        budget.check();
+        std::vector<std::pair<Word, std::size_t>> longer;
+        for (const auto& [word, state] : beginnings) {
+            if (automaton.accepting[state]) found.push_back(word);
+            for (Symbol a = 0; a < automaton.letters; ++a) {
+                const std::size_t to = automaton.step(state, a);
+                if (distance[to] == automaton.states() || length + 1 + distance[to] > longest)
+                    continue;
+                longer.emplace_back(word, to);
+                longer.back().first.push_back(a);
+                bytes += sizeof(Word) + longer.back().first.size() * sizeof(Symbol);
+            }
+            budget.check_memory(bytes, "the words up to that length");
+        }
+        beginnings = std::move(longer);
+    }
+    return found;
+}
+
+std::optional<Word> first_outside(const RegularLanguage& inner, const RegularLanguage& outer,
+                                  const Budget& budget) {
+    return shortest_word(difference(inner, outer, budget));
+}
+
+std::optional<Word> first_difference(const RegularLanguage& left, const RegularLanguage& right,
+                                     const Budget& budget) {
+    return shortest_word(symmetric_difference(left, right, budget));
+}
+
+namespace {
+
+/// The successors of at least so many letters.
+RegularLanguage successors(const OL& system, Symbol letter, std::size_t least) {
+    std::vector<Word> words;
+    for (const Word& successor : system.successors[letter])
+        if (successor.size() >= least) words.push_back(successor);
+    return finite_set(words);
+}
+
+/// The words of the language with exactly one letter a marked, that is, replaced by a + letters.
+RegularLanguage marked_once(const RegularLanguage& language, Symbol letters, const Budget& budget) {
+    std::vector<Symbol> plain, marked, all;
+    std::vector<Word> unmarked(2 * letters);
+    for (Symbol a = 0; a < letters; ++a) {
+        plain.push_back(a);
+        marked.push_back(a + letters);
+        unmarked[a] = unmarked[a + letters] = {a};
+    }
+    all = plain;
+    all.insert(all.end(), marked.begin(), marked.end());
+    std::vector<Word> one_mark;
+    for (const Symbol a : marked) one_mark.push_back({a});
+    const RegularLanguage once = concatenated(
+        concatenated(all_words(plain), finite_set(one_mark), budget), all_words(plain), budget);
+    return intersected(inverse_image(language, unmarked, all), once, budget);
+}
+
+}  // namespace
+
+std::optional<RegularInduction> regular_induction(const RegularLanguage& language, const OL& system,
+                                                  std::size_t most, const Budget& budget) {
+    const Symbol letters = static_cast<Symbol>(language.automaton().letters);
+    if (letters > system.successors.size()) return std::nullopt;
+    std::vector<RegularLanguage> images(2 * letters);
+    for (Symbol a = 0; a < letters; ++a) {
+        images[a] = successors(system, a, 1);
+        images[a + letters] = successors(system, a, 2);
+    }
+    const RegularLanguage derived = image(marked_once(language, letters, budget), images, budget);
+    const RegularLanguage base = difference(language, derived, budget);
+    const std::optional<Integer> count = number_of_words(base);
+    if (!count || *count > Integer(most)) return std::nullopt;
+    return RegularInduction{words_up_to(base, base.automaton().states(), budget)};
 }
 
 }  // namespace algae

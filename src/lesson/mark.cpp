@@ -1,22 +1,137 @@
-#include "lesson/mark.hpp"
-
 #include <algorithm>
 #include <optional>
+#include <set>
 
-#include "base/error.hpp"
-#include "claim/decide.hpp"
-#include "lesson/judge_own_statement.hpp"
-#include "notation/characters.hpp"
-#include "notation/claim_clauses.hpp"
-#include "notation/findings.hpp"
-#include "notation/read.hpp"
-#include "system/et0l.hpp"
-#include "system/il.hpp"
-#include "system/s0l.hpp"
+#include "exact/exact.hpp"
+#include "language/language.hpp"
+#include "lesson/lesson.hpp"
+#include "notation/notation.hpp"
+#include "system/system.hpp"
+#include "turtle/turtle.hpp"
+
+// How an answer is marked: the demands of an exercise are decided of it, one after the other, as claims are.
+//
+// The answer becomes a definition of `answer` above the claim that the exercise makes: a system as the smallest of the
+// families ET0L, IL, S0L and parametric that takes it in, a language and a word as an expression, a claim as it stands. A
+// claim of the learner's own is judged first: what it shows must stand. Then each demand is read and decided with the lines above it
+// only, because lines below need not make sense of every answer. The first refuted demand ends the marking; a bound that
+// is reached makes its demand undecided, and the next one is looked at.
+//
+// Statements of exercises' own are judged here: forms by the classes of systems, counts by counting, and figures by comparing outlines
+// (similar, congruent, or in the same place), exactly where the coordinates are exact.
 
 namespace algae {
 
 namespace {
+
+Judgement found(bool holds, std::string sentence) {
+    Judgement judgement;
+    judgement.truth = holds ? Truth::proved : Truth::refuted;
+    judgement.argument.push_back(std::move(sentence));
+    return judgement;
+}
+
+Judgement judge_form(const OwnStatement& asked, const LSystem& answer) {
+    const auto form = system_form(asked.form);
+    const std::string reason = form ? misfit(answer, *form) : misfit(answer, asked.form);
+    const std::string is = class_of(answer).name();
+    return found(reason.empty(),
+                 reason.empty() ? "Your system is " + with_article(is) + " system."
+                                : "Your system is no " + asked.form + " system: " + reason + ".");
+}
+
+/// The symbols that stand in the axiom or a rule.
+std::size_t letters(const LSystem& system) {
+    std::set<Symbol> all(system.axiom.letters.begin(), system.axiom.letters.end());
+    for (const Production& rule : system.rules) {
+        all.insert(rule.predecessor.symbol);
+        all.insert(rule.successor.letters.begin(), rule.successor.letters.end());
+    }
+    return all.size();
+}
+
+std::size_t count_of(OwnStatement::Counted counted, const LSystem& system) {
+    switch (counted) {
+        case OwnStatement::Counted::rules:
+            return system.rules.size();
+        case OwnStatement::Counted::letters:
+            return letters(system);
+        case OwnStatement::Counted::axiom_symbols:
+            return system.axiom.letters.size();
+    }
+    return 0;
+}
+
+Judgement judge_count(const OwnStatement& asked, const LSystem& answer) {
+    const std::size_t count = count_of(asked.counted, answer);
+    const bool of_axiom = asked.counted == OwnStatement::Counted::axiom_symbols;
+    const std::string singular = of_axiom                                          ? "symbol"
+                                 : asked.counted == OwnStatement::Counted::letters ? "letter"
+                                                                                   : "rule";
+    return found(asked.at_most ? count <= asked.count : count == asked.count,
+                 (of_axiom ? "The axiom of your system has " : "Your system has ") +
+                     counted(count, singular) + ".");
+}
+
+struct NamedFigure {
+    std::string name;
+    Outline outline;
+};
+
+NamedFigure named_figure(const OwnStatement::Figure& figure, const LSystem& answer,
+                         const SystemSource& open, const Budget& budget) {
+    const std::uint64_t n = figure.generation;
+    const std::string generation = "generation " + std::to_string(n) + " of ";
+    if (figure.system == "answer") return {generation + "your system", outline(answer, n, budget)};
+    return {generation + figure.system, outline(open(figure.system), n, budget)};
+}
+
+std::string all_of(std::size_t count, const std::string& noun) {
+    return count == 1 ? "the only " + noun : "each of " + counted(count, noun);
+}
+
+/// "Each of 3 strokes and the only filled polygon", without what there is none of.
+std::string all_parts(const Outline& outline) {
+    std::string text = all_of(outline.strokes.size(), "stroke");
+    if (!outline.polygons.empty())
+        text = (outline.strokes.empty() ? "" : text + " and ") +
+               all_of(outline.polygons.size(), "filled polygon");
+    text.front() = text.front() == 'e' ? 'E' : 'T';
+    return text;
+}
+
+Judgement judge_figures(const OwnStatement& asked, const LSystem& answer, const SystemSource& open,
+                        const Budget& budget) {
+    using Relation = OwnStatement::Relation;
+    const Relation relation = asked.relation;
+    const NamedFigure left = named_figure(asked.left, answer, open, budget);
+    const NamedFigure right = named_figure(asked.right, answer, open, budget);
+    const Similarity compared = similarity(left.outline, left.name, right.outline, right.name);
+    if (!compared.similar) return found(false, compared.difference);
+    if (relation != Relation::similar && !compared.same_size)
+        return found(false, "The figures have the same form, but not the same size.");
+    if (relation == Relation::same && !compared.same_place)
+        return found(false,
+                     "The figures have the same form and size, but do not lie in the same place.");
+    const bool exact = compared.exact && relation != Relation::same;
+    return found(true, all_parts(left.outline) + " comes to lie on one of the other figure" +
+                           (exact ? ", exactly." : ", as far as rounded numbers show."));
+}
+
+/// Whether a statement of an exercise's own holds of the system. `open` knows the systems that figures are compared with.
+/// Refuted with what the answer has instead. Throws what `open` and `outline` throw.
+Judgement judge_own_statement(const OwnStatement& asked, const LSystem& answer,
+                              const SystemSource& open, const Budget& budget) {
+    switch (asked.kind) {
+        case OwnStatement::Kind::form:
+            return judge_form(asked, answer);
+        case OwnStatement::Kind::count:
+            return judge_count(asked, answer);
+        case OwnStatement::Kind::figures:
+            break;
+    }
+    return judge_figures(asked, answer, open, budget);
+}
 
 using Kind = Exercise::Kind;
 

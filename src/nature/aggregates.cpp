@@ -1,14 +1,20 @@
-#include "nature/aggregates.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <unordered_set>
 
-#include "base/error.hpp"
-#include "nature/free_aggregate.hpp"
-#include "nature/grid_aggregate.hpp"
+#include "nature/detail/aggregates.hpp"
+#include "nature/detail/figures.hpp"
+
+// Pictures of a growing cluster, and its dimension by the radius of gyration.
+//
+// Each particle is drawn as a link from the one that it came to touch, coloured by age. Of a
+// cluster on the grid, where a particle may touch several, the link goes to the first of the
+// neighbours that was there before it.
+//
+// The radius of gyration R of the first n particles grows as n^(1/D). D is the slope of log n
+// against log R by least squares, over doublings of n up to the whole cluster.
 
 namespace algae {
 
@@ -114,7 +120,7 @@ std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
         const std::string what = fmt::format("{} particles", count);
         made.push_back(
             {std::make_unique<LinkFigure>(std::move(part), off_lattice ? 0.9 : 0.7, 1, drawn),
-             (title.empty() ? name : title) + ", " + what, what});
+             heading() + ", " + what, what});
     }
     return made;
 }

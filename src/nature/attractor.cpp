@@ -1,20 +1,30 @@
-#include "nature/attractor.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
+
+#include "nature/detail/iterated_functions.hpp"
+
+// The attractor of an iterated function system, to a given accuracy, without chance.
+//
+// Box: how far a set reaches in a direction is its support function, and that of an image follows
+// from that of the set in the transposed direction. Support in 720 directions, bounded between them
+// by a positive combination of two neighbours, is iterated from a disc around 0 that holds the
+// attractor; each round makes all bounds tighter.
+//
+// Points: a grid of cells is filled from a point of the attractor. The first point found in a cell
+// is kept and mapped by all maps; its images are points of the attractor again. Later points of the
+// same cell are dropped. If no two points of a cell are farther apart than d and no map has a norm
+// above s, the error of dropping is d + s d + s^2 d + ... = d / (1 - s), so cells of the side
+// accuracy (1 - s) / sqrt 2 suffice. The work is cells times maps, however the images overlap.
 
 namespace algae {
 
 namespace {
 
 using Map = IteratedFunctions::Map;
-
 constexpr std::size_t directions = 720;
 constexpr int most_rounds = 3000;
 constexpr double finest_share = 2048;
-
 /// How far a set reaches in each of the directions.
 using Support = std::vector<double>;
 
@@ -24,7 +34,7 @@ double angle(std::size_t direction) {
 
 /// An upper bound of how far the image of a set reaches in a direction: `shift`, and a positive
 /// combination of what the set reaches in two neighbouring directions.
-struct Reach {
+struct SupportBound {
     double shift = 0, before_share = 0, after_share = 0;
     std::size_t before = 0, after = 0;
 
@@ -33,9 +43,9 @@ struct Reach {
     }
 };
 
-Reach bound_of(const AffineMap& map, std::size_t direction) {
+SupportBound bound_of(const AffineMap& map, std::size_t direction) {
     const double x = std::cos(angle(direction)), y = std::sin(angle(direction));
-    Reach bound;
+    SupportBound bound;
     bound.shift = x * map.e + y * map.f;
     const double turned_x = map.a * x + map.c * y, turned_y = map.b * x + map.d * y;
     const double length = std::hypot(turned_x, turned_y), step = angle(1);
@@ -96,7 +106,7 @@ struct Cells {
 std::vector<Box> attractor_boxes(const IteratedFunctions& system) {
     std::vector<Support> supports;
     for (const double radius : radii(system)) supports.emplace_back(directions, radius);
-    std::vector<std::vector<Reach>> bounds;
+    std::vector<std::vector<SupportBound>> bounds;
     for (const Map& map : system.maps) {
         auto& own = bounds.emplace_back();
         for (std::size_t k = 0; k < directions; ++k) own.push_back(bound_of(map.map, k));
@@ -128,6 +138,9 @@ std::vector<Box> attractor_boxes(const IteratedFunctions& system) {
     return boxes;
 }
 
+namespace {
+
+/// A point of the attractor of each state, to the precision of doubles.
 std::vector<Point> attractor_points(const IteratedFunctions& system) {
     std::vector<const Map*> first(system.states.size());
     for (const Map& map : system.maps)
@@ -141,6 +154,8 @@ std::vector<Point> attractor_points(const IteratedFunctions& system) {
     }
     return points;
 }
+
+}  // namespace
 
 void send_attractor(const IteratedFunctions& system, double accuracy, const TakeDots& take,
                     const Budget& budget) {
@@ -193,24 +208,38 @@ void send_attractor(const IteratedFunctions& system, double accuracy, const Take
     take(dots);
 }
 
-AttractorFigure::AttractorFigure(IteratedFunctions system) : system_(std::move(system)) {
-    box_ = attractor_boxes(system_).front();
-    facts_.low = {Coordinate(box_.low.x), Coordinate(box_.low.y)};
-    facts_.high = {Coordinate(box_.high.x), Coordinate(box_.high.y)};
-    facts_.step = std::max(box_.breadth(), box_.height()) / finest_share;
-}
+namespace {
 
-void AttractorFigure::draw(Canvas& canvas, double resolution, const Budget& budget) const {
-    const double cell = resolution > 0 ? resolution : facts_.step;
-    if (!(cell > 0)) {  // one point
-        canvas.move_to(box_.low);
-        canvas.line_to(box_.low);
-        return;
+class AttractorFigure final : public PlainFigure {
+public:
+    explicit AttractorFigure(const IteratedFunctions& system)
+        : PlainFigure(system.settings), system_(system) {
+        box_ = attractor_boxes(system_).front();
+        take_corners();
+        facts_.step = std::max(box_.breadth(), box_.height()) / finest_share;
     }
-    const SendDots send = [&](const TakeDots& take, const Budget& within) {
-        send_attractor(system_, 2 * cell, take, within);
-    };
-    PointFigure(send, 0, box_, system_.settings).draw(canvas, cell, budget);
+
+    void draw(Canvas& canvas, double resolution, const Budget& budget) const override {
+        const double cell = resolution > 0 ? resolution : facts_.step;
+        if (!(cell > 0)) {  // one point
+            canvas.move_to(box_.low);
+            canvas.line_to(box_.low);
+            return;
+        }
+        const SendDots send = [&](const TakeDots& take, const Budget& within) {
+            send_attractor(system_, 2 * cell, take, within);
+        };
+        PointFigure(send, 0, box_, settings_).draw(canvas, cell, budget);
+    }
+
+private:
+    IteratedFunctions system_;
+};
+
+}  // namespace
+
+std::unique_ptr<Figure> attractor_figure(const IteratedFunctions& system) {
+    return std::make_unique<AttractorFigure>(system);
 }
 
 }  // namespace algae

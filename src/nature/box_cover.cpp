@@ -1,15 +1,22 @@
-#include "nature/box_cover.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
-#include <utility>
 
-#include "base/error.hpp"
-#include "nature/contour.hpp"
-#include "nature/path_figure.hpp"
+#include "nature/detail/figures.hpp"
+#include "nature/detail/height_field.hpp"
+
+// Box counting as a picture: some sets, the squares of a grid that they touch, and their numbers as
+// a plot.
+//
+// Sets are a segment, a square, Koch's curve in 8 steps and the coast of a random island; all are
+// moved and scaled so that the longest side is 1. A square is counted if one of many points along
+// the lines lies in it; points on the upper or right end of the whole belong to the square before.
+// Koch's curve can also be covered with squares that turn with its copies, three for each.
+//
+// The plot shows log N against log 1/m with the line of least squares. Better estimates, with
+// intervals, are those of dimension.hpp.
 
 namespace algae {
 
@@ -197,7 +204,7 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     const Colour ink{0.12, 0.23, 0.37}, box{0.86, 0.91, 0.96}, edge{0.55, 0.66, 0.78};
     const auto add = [&](std::vector<Path> paths, const std::string& what) {
         made.push_back({std::make_unique<PathFigure>(std::move(paths), settings),
-                        (title.empty() ? name : title) + ", " + what, what});
+                        heading() + ", " + what, what});
     };
     std::vector<Point> counts;
     for (const double side : cells) {
@@ -258,8 +265,7 @@ RelativeFigure BoxCover::measured_figure(const Budget& budget) const {
         path.points = std::move(stroke);
         paths.push_back(std::move(path));
     }
-    return {std::make_unique<PathFigure>(std::move(paths), settings), title.empty() ? name : title,
-            ""};
+    return {std::make_unique<PathFigure>(std::move(paths), settings), heading(), ""};
 }
 
 std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {

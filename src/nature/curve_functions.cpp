@@ -1,14 +1,108 @@
-#include "nature/curve_functions.hpp"
-
+#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "dimension/log_ratio.hpp"
-#include "dimension/recurrent_set.hpp"
+#include "nature/detail/iterated_functions.hpp"
+
+// What is known exactly of iterated function systems: their similarity dimension, and which of them
+// the curves of an L-system approach.
+//
+// If all maps are similarities, the s for which the sum of ratio^s is 1 (Moran 1946), with several
+// states the matrix of these sums has the spectral radius 1 (Mauldin and Williams 1988), is an
+// upper bound of the dimension of the attractor, and equal to it where the open set condition
+// holds, which is not looked at here. Each strongly connected component of states that is reached
+// has its own s; the largest counts. Where all ratios are one over the square root of the same
+// natural number, the value is written as log rate / log ratio.
+//
+// The curves of a D0L system approach a recurrent set (Dekking 1982), which is the attractor of a
+// graph-directed system: a state for each piece, and a map of the ratio 1/|mu| for each part of it,
+// with the heading of the part less the argument of mu as its turn. Ratios are written exactly
+// where |mu|^2 is a whole number; turns and offsets are decimals.
 
 namespace algae {
+
+namespace {
+
+using Status = ExactDimension::Status;
+using Entry = RatioSum::Entry;
+
+std::vector<bool> reached(const IteratedFunctions& system) {
+    std::vector<bool> found(system.states.size());
+    found[0] = true;
+    for (std::size_t round = 0; round < system.states.size(); ++round)
+        for (const auto& map : system.maps)
+            if (found[map.from]) found[map.to] = true;
+    return found;
+}
+
+/// The square of a ratio, where that is a rational number.
+std::optional<Rational> rational_square(const Expression& ratio) {
+    if (const auto plain = rational_value(shortened(ratio))) return *plain * *plain;
+    if (ratio.kind == Expression::Kind::call && ratio.name == "sqrt")
+        return rational_value(shortened(ratio.operands.front()));
+    if (ratio.kind == Expression::Kind::binary && ratio.name == "/") {
+        const auto above = rational_square(ratio.operands[0]),
+                   below = rational_square(ratio.operands[1]);
+        if (above && below && !below->is_zero()) return *above / *below;
+    }
+    return std::nullopt;
+}
+
+/// log rate / log ratio, where all ratios are the same and one over the root of a natural number.
+std::optional<LogRatio> equal_ratios(const std::vector<Entry>& entries, const Rate& rate) {
+    std::optional<Rational> common;
+    for (const Entry& entry : entries) {
+        const auto square = rational_square(entry.ratio);
+        if (!square || square->is_zero() || (common && *common != *square)) return std::nullopt;
+        common = square;
+    }
+    const Rational inverse = Rational(1) / *common;
+    if (!inverse.is_integer()) return std::nullopt;
+    return LogRatio(rate, ScalingRatio::square_root(inverse.numerator()));
+}
+
+}  // namespace
+
+ExactDimension similarity_dimension(const IteratedFunctions& system, const Budget& budget) {
+    ExactDimension found;
+    for (const auto& map : system.maps)
+        if (!map.ratio) {
+            found.conditions.push_back(map.name + " is no similarity");
+            return found;
+        }
+    const std::vector<bool> is_reached = reached(system);
+    std::vector<Entry> entries;
+    for (const auto& map : system.maps) entries.push_back({map.from, map.to, *map.ratio});
+    const Components all = RatioSum::components(system.states.size(), entries, budget);
+    std::optional<double> largest;
+    for (const Component& component : all.list) {
+        if (!component.rate || !is_reached[component.letters.front()]) continue;
+        std::vector<Entry> own = RatioSum::within(component, entries);
+        const bool to_points = std::any_of(own.begin(), own.end(), [](const Entry& entry) {
+            return sign(enclosure(entry.ratio, 64)) == 0;
+        });
+        if (to_points) continue;  // adds nothing
+        const bool single = *component.rate == Rate(1);
+        DimensionFormula formula = LogRatio(Rate(1), ScalingRatio(Integer(2)));
+        if (const auto log_ratio = equal_ratios(own, *component.rate))
+            formula = *log_ratio;
+        else if (!single)
+            formula = RatioSum(component.letters.size(), std::move(own));
+        const double value = formula.enclosure(64).midpoint();
+        if (largest && value <= *largest) continue;
+        largest = value;
+        found.value = found.similarity = formula;
+    }
+    if (!largest) {
+        found.conditions.push_back("a map takes everything to one point");
+        return found;
+    }
+    found.status = Status::upper_bound;
+    found.conditions.push_back("all maps are similarities");
+    found.conditions.push_back("an upper bound unless the open set condition holds");
+    return found;
+}
 
 namespace {
 

@@ -1,21 +1,34 @@
-#include "nature/height_field.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
-#include <cstdint>
 
-#include "base/error.hpp"
-#include "nature/fourier.hpp"
+#include "nature/detail/height_field.hpp"
+
+// Random surfaces over a square, and the lines on which they have a height.
+//
+// `diamond_square` displaces midpoints of squares in two half steps a level (Fournier, Fussell and
+// Carpenter 1982): centres from four corners, then middles of edges from the two to four points
+// around. It leaves creases along the first squares (Miller 1986).
+//
+// `exact_surface` has the distribution of fractional Brownian motion of the plane (Stein 2002): a
+// periodic field whose covariance, up to the distance needed, is that of the surface less a
+// parabola, made by the Fourier transform; and a random slope, whose variance makes up for the
+// parabola. For 2H > 1.5 the covariance must be continued beyond the distance 1 so that it stays
+// positive definite, which doubles the period.
+//
+// Contour lines are found by marching squares. On each edge of the grid whose ends are below and
+// not below the height lies one point, in proportion; within a square the points are joined so that
+// what is not below lies to the left, and where there are two ways, as the mean of the corners
+// says. Each edge then has at most one line that comes and one that goes, so that lines are lists
+// linked by edges: first those that begin at the border are followed, then closed ones.
 
 namespace algae {
 
 namespace {
 
-/// The covariance of the periodic field at a distance, in units in which the surface's diagonal is at
-/// most 1; it is 0 from `range` on (Stein 2002, formulas 5 to 9).
+/// The covariance of the periodic field at a distance, in units in which the surface's diagonal is
+/// at most 1; it is 0 from `range` on (Stein 2002, formulas 5 to 9).
 class Embedding {
 public:
     explicit Embedding(double hurst) : exponent_(2 * hurst) {
@@ -145,6 +158,98 @@ double height_at_share(const HeightField& field, double share) {
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
     std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());
     return sorted[static_cast<std::size_t>(place)];
+}
+
+namespace {
+
+using Edge = std::uint32_t;
+constexpr Edge none = std::numeric_limits<Edge>::max();
+
+/// For each set of corners that are not below the height (bits 0 to 3: lower left, lower right,
+/// upper right, upper left), the sides at which the line enters a square and leaves it, with these
+/// corners to its left: 0 is the lower side, 1 the right, 2 the upper, 3 the left one.
+constexpr std::size_t ways[16][2] = {{},     {0, 3}, {1, 0}, {1, 3}, {2, 1}, {},     {2, 0}, {2, 3},
+                                     {3, 2}, {0, 2}, {},     {1, 2}, {3, 1}, {0, 1}, {3, 0}, {}};
+
+/// The edges of a grid: from each point one to the right and one upward.
+class Edges {
+public:
+    Edges(const HeightField& field, double height) : field_(field), height_(height) {}
+
+    Edge right_of(std::size_t column, std::size_t row) const {
+        return static_cast<Edge>(2 * (row * field_.side + column));
+    }
+    Edge above(std::size_t column, std::size_t row) const { return right_of(column, row) + 1; }
+    /// Where the surface has the height on an edge.
+    Point crossing(Edge edge) const {
+        const std::size_t point = edge / 2, column = point % field_.side, row = point / field_.side;
+        const bool upward = edge % 2 == 1;
+        const double from = field_.heights[point];
+        const double to = field_.heights[point + (upward ? field_.side : 1)];
+        const double share = (height_ - from) / (to - from);
+        return {field_.spacing() * (static_cast<double>(column) + (upward ? 0 : share)),
+                field_.spacing() * (static_cast<double>(row) + (upward ? share : 0))};
+    }
+
+private:
+    const HeightField& field_;
+    double height_;
+};
+
+}  // namespace
+
+std::vector<Stroke> contour_lines(const HeightField& field, double height, const Budget& budget) {
+    if (field.side < 2) return {};
+    const std::size_t points = field.side * field.side;
+    budget.check_memory(2 * points * (sizeof(Edge) + 1), "contour lines");
+    const Edges edges(field, height);
+    std::vector<Edge> next(2 * points, none);  // where the line goes on that comes to an edge
+    std::vector<bool> entered(2 * points);     // whether a line comes to it from inside the grid
+    const auto join = [&](Edge from, Edge to) {
+        next[from] = to;
+        entered[to] = true;
+    };
+    for (std::size_t row = 0; row + 1 < field.side; ++row) {
+        budget.check();
+        for (std::size_t column = 0; column + 1 < field.side; ++column) {
+            const double a = field.at(column, row), b = field.at(column + 1, row);
+            const double c = field.at(column + 1, row + 1), d = field.at(column, row + 1);
+            const unsigned high = (a >= height ? 1u : 0u) | (b >= height ? 2u : 0u) |
+                                  (c >= height ? 4u : 0u) | (d >= height ? 8u : 0u);
+            if (high == 0 || high == 15) continue;
+            const Edge below = edges.right_of(column, row), left = edges.above(column, row);
+            const Edge above = edges.right_of(column, row + 1);
+            const Edge right = edges.above(column + 1, row);
+            const bool middle = (a + b + c + d) / 4 >= height;  // decides where there are two ways
+            if (high == 5) {
+                join(below, middle ? right : left);
+                join(above, middle ? left : right);
+            } else if (high == 10) {
+                join(left, middle ? below : above);
+                join(right, middle ? above : below);
+            } else {
+                const std::array<Edge, 4> sides{below, right, above, left};
+                join(sides[ways[high][0]], sides[ways[high][1]]);
+            }
+        }
+    }
+    std::vector<Stroke> lines;
+    const auto follow = [&](Edge first) {
+        Stroke line{edges.crossing(first)};
+        Edge edge = first;
+        while (next[edge] != none) {
+            const Edge to = next[edge];
+            next[edge] = none;
+            edge = to;
+            line.push_back(edges.crossing(edge));
+        }
+        lines.push_back(std::move(line));
+    };
+    for (Edge edge = 0; edge < next.size(); ++edge)  // those from border to border first
+        if (next[edge] != none && !entered[edge]) follow(edge);
+    for (Edge edge = 0; edge < next.size(); ++edge)
+        if (next[edge] != none) follow(edge);
+    return lines;
 }
 
 }  // namespace algae

@@ -1,16 +1,61 @@
-#include "nature/iterated_functions.hpp"
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
 
-#include "base/error.hpp"
-#include "nature/attractor.hpp"
-#include "nature/chaos_game.hpp"
-#include "nature/copies.hpp"
-#include "nature/similarity_dimension.hpp"
+#include "nature/detail/iterated_functions.hpp"
+#include "rewrite/rewrite.hpp"
+
+// Iterated function systems: the maps, what may be asked of them, and two of the ways to draw what
+// they define.
+//
+// Finitely many contractions of the plane have exactly one nonempty compact set that is the union
+// of its images, the attractor (Hutchinson 1981). With several states it is graph-directed (Mauldin
+// and Williams 1988): only maps whose state can be reached again need to contract, since a path
+// uses every other map once.
+//
+// - `copies` is the multiple reduction copy machine: generation n is the union of the images of a
+//   polygon under all compositions of n maps. The number of copies grows exponentially and is
+//   bounded.
+// - `chaos_game` follows one point, to which a map picked at random is applied again and again; its
+//   orbit becomes dense in the attractor. Maps are picked by comparing 64 random bits with the sums
+//   of the chances, scaled to 2^64. The game is played once to find the box, and again whenever it
+//   is drawn, from the same seed.
+// - The attractor itself, to a given accuracy, is drawn by attractor.cpp.
+//
+// The chances of maps that the file does not give are in proportion to the areas they leave, so
+// that points spread evenly; maps that flatten the plane get a hundredth of the largest.
 
 namespace algae {
+
+AffineMap composed(const AffineMap& outer, const AffineMap& inner) {
+    const Point shift = outer({inner.e, inner.f});
+    return {outer.a * inner.a + outer.b * inner.c,
+            outer.a * inner.b + outer.b * inner.d,
+            outer.c * inner.a + outer.d * inner.c,
+            outer.c * inner.b + outer.d * inner.d,
+            shift.x,
+            shift.y};
+}
+
+// With the parts that keep and that reverse directions of the matrix, of sizes p and q, the
+// singular values are p + q and |p - q|.
+double norm(const AffineMap& map) {
+    return (std::hypot(map.a + map.d, map.c - map.b) + std::hypot(map.a - map.d, map.c + map.b)) /
+           2;
+}
+
+double least_stretch(const AffineMap& map) {
+    return std::fabs(std::hypot(map.a + map.d, map.c - map.b) -
+                     std::hypot(map.a - map.d, map.c + map.b)) /
+           2;
+}
+
+double determinant(const AffineMap& map) { return map.a * map.d - map.b * map.c; }
+
+Point fixed_point(const AffineMap& map) {
+    const double p = 1 - map.a, q = 1 - map.d, det = p * q - map.b * map.c;
+    return {(q * map.e + map.b * map.f) / det, (map.c * map.e + p * map.f) / det};
+}
 
 namespace {
 
@@ -102,7 +147,7 @@ std::vector<double> IteratedFunctions::chances() const {
 }
 
 std::vector<RelativeFigure> IteratedFunctions::figures(const Budget& budget) const {
-    const std::string what = title.empty() ? name : title;
+    const std::string what = heading();
     std::vector<RelativeFigure> found;
     if (generations) {
         for (std::uint64_t n = generations->first; n <= generations->second; ++n)
@@ -113,15 +158,14 @@ std::vector<RelativeFigure> IteratedFunctions::figures(const Budget& budget) con
         found.push_back(
             {chaos_game(*this, *points, budget), what + ", " + count, what + ", " + count});
     } else {
-        found.push_back({std::make_unique<AttractorFigure>(*this), what + ", the attractor", what});
+        found.push_back({attractor_figure(*this), what + ", the attractor", what});
     }
     return found;
 }
 
 RelativeFigure IteratedFunctions::measured_figure(const Budget& budget) const {
     if (points || generations) return Relative::measured_figure(budget);
-    return {std::make_unique<AttractorFigure>(*this),
-            (title.empty() ? name : title) + ", the attractor", ""};
+    return {attractor_figure(*this), heading() + ", the attractor", ""};
 }
 
 std::optional<ExactDimension> IteratedFunctions::exact_dimension(const Budget& budget) const {
@@ -174,6 +218,131 @@ std::vector<RelativeFact> IteratedFunctions::facts(const Budget& budget) const {
     else
         found.push_back({"similarity_dimension", "none: " + dimension.conditions.front(), nullptr});
     return found;
+}
+
+namespace {
+
+constexpr std::size_t most_copies = 1'000'000;
+constexpr double flat = 1e-12;  // the share of its squared length that a flat polygon's area has
+
+/// The polygon that a map makes of `corners`, or a line where it is flat.
+Path image(const AffineMap& map, const std::vector<Point>& corners, std::uint32_t colour) {
+    Path path;
+    path.colour = colour;
+    double area = 0, around = 0;
+    for (const Point& corner : corners) path.points.push_back(map(corner));
+    for (std::size_t i = 0; i < path.points.size(); ++i) {
+        const Point a = path.points[i], b = path.points[(i + 1) % path.points.size()];
+        area += a.x * b.y - a.y * b.x;
+        around += std::hypot(b.x - a.x, b.y - a.y);
+    }
+    path.filled = std::fabs(area) > flat * around * around;
+    if (!path.filled) path.points.push_back(path.points.front());
+    return path;
+}
+
+}  // namespace
+
+std::unique_ptr<PathFigure> copies(const IteratedFunctions& system, std::uint64_t generation,
+                                   const Budget& budget) {
+    struct Copy {
+        AffineMap map;
+        std::size_t state;
+        std::uint32_t colour;
+    };
+    std::vector<Copy> made{{{}, 0, 0}};
+    for (std::uint64_t round = 0; round < generation; ++round) {
+        std::vector<Copy> next;
+        for (const Copy& copy : made) {
+            if ((next.size() & 0xfff) == 0) budget.check();
+            for (std::size_t m = 0; m < system.maps.size(); ++m) {
+                if (system.maps[m].from != copy.state) continue;
+                next.push_back({composed(copy.map, system.maps[m].map), system.maps[m].to,
+                                round == 0 ? static_cast<std::uint32_t>(m) : copy.colour});
+            }
+        }
+        if (next.size() > most_copies)
+            throw BoundReached(Bound::method,
+                               system.name + ", generation " + std::to_string(round + 1) +
+                                   ": has " + std::to_string(next.size()) +
+                                   " copies, of which at most 1000000 can be drawn; its attractor, "
+                                   "without `generation`, has no such bound");
+        made = std::move(next);
+    }
+    std::vector<Path> paths;
+    for (const Copy& copy : made) paths.push_back(image(copy.map, system.start, copy.colour));
+    return std::make_unique<PathFigure>(std::move(paths), system.settings);
+}
+
+namespace {
+
+constexpr std::size_t at_a_time = 1 << 14;
+
+/// The maps, and the largest numbers drawn for which each is taken.
+struct Game {
+    std::vector<AffineMap> maps;
+    std::vector<std::uint64_t> last;  // of each map but the last one
+    std::uint64_t seed = 1;
+    std::uint64_t count = 0;
+    Point begin;
+
+    std::size_t picked(std::uint64_t number) const {
+        std::size_t map = 0;
+        for (const std::uint64_t bound : last) map += number > bound;
+        return map;
+    }
+
+    void play(const TakeDots& take, const Budget& budget) const {
+        const Draws draws(seed, 0);
+        std::vector<Dot> dots(std::min<std::uint64_t>(count, at_a_time));
+        Point here = begin;
+        for (std::uint64_t t = 0; t < count;) {
+            budget.check();
+            const auto some = std::min<std::uint64_t>(count - t, at_a_time);
+            //> game
+            for (std::size_t i = 0; i < some; ++i, ++t) {
+                const std::size_t map = picked(draws.at(t));
+                here = maps[map](here);
+                dots[i] = {here, static_cast<std::uint32_t>(map)};
+            }
+            //< game
+            take(std::span(dots).first(some));
+        }
+    }
+};
+
+}  // namespace
+
+std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::uint64_t count,
+                                        const Budget& budget) {
+    if (system.states.size() > 1)
+        throw Error(
+            system.name + ": has " + std::to_string(system.states.size()) +
+            " states, and the chaos game is for one; its attractor is drawn without points");
+    Game game;
+    game.count = count;
+    game.seed = system.seed;
+    game.begin = system.from.value_or(fixed_point(system.maps.front().map));
+    double sum = 0;
+    for (const double chance : system.chances()) {
+        sum += chance;
+        const double share = std::ldexp(sum, 64);
+        game.last.push_back(share >= 0x1p64 ? std::numeric_limits<std::uint64_t>::max()
+                                            : static_cast<std::uint64_t>(share));
+    }
+    game.last.pop_back();
+    for (const auto& map : system.maps) game.maps.push_back(map.map);
+    Box box;
+    game.play(
+        [&](std::span<const Dot> dots) {
+            for (const Dot& dot : dots) box.add(dot.place);
+        },
+        budget);
+    return std::make_unique<PointFigure>(
+        [game = std::move(game)](const TakeDots& take, const Budget& within) {
+            game.play(take, within);
+        },
+        count, box, system.settings);
 }
 
 }  // namespace algae

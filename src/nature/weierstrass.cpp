@@ -1,14 +1,17 @@
-#include "nature/weierstrass.hpp"
-
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "nature/graph_path.hpp"
-#include "nature/path_figure.hpp"
+#include "nature/detail/figures.hpp"
+
+// Weierstrass's function, continuous and without a derivative anywhere, and its graph.
+//
+// The terms a^n cos(b^n pi x) are summed in doubles. The angle is reduced modulo 2 before it is
+// multiplied by pi, and the sum ends where the frequency times x is too large for the angle to be
+// known. The dimension of the graph is 2 + log a / log b: the box dimension for all parameters
+// (Kaplan, Mallet-Paret and Yorke 1984), the Hausdorff dimension for whole numbers b (Shen 2018).
 
 namespace algae {
 
@@ -74,7 +77,7 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
     const auto add = [&](double left, double right, std::uint64_t count, const std::string& what) {
         made.push_back({std::make_unique<PathFigure>(
                             graph(*this, left, right, count, points, budget), settings),
-                        (title.empty() ? name : title) + ", " + what, what});
+                        heading() + ", " + what, what});
     };
     for (const std::uint64_t count : terms)
         add(from, to, count, fmt::format("{} term{}", count, count == 1 ? "" : "s"));
@@ -96,9 +99,7 @@ RelativeFigure WeierstrassFunction::measured_figure(const Budget& budget) const 
     check();
     return {std::make_unique<PathFigure>(
                 graph(*this, from, to, most_terms, measured_points, budget), settings),
-            (title.empty() ? name : title) + ", the graph by " + std::to_string(measured_points) +
-                " segments",
-            ""};
+            heading() + ", the graph by " + std::to_string(measured_points) + " segments", ""};
 }
 
 std::vector<RelativeFact> WeierstrassFunction::facts(const Budget&) const {

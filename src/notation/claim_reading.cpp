@@ -1,15 +1,192 @@
-#include "notation/claim_reading.hpp"
-
 #include <algorithm>
-#include <utility>
 
-#include "notation/characters.hpp"
-#include "notation/claim_families.hpp"
-#include "notation/claim_rewriting.hpp"
-#include "notation/claim_scanner.hpp"
-#include "notation/suggestion.hpp"
+#include "notation/detail/claim_reading.hpp"
+
+// Claims on their way from their text: clauses, the scanner within a clause, and the names that a claim
+// defines.
+//
+// Clauses are separated by line breaks and `;` outside braces, so a system or a set may go over lines. A
+// brace that is never closed must not swallow the rest of the file: unclosed braces are found in a first walk
+// and do not count in the second; the clause that has one is reported. Texts for people (`claim`, `note`,
+// ...) may contain any brace.
+//
+// A name may be used only below its definition and not in it, so definitions are acyclic. `ClaimReading`
+// keeps what each name stands for; `find` throws where a use stands too early, and `DependsOnError` where the
+// definition was faulty. All systems of a claim are put over one alphabet, which grows while the claim is
+// read: so each is kept over its own alphabet and put over the common one when it is added, and once more in
+// the end (`finish`), when all letters are known.
 
 namespace algae {
+
+namespace {
+
+bool is_ascii_blank(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
+
+/// Whether a clause that begins here is a text for people.
+bool is_prose(std::string_view rest) {
+    const std::size_t begin = rest.find_first_not_of(" \t\r");
+    if (begin == std::string_view::npos) return false;
+    rest.remove_prefix(begin);
+    for (const std::string_view word : {"claim", "source", "note", "title"})
+        if (rest.starts_with(word) &&
+            (rest.size() == word.size() || is_ascii_blank(rest[word.size()])))
+            return true;
+    return false;
+}
+
+/// Tells `on(offset)` of every brace, line break and `;` outside comments, and of every `#` that opens one,
+/// until it says false.
+template <class On>
+void walk(std::string_view text, On on) {
+    std::size_t begin = 0;
+    bool prose = is_prose(text);
+    for (std::size_t here = 0; here < text.size(); ++here) {
+        const char byte = text[here];
+        if (byte == '\n' || byte == ';') {
+            if (!on(here)) return;
+            begin = here + 1;
+            prose = is_prose(text.substr(begin));
+        } else if (byte == '#' && (here == begin || is_ascii_blank(text[here - 1]))) {
+            if (!on(here)) return;
+            here = std::min(text.find('\n', here), text.size()) - 1;
+        } else if ((byte == '{' || byte == '}') && !prose) {
+            if (!on(here)) return;
+        }
+    }
+}
+
+/// The places of braces `{` without `}`, in increasing order.
+std::vector<std::size_t> unclosed_braces(std::string_view text) {
+    std::vector<std::size_t> open;
+    walk(text, [&](std::size_t here) {
+        if (text[here] == '{') open.push_back(here);
+        if (text[here] == '}' && !open.empty()) open.pop_back();
+        return true;
+    });
+    return open;
+}
+
+}  // namespace
+
+std::string_view ClaimClause::value() const { return trimmed(text.substr(keyword.size())); }
+
+std::vector<ClaimClause> claim_clauses(std::string_view text) {
+    std::vector<ClaimClause> found;
+    const std::vector<std::size_t> unclosed = unclosed_braces(text);
+    auto next_unclosed = unclosed.begin();
+    const char* first_unclosed = nullptr;  // of this clause
+    std::size_t begin = 0, depth = 0;
+    const auto add = [&](std::size_t end) {
+        ClaimClause clause;
+        clause.text = trimmed(text.substr(begin, end - begin));
+        clause.unclosed = first_unclosed;
+        first_unclosed = nullptr;
+        if (clause.text.empty()) return;
+        const auto blank = std::find_if(clause.text.begin(), clause.text.end(), is_ascii_blank);
+        clause.keyword =
+            clause.text.substr(0, static_cast<std::size_t>(blank - clause.text.begin()));
+        found.push_back(clause);
+    };
+    walk(text, [&](std::size_t here) {
+        const char byte = text[here];
+        if (byte == '{') {
+            if (next_unclosed != unclosed.end() && *next_unclosed == here) {
+                ++next_unclosed;
+                if (!first_unclosed) first_unclosed = text.data() + here;
+            } else {
+                ++depth;
+            }
+        } else if (byte == '}') {
+            if (depth > 0) --depth;
+        } else if (depth == 0) {
+            add(here);
+            begin = byte == '#' ? std::min(text.find('\n', here), text.size()) : here + 1;
+        }
+        return true;
+    });
+    add(text.size());
+    return found;
+}
+
+const char* closing_brace(const char* open, const char* end) {
+    const std::string_view text{open, static_cast<std::size_t>(end - open)};
+    std::size_t depth = 0, close = 0;
+    walk(text, [&](std::size_t here) {
+        if (text[here] == '{') ++depth;
+        if (text[here] == '}' && --depth == 0) close = here;
+        return close == 0;
+    });
+    return close > 0 ? open + close : nullptr;
+}
+
+namespace {
+
+bool is_name_character(char byte, bool first) {
+    const auto code = static_cast<unsigned char>(byte);
+    return (code < 0x80 && is_letter(code)) ||
+           (!first && (is_digit(code) || byte == '_' || byte == '\''));
+}
+
+}  // namespace
+
+std::string_view ClaimScanner::rest() {
+    while (here != end) {
+        const Character next = first_character({here, static_cast<std::size_t>(end - here)});
+        if (!is_blank(next.code)) break;
+        here += next.bytes;
+    }
+    return {here, static_cast<std::size_t>(end - here)};
+}
+
+bool ClaimScanner::take(std::string_view token) {
+    if (!rest().starts_with(token)) return false;
+    here += token.size();
+    return true;
+}
+
+bool ClaimScanner::take_word(std::string_view word) {
+    if (name() != word) return false;
+    here += word.size();
+    return true;
+}
+
+std::string_view ClaimScanner::name() {
+    const std::string_view text = rest();
+    std::size_t length = 0;
+    while (length < text.size() && is_name_character(text[length], length == 0)) ++length;
+    return text.substr(0, length);
+}
+
+std::string_view ClaimScanner::take_name() {
+    const std::string_view found = name();
+    here += found.size();
+    return found;
+}
+
+std::string_view ClaimScanner::take_piece() {
+    const std::string_view text = rest();
+    while (here != end) {
+        const Character next = first_character({here, static_cast<std::size_t>(end - here)});
+        if (is_blank(next.code)) break;
+        here += next.bytes;
+    }
+    return text.substr(0, text.size() - static_cast<std::size_t>(end - here));
+}
+
+std::size_t find_word(std::string_view text, std::string_view word) {
+    const auto is_bound = [&](std::size_t i) {
+        return i >= text.size() || is_blank(static_cast<unsigned char>(text[i]));
+    };
+    std::size_t depth = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '{') ++depth;
+        if (text[i] == '}' && depth > 0) --depth;
+        if (depth == 0 && text.substr(i).starts_with(word) && (i == 0 || is_bound(i - 1)) &&
+            is_bound(i + word.size()))
+            return i;
+    }
+    return std::string_view::npos;
+}
 
 namespace {
 
@@ -17,8 +194,8 @@ constexpr std::size_t most_suggested = 1000;  // to choose from more would take 
 
 /// The words that cannot be names of claims.
 const std::vector<std::string>& claim_keywords() {
-    static const std::vector<std::string> all{"is", "in", "not", "by", "growth", "sequence",
-                                              "dimension", "boundary"};
+    static const std::vector<std::string> all{"is",     "in",       "not",       "by",
+                                              "growth", "sequence", "dimension", "boundary"};
     return all;
 }
 
@@ -31,7 +208,8 @@ std::string kind_text(ClaimName::Kind kind) {
         case ClaimName::Kind::morphism:
             return "a morphism";
         case ClaimName::Kind::rewriting:
-            return "a system with probabilities, parameters or contexts of trees, of which claims say what "
+            return "a system with probabilities, parameters or contexts of trees, of which claims "
+                   "say what "
                    "it derives and how likely that is";
         default:
             return "a language";
@@ -123,8 +301,8 @@ std::shared_ptr<const LSystem> ClaimReading::rewriting(std::string_view name) co
 std::shared_ptr<const LSystem> ClaimReading::written(std::string_view name) const {
     const ClaimName& known = expect(name);
     if (!known.written)
-        throw SyntaxError{name.data(), "expected a system, found " + quoted(name) + ", " +
-                                           kind_text(known.kind)};
+        throw SyntaxError{
+            name.data(), "expected a system, found " + quoted(name) + ", " + kind_text(known.kind)};
     return known.written;
 }
 
@@ -164,8 +342,10 @@ std::shared_ptr<const SourceSystem> ClaimReading::add_system(const std::string& 
             [](const Production& rule) { return !rule.left.empty() || !rule.right.empty(); });
         throw SyntaxError{
             where, "expected a system without context or a deterministic one with context, but " +
-                       name + " is " + (interactive ? "one with context whose words have brackets"
-                               : has_context ? interactive.reason() : tables.reason())};
+                       name + " is " +
+                       (interactive   ? "one with context whose words have brackets"
+                        : has_context ? interactive.reason()
+                                      : tables.reason())};
     }
     owned.own.name = name;
     for (Symbol symbol = 0; symbol < written.alphabet.size(); ++symbol)

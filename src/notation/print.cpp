@@ -1,9 +1,22 @@
-#include "notation/print.hpp"
-
 #include <algorithm>
+#include <map>
+#include <string>
 #include <utility>
+#include <vector>
 
-#include "notation/canonical.hpp"
+#include "notation/detail/reading.hpp"
+
+// The canonical text of a system, and of a file with its comments.
+//
+// The canonical text has one statement a line, in the order of the table of settings, with blanks only where
+// two symbols would otherwise be read as one (`Spellings`). It reads back as the same system, and its own
+// canonical text is itself. Care is needed where a text would be read as something else: a word that begins
+// like a shape successor or a rule that begins like a setting gets `ε` in front.
+//
+// Formatting a file is more: comments stay with their statements. As statements move, a comment is kept by
+// its statement's keyword and how many statements of this keyword stand before it, in the file and in the
+// canonical text alike (`Keys`). Comments at the top stay there; those whose statement is not printed come at
+// the end.
 
 namespace algae {
 
@@ -44,6 +57,18 @@ std::string guarded(std::string text, std::initializer_list<const char*> beginni
     for (const char* beginning : beginnings)
         if (text.starts_with(beginning)) return "ε " + text;
     return text;
+}
+
+/// A number as one piece among several.
+std::string piece(const Quantity& number) {
+    const std::string text = to_text(number.expression);
+    return text.find(' ') == std::string::npos ? text : '(' + text + ')';
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string out;
+    for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+    return out;
 }
 
 }  // namespace
@@ -110,7 +135,8 @@ std::string Printer::rule(const Production& rule) const {
         out += " -(" + to_text(quantity(*rule.probability).expression) + ")-> ";
     else
         out += " -> ";
-    out += rule.shape ? shape(*rule.shape) : guarded(word(rule.successor), {"div(", "repeat(", "Split("});
+    out += rule.shape ? shape(*rule.shape)
+                      : guarded(word(rule.successor), {"div(", "repeat(", "Split("});
     // A left context may spell a setting whose value may contain arrows.
     return guarded(std::move(out), {"title ", "source ", "interpret ", "system "});
 }
@@ -123,6 +149,157 @@ std::string print_rule(const Alphabet& alphabet, const Production& rule) {
     return Printer(alphabet).rule(rule);
 }
 
+std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
+    std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
+    for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
+    return joined(parts);
+}
+
+std::string print_solid(const SolidSetting& solid) {
+    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures));
+}
+
+std::string print_surface(const SurfaceSetting& surface) {
+    std::string out = surface.kind;
+    for (const Triple& point : surface.points)
+        out += " (" + to_text(point.x.expression) + ", " + to_text(point.y.expression) + ", " +
+               to_text(point.z.expression) + ')';
+    return out;
+}
+
+namespace {
+
+/// One line of the canonical text.
+struct CanonicalLine {
+    std::string keyword;                     // the setting's; "->" of a rule
+    std::string text;                        // the whole line, without its break
+    std::vector<CanonicalLine> inside = {};  // of `system leaf {`: the lines up to its brace
+};
+
+/// Gathers the lines.
+class Lines {
+public:
+    void setting(const char* keyword, const std::string& value) {
+        if (!value.empty()) lines_.push_back({keyword, std::string(keyword) + ' ' + value});
+    }
+    void number(const char* keyword, const std::optional<Quantity>& value) {
+        if (value) setting(keyword, to_text(value->expression));
+    }
+    void system(const std::string& name, std::vector<CanonicalLine> inside) {
+        lines_.push_back({"system", "system " + name + " {", std::move(inside)});
+    }
+    void rule(std::string text) { lines_.push_back({"->", std::move(text)}); }
+    std::vector<CanonicalLine> take() { return std::move(lines_); }
+
+private:
+    std::vector<CanonicalLine> lines_;
+};
+
+void add_rules(const LSystem& system, const Printer& printer, Lines& lines) {
+    std::size_t opened = 0;
+    const auto open_tables = [&](std::size_t end) {
+        for (; opened < end; ++opened) lines.setting("table", system.tables[opened]);
+    };
+    for (const Production& rule : system.rules) {
+        if (!system.tables.empty()) open_tables(rule.table + 1);
+        lines.rule(printer.rule(rule));
+    }
+    open_tables(system.tables.size());
+    lines.setting("schedule", joined(schedule_names(system)));
+}
+
+void add_words(const LSystem& system, const Printer& printer, Lines& lines) {
+    lines.setting("axiom", printer.word(system.axiom));
+    add_rules(system, printer, lines);
+    lines.setting("ignore", printer.apart(system.ignored));
+}
+
+std::string print_start(const Settings::Start& start) {
+    return joined({piece(start.x), piece(start.y), piece(start.heading)});
+}
+
+std::string print_range(const std::pair<std::uint64_t, std::uint64_t>& range) {
+    const auto [first, last] = range;
+    return std::to_string(first) + (last == first ? "" : ".." + std::to_string(last));
+}
+
+std::string print_direction(const Direction& direction) {
+    return joined({piece(direction.azimuth), piece(direction.elevation)});
+}
+
+/// What symbols leave in space, and where steps bend to.
+void add_space(const Settings& settings, const Printer& printer, Lines& lines) {
+    for (const SolidSetting& solid : settings.solids)
+        lines.setting("solid", printer.apart({solid.symbol}) + ' ' + print_solid(solid));
+    for (const SurfaceSetting& surface : settings.surfaces)
+        lines.setting("surface", printer.apart({surface.symbol}) + ' ' + print_surface(surface));
+    if (const auto& to = settings.tropism)
+        lines.setting("tropism", joined({piece(to->x), piece(to->y), piece(to->z)}));
+    lines.number("susceptibility", settings.susceptibility);
+}
+
+/// How figures in space are looked at.
+void add_views(const Settings& settings, Lines& lines) {
+    if (const auto& camera = settings.camera) {
+        std::vector<std::string> parts{print_direction(camera->from)};
+        if (camera->perspective) parts.emplace_back("perspective");
+        if (camera->opening) parts.push_back(piece(*camera->opening));
+        lines.setting("camera", joined(parts));
+    }
+    if (settings.light) lines.setting("light", print_direction(*settings.light));
+    lines.number("fog", settings.fog);
+}
+
+void add_settings(const Settings& settings, const Printer& printer, Lines& lines) {
+    lines.number("angle", settings.angle);
+    lines.number("step", settings.step);
+    lines.number("shrink", settings.shrink);
+    if (settings.start) lines.setting("start", print_start(*settings.start));
+    lines.number("spin", settings.spin);
+    lines.number("scale", settings.scale);
+    lines.number("narrow", settings.narrow);
+    lines.setting("plot", printer.apart(settings.plotters));
+    for (const Settings::Stamp& stamp : settings.stamps)
+        lines.setting("stamp", printer.apart({stamp.symbol}) + ' ' + shape_name(stamp.shape));
+    add_space(settings, printer, lines);
+    lines.number("width", settings.width);
+    lines.setting("colour", joined(settings.colours));
+    if (settings.clockwise) lines.setting("turn", "clockwise");
+    add_views(settings, lines);
+    if (settings.generations) lines.setting("generation", print_range(*settings.generations));
+    if (settings.seeds) lines.setting("seed", print_range(*settings.seeds));
+}
+
+/// The canonical text of a system, line by line.
+std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
+    const Printer printer(system.alphabet);
+    Lines lines;
+    lines.setting("title", system.title);
+    lines.setting("source", system.source);
+    lines.setting("id", joined(system.identifiers));
+    lines.setting("alphabet", printer.apart(system.declared));
+    for (const auto& [name, value] : system.constants)
+        lines.setting("let", name + " = " + to_text(value.expression));
+    for (const InnerSystem& inner : system.inner) {
+        Lines inside;
+        add_words(inner.system, printer, inside);
+        lines.system(inner.name, inside.take());
+    }
+    add_words(system, printer, lines);
+    lines.setting("terminals", printer.apart(system.terminals));
+    for (const Production& rule : system.interpretation)
+        lines.setting("interpret", printer.rule(rule));
+    for (const EnvironmentSetting& environment : system.environments)
+        lines.setting("environment", print_environment(system.alphabet, environment));
+    add_settings(system.settings, printer, lines);
+    for (const Expectation& expectation : system.expectations)
+        lines.setting("expect", expectation.kind + ' ' + std::to_string(expectation.generation) +
+                                    ": " + expectation.value);
+    return lines.take();
+}
+
+}  // namespace
+
 std::string print_lsystem(const LSystem& system) {
     std::string out;
     for (const CanonicalLine& line : canonical_lines(system)) {
@@ -131,6 +308,109 @@ std::string print_lsystem(const LSystem& system) {
         if (line.keyword == "system") out += "}\n";
     }
     return out;
+}
+
+namespace {
+
+/// The comments of one statement: on lines of their own above it, and behind it.
+struct Comments {
+    std::vector<std::string_view> above, behind;
+};
+
+/// A statement by its keyword and how many of the same keyword stand before it.
+using Key = std::pair<std::string, std::size_t>;
+
+/// Hands out the keys of statements in order. All `id` and all `alphabet` become one line.
+class Keys {
+public:
+    Key next(const std::string& keyword) {
+        if (keyword == "id" || keyword == "alphabet") return {keyword, 0};
+        return {keyword, count_[keyword]++};
+    }
+
+private:
+    std::map<std::string, std::size_t> count_;
+};
+
+/// The lines with the comments of a text, whose clauses say the same.
+class Formatter {
+public:
+    Formatter(std::string_view text, std::string indent) : indent_(std::move(indent)) {
+        gather(text);
+    }
+
+    std::string formatted(const std::vector<CanonicalLine>& lines) {
+        add_lines(top_);
+        Keys printed;
+        for (const CanonicalLine& line : lines) add(line, printed.next(line.keyword));
+        for (const auto& [key, comments] : kept_) {
+            add_lines(comments.above);
+            add_lines(comments.behind);
+        }
+        add_lines(end_);
+        return std::move(out_);
+    }
+
+private:
+    void gather(std::string_view text) {
+        const std::vector<Clause> all = clauses(text);
+        Keys keys;
+        Comments* before = nullptr;  // of the statement before the gap
+        const auto take_gap = [&](const char* first, const char* last,
+                                  std::vector<std::string_view>& below) {
+            for (const std::string_view comment :
+                 comments({first, static_cast<std::size_t>(last - first)})) {
+                const std::string_view gap{first, static_cast<std::size_t>(comment.data() - first)};
+                const bool same_line = before && gap.find('\n') == std::string_view::npos;
+                (same_line ? before->behind : below).push_back(comment);
+            }
+        };
+        for (const Clause& clause : all) {
+            const Key key = keys.next(is_rule(clause) ? "->" : std::string(clause.keyword));
+            Comments& own = kept_[key];
+            take_gap(clause.comments, clause.text.data(), before ? own.above : top_);
+            std::size_t bytes = 0;
+            if (const auto block = system_block(clause.text, bytes); block && !clause.arrow)
+                bodies_.emplace(key, block->body);
+            before = &own;
+        }
+        const char* const last =
+            all.empty() ? text.data() : all.back().text.data() + all.back().text.size();
+        // A text of comments only is not read as a system, but the body of one within may be one.
+        take_gap(last, text.data() + text.size(), end_);
+    }
+
+    void add(const CanonicalLine& line, const Key& key) {
+        const auto comments = kept_.find(key);
+        const bool has_comments = comments != kept_.end();
+        if (has_comments) add_lines(comments->second.above);
+        // Only one comment has its place behind a statement.
+        const bool behind = has_comments && comments->second.behind.size() == 1;
+        if (has_comments && !behind) add_lines(comments->second.behind);
+        out_ += indent_ + line.text;
+        if (const auto body = bodies_.find(key); body != bodies_.end())
+            out_ += '\n' + Formatter(body->second, indent_ + "    ").formatted(line.inside) +
+                    indent_ + '}';
+        if (behind) (out_ += ' ') += comments->second.behind.front();
+        out_ += '\n';
+        if (has_comments) kept_.erase(comments);
+    }
+
+    void add_lines(const std::vector<std::string_view>& comments) {
+        for (const std::string_view comment : comments) ((out_ += indent_) += comment) += '\n';
+    }
+
+    std::string indent_, out_;
+    std::vector<std::string_view> top_, end_;
+    std::map<Key, Comments> kept_;
+    std::map<Key, std::string_view> bodies_;  // of systems within
+};
+
+}  // namespace
+
+std::string format_lsystem(std::string_view text, const std::string& file_name) {
+    const LSystem system = read_lsystem(text, file_name);
+    return Formatter(text, "").formatted(canonical_lines(system));
 }
 
 }  // namespace algae

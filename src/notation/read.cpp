@@ -1,71 +1,298 @@
-#include "notation/read.hpp"
-
 #include <algorithm>
+#include <cctype>
 #include <utility>
 
-#include "notation/characters.hpp"
-#include "notation/expression_grammar.hpp"
-#include "notation/read_system.hpp"
-#include "notation/reading.hpp"
-#include "notation/rules.hpp"
-#include "notation/settings_grammar.hpp"
-#include "notation/suggestion.hpp"
-#include "notation/system_block.hpp"
-#include "notation/word_grammar.hpp"
+#include "notation/detail/reading.hpp"
+
+// A `.lsys` file from its text.
+//
+// The text is cut into clauses at line breaks and `;`, comments left out. A clause is a rule if it has an
+// arrow, otherwise a setting by its keyword, or a system within the system, `system NAME { ... }`, which is
+// cut out whole and read in the same way over the same symbols. Clauses are read stage by stage (`Stage`, and
+// the table `settings` in settings.cpp), so that a file may be written in any order: all names before the
+// words, all rules before what is set for their symbols.
+//
+// One faulty clause does not stop the others. What a reader throws becomes a finding at its place, and the
+// reading goes on; a name whose own statement was faulty is remembered, so that its uses are not reported as
+// well (`DependsOnError`), and probabilities are added up only where every rule could be read. `Findings`
+// sorts by place, as stages are not in the order of the text.
 
 namespace algae {
 
 namespace {
 
-/// The statements are read in this order, that of the canonical text: names before the words they
-/// occur in, constants before the expressions.
-enum class Stage {
-    alphabet,
-    constant,
-    inner,
-    axiom,
-    rule,
-    ignore,
-    terminals,
-    interpretation,
-    plot,
-    stamp,
-    solid,
-    surface,
-    other,
-    unknown
-};
-constexpr Stage all_stages[] = {Stage::alphabet, Stage::constant,  Stage::inner,
-                                Stage::axiom,    Stage::rule,      Stage::ignore,
-                                Stage::terminals, Stage::interpretation, Stage::plot,
-                                Stage::stamp,    Stage::solid,     Stage::surface,
-                                Stage::other,    Stage::unknown};
+bool is_ascii_blank(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
+
+std::size_t blanks(std::string_view text) {
+    return static_cast<std::size_t>(std::find_if_not(text.begin(), text.end(), is_ascii_blank) -
+                                    text.begin());
+}
+
+std::size_t name_length(std::string_view text) {
+    std::size_t length = 0;
+    while (length < text.size()) {
+        const Character next = first_character(text.substr(length));
+        const bool fits =
+            is_letter(next.code) || next.code == '_' || (length > 0 && is_digit(next.code));
+        if (!fits) break;
+        length += next.bytes;
+    }
+    return length;
+}
+
+}  // namespace
+
+std::optional<SystemBlock> system_block(std::string_view text, std::size_t& bytes) {
+    constexpr std::string_view keyword = "system";
+    if (!text.starts_with(keyword)) return std::nullopt;
+    std::size_t here = keyword.size();
+    const std::size_t gap = blanks(text.substr(here));
+    here += gap;
+    const std::size_t length = name_length(text.substr(here));
+    if (gap == 0 || length == 0) return std::nullopt;
+    SystemBlock block{text.substr(here, length), {}, true};
+    here += length;
+    here += blanks(text.substr(here));
+    if (here == text.size() || text[here] != '{') return std::nullopt;
+    const std::size_t begin = ++here;
+    for (std::size_t depth = 1; here < text.size(); ++here) {
+        const char before = text[here - 1];
+        if (text[here] == '#' && (before == '\n' || before == ';' || is_ascii_blank(before)))
+            here = std::min(text.find('\n', here), text.size() - 1);
+        if (text[here] == '{') ++depth;
+        if (text[here] != '}' || --depth > 0) continue;
+        block.body = text.substr(begin, here - begin);
+        bytes = here + 1;
+        return block;
+    }
+    block.body = text.substr(begin);
+    block.closed = false;
+    bytes = text.size();
+    return block;
+}
+
+namespace {
+
+std::string_view keyword_of(std::string_view text) {
+    std::size_t length = 0;
+    while (length < text.size() && is_letter(static_cast<unsigned char>(text[length])) &&
+           static_cast<unsigned char>(text[length]) < 0x80)
+        ++length;
+    return text.substr(0, length);
+}
+
+/// Whether `text` begins with `#rrggbb` and nothing sticks to it.
+bool starts_with_colour(std::string_view text) {
+    constexpr std::size_t length = 7;
+    if (text.size() < length) return false;
+    for (std::size_t i = 1; i < length; ++i)
+        if (!std::isxdigit(static_cast<unsigned char>(text[i]))) return false;
+    return text.size() == length || is_ascii_blank(text[length]) || text[length] == ';';
+}
+
+const char* first_arrow(std::string_view text) {
+    const std::size_t ascii = text.find("->");
+    const std::size_t unicode = text.substr(0, ascii).find("→");
+    const std::size_t arrow = unicode != std::string_view::npos ? unicode : ascii;
+    return arrow == std::string_view::npos ? nullptr : text.data() + arrow;
+}
+
+}  // namespace
+
+bool Clause::has_word(std::string_view word) const {
+    return keyword == word && (text.size() == word.size() || is_ascii_blank(text[word.size()]));
+}
+
+bool is_rule(const Clause& clause) {
+    return clause.arrow && !clause.has_word("title") && !clause.has_word("source") &&
+           !clause.has_word("interpret");
+}
+
+std::string_view Clause::value() const { return trimmed(text.substr(keyword.size())); }
+
+std::vector<Clause> clauses(std::string_view text) {
+    std::vector<Clause> found;
+    const char* after_last = text.data();
+    std::size_t begin = 0;
+    const auto add = [&](std::size_t end) {
+        Clause clause;
+        clause.text = trimmed(text.substr(begin, end - begin));
+        if (clause.text.empty()) return;
+        clause.keyword = keyword_of(clause.text);
+        clause.arrow = first_arrow(clause.text);
+        clause.comments = after_last;
+        after_last = clause.text.data() + clause.text.size();
+        found.push_back(clause);
+    };
+    std::size_t here = 0;
+    const auto add_block = [&] {  // a system within the system is one clause
+        std::size_t bytes = 0;
+        if (!text.substr(here).starts_with("system") ||
+            !trimmed(text.substr(begin, here - begin)).empty() ||
+            !system_block(text.substr(here), bytes))
+            return false;
+        add(here + bytes);
+        found.back().arrow = nullptr;
+        begin = here += bytes;
+        return true;
+    };
+    while (here < text.size()) {
+        const char byte = text[here];
+        if (byte == 's' && (here == begin || is_ascii_blank(text[here - 1])) && add_block())
+            continue;
+        if (byte == '\n' || byte == ';') {
+            add(here++);
+            begin = here;
+        } else if (byte == '#' && (here == begin || is_ascii_blank(text[here - 1]))) {
+            if (starts_with_colour(text.substr(here)) &&
+                keyword_of(trimmed(text.substr(begin, here - begin))) == "colour") {
+                ++here;
+                continue;
+            }
+            add(here);
+            here = std::min(text.find('\n', here), text.size());
+            begin = here;
+        } else {
+            ++here;
+        }
+    }
+    add(text.size());
+    return found;
+}
+
+std::vector<std::string_view> pieces(std::string_view text) {
+    std::vector<std::string_view> found;
+    const char* begin = nullptr;
+    std::size_t depth = 0;
+    const char* const end = text.data() + text.size();
+    for (const char* here = text.data(); here != end;) {
+        const Character next = first_character({here, static_cast<std::size_t>(end - here)});
+        if (next.code == '(') ++depth;
+        if (next.code == ')' && depth > 0) --depth;
+        if (!is_blank(next.code)) {
+            if (!begin) begin = here;
+        } else if (begin && depth == 0) {
+            found.emplace_back(begin, static_cast<std::size_t>(here - begin));
+            begin = nullptr;
+        }
+        here += next.bytes;
+    }
+    if (begin) found.emplace_back(begin, static_cast<std::size_t>(end - begin));
+    return found;
+}
+
+std::vector<std::string_view> comments(std::string_view text) {
+    std::vector<std::string_view> found;
+    for (std::size_t here = text.find('#'); here != std::string_view::npos;
+         here = text.find('#', here)) {
+        const std::size_t end = std::min(text.find('\n', here), text.size());
+        found.push_back(trimmed(text.substr(here, end - here)));
+        here = end;
+    }
+    return found;
+}
+
+void check_symbol_name(std::string_view name, std::size_t begin, std::string_view more) {
+    constexpr std::size_t longest = 200;  // reading looks so far ahead for a declared name
+    if (name.size() > longest)
+        throw SyntaxError{name.data(), "expected names of at most " + std::to_string(longest) +
+                                           " bytes, found one of " + std::to_string(name.size())};
+    for (std::size_t i = begin; i < name.size();) {
+        const Character next = first_character(name.substr(i));
+        if (is_reserved(next.code) || more.find(name[i]) != std::string_view::npos)
+            throw SyntaxError{name.data() + i,
+                              "expected names without " + quoted(name.substr(i, next.bytes))};
+        i += next.bytes;
+    }
+}
+
+const Quantity* Reading::constant(const std::string& name) const {
+    const auto found = constants.find(name);
+    return found == constants.end() ? nullptr : &system.constants[found->second].second;
+}
+
+Quantity Reading::quantity(const Expression& expression) const {
+    try {
+        return evaluate(expression, [&](const std::string& name) {
+            if (broken.count(name)) throw DependsOnError();
+            return constant(name);
+        });
+    } catch (const Diagnostics& error) {
+        const Diagnostic& finding = error.findings().front();
+        throw SyntaxError{source.text().data() + source.offset(finding.place), finding.message};
+    }
+}
+
+void Reading::check_names(const Expression& expression, const std::vector<std::string>& parameters,
+                          bool of_boxes) {
+    if (is_distance(expression)) {
+        if (of_boxes)
+            distances.push_back(expression);
+        else
+            findings.add(expression.place,
+                         "expected no distance but in the condition of a shape rule, found " +
+                             algae::quoted(to_text(expression)));
+        return;
+    }
+    if (expression.kind == Expression::Kind::word) {
+        for (const auto& [position, arguments] : expression.word->arguments)
+            for (const Expression& argument : arguments) check_fixed(argument);
+        return;
+    }
+    for (const Expression& operand : expression.operands)
+        check_names(operand, parameters, of_boxes);
+    if (expression.kind != Expression::Kind::name) return;
+    const std::string& name = expression.name;
+    if (std::find(parameters.begin(), parameters.end(), name) != parameters.end()) return;
+    if (constants.count(name) || broken.count(name)) return;
+    std::vector<std::string> candidates = parameters;
+    constexpr std::size_t most = 1000;  // to choose from more would take long and help little
+    if (constants.size() < most)
+        for (const auto& [known, index] : constants) candidates.push_back(known);
+    std::sort(candidates.begin(), candidates.end());
+    findings.add(expression.place,
+                 (parameters.empty() ? "expected a number or a constant, found "
+                                     : "expected a parameter or a constant, found ") +
+                     algae::quoted(name) + did_you_mean(name, candidates));
+}
+
+void Reading::check_fixed(const Expression& expression) {
+    if (expression.kind == Expression::Kind::word || !reads_words(expression))
+        return check_names(expression, {});
+    findings.add(expression.place, "expected a number or a word in quotes, found " +
+                                       algae::quoted(to_text(expression)));
+}
+
+void Reading::check_distances() {
+    for (const Expression& distance : distances) {
+        const Expression& symbol = distance.operands.at(1);
+        if (lexicon.known(symbol.name)) continue;
+        std::vector<std::string> candidates;
+        constexpr std::size_t most = 1000;
+        for (Symbol known = 0; known < std::min(most, system.alphabet.size()); ++known)
+            candidates.push_back(system.alphabet.name(known));
+        findings.add(symbol.place, "expected a symbol of the system, found " +
+                                       algae::quoted(symbol.name) +
+                                       did_you_mean(symbol.name, candidates));
+    }
+}
+
+namespace {
+
+/// The row of the table for a keyword; nullptr if there is none.
+const Setting* setting_of(const Clause& clause) {
+    const auto& all = settings();
+    const auto found = std::find_if(all.begin(), all.end(), [&](const Setting& setting) {
+        return setting.name == clause.keyword;
+    });
+    return found == all.end() ? nullptr : &*found;
+}
 
 Stage stage(const Clause& clause) {
     if (is_rule(clause)) return Stage::rule;
-    const std::string_view name = clause.keyword;
-    if (name == "alphabet") return Stage::alphabet;
-    if (name == "let") return Stage::constant;
     if (clause.has_word("system")) return Stage::inner;
-    if (name == "axiom") return Stage::axiom;
-    if (name == "table") return Stage::rule;
-    if (name == "ignore") return Stage::ignore;
-    if (name == "terminals") return Stage::terminals;
-    if (name == "interpret") return Stage::interpretation;
-    if (name == "plot") return Stage::plot;
-    if (name == "stamp") return Stage::stamp;
-    if (name == "solid") return Stage::solid;
-    if (name == "surface") return Stage::surface;
-    const auto& names = setting_names();
-    return std::find(names.begin(), names.end(), name) != names.end() ? Stage::other
-                                                                      : Stage::unknown;
-}
-
-bool may_repeat(std::string_view name) {
-    for (const char* repeated : {"id", "alphabet", "let", "system", "table", "interpret",
-                                 "environment", "stamp", "solid", "surface", "expect"})
-        if (name == repeated) return true;
-    return false;
+    const Setting* const setting = setting_of(clause);
+    return setting ? setting->stage : Stage::unknown;
 }
 
 [[noreturn]] void refuse(const Clause& clause, const Reading& reading) {
@@ -73,34 +300,11 @@ bool may_repeat(std::string_view name) {
     const std::string_view text = clause.text;
     const std::string_view word =
         text.substr(0, std::min(text.find_first_of(" \t=:"), text.size()));
+    std::vector<std::string> names;
+    if (reading.findings.count() < most)
+        for (const Setting& setting : settings()) names.push_back(setting.name);
     throw SyntaxError{text.data(), "expected a setting or a rule with '->', found " + quoted(word) +
-                                       (reading.findings.count() < most
-                                            ? did_you_mean(clause.keyword, setting_names())
-                                            : std::string())};
-}
-
-/// Each symbol once, in the order of its first occurrence.
-std::vector<Symbol> without_repetitions(const Word& word) {
-    std::vector<Symbol> out;
-    std::vector<bool> seen;
-    for (const Symbol symbol : word) {
-        if (symbol >= seen.size()) seen.resize(symbol + 1);
-        if (!seen[symbol]) out.push_back(symbol);
-        seen[symbol] = true;
-    }
-    return out;
-}
-
-void read_axiom(const Clause& clause, Reading& reading) {
-    const std::string_view value = clause.value();
-    LSystem& system = reading.system;
-    system.axiom_place = reading.source.place(value.data());
-    system.axiom = parse_word(value, reading.lexicon, reading.source, true);
-    check_brackets(system.axiom, value, reading.lexicon, reading.source, reading.findings);
-    for (const auto& [position, arguments] : system.axiom.arguments)
-        for (const Expression& argument : arguments) reading.check_names(argument, {});
-    for (const auto& [position, words] : system.axiom.splices)
-        for (const Expression& word : words) reading.check_names(word, {});
+                                       did_you_mean(clause.keyword, names)};
 }
 
 void read_inner(const Clause& clause, Reading& reading);
@@ -115,48 +319,22 @@ void check_inside(const Clause& clause, Stage at) {
 }
 
 void read_clause(const Clause& clause, Stage at, Reading& reading) {
-    const std::string_view name = clause.keyword, value = clause.value();
     if (reading.is_inner) check_inside(clause, at);
     if (at == Stage::unknown) refuse(clause, reading);
     if (at == Stage::rule && clause.arrow) return read_rule(clause, reading);
-    if (!may_repeat(name)) {
-        const auto [first, is_new] = reading.given.emplace(name, clause.text.data());
+    const Setting* const setting = at == Stage::inner ? nullptr : setting_of(clause);
+    if (setting && !setting->repeats) {
+        const auto [first, is_new] = reading.given.emplace(setting->name, clause.text.data());
         if (!is_new)
             throw SyntaxError{clause.text.data(),
-                              quoted(name) + " is given twice, first in line " +
+                              quoted(clause.keyword) + " is given twice, first in line " +
                                   std::to_string(reading.source.place(first->second).line)};
     }
-    if (value.empty()) {
-        const char* const end = clause.text.data() + clause.text.size();
-        const bool is_axiom = at == Stage::axiom;
-        throw unexpected(is_axiom ? "a word after 'axiom' (the empty word is ε)"
-                                  : "a value after '" + std::string(name) + "'",
-                         end);
-    }
-    switch (at) {
-        case Stage::alphabet:
-            return read_alphabet(clause, reading);
-        case Stage::constant:
-            return read_constant(clause, reading);
-        case Stage::inner:
-            return read_inner(clause, reading);
-        case Stage::axiom:
-            return read_axiom(clause, reading);
-        case Stage::ignore:
-            reading.system.ignored = without_repetitions(parse_symbols(value, reading.lexicon));
-            return;
-        case Stage::terminals:
-            reading.system.terminals = without_repetitions(parse_symbols(value, reading.lexicon));
-            return;
-        case Stage::plot:
-            reading.system.settings.plotters =
-                without_repetitions(parse_symbols(value, reading.lexicon));
-            return;
-        case Stage::interpretation:
-            return read_interpretation(clause, reading);
-        default:
-            return read_setting(clause, reading);
-    }
+    if (clause.value().empty())
+        throw unexpected(at == Stage::axiom ? "a word after 'axiom' (the empty word is ε)"
+                                            : "a value after '" + std::string(clause.keyword) + "'",
+                         clause.text.data() + clause.text.size());
+    return setting ? setting->read(clause, reading) : read_inner(clause, reading);
 }
 
 /// Makes the names of the systems within known, as words before them may say them.
@@ -170,9 +348,9 @@ void name_systems(const std::vector<Clause>& all, Reading& reading) {
             reading.findings.add(block->name.data(),
                                  "the system " + quoted(block->name) + " is given twice");
         else if (function_arity(block->name))
-            reading.findings.add(block->name.data(),
-                                 "expected a name for the system, found the function " +
-                                     quoted(block->name));
+            reading.findings.add(
+                block->name.data(),
+                "expected a name for the system, found the function " + quoted(block->name));
         else
             reading.lexicon.name_system(block->name);
     }
@@ -183,16 +361,15 @@ void check_quotes(Reading& reading) {
     if (!holds_words(reading.system)) return;
     for (Symbol a = 0; a < reading.system.alphabet.size(); ++a)
         if (reading.system.alphabet.name(a).find('"') != std::string::npos)
-            reading.findings.add(reading.source.text().data(),
-                                 "expected no symbol with '\"' in a system with words in quotes, found " +
-                                     quoted(reading.system.alphabet.name(a)));
+            reading.findings.add(
+                reading.source.text().data(),
+                "expected no symbol with '\"' in a system with words in quotes, found " +
+                    algae::quoted(reading.system.alphabet.name(a)));
 }
 
 /// A rule that follows a setting in the same statement is a frequent slip.
 bool follows_setting(const Clause& clause) {
-    const std::string_view name = clause.keyword;
-    const auto& names = setting_names();
-    return std::find(names.begin(), names.end(), name) != names.end() && clause.has_word(name);
+    return setting_of(clause) && clause.has_word(clause.keyword);
 }
 
 void read_clauses(const std::vector<Clause>& all, Reading& reading) {
@@ -202,7 +379,8 @@ void read_clauses(const std::vector<Clause>& all, Reading& reading) {
     const auto first_table = std::find_if(all.begin(), all.end(), [](const Clause& clause) {
         return clause.keyword == "table" && !clause.arrow;
     });
-    for (const Stage at : all_stages) {
+    for (int order = 0; order <= static_cast<int>(Stage::unknown); ++order) {
+        const Stage at = static_cast<Stage>(order);
         for (auto clause = all.begin(); clause != all.end(); ++clause) {
             if (stages[static_cast<std::size_t>(clause - all.begin())] != at) continue;
             try {
@@ -241,8 +419,15 @@ void read_inner(const Clause& clause, Reading& outer) {
     inner.name = inner.system.name = block->name;
     inner.place = outer.source.place(clause.text.data());
     inner.system.constants = outer.system.constants;
-    Reading reading{outer.source, outer.findings, outer.lexicon, inner.system,
-                    outer.constants, outer.broken, {}, {}, false};
+    Reading reading{outer.source,
+                    outer.findings,
+                    outer.lexicon,
+                    inner.system,
+                    outer.constants,
+                    outer.broken,
+                    {},
+                    {},
+                    false};
     reading.is_inner = true;
     read_clauses(clauses(block->body), reading);
     if (!reading.given.count("axiom"))
@@ -252,10 +437,11 @@ void read_inner(const Clause& clause, Reading& outer) {
     for (const Production& rule : inner.system.rules) {
         if (rule.probability)
             outer.findings.add(rule.place, "expected a rule without probability, as the system " +
-                                               quoted(inner.name) + " has one word in each generation");
+                                               algae::quoted(inner.name) +
+                                               " has one word in each generation");
         if (rule.shape)
             outer.findings.add(rule.place, "expected a rule that makes a word in the system " +
-                                               quoted(inner.name) + ", found a shape rule");
+                                               algae::quoted(inner.name) + ", found a shape rule");
     }
     inner.system.constants.clear();
     outer.broken_rules = outer.broken_rules || reading.broken_rules;
@@ -264,8 +450,8 @@ void read_inner(const Clause& clause, Reading& outer) {
 
 }  // namespace
 
-LSystem read_system(std::string_view text, const Source& source, Findings& findings, const std::string& name,
-                    const std::vector<std::string>& declared) {
+LSystem read_system(std::string_view text, const Source& source, Findings& findings,
+                    const std::string& name, const std::vector<std::string>& declared) {
     LSystem system;
     system.name = name;
     Lexicon lexicon(system.alphabet);
@@ -276,8 +462,9 @@ LSystem read_system(std::string_view text, const Source& source, Findings& findi
     read_clauses(all, reading);
     if (!reading.given.count("axiom"))
         findings.add(text.data() + text.size(),
-                     text.size() == source.text().size() ? "expected an axiom before the end of the file, found none"
-                                                         : "expected an axiom in the system, found none");
+                     text.size() == source.text().size()
+                         ? "expected an axiom before the end of the file, found none"
+                         : "expected an axiom in the system, found none");
     reading.check_distances();
     check_probabilities(system.rules, reading);
     check_probabilities(system.interpretation, reading);
@@ -286,12 +473,24 @@ LSystem read_system(std::string_view text, const Source& source, Findings& findi
 }
 
 LSystem read_lsystem(std::string_view text, const std::string& file_name) {
-    const Source source(text, file_name);
-    Findings findings(source);
-    findings.throw_if_no_text();
-    LSystem system = read_system(text, source, findings, file_name, {});
-    findings.throw_if_any();
-    return system;
+    return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
+        LSystem system = read_system(text, source, findings, file_name, {});
+        findings.throw_if_any();
+        return system;
+    });
+}
+
+ModuleWord read_word(std::string_view text, Alphabet& alphabet) {
+    return read_whole(text, "word", [&](const Source& source, Findings&) {
+        Lexicon lexicon(alphabet);
+        return parse_word(text, lexicon, source);
+    });
+}
+
+Expression read_expression(std::string_view text) {
+    return read_whole(text, "expression", [&](const Source& source, Findings&) {
+        return parse_expression(trimmed(text), source);
+    });
 }
 
 }  // namespace algae

@@ -1,24 +1,290 @@
-#include "notation/read_claim.hpp"
-
 #include <algorithm>
-#include <array>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "notation/characters.hpp"
-#include "notation/claim_closure.hpp"
-#include "notation/claim_definitions.hpp"
-#include "notation/claim_language.hpp"
-#include "notation/claim_statement.hpp"
-#include "notation/clauses.hpp"
-#include "notation/suggestion.hpp"
+#include "notation/detail/claim_reading.hpp"
+
+// A `.claim` file from its text, and whether a system fits the family that its definition names.
+//
+// How words are cut into symbols depends on what `alphabet` declares and on the letters of systems. So the
+// clauses are read in four passes: `alphabet`; then all definitions `let` are taken apart, which makes their
+// names known; then the systems are read; then everything else in the order of the text. A faulty clause
+// becomes a finding and the others are read on; what uses a faulty definition is passed over
+// (`DependsOnError`).
+//
+// A definition `let G = PD0L { ... }` says of what family the system is, and this is checked (`misfit`): a
+// claim about PD0L systems must not rest on one that erases. Only rules of letters that occur count. Families
+// whose words are derived module by module (S0L, PS0L, parametric) are kept as they are written; all others
+// become a `SourceSystem` that languages are made of, but a system with context whose words have brackets,
+// which is derived module by module too.
 
 namespace algae {
 
 namespace {
 
+/// The names of families of systems whose words are derived module by module.
+const std::vector<std::string>& rewriting_families() {
+    static const std::vector<std::string> all{"S0L", "PS0L", "parametric"};
+    return all;
+}
+
+/// Whether each letter is one whose rules matter.
+std::vector<char> occurring(const LSystem& system) {
+    std::vector<char> occurs(system.alphabet.size(), 0);
+    std::vector<Word> successors(system.alphabet.size());
+    for (const Production& rule : system.rules) {
+        Word& all = successors[rule.predecessor.symbol];
+        all.insert(all.end(), rule.successor.letters.begin(), rule.successor.letters.end());
+    }
+    Word next = system.axiom.letters;
+    while (!next.empty()) {
+        const Symbol letter = next.back();
+        next.pop_back();
+        if (occurs[letter]) continue;
+        occurs[letter] = 1;
+        next.insert(next.end(), successors[letter].begin(), successors[letter].end());
+    }
+    return occurs;
+}
+
+std::string erasing(const LSystem& system) {
+    const std::vector<char> occurs = occurring(system);
+    for (const Production& rule : system.rules)
+        if (rule.successor.letters.empty() && occurs[rule.predecessor.symbol])
+            return "the rule at " + to_string(rule.place) + " is erasing";
+    return {};
+}
+
+/// The first rule that rewrites what one before it rewrites, in a system without context.
+std::string second_choice(const LSystem& system) {
+    const std::vector<char> occurs = occurring(system);
+    std::map<std::pair<std::size_t, Symbol>, const Production*> first;
+    for (const Production& rule : system.rules) {
+        const Symbol letter = rule.predecessor.symbol;
+        if (!occurs[letter]) continue;
+        const auto [entry, is_new] = first.try_emplace({rule.table, letter}, &rule);
+        if (!is_new && entry->second->successor != rule.successor)
+            return "the rule at " + to_string(rule.place) + " is a second one for " +
+                   system.alphabet.name(letter);
+    }
+    return {};
+}
+
+std::string misfit_without_context(const LSystem& system, const SystemForm& form) {
+    const View<ET0L> view = as_et0l(system);
+    if (!view) return "it is " + view.reason();
+    if (!form.extended && !has_only_terminals(*view))
+        for (const Symbol letter : accessible_letters(*view))
+            if (!view->terminal[letter])
+                return "its letter " + system.alphabet.name(letter) + " is no terminal";
+    if (!form.tables && view->tables.size() > 1) return "it has several tables";
+    if (form.deterministic && !is_deterministic(*view)) return second_choice(system);
+    if (form.propagating && !is_propagating(*view)) return erasing(system);
+    return {};
+}
+
+std::string misfit_with_context(const LSystem& system, const SystemForm& form) {
+    if (const View<IL> view = as_il(system); !view) {
+        const View<ET0L> tables = as_et0l(system);
+        const bool is_ol = tables && tables->tables.size() == 1 && has_only_terminals(*tables);
+        if (!is_ol || form.deterministic) return "it is " + view.reason();
+    }
+    const auto [left, right] = class_of(system).context;
+    const bool fits = form.one_sided ? left + right <= 1
+                                     : !form.context || (left <= form.context->first &&
+                                                         right <= form.context->second);
+    if (!fits)
+        return "its contexts are up to " + std::to_string(left) + " on the left and " +
+               std::to_string(right) + " on the right";
+    if (form.propagating) return erasing(system);
+    return {};
+}
+
+}  // namespace
+
+std::optional<std::string> language_family(std::string_view name) {
+    if (name == "REG" || name == "regular") return "REG";
+    if (name == "CF" || name == "context-free") return "CF";
+    if (system_form(name)) return std::string(name);
+    return std::nullopt;
+}
+
+const std::vector<std::string>& common_families() {
+    static const std::vector<std::string> all{"0L",   "P0L",  "D0L",   "PD0L",    "T0L",
+                                              "PT0L", "DT0L", "PDT0L", "E0L",     "EP0L",
+                                              "ED0L", "ET0L", "EPT0L", "EDT0L",   "EPDT0L",
+                                              "IL",   "DIL",  "PDIL",  "regular", "context-free"};
+    return all;
+}
+
+std::string misfit(const LSystem& system, const SystemForm& form) {
+    return form.interactive ? misfit_with_context(system, form)
+                            : misfit_without_context(system, form);
+}
+
+bool is_rewriting_family(std::string_view name) {
+    const auto& all = rewriting_families();
+    return std::find(all.begin(), all.end(), name) != all.end();
+}
+
+std::string misfit(const LSystem& system, std::string_view family) {
+    const Class found = class_of(system);
+    if (family != "parametric") {
+        if (const View<S0L> view = as_s0l(system); !view) return "it is " + view.reason();
+        if (!found.stochastic) return "no rule has a probability";
+        for (const Production& rule : system.rules)
+            if (family == "PS0L" && rule.successor.letters.empty())
+                return "the rule at " + to_string(rule.place) + " is erasing";
+        return {};
+    }
+    if (found.shape) return "it has shape rules";
+    if (found.nested) return "it has systems within it or words as parameters";
+    if (found.open && found.stochastic) return "it has communication modules and probabilities";
+    if (found.open && asks_program(system))
+        return "its communication modules are filled by a program";
+    if (found.tables > 1) return "it has several tables";
+    if (found.extended) return "it has terminals";
+    if (!found.parametric && !found.conditional)
+        return "none of its modules has parameters and no rule has a condition";
+    return {};
+}
+
+namespace {
+
+/// What stands up to the first blank or brace.
+std::string_view first_word(std::string_view text) {
+    std::size_t length = 0;
+    while (length < text.size() && text[length] != '{' &&
+           !is_blank(static_cast<unsigned char>(text[length])))
+        ++length;
+    return text.substr(0, length);
+}
+
+/// A definition `let NAME = VALUE`, taken apart but not read.
+struct ClaimDefinition {
+    std::string_view name, value;
+    ClaimName* meaning = nullptr;  // set by reading the value
+
+    /// Whether the value begins with the name of a family: a system.
+    bool is_system() const {
+        const std::string_view family = first_word(value);
+        return system_form(family).has_value() || is_rewriting_family(family);
+    }
+};
+
+/// The system of a definition and the place of what it was read from.
+LSystem system_of(const ClaimDefinition& definition, std::string_view rest, ClaimReading& reading) {
+    const std::string name(definition.name);
+    if (!rest.starts_with('{')) return reading.opened(std::string(rest), rest.data());
+    const char* const close = closing_brace(rest.data(), rest.data() + rest.size());
+    if (close + 1 != rest.data() + rest.size())
+        throw unexpected("the end of the definition", close + 1);
+    const std::size_t faults = reading.findings.count();
+    LSystem system = read_system(rest.substr(1, rest.size() - 2), reading.source, reading.findings,
+                                 name, reading.long_names);
+    if (reading.findings.count() > faults) throw DependsOnError();
+    return system;
+}
+
+void add_rewriting(const ClaimDefinition& definition, LSystem system, Claim& claim) {
+    definition.meaning->rewriting = std::make_shared<const LSystem>(std::move(system));
+    definition.meaning->kind = ClaimName::Kind::rewriting;
+    claim.rewritings.push_back(definition.meaning->rewriting);
+}
+
+void read_system_definition(const ClaimDefinition& definition, ClaimReading& reading,
+                            Claim& claim) {
+    const std::string_view family = first_word(definition.value);
+    const std::string_view rest = trimmed(definition.value.substr(family.size()));
+    if (rest.empty())
+        throw unexpected("a system between braces or the name of one",
+                         family.data() + family.size());
+    LSystem system = system_of(definition, rest, reading);
+    system.name = definition.name;
+    definition.meaning->written = std::make_shared<const LSystem>(system);
+    const bool is_rewriting = is_rewriting_family(family);
+    const auto refuse = [&](const std::string& reason) {
+        throw SyntaxError{family.data(), std::string(definition.name) + " is called a " +
+                                             std::string(family) + " system, but " + reason};
+    };
+    if (is_rewriting) {
+        if (const std::string reason = misfit(system, family); !reason.empty()) refuse(reason);
+        return add_rewriting(definition, std::move(system), claim);
+    }
+    if (const std::string reason = misfit(system, *system_form(family)); !reason.empty())
+        refuse(reason);
+    if (const View<IL> interactive = as_il(system);
+        interactive && interactive->brackets && !as_et0l(system))
+        return add_rewriting(definition, std::move(system), claim);
+    definition.meaning->system =
+        reading.add_system(std::string(definition.name), system, family.data());
+    definition.meaning->kind = ClaimName::Kind::system;
+    claim.systems.push_back(definition.meaning->system);
+}
+
+/// A word and braces with rules in them: a system of a family that there is not.
+void refuse_unknown_family(std::string_view value) {
+    const std::string_view word = first_word(value);
+    ClaimScanner rest(value.substr(word.size()));
+    if (word.empty() || !is_morphism(rest)) return;
+    std::vector<std::string> families = common_families();
+    families.insert(families.end(), rewriting_families().begin(), rewriting_families().end());
+    throw SyntaxError{word.data(),
+                      "expected a family of systems (0L, PD0L, ET0L, IL, ...), found " +
+                          quoted(word) + did_you_mean(word, families)};
+}
+
+void expect_end(ClaimScanner& scanner, const char* expected) {
+    if (!scanner.at_end()) throw unexpected(expected, scanner.here);
+}
+
+/// Takes `let NAME = VALUE` apart and makes the name known. Throws `SyntaxError`.
+ClaimDefinition begin_definition(const ClaimClause& clause, ClaimReading& reading) {
+    ClaimScanner scanner(clause.text.substr(clause.keyword.size()));
+    ClaimDefinition definition;
+    definition.name = scanner.take_name();
+    if (definition.name.empty()) throw unexpected("a name after 'let'", scanner.here);
+    definition.meaning = &reading.define(definition.name);
+    definition.meaning->end = scanner.end;
+    if (!scanner.take("=")) throw unexpected("'='", scanner.here);
+    definition.value = scanner.rest();
+    if (definition.value.empty())
+        throw unexpected("a language, a system or a morphism after '='", scanner.here);
+    if (clause.unclosed) throw SyntaxError{clause.unclosed, "'{' is never closed"};
+    if (!definition.is_system()) refuse_unknown_family(definition.value);
+    return definition;
+}
+
+/// Reads the value, makes it what the name means and adds systems and languages to the claim. Throws
+/// `SyntaxError` or `DependsOnError`.
+void read_definition(const ClaimDefinition& definition, ClaimReading& reading, Claim& claim) {
+    if (definition.is_system()) return read_system_definition(definition, reading, claim);
+    ClaimName& meaning = *definition.meaning;
+    ClaimScanner scanner(definition.value);
+    if (is_morphism(scanner)) {
+        ClaimScanner ahead = scanner;
+        meaning.morphism = parse_morphism(ahead, reading);
+        if (ahead.at_end()) {
+            meaning.kind = ClaimName::Kind::morphism;
+            return;
+        }
+        if (!ahead.rest().starts_with('(') && !ahead.rest().starts_with('^'))
+            throw unexpected("the end of the definition, or '(' and a language", ahead.here);
+    }
+    meaning.language = parse_language(scanner, reading);
+    expect_end(scanner, "an operator or the end of the definition");
+    meaning.language.language = named(meaning.language.language, std::string(definition.name));
+    meaning.kind = ClaimName::Kind::language;
+    claim.languages.push_back(meaning.language.language);
+}
+
 const std::vector<std::string>& clause_words() {
-    static const std::vector<std::string> all{"claim", "source", "note",   "alphabet",
-                                              "allow", "let",    "show",   "lemma",
+    static const std::vector<std::string> all{"claim",  "source", "note",      "alphabet",
+                                              "allow",  "let",    "show",      "lemma",
                                               "refute", "closed", "not closed"};
     return all;
 }
@@ -32,18 +298,129 @@ public:
         claim_.name = file_name;
     }
 
-    Claim read();
+    Claim read() {
+        const std::vector<ClaimClause> clauses = claim_clauses(text_);
+        for (const ClaimClause& clause : clauses)
+            if (clause.keyword == "alphabet") guarded([&] { read_alphabet(clause); });
+        std::sort(reading_.declared.begin(), reading_.declared.end());
+        for (const ClaimClause& clause : clauses)
+            if (clause.keyword == "let")
+                guarded([&] { definitions_.push_back(begin_definition(clause, reading_)); });
+        for (const ClaimDefinition& definition : definitions_)
+            if (definition.is_system())
+                guarded([&] { read_definition(definition, reading_, claim_); });
+        auto next = definitions_.begin();
+        for (const ClaimClause& clause : clauses) {
+            if (clause.keyword == "alphabet") continue;
+            if (clause.keyword != "let") {
+                guarded([&] { read_clause(clause); });
+                continue;
+            }
+            // A clause without a definition was faulty.
+            if (next == definitions_.end() ||
+                next->name.data() > clause.text.data() + clause.text.size())
+                continue;
+            const ClaimDefinition& definition = *next++;
+            if (!definition.is_system())
+                guarded([&] { read_definition(definition, reading_, claim_); });
+        }
+        if (claim_.title.empty() && std::none_of(given_.begin(), given_.end(),
+                                                 [](const auto& g) { return g.first == "claim"; }))
+            reading_.findings.add(
+                text_.data() + text_.size(),
+                "expected a title, 'claim TEXT', before the end of the file, found none");
+        reading_.findings.throw_if_any();
+        reading_.finish();
+        claim_.alphabet = reading_.alphabet;
+        return std::move(claim_);
+    }
 
 private:
     /// Calls `read` and makes findings of what it throws.
     template <class Read>
-    void guarded(Read read);
+    void guarded(Read read) {
+        try {
+            read();
+        } catch (const SyntaxError& error) {
+            reading_.findings.add(error);
+        } catch (const DependsOnError&) {  // its cause is among the findings
+        }
+    }
 
-    void read_alphabet(const ClaimClause& clause);
-    void read_clause(const ClaimClause& clause);
-    void read_text(const ClaimClause& clause);
-    void read_claimed(const ClaimClause& clause, ClaimedStatement::Purpose purpose);
-    void read_allowance(const ClaimClause& clause);
+    void read_alphabet(const ClaimClause& clause) {
+        const std::string_view value = clause.value();
+        if (value.empty())
+            throw unexpected("letters after 'alphabet'", clause.text.data() + clause.text.size());
+        for (const std::string_view name : pieces(value)) {
+            check_symbol_name(name, 0, "{}");
+            reading_.declared.push_back(reading_.declare(name));
+        }
+    }
+
+    void read_clause(const ClaimClause& clause) {
+        using Purpose = ClaimedStatement::Purpose;
+        const std::string_view word = clause.keyword;
+        if (word == "claim" || word == "source" || word == "note") return read_text(clause);
+        if (clause.unclosed) throw SyntaxError{clause.unclosed, "'{' is never closed"};
+        if (word == "allow") return read_allowance(clause);
+        if (word == "show") return read_claimed(clause, Purpose::show);
+        if (word == "lemma") return read_claimed(clause, Purpose::lemma);
+        if (word == "refute") return read_claimed(clause, Purpose::refute);
+        if (is_closure_fact(clause.text)) {
+            claim_.closure.push_back(parse_closure_fact(clause.text, reading_));
+            return;
+        }
+        constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
+        throw SyntaxError{
+            clause.text.data(),
+            "expected claim, source, note, alphabet, allow, let, show, lemma, refute or closed, "
+            "found " +
+                quoted(word) +
+                (reading_.findings.count() < most ? did_you_mean(word, clause_words()) : "")};
+    }
+
+    void read_text(const ClaimClause& clause) {
+        const std::string_view value = clause.value();
+        if (value.empty())
+            throw unexpected("a text after " + quoted(clause.keyword),
+                             clause.text.data() + clause.text.size());
+        if (clause.keyword == "note") {
+            claim_.notes.emplace_back(value);
+            return;
+        }
+        for (const auto& [keyword, where] : given_)
+            if (keyword == clause.keyword)
+                throw SyntaxError{clause.text.data(),
+                                  quoted(keyword) + " is given twice, first in line " +
+                                      std::to_string(reading_.source.place(where).line)};
+        given_.emplace_back(clause.keyword, clause.text.data());
+        (clause.keyword == "claim" ? claim_.title : claim_.source) = value;
+    }
+
+    void read_claimed(const ClaimClause& clause, ClaimedStatement::Purpose purpose) {
+        std::string_view text = clause.text.substr(clause.keyword.size());
+        ClaimedStatement claimed;
+        claimed.purpose = purpose;
+        if (const std::size_t by = find_word(text, "by"); by != std::string_view::npos) {
+            const std::string_view citation = trimmed(text.substr(by + 2));
+            if (citation.empty())
+                throw unexpected("a citation after 'by'", text.data() + text.size());
+            claimed.citation = citation;
+            text = text.substr(0, by);
+        }
+        claimed.statement = parse_statement(trimmed(text), reading_);
+        claim_.statements.push_back(std::move(claimed));
+    }
+
+    void read_allowance(const ClaimClause& clause) {
+        std::string said;
+        for (const std::string_view piece : pieces(clause.text))
+            said += (said.empty() ? "" : " ") + std::string(piece);
+        if (said != "allow empty axiom")
+            throw SyntaxError{clause.text.data(),
+                              "expected 'allow empty axiom', found " + quoted(clause.text)};
+        claim_.empty_axiom = true;
+    }
 
     std::string_view text_;
     ClaimReading& reading_;
@@ -52,163 +429,26 @@ private:
     std::vector<ClaimDefinition> definitions_;
 };
 
-template <class Read>
-void ClaimReader::guarded(Read read) {
-    try {
-        read();
-    } catch (const SyntaxError& error) {
-        reading_.findings.add(error);
-    } catch (const DependsOnError&) {  // its cause is among the findings
-    }
-}
-
-void ClaimReader::read_alphabet(const ClaimClause& clause) {
-    const std::string_view value = clause.value();
-    if (value.empty())
-        throw unexpected("letters after 'alphabet'", clause.text.data() + clause.text.size());
-    for (const std::string_view name : pieces(value)) {
-        constexpr std::size_t longest = 200;  // reading looks so far ahead for a declared name
-        if (name.size() > longest)
-            throw SyntaxError{name.data(), "expected names of at most " + std::to_string(longest) +
-                                               " bytes, found one of " +
-                                               std::to_string(name.size())};
-        for (std::size_t i = 0; i < name.size();) {
-            const Character next = first_character(name.substr(i));
-            if (is_reserved(next.code) || next.code == '{' || next.code == '}')
-                throw SyntaxError{name.data() + i,
-                                  "expected names without " + quoted(name.substr(i, next.bytes))};
-            i += next.bytes;
-        }
-        reading_.declared.push_back(reading_.declare(name));
-    }
-}
-
-void ClaimReader::read_text(const ClaimClause& clause) {
-    const std::string_view value = clause.value();
-    if (value.empty())
-        throw unexpected("a text after " + quoted(clause.keyword),
-                         clause.text.data() + clause.text.size());
-    if (clause.keyword == "note") {
-        claim_.notes.emplace_back(value);
-        return;
-    }
-    for (const auto& [keyword, where] : given_)
-        if (keyword == clause.keyword)
-            throw SyntaxError{clause.text.data(),
-                              quoted(keyword) + " is given twice, first in line " +
-                                  std::to_string(reading_.source.place(where).line)};
-    given_.emplace_back(clause.keyword, clause.text.data());
-    (clause.keyword == "claim" ? claim_.title : claim_.source) = value;
-}
-
-void ClaimReader::read_claimed(const ClaimClause& clause, ClaimedStatement::Purpose purpose) {
-    std::string_view text = clause.text.substr(clause.keyword.size());
-    ClaimedStatement claimed;
-    claimed.purpose = purpose;
-    if (const std::size_t by = find_word(text, "by"); by != std::string_view::npos) {
-        const std::string_view citation = trimmed(text.substr(by + 2));
-        if (citation.empty()) throw unexpected("a citation after 'by'", text.data() + text.size());
-        claimed.citation = citation;
-        text = text.substr(0, by);
-    }
-    claimed.statement = parse_statement(trimmed(text), reading_);
-    claim_.statements.push_back(std::move(claimed));
-}
-
-void ClaimReader::read_allowance(const ClaimClause& clause) {
-    std::string said;
-    for (const std::string_view piece : pieces(clause.text))
-        said += (said.empty() ? "" : " ") + std::string(piece);
-    if (said != "allow empty axiom")
-        throw SyntaxError{clause.text.data(), "expected 'allow empty axiom', found " + quoted(clause.text)};
-    claim_.empty_axiom = true;
-}
-
-void ClaimReader::read_clause(const ClaimClause& clause) {
-    using Purpose = ClaimedStatement::Purpose;
-    const std::string_view word = clause.keyword;
-    if (word == "claim" || word == "source" || word == "note") return read_text(clause);
-    if (clause.unclosed) throw SyntaxError{clause.unclosed, "'{' is never closed"};
-    if (word == "allow") return read_allowance(clause);
-    if (word == "show") return read_claimed(clause, Purpose::show);
-    if (word == "lemma") return read_claimed(clause, Purpose::lemma);
-    if (word == "refute") return read_claimed(clause, Purpose::refute);
-    if (is_closure_fact(clause.text)) {
-        claim_.closure.push_back(parse_closure_fact(clause.text, reading_));
-        return;
-    }
-    constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
-    throw SyntaxError{
-        clause.text.data(),
-        "expected claim, source, note, alphabet, allow, let, show, lemma, refute or closed, found " +
-            quoted(word) +
-            (reading_.findings.count() < most ? did_you_mean(word, clause_words()) : "")};
-}
-
-Claim ClaimReader::read() {
-    const std::vector<ClaimClause> clauses = claim_clauses(text_);
-    for (const ClaimClause& clause : clauses)
-        if (clause.keyword == "alphabet") guarded([&] { read_alphabet(clause); });
-    std::sort(reading_.declared.begin(), reading_.declared.end());
-    for (const ClaimClause& clause : clauses)
-        if (clause.keyword == "let")
-            guarded([&] { definitions_.push_back(begin_definition(clause, reading_)); });
-    for (const ClaimDefinition& definition : definitions_)
-        if (definition.is_system()) guarded([&] { read_definition(definition, reading_, claim_); });
-    auto next = definitions_.begin();
-    for (const ClaimClause& clause : clauses) {
-        if (clause.keyword == "alphabet") continue;
-        if (clause.keyword != "let") {
-            guarded([&] { read_clause(clause); });
-            continue;
-        }
-        // A clause without a definition was faulty.
-        if (next == definitions_.end() ||
-            next->name.data() > clause.text.data() + clause.text.size())
-            continue;
-        const ClaimDefinition& definition = *next++;
-        if (!definition.is_system())
-            guarded([&] { read_definition(definition, reading_, claim_); });
-    }
-    if (claim_.title.empty() && std::none_of(given_.begin(), given_.end(),
-                                             [](const auto& g) { return g.first == "claim"; }))
-        reading_.findings.add(
-            text_.data() + text_.size(),
-            "expected a title, 'claim TEXT', before the end of the file, found none");
-    reading_.findings.throw_if_any();
-    reading_.finish();
-    claim_.alphabet = reading_.alphabet;
-    return std::move(claim_);
-}
-
 }  // namespace
 
 Claim read_claim(std::string_view text, const std::string& file_name, const SystemSource& open) {
-    const Source source(text, file_name);
-    Findings findings(source);
-    findings.throw_if_no_text();
-    ClaimReading reading(source, findings, open);
-    return ClaimReader(text, file_name, reading).read();
+    return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
+        ClaimReading reading(source, findings, open);
+        return ClaimReader(text, file_name, reading).read();
+    });
 }
 
 WrittenLanguage read_language(std::string_view text, const SystemSource& open,
                               const std::string& file_name) {
-    const Source source(text, file_name);
-    Findings findings(source);
-    findings.throw_if_no_text();
-    ClaimReading reading(source, findings, open);
-    reading.opens_systems = true;
-    try {
+    return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
+        ClaimReading reading(source, findings, open);
+        reading.opens_systems = true;
         ClaimScanner scanner(text);
         const Language language = parse_language(scanner, reading).language;
         if (!scanner.at_end()) throw unexpected("an operator", scanner.here);
         reading.finish();
-        return {reading.alphabet, language};
-    } catch (const SyntaxError& error) {
-        findings.add(error);
-        findings.throw_if_any();
-        throw;
-    }
+        return WrittenLanguage{reading.alphabet, language};
+    });
 }
 
 }  // namespace algae

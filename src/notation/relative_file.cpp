@@ -1,16 +1,21 @@
-#include "notation/relative_file.hpp"
-
 #include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
+#include <limits>
+#include <set>
 
-#include "base/error.hpp"
-#include "notation/characters.hpp"
-#include "notation/expression_grammar.hpp"
-#include "notation/findings.hpp"
-#include "notation/source.hpp"
-#include "notation/suggestion.hpp"
-#include "system/colour.hpp"
+#include "notation/detail/expression_grammar.hpp"
+#include "notation/detail/relative_values.hpp"
+
+// The files of other generators than L-systems: lines `key value ...` with `#` comments.
+//
+// Reading is in two steps. The text becomes a list of statements, whose keys are checked against those of the
+// kind, with unknown, repeated and empty ones as findings, all at once. Then the kind takes the values it
+// needs, each from the statement of a key, and the first faulty one ends the reading; so a `RelativeFile`
+// keeps of each word its place and the line. In between the command may set statements from options, which
+// have no line. Words are separated by blanks outside brackets; numbers are expressions without names, read
+// by the grammar of the `.lsys` notation, so `1/3` and `sqrt(3)/6` stay exact.
 
 namespace algae {
 
@@ -197,6 +202,195 @@ void RelativeFile::describe(Relative& relative) const {
         number(*width, width->words.front(), 0.001, 1000);
         relative.settings.width = quantity(*width, width->words.front());
     }
+}
+
+namespace {
+
+bool is_space(char byte) { return is_blank(static_cast<unsigned char>(byte)); }
+
+bool takes_whole_line(std::string_view key) { return key == "title" || key == "source"; }
+
+bool takes_colours(std::string_view key) {
+    return key == "colour" || key == "tint" || key == "sky";
+}
+
+bool is_colour_code(std::string_view text) {
+    return text.size() >= 7 &&
+           std::all_of(text.begin() + 1, text.begin() + 7,
+                       [](char c) { return std::isxdigit(static_cast<unsigned char>(c)) != 0; }) &&
+           (text.size() == 7 || is_space(text[7]));
+}
+
+/// Where the comment of a line begins; its end if it has none.
+std::size_t comment_start(std::string_view line, std::string_view key) {
+    for (std::size_t i = 0; i < line.size(); ++i)
+        if (line[i] == '#' && (i == 0 || is_space(line[i - 1])) &&
+            !(takes_colours(key) && is_colour_code(line.substr(i))))
+            return i;
+    return line.size();
+}
+
+/// The words of `line` from `begin` to `end`.
+std::vector<RelativeWord> words_of(std::string_view line, std::size_t begin, std::size_t end) {
+    std::vector<RelativeWord> found;
+    std::size_t here = begin;
+    while (here < end) {
+        if (is_space(line[here])) {
+            ++here;
+            continue;
+        }
+        std::size_t stop = here;
+        int depth = 0;
+        for (; stop < end && (depth > 0 || !is_space(line[stop])); ++stop)
+            depth += line[stop] == '(' ? 1 : line[stop] == ')' ? -1 : 0;
+        RelativeWord word{{}, here};
+        for (; here < stop; ++here)
+            if (!is_space(line[here])) word.text += line[here];
+        found.push_back(std::move(word));
+    }
+    return found;
+}
+
+std::string listed(const std::vector<RelativeKey>& keys) {
+    std::string out;
+    for (const RelativeKey& key : keys) out += (out.empty() ? "" : ", ") + key.name;
+    return out;
+}
+
+}  // namespace
+
+RelativeFile read_relative_file(std::string_view text, const std::string& name,
+                                const std::vector<RelativeKey>& own_keys) {
+    std::vector<RelativeKey> keys{
+        {"title", "TEXT"}, {"source", "TEXT"}, {"colour", "COLOUR ..."}, {"width", "POINTS"}};
+    keys.insert(keys.end(), own_keys.begin(), own_keys.end());
+    std::vector<std::string> names;
+    for (const RelativeKey& key : keys) names.push_back(key.name);
+
+    const Source source(text, name);
+    Findings findings(source);
+    findings.throw_if_no_text();
+    RelativeFile file;
+    file.name = name;
+    std::vector<std::string> comments;
+    std::set<std::string> said;
+    for (std::size_t start = 0; start < text.size();) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        const std::string_view line = text.substr(start, end - start);
+        const std::size_t offset = start;
+        start = end + 1;
+        std::size_t begin = 0;
+        while (begin < line.size() && is_space(line[begin])) ++begin;
+        if (begin == line.size()) continue;
+        std::size_t key_end = begin;
+        while (key_end < line.size() && !is_space(line[key_end])) ++key_end;
+        RelativeStatement statement;
+        statement.key = line.substr(begin, key_end - begin);
+        const std::size_t stop = comment_start(line, statement.key);
+        if (stop < line.size()) statement.behind = trimmed(line.substr(stop));
+        if (stop == begin) {
+            comments.push_back(std::move(statement.behind));
+            continue;
+        }
+        const auto known = std::find_if(keys.begin(), keys.end(), [&](const RelativeKey& key) {
+            return key.name == statement.key;
+        });
+        if (known == keys.end()) {
+            findings.add(offset + begin, "unknown statement " + algae::quoted(statement.key) +
+                                             did_you_mean(statement.key, names) +
+                                             "; expected one of " + listed(keys));
+            continue;
+        }
+        if (!known->repeats && !said.insert(statement.key).second) {
+            findings.add(offset + begin, statement.key + " is said twice");
+            continue;
+        }
+        if (takes_whole_line(statement.key)) {
+            const std::string_view rest = trimmed(line.substr(key_end, stop - key_end));
+            if (!rest.empty())
+                statement.words.push_back(
+                    {std::string(rest), static_cast<std::size_t>(rest.data() - line.data())});
+        } else {
+            statement.words = words_of(line, key_end, stop);
+        }
+        if (statement.words.empty() && !known->arguments.empty()) {
+            findings.add(offset + begin,
+                         "expected " + known->name + " " + known->arguments + ", found no value");
+            continue;
+        }
+        statement.place = source.place(offset + begin);
+        statement.line = line;
+        statement.above = std::move(comments);
+        comments.clear();
+        file.statements.push_back(std::move(statement));
+    }
+    findings.throw_if_any();
+    file.below = std::move(comments);
+    for (const char* first : {"source", "title"})
+        std::stable_partition(file.statements.begin(), file.statements.end(),
+                              [&](const RelativeStatement& s) { return s.key == first; });
+    return file;
+}
+
+std::string print_relative_file(const RelativeFile& file) {
+    std::string out;
+    for (const RelativeStatement& statement : file.statements) {
+        for (const std::string& comment : statement.above) out += comment + '\n';
+        out += statement.key;
+        for (const RelativeWord& word : statement.words) out += ' ' + word.text;
+        if (!statement.behind.empty()) out += ' ' + statement.behind;
+        out += '\n';
+    }
+    for (const std::string& comment : file.below) out += comment + '\n';
+    return out;
+}
+
+std::optional<std::vector<double>> hurst_values(const RelativeFile& file, const char* key) {
+    const RelativeStatement* statement = file.find(key);
+    if (!statement) return std::nullopt;
+    std::vector<double> found;
+    for (const RelativeWord& word : statement->words) {
+        found.push_back(file.quantity(*statement, word).value);
+        if (!(found.back() > 0 && found.back() < 1))
+            file.fail(*statement, word,
+                      "expected " + statement->key + " with a number between 0 and 1, found " +
+                          algae::quoted(word.text));
+    }
+    return found;
+}
+
+std::optional<double> positive_value(const RelativeFile& file, const char* key) {
+    const RelativeStatement* statement = file.find(key);
+    if (!statement) return std::nullopt;
+    file.check_words(*statement, 1, 1, "NUMBER");
+    const RelativeWord& word = statement->words.front();
+    const double found = file.quantity(*statement, word).value;
+    if (!(found > 0))
+        file.fail(*statement, word,
+                  "expected " + statement->key + " with a number above 0, found " +
+                      algae::quoted(word.text));
+    return found;
+}
+
+std::optional<std::vector<std::uint64_t>> natural_values(const RelativeFile& file, const char* key,
+                                                         std::uint64_t least, std::uint64_t most) {
+    const RelativeStatement* statement = file.find(key);
+    if (!statement) return std::nullopt;
+    std::vector<std::uint64_t> found;
+    for (const RelativeWord& word : statement->words)
+        found.push_back(file.natural(*statement, word, least, most));
+    return found;
+}
+
+std::optional<std::pair<int, int>> level_values(const RelativeFile& file, const char* key,
+                                                int most) {
+    const auto found = file.range(key, static_cast<std::uint64_t>(most));
+    if (!found) return std::nullopt;
+    return std::pair(static_cast<int>(found->first), static_cast<int>(found->second));
+}
+
+std::uint64_t seed_value(const RelativeFile& file) {
+    return file.natural("seed", 0, std::numeric_limits<std::uint64_t>::max()).value_or(1);
 }
 
 }  // namespace algae

@@ -1,16 +1,231 @@
-#include "notation/rules.hpp"
-
+#include <algorithm>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
 #include <utility>
+#include <vector>
 
-#include "notation/characters.hpp"
-#include "notation/expression_grammar.hpp"
-#include "notation/rule_grammar.hpp"
-#include "notation/shape_grammar.hpp"
-#include "notation/word_grammar.hpp"
+#include "notation/detail/grammar.hpp"
+#include "notation/detail/reading.hpp"
+
+// Rules: `L < a(x) > R : x > 0 -(1/2)-> b(x-1)c` and those of shapes.
+//
+// A rule is split at its first arrow, before anything is parsed, because what stands on its two sides is cut
+// into symbols differently: on the left are patterns with formal parameters, an optional context on either
+// side, an optional `? modules` elsewhere and an optional condition; on the right is a word whose arguments
+// are expressions, or a shape successor. The probability stands in the arrow, `-(p)->`, and `-(a)` may also
+// be a module, so what stands before it decides.
+//
+// The probabilities of all rules with the same left side must add up to 1. Two left sides are the same if
+// they have the same symbols and arities at the same places and the same condition up to the names of
+// parameters, which is compared as a text in which parameters are numbers (`LeftSide`).
 
 namespace algae {
 
 namespace {
+
+namespace x3 = grammar::x3;
+using grammar::between;
+using grammar::text_of;
+using grammar::wanted;
+
+/// The arrow of a rule: what stands before it, in it and behind it.
+struct Arrow {
+    std::string_view left_side;
+    std::string_view probability;  // of `-(p)->`; empty for `->`
+    std::string_view right_side;
+};
+
+/// The names of all formal parameters of a production.
+std::vector<std::string> parameters(const Production& production) {
+    std::vector<std::string> names = production.predecessor.parameters;
+    for (const Pattern* pattern : {&production.left, &production.right, &production.elsewhere})
+        for (const ModulePattern& module : *pattern)
+            names.insert(names.end(), module.parameters.begin(), module.parameters.end());
+    return names;
+}
+
+/// Gathers the modules of one part of a left side, with their places.
+struct Modules {
+    Pattern pattern;
+    std::vector<const char*> places;
+};
+
+void check_parameters_differ(const std::vector<std::string_view>& names) {
+    constexpr std::size_t most = 1000;
+    if (names.size() > most)
+        throw SyntaxError{names[most].data(), "more than " + std::to_string(most) + " parameters"};
+    std::vector<std::string_view> sorted = names;
+    std::stable_sort(sorted.begin(), sorted.end());
+    const auto twice = std::adjacent_find(sorted.begin(), sorted.end());
+    if (twice == sorted.end()) return;
+    throw SyntaxError{std::next(twice)->data(),
+                      "the parameter " + quoted(*twice) + " stands twice before the arrow"};
+}
+
+/// Splits a rule at its first arrow. `-(a)` where something must still come is no beginning of an
+/// arrow but a module or a number: `-(a)-> b` has the predecessor -(a).
+Arrow split_at_arrow(std::string_view rule, const char* arrow) {
+    const char* const begin = rule.data();
+    const char* const end = begin + rule.size();
+    const char* const behind = arrow + (*arrow == '-' ? 2 : 3);  // or the three bytes of →
+    Arrow out{trimmed(between(begin, arrow)), {}, trimmed(between(behind, end))};
+    if (arrow == begin || arrow[-1] != ')') return out;
+    // The bracket that opens before the arrow, with no blank in between.
+    const char* open = arrow - 1;
+    for (std::size_t depth = 1; depth > 0;) {
+        if (open == begin) return out;
+        --open;
+        if (*open == ')') ++depth;
+        if (*open == '(') --depth;
+        if (is_blank(static_cast<unsigned char>(*open))) return out;
+    }
+    if (open == begin || open[-1] != '-') return out;
+    const std::string_view before = trimmed(between(begin, open - 1));
+    constexpr std::string_view unfinished = "<>?,:=(";
+    if (before.empty() || unfinished.find(before.back()) != std::string_view::npos) return out;
+    out.left_side = before;
+    out.probability = between(open + 1, arrow - 1);
+    return out;
+}
+
+/// What stands before the arrow: contexts, predecessor, context condition and condition, into a
+/// production. Throws `SyntaxError`.
+void parse_left_side(std::string_view text, Lexicon& lexicon, const Source& source,
+                     Production& production) {
+    const char* here = text.data();
+    const char* const end = here + text.size();
+    Modules modules, predecessor;
+    std::vector<std::string_view> names;
+
+    const auto on_symbol = [&](auto& c) {
+        std::string_view symbol = text_of(x3::_attr(c));
+        modules.places.push_back(symbol.data());
+        modules.pattern.push_back({*lexicon.next(symbol), {}});
+    };
+    const auto on_name = [&](auto& c) {
+        names.push_back(text_of(x3::_attr(c)));
+        modules.pattern.back().parameters.emplace_back(names.back());
+    };
+    const auto on_left = [&](auto&) { production.left = std::exchange(modules, {}).pattern; };
+    const auto on_predecessor = [&](auto&) { predecessor = std::exchange(modules, {}); };
+    const auto on_right = [&](auto&) { production.right = std::exchange(modules, {}).pattern; };
+    const auto on_elsewhere = [&](auto&) {
+        production.elsewhere = std::exchange(modules, {}).pattern;
+    };
+
+    const auto formal = wanted("a parameter's name")[x3::raw[grammar::name][on_name]];
+    const auto formals = '(' >> formal % ',' >> wanted("',' or ')'")[x3::lit(')')];
+    const auto module = x3::raw[x3::lexeme[grammar::SymbolParser(lexicon)]][on_symbol] >> -formals;
+    const auto word = +(module | "ε");
+    const auto predecessor_word = wanted("a symbol before the arrow")[word];
+    const auto left_context = x3::lit('<')[on_left] >> predecessor_word;
+    const auto right_context = '>' >> wanted("a right context")[word] >> x3::eps[on_right];
+    const auto elsewhere = '?' >> wanted("a module")[module] % ',' >> x3::eps[on_elsewhere];
+    const auto expression = grammar::ByHand([&](const char*& first, const char* last) {
+        production.condition = parse_expression(first, last, source, &lexicon);
+    });
+    const auto condition = ':' >> ((x3::lit('*') >> x3::eoi) | expression);
+    const auto left_side = predecessor_word >> -left_context >> x3::eps[on_predecessor] >>
+                           -right_context >> -elsewhere >> -condition;
+
+    x3::phrase_parse(here, end, left_side, grammar::blank);
+    if (predecessor.pattern.size() > 1)
+        throw unexpected("'->' or a context after one symbol", predecessor.places[1]);
+    if (predecessor.pattern.empty())
+        throw SyntaxError{text.data(), "expected a symbol before the arrow, found 'ε'"};
+    if (here != end) {
+        if (production.condition) throw unexpected("an operator or '->'", here);
+        throw unexpected("'->'", here);
+    }
+    check_parameters_differ(names);
+    production.predecessor = std::move(predecessor.pattern.front());
+}
+
+/// Throws unless each axis has its sizes, and repeat one axis with one size.
+void check_sizes(const ShapeSuccessor& shape, const std::vector<std::size_t>& lists,
+                 const char* start, const char* axes) {
+    for (std::size_t i = 0; i < shape.axis.size(); ++i)
+        if (shape.axis.find(shape.axis[i]) != i)
+            throw SyntaxError{axes, "expected different axes, found '" + shape.axis + "'"};
+    if (shape.operation == "repeat" && shape.sizes.size() != 1)
+        throw SyntaxError{
+            start, "expected one size of repeat, found " + std::to_string(shape.sizes.size())};
+    if (shape.operation == "repeat" && shape.axis.size() != 1)
+        throw SyntaxError{axes, "expected one axis of repeat, found '" + shape.axis + "'"};
+    if (shape.axis.size() == 1 && lists.size() > 1)
+        throw SyntaxError{start, "expected sizes for one axis, found " +
+                                     std::to_string(lists.size()) + " lists with ':' between"};
+    if (shape.axis.size() != lists.size())
+        throw SyntaxError{start, "expected sizes for each of " + std::to_string(shape.axis.size()) +
+                                     " axes, with ':' between, found " +
+                                     std::to_string(lists.size())};
+}
+
+ShapeSuccessor parse_division(std::string_view text, Reading& reading) {
+    const char* here = text.data();
+    const char* const end = here + text.size();
+    const char* axes = here;
+    std::vector<std::size_t> lists;  // how many sizes there are up to the end of each list
+    ShapeSuccessor shape;
+    const auto on_operation = [&](auto& c) {
+        shape.operation = text_of(x3::_attr(c));
+        if (shape.operation == "Split") shape.operation = "div";
+    };
+    const auto on_axes = [&](auto& c) {
+        axes = x3::_attr(c).begin();
+        shape.axis.assign(axes, x3::_attr(c).end());
+    };
+    const auto on_list = [&](auto&) { lists.push_back(shape.sizes.size()); };
+    const auto on_part = [&](auto& c) { shape.parts.push_back(x3::_attr(c)); };
+
+    const auto operation = x3::raw[x3::lit("div") | "repeat" | "Split"][on_operation];
+    const auto axis = wanted("an axis, X, Y or Z")[x3::raw[x3::lexeme[+x3::char_("XYZ")]][on_axes]];
+    const auto size = grammar::ByHand([&](const char*& first, const char* last) {
+        ShapeSuccessor::Size made{parse_expression(first, last, reading.source), false};
+        if (first != last && *first == 'r') {  // relative
+            made.relative = true;
+            ++first;
+        }
+        shape.sizes.push_back(std::move(made));
+    });
+    const auto list = (size % ',') >> x3::eps[on_list];
+    const auto sizes = wanted("',' and a size")[x3::lit(',')] >> (list % ':') >>
+                       wanted("',' or ')'")[x3::lit(')')];
+    const auto part = (grammar::SymbolParser(reading.lexicon) - '}')[on_part];
+    const auto parts = wanted("'{' and the parts")[x3::lit('{')] >> wanted("a symbol")[+part] >>
+                       wanted("a symbol or '}'")[x3::lit('}')];
+    x3::phrase_parse(here, end, operation >> '(' >> axis >> sizes >> parts, grammar::blank);
+    if (here != end) throw unexpected("the end of the rule", here);
+    check_sizes(shape, lists, text.data(), axes);
+    if (lists.size() > 1) {
+        const std::string named = std::move(shape.axis);
+        shape.axis.clear();
+        for (std::size_t i = 0; i < lists.size(); ++i) shape.axis.resize(lists[i], named[i]);
+    }
+    return shape;
+}
+
+/// The shape successor `div(Y, 3, 1r, 1r){ B C C }`, `div(XZ, 1r, 1r : 2, 1r){ B }`, `repeat(Y, 0.3){ C }`
+/// or `I(B)`, or nothing if the text is none of them. `Split` is read as `div`. `I(B)` is one only if
+/// the production has no parameters, or three, and B is neither one of them nor a constant;
+/// otherwise it is a module with an argument. Throws `SyntaxError`.
+std::optional<ShapeSuccessor> parse_shape(std::string_view text, const Production& production,
+                                          Reading& reading) {
+    if (text.starts_with("div(") || text.starts_with("repeat(") || text.starts_with("Split("))
+        return parse_division(text, reading);
+    const std::vector<std::string> sizes = parameters(production);
+    if (!text.starts_with("I(") || text.back() != ')' || (!sizes.empty() && sizes.size() != 3))
+        return {};
+    const std::string_view inner = trimmed(text.substr(2, text.size() - 3));
+    if (inner.empty() || !is_letter(first_character(inner).code) ||
+        reading.lexicon.length(inner) != inner.size() ||
+        reading.constants.count(std::string(inner)) || std::ranges::count(sizes, inner))
+        return {};
+    std::string_view rest = inner;
+    return ShapeSuccessor{"I", {}, {}, {*reading.lexicon.next(rest)}};
+}
 
 Rational parse_probability(std::string_view text, Reading& reading) {
     const Quantity value = reading.quantity(parse_expression(text, reading.source));
@@ -31,7 +246,7 @@ void parse_successor(std::string_view text, Production& production, Reading& rea
 
 void check_all_names(const Production& production, Reading& reading) {
     const std::vector<std::string> names = parameters(production);
-    if (production.condition) 
+    if (production.condition)
         reading.check_names(*production.condition, names, production.shape.has_value());
     for (const auto& [position, arguments] : production.successor.arguments)
         for (const Expression& argument : arguments) reading.check_names(argument, names);
@@ -67,6 +282,86 @@ void read_interpretation(const Clause& clause, Reading& reading) {
     const std::string_view rule = clause.value();
     if (!clause.arrow) throw unexpected("a rule with '->'", rule.data() + rule.size());
     reading.system.interpretation.push_back(parse_production(rule, clause.arrow, reading));
+}
+
+namespace {
+
+/// A text that is the same for two rules just when they apply to the same letters in the same
+/// places: symbols and arities of the patterns, and the condition with its parameters numbered.
+class LeftSide {
+public:
+    explicit LeftSide(const Production& production) : names_(parameters(production)) {
+        key_ = std::to_string(production.table) + '/';
+        add(production.left);
+        add({production.predecessor});
+        add(production.right);
+        add(production.elsewhere);
+        if (production.condition) add(*production.condition);
+    }
+
+    const std::string& key() const { return key_; }
+
+private:
+    void add(const Pattern& pattern) {
+        for (const ModulePattern& module : pattern) {
+            key_ += std::to_string(module.symbol) + '(';
+            for (const std::string& name : module.parameters) add_name(name);
+            key_ += ')';
+        }
+        key_ += '/';
+    }
+    void add(const Expression& expression) {
+        key_ += '(';
+        if (expression.kind == Expression::Kind::number)
+            key_ += to_string(expression.value);
+        else
+            add_name(expression.name);
+        for (const Expression& operand : expression.operands) add(operand);
+        key_ += ')';
+    }
+    void add_name(const std::string& name) {
+        for (std::size_t i = 0; i < names_.size(); ++i)
+            if (names_[i] == name) {
+                key_ += '$' + std::to_string(i) + ',';
+                return;
+            }
+        key_ += name + ',';
+    }
+
+    std::vector<std::string> names_;
+    std::string key_;
+};
+
+/// The rules with one left side.
+struct SameLeftSide {
+    const Production* with = nullptr;     // the first rule with a probability
+    const Production* without = nullptr;  // the first rule without
+    Rational sum;
+};
+
+}  // namespace
+
+void check_probabilities(const std::vector<Production>& rules, Reading& reading) {
+    if (reading.broken_rules) return;  // the missing rule may have the missing probability
+    std::map<std::string, SameLeftSide> all;
+    for (const Production& rule : rules) {
+        SameLeftSide& alternatives = all[LeftSide(rule).key()];
+        const Production*& first = rule.probability ? alternatives.with : alternatives.without;
+        if (!first) first = &rule;
+        if (rule.probability) alternatives.sum += *rule.probability;
+    }
+    for (const auto& [key, alternatives] : all) {
+        if (!alternatives.with) continue;
+        const std::string& name =
+            reading.system.alphabet.name(alternatives.with->predecessor.symbol);
+        if (alternatives.without)
+            reading.findings.add(alternatives.without->place,
+                                 "expected a probability, as other rules of " + name + " have one");
+        else if (alternatives.sum != 1)
+            reading.findings.add(alternatives.with->place,
+                                 "the probabilities of " + name + " add up to " +
+                                     to_string(alternatives.sum) + ", expected 1");
+    }
 }
 
 }  // namespace algae

@@ -1,19 +1,471 @@
-#include "render/animation.hpp"
+#include <cairo.h>
+#include <gif_lib.h>
+#include <webp/encode.h>
+#include <webp/mux.h>
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <exception>
+#include <limits>
+#include <memory>
+#include <new>
 #include <vector>
 
-#include "base/error.hpp"
-#include "render/film.hpp"
-#include "render/gif.hpp"
-#include "render/output.hpp"
-#include "render/plan.hpp"
-#include "render/webp.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/colour_table.hpp"
+#include "render/detail/document.hpp"
+#include "render/detail/drawing.hpp"
+#include "render/render.hpp"
+
+// Animations: a film of frames that all have one size, packed as gif or webp.
+//
+// Every plate is drawn by Cairo as a png would be, and the film keeps the least rectangle in which a frame differs from the one
+// before it. All frames are drawn and packed before there is a file.
+//
+// A webp is encoded without loss; libwebp takes colours that are not multiplied by their opacity, and changes the picture that it
+// is given, so each frame is copied. A gif has one table of 256 colours for all frames. If the frames together have no more, the
+// gif is exact. Otherwise the colour there is most of, usually that of the paper, stays as it is, and the others are cut into 255 groups,
+// each time the group with the largest squared error where its values are spread widest (Wan, Wong and Prusinkiewicz 1988). A
+// colour counts by the square root of its number, so that thin lines keep theirs. The table depends on how many pixels have which
+// colour, not on their order: equal figures make equal files.
+//
+// Subtle: giflib calls back to write, and an exception must not pass through it; it waits in the sink. Times are hundredths of a
+// second, the unit of gif; a webp counts milliseconds from the start, which has a bound (2,000,000 seconds).
 
 namespace algae {
+
 namespace {
+
+constexpr std::size_t most_colours = 256;
+
+/// A colour of the pictures and how much it counts.
+struct Shade {
+    std::uint32_t colour;
+    double weight;
+    double part(std::size_t i) const { return (colour >> (16 - 8 * i)) & 0xff; }
+};
+
+/// A run of shades that become one colour of the table.
+struct Group {
+    std::size_t first, last;
+    std::array<double, 3> mean{};
+    std::size_t widest = 0;  // the part, red, green or blue, with the largest error
+    double error = 0;        // the sum of squares of the distances from the mean
+
+    Group(const std::vector<Shade>& shades, std::size_t from, std::size_t to)
+        : first(from), last(to) {
+        double weight = 0;
+        for (std::size_t at = first; at < last; ++at) {
+            weight += shades[at].weight;
+            for (std::size_t i = 0; i < 3; ++i) mean[i] += shades[at].weight * shades[at].part(i);
+        }
+        for (double& part : mean) part /= weight;
+        std::array<double, 3> errors{};
+        for (std::size_t at = first; at < last; ++at)
+            for (std::size_t i = 0; i < 3; ++i) {
+                const double distance = shades[at].part(i) - mean[i];
+                errors[i] += shades[at].weight * distance * distance;
+            }
+        widest = static_cast<std::size_t>(std::max_element(errors.begin(), errors.end()) -
+                                          errors.begin());
+        error = last - first > 1 ? errors[0] + errors[1] + errors[2] : 0;
+    }
+
+    std::uint32_t colour() const {
+        std::uint32_t packed = 0;
+        for (const double part : mean)
+            packed = packed << 8 | static_cast<std::uint32_t>(std::lround(part));
+        return packed;
+    }
+};
+
+}  // namespace
+
+void ColourTable::count(std::span<const std::uint32_t> pixels) {
+    constexpr std::uint32_t full = std::numeric_limits<std::uint32_t>::max();
+    for (const std::uint32_t pixel : pixels) {
+        std::uint32_t& cell = table_[pixel & 0xffffffu];
+        if (cell != full) ++cell;
+    }
+}
+
+void ColourTable::choose() {
+    std::vector<Shade> shades;
+    for (std::size_t colour = 0; colour < table_.size(); ++colour)
+        if (table_[colour] > 0)
+            shades.push_back({static_cast<std::uint32_t>(colour),
+                              std::sqrt(static_cast<double>(table_[colour]))});
+    if (shades.empty()) shades.push_back({0, 1});
+    exact_ = shades.size() <= most_colours;
+    const auto put = [this](std::uint32_t colour) {
+        colours_.push_back(colour);
+        return static_cast<std::uint32_t>(colours_.size() - 1);
+    };
+    if (exact_) {
+        for (const Shade& shade : shades) table_[shade.colour] = put(shade.colour);
+        return;
+    }
+    const auto most = std::max_element(
+        shades.begin(), shades.end(),
+        [](const Shade& left, const Shade& right) { return left.weight < right.weight; });
+    table_[most->colour] = put(most->colour);
+    shades.erase(most);
+    std::vector<Group> groups{Group(shades, 0, shades.size())};
+    while (groups.size() < most_colours - 1) {
+        const auto worst = std::max_element(
+            groups.begin(), groups.end(),
+            [](const Group& left, const Group& right) { return left.error < right.error; });
+        if (worst->error == 0) break;
+        const std::size_t part = worst->widest, first = worst->first, last = worst->last;
+        const double mean = worst->mean[part];
+        const auto middle =
+            std::stable_partition(shades.begin() + static_cast<std::ptrdiff_t>(first),
+                                  shades.begin() + static_cast<std::ptrdiff_t>(last),
+                                  [&](const Shade& shade) { return shade.part(part) <= mean; });
+        const auto cut = static_cast<std::size_t>(middle - shades.begin());
+        *worst = Group(shades, first, cut);
+        groups.emplace_back(shades, cut, last);
+    }
+    for (const Group& group : groups) {
+        const std::uint32_t place = put(group.colour());
+        for (std::size_t at = group.first; at < group.last; ++at) table_[shades[at].colour] = place;
+    }
+}
+
+namespace {
+
+/// A frame of a film: what differs from the frame before it, and all of the first.
+struct FilmFrame {
+    PixelRectangle area;                // at least one pixel
+    std::vector<std::uint32_t> pixels;  // row by row, 0xAARRGGBB, colours times opacity
+};
+
+/// The frames of an animation, without gaps in time.
+struct Film {
+    int width = 0, height = 0;  // pixels
+    bool opaque = true;
+    std::vector<FilmFrame> frames;
+
+    /// Changes `picture`, all pixels of a frame, into the next one.
+    void show(std::size_t frame, std::vector<std::uint32_t>& picture) const {
+        picture.resize(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+        const FilmFrame& change = frames.at(frame);
+        auto from = change.pixels.begin();
+        for (int y = change.area.top; y < change.area.top + change.area.height; ++y) {
+            std::copy_n(
+                from, change.area.width,
+                picture.begin() + static_cast<std::ptrdiff_t>(y) * width + change.area.left);
+            from += change.area.width;
+        }
+    }
+};
+
+constexpr double share_of_drawing = 0.7;  // the rest of the work is packing frames
+
+/// The rows of an image surface, one after the other.
+std::vector<std::uint32_t> pixels_of(cairo_surface_t* surface, int width, int height, bool opaque) {
+    cairo_surface_flush(surface);
+    const unsigned char* const data = cairo_image_surface_get_data(surface);
+    const auto stride = static_cast<std::size_t>(cairo_image_surface_get_stride(surface));
+    const auto across = static_cast<std::size_t>(width), down = static_cast<std::size_t>(height);
+    std::vector<std::uint32_t> pixels(across * down);
+    for (std::size_t y = 0; y < down; ++y)
+        std::memcpy(pixels.data() + y * across, data + y * stride, across * sizeof(std::uint32_t));
+    if (opaque)
+        for (std::uint32_t& pixel : pixels) pixel |= 0xff000000u;
+    return pixels;
+}
+
+/// The least rectangle in which two pictures differ; one pixel if they are equal.
+PixelRectangle difference(const std::vector<std::uint32_t>& before,
+                          const std::vector<std::uint32_t>& after, int width, int height) {
+    int left = width, right = -1, top = height, bottom = -1;
+    for (int y = 0; y < height; ++y) {
+        const auto row = static_cast<std::ptrdiff_t>(y) * width;
+        const auto begin = after.begin() + row, end = begin + width;
+        const auto first = std::mismatch(begin, end, before.begin() + row).first;
+        if (first == end) continue;
+        auto last = end;
+        while (*(last - 1) == before[static_cast<std::size_t>(last - 1 - after.begin())]) --last;
+        left = std::min(left, static_cast<int>(first - begin));
+        right = std::max(right, static_cast<int>(last - begin) - 1);
+        top = std::min(top, y);
+        bottom = y;
+    }
+    if (right < 0) return {0, 0, 1, 1};
+    return {left, top, right - left + 1, bottom - top + 1};
+}
+
+FilmFrame cut_out(const std::vector<std::uint32_t>& picture, const PixelRectangle& area,
+                  int width) {
+    FilmFrame frame;
+    frame.area = area;
+    for (int y = area.top; y < area.top + area.height; ++y) {
+        const auto row = picture.begin() + static_cast<std::ptrdiff_t>(y) * width + area.left;
+        frame.pixels.insert(frame.pixels.end(), row, row + area.width);
+    }
+    return frame;
+}
+
+/// Draws plates as frames, one each, by a plan of frames. Throws BoundReached if they need more
+/// memory than the budget has, and what drawing throws. `drawn` learns what was drawn.
+Film film(std::span<const Plate> plates, const Plan& plan, const Budget& budget, Progress* progress,
+          Drawn& drawn) {
+    Film result;
+    result.width = static_cast<int>(plan.page.width);
+    result.height = static_cast<int>(plan.page.height);
+    result.opaque = plan.background.has_value();
+    drawn.width = plan.page.width;
+    drawn.height = plan.page.height;
+    double all = 0, done = 0;
+    for (const Plate& plate : plates) all += work(*plate.figure);
+    all /= share_of_drawing;
+    std::uint64_t taken = 0;
+    std::vector<std::uint32_t> before;
+    for (std::size_t i = 0; i < plates.size(); ++i) {
+        budget.check();
+        const double next = done + work(*plates[i].figure);
+        const Share share(progress, done / all, next / all);
+        done = next;
+        const OwnedSurface surface = blank_image(result.width, result.height, result.opaque);
+        const OwnedContext context(cairo_create(surface.get()));
+        check_cairo(context.get());
+        if (plan.background) {
+            const Colour& paper = *plan.background;
+            cairo_set_source_rgb(context.get(), paper.red, paper.green, paper.blue);
+            cairo_paint(context.get());
+        }
+        draw_plate(context.get(), plan, i, plates[i], budget, share, drawn);
+        check_cairo(context.get());
+        std::vector<std::uint32_t> picture =
+            pixels_of(surface.get(), result.width, result.height, result.opaque);
+        const PixelRectangle area = i == 0
+                                        ? PixelRectangle{0, 0, result.width, result.height}
+                                        : difference(before, picture, result.width, result.height);
+        taken += sizeof(std::uint32_t) * static_cast<std::uint64_t>(area.width) *
+                 static_cast<std::uint64_t>(area.height);
+        budget.check_memory(taken, "what changes from frame to frame of an animation");
+        result.frames.push_back(cut_out(picture, area, result.width));
+        before = std::move(picture);
+    }
+    return result;
+}
+
+constexpr int longest_side = 65'535;
+
+/// What the library's write function is given. An exception must not pass through it, so it waits.
+struct Sink {
+    Output& output;
+    std::exception_ptr problem;
+
+    static int write(GifFileType* file, const GifByteType* bytes, int count) {
+        Sink& sink = *static_cast<Sink*>(file->UserData);
+        if (sink.problem) return 0;
+        try {
+            sink.output.write(reinterpret_cast<const char*>(bytes),
+                              static_cast<std::size_t>(count));
+            return count;
+        } catch (...) {
+            sink.problem = std::current_exception();
+            return 0;
+        }
+    }
+};
+
+class Writer {
+public:
+    explicit Writer(Output& output) : sink_{output, nullptr} {
+        int error = 0;
+        file_ = EGifOpen(&sink_, Sink::write, &error);
+        if (!file_) fail(error);
+        EGifSetGifVersion(file_, true);
+    }
+    Writer(const Writer&) = delete;
+    Writer& operator=(const Writer&) = delete;
+    ~Writer() {
+        if (file_) EGifCloseFile(file_, nullptr);
+    }
+
+    void screen(int width, int height, const std::vector<std::uint32_t>& colours) {
+        const auto size = static_cast<int>(std::bit_ceil(std::max<std::size_t>(2, colours.size())));
+        const std::unique_ptr<ColorMapObject, decltype(&GifFreeMapObject)> map(
+            GifMakeMapObject(size, nullptr), GifFreeMapObject);
+        if (!map) throw std::bad_alloc();
+        for (int i = 0; i < size; ++i) {
+            const auto place = static_cast<std::size_t>(i);
+            const std::uint32_t colour = place < colours.size() ? colours[place] : 0;
+            map->Colors[i] = {static_cast<GifByteType>(colour >> 16),
+                              static_cast<GifByteType>(colour >> 8 & 0xff),
+                              static_cast<GifByteType>(colour & 0xff)};
+        }
+        check(EGifPutScreenDesc(file_, width, height, 8, 0, map.get()));
+    }
+
+    /// How often the film comes again after the first time; 0 for ever.
+    void repeat(std::uint32_t times) {
+        const GifByteType block[] = {1, static_cast<GifByteType>(times & 0xff),
+                                     static_cast<GifByteType>(times >> 8)};
+        check(EGifPutExtensionLeader(file_, APPLICATION_EXT_FUNC_CODE));
+        check(EGifPutExtensionBlock(file_, 11, "NETSCAPE2.0"));
+        check(EGifPutExtensionBlock(file_, sizeof block, block));
+        check(EGifPutExtensionTrailer(file_));
+    }
+
+    void frame(const FilmFrame& frame, std::uint32_t hundredths, const ColourTable& table) {
+        GraphicsControlBlock control{};
+        control.DisposalMode = DISPOSE_DO_NOT;
+        control.DelayTime = static_cast<int>(hundredths);
+        control.TransparentColor = NO_TRANSPARENT_COLOR;
+        GifByteType block[4];
+        EGifGCBToExtension(&control, block);
+        check(EGifPutExtension(file_, GRAPHICS_EXT_FUNC_CODE, sizeof block, block));
+        const PixelRectangle& area = frame.area;
+        check(
+            EGifPutImageDesc(file_, area.left, area.top, area.width, area.height, false, nullptr));
+        std::vector<GifPixelType> line(static_cast<std::size_t>(area.width));
+        auto from = frame.pixels.begin();
+        for (int y = 0; y < area.height; ++y) {
+            for (GifPixelType& pixel : line) pixel = table.index(*from++);
+            check(EGifPutLine(file_, line.data(), area.width));
+        }
+    }
+
+    void finish() {
+        int error = 0;
+        GifFileType* const file = file_;
+        file_ = nullptr;
+        const int status = EGifCloseFile(file, &error);
+        if (sink_.problem) std::rethrow_exception(sink_.problem);
+        if (status != GIF_OK) fail(error);
+    }
+
+private:
+    [[noreturn]] void fail(int error) const {
+        if (sink_.problem) std::rethrow_exception(sink_.problem);
+        const char* const reason = GifErrorString(error);
+        throw Error(std::string("the animation cannot be written: ") +
+                    (reason ? reason : "the GIF library gives no reason"));
+    }
+    void check(int status) const {
+        if (status != GIF_OK) fail(file_->Error);
+    }
+
+    Sink sink_;
+    GifFileType* file_ = nullptr;
+};
+
+/// Writes an opaque film as an animated GIF (version 89a): what changes of each frame, with one table of
+/// colours for all. `hundredths`: how long each frame is shown, in hundredths of a second, below
+/// 65,536. `plays`: how often it is shown, below 65,536; 0 for ever.
+///
+/// Throws Error if the film has a side above 65,535 pixels, BoundReached for want
+/// of memory, and what writing throws.
+void write_gif(const Film& film, std::span<const std::uint32_t> hundredths, std::uint32_t plays,
+               Output& output, const Budget& budget) {
+    if (film.width > longest_side || film.height > longest_side)
+        throw Error("a gif has at most " + std::to_string(longest_side) + " pixels a side");
+    budget.check_memory(ColourTable::memory, "the colours of a gif");
+    ColourTable table;
+    for (const FilmFrame& frame : film.frames) table.count(frame.pixels);
+    table.choose();
+    Writer writer(output);
+    writer.screen(film.width, film.height, table.colours());
+    if (film.frames.size() > 1 && plays != 1) writer.repeat(plays == 0 ? 0 : plays - 1);
+    for (std::size_t i = 0; i < film.frames.size(); ++i) {
+        budget.check();
+        writer.frame(film.frames[i], hundredths[i], table);
+    }
+    writer.finish();
+}
+
+constexpr int effort = 3;  // of 9: higher ones take several times as long for a few percent
+
+[[noreturn]] void fail(const char* reason) {
+    throw Error(std::string("the animation cannot be written: ") +
+                (reason ? reason : "the WebP library gives no reason"));
+}
+
+/// The same colour with its parts not multiplied by its opacity.
+std::uint32_t apart(std::uint32_t pixel) {
+    const std::uint32_t opacity = pixel >> 24;
+    if (opacity == 255) return pixel;
+    if (opacity == 0) return 0;
+    const auto part = [&](int shift) {
+        const std::uint32_t value = pixel >> shift & 0xff;
+        return std::min<std::uint32_t>(255, (value * 255 + opacity / 2) / opacity) << shift;
+    };
+    return opacity << 24 | part(16) | part(8) | part(0);
+}
+
+/// The library's own description of a picture.
+struct Picture : WebPPicture {
+    Picture(int across, int down) {
+        if (!WebPPictureInit(this)) fail(nullptr);
+        width = across;
+        height = down;
+        use_argb = 1;
+        if (!WebPPictureAlloc(this)) throw std::bad_alloc();
+    }
+    Picture(const Picture&) = delete;
+    Picture& operator=(const Picture&) = delete;
+    ~Picture() { WebPPictureFree(this); }
+};
+
+/// The finished file.
+struct Bytes : WebPData {
+    Bytes() { WebPDataInit(this); }
+    Bytes(const Bytes&) = delete;
+    Bytes& operator=(const Bytes&) = delete;
+    ~Bytes() { WebPDataClear(this); }
+};
+
+/// Writes a film as an animated WebP without any loss. Equal frames that follow each other become one
+/// that is shown as long. `hundredths`: how long each frame is shown, in hundredths of a second.
+/// `plays`: how often it is shown, below 65,536; 0 for ever.
+///
+/// Throws Error if the film has a side above 16,383 pixels, and what writing throws.
+void write_webp(const Film& film, std::span<const std::uint32_t> hundredths, std::uint32_t plays,
+                Output& output, const Budget& budget) {
+    if (film.width > WEBP_MAX_DIMENSION || film.height > WEBP_MAX_DIMENSION)
+        throw Error("a webp has at most " + std::to_string(WEBP_MAX_DIMENSION) + " pixels a side");
+    WebPAnimEncoderOptions options;
+    if (!WebPAnimEncoderOptionsInit(&options)) fail(nullptr);
+    options.anim_params.loop_count = static_cast<int>(plays);
+    WebPConfig config;
+    if (!WebPConfigInit(&config) || !WebPConfigLosslessPreset(&config, effort)) fail(nullptr);
+    config.exact = 1;
+    const std::unique_ptr<WebPAnimEncoder, decltype(&WebPAnimEncoderDelete)> encoder(
+        WebPAnimEncoderNew(film.width, film.height, &options), WebPAnimEncoderDelete);
+    if (!encoder) throw std::bad_alloc();
+
+    std::vector<std::uint32_t> pixels;
+    std::uint64_t milliseconds = 0;
+    for (std::size_t i = 0; i < film.frames.size(); ++i) {
+        budget.check();
+        film.show(i, pixels);
+        // The encoder changes the picture that it is given.
+        Picture picture(film.width, film.height);
+        for (int y = 0; y < film.height; ++y)
+            for (int x = 0; x < film.width; ++x)
+                picture.argb[static_cast<std::ptrdiff_t>(y) * picture.argb_stride + x] = apart(
+                    pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(film.width) +
+                           static_cast<std::size_t>(x)]);
+        if (!WebPAnimEncoderAdd(encoder.get(), &picture, static_cast<int>(milliseconds), &config))
+            fail(WebPAnimEncoderGetError(encoder.get()));
+        milliseconds += 10 * std::uint64_t{hundredths[i]};
+        if (milliseconds > 2'000'000'000) throw Error("a webp lasts at most 2,000,000 seconds");
+    }
+    if (!WebPAnimEncoderAdd(encoder.get(), nullptr, static_cast<int>(milliseconds), nullptr))
+        fail(WebPAnimEncoderGetError(encoder.get()));
+    Bytes file;
+    if (!WebPAnimEncoderAssemble(encoder.get(), &file))
+        fail(WebPAnimEncoderGetError(encoder.get()));
+    output.write(reinterpret_cast<const char*>(file.bytes), file.size);
+}
 
 constexpr double shortest_time = 0.02, longest_time = 600;  // seconds; programs slow down less
 
@@ -39,10 +491,11 @@ std::vector<std::uint32_t> times(const AnimationTiming& timing, std::size_t fram
     return found;
 }
 
-/// Draws all frames and packs them, before there is a file.
-template <class Open>
-Drawn draw(std::span<const Plate> plates, AnimationFormat format, const PictureOptions& options,
-           const AnimationTiming& timing, const Budget& budget, Progress* progress, Open open) {
+/// Draws all frames and packs them, before there is a file. `target`: a path or a stream.
+template <class Target>
+Drawn draw(Target& target, std::span<const Plate> plates, AnimationFormat format,
+           const PictureOptions& options, const AnimationTiming& timing, const Budget& budget,
+           Progress* progress) {
     const std::vector<std::uint32_t> hundredths = times(timing, plates.size());
     if (format == AnimationFormat::gif && options.background == "transparent")
         throw Error(
@@ -51,7 +504,7 @@ Drawn draw(std::span<const Plate> plates, AnimationFormat format, const PictureO
     const Plan decided = plan(plates, PictureFormat::png, Arrangement::frames, options, budget);
     Drawn drawn;
     const Film frames = film(plates, decided, budget, progress, drawn);
-    open([&](Output& output) {
+    write_to(target, [&](Output& output) {
         if (format == AnimationFormat::gif)
             write_gif(frames, hundredths, timing.plays, output, budget);
         else
@@ -64,35 +517,23 @@ Drawn draw(std::span<const Plate> plates, AnimationFormat format, const PictureO
 }  // namespace
 
 std::optional<AnimationFormat> animation_format(std::string_view path) {
-    const auto ends = [&](std::string_view ending) {
-        return path.size() > ending.size() &&
-               std::equal(ending.rbegin(), ending.rend(), path.rbegin(), [](char low, char other) {
-                   return low == (other >= 'A' && other <= 'Z' ? other - 'A' + 'a' : other);
-               });
-    };
-    if (ends(".gif")) return AnimationFormat::gif;
-    if (ends(".webp")) return AnimationFormat::webp;
+    const std::string ending = ending_of(path);
+    if (path.size() <= ending.size() + 1) return std::nullopt;
+    if (ending == "gif") return AnimationFormat::gif;
+    if (ending == "webp") return AnimationFormat::webp;
     return std::nullopt;
 }
 
 Drawn draw_animation(std::span<const Plate> plates, const std::string& path, AnimationFormat format,
                      const PictureOptions& options, const AnimationTiming& timing,
                      const Budget& budget, Progress* progress) {
-    return draw(plates, format, options, timing, budget, progress, [&](auto write) {
-        FileOutput file(path);
-        write(file);
-        file.commit();
-    });
+    return draw(path, plates, format, options, timing, budget, progress);
 }
 
 Drawn draw_animation(std::span<const Plate> plates, std::ostream& stream, AnimationFormat format,
                      const PictureOptions& options, const AnimationTiming& timing,
                      const Budget& budget, Progress* progress) {
-    return draw(plates, format, options, timing, budget, progress, [&](auto write) {
-        StreamOutput output(stream);
-        write(output);
-        output.finish();
-    });
+    return draw(stream, plates, format, options, timing, budget, progress);
 }
 
 }  // namespace algae

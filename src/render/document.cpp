@@ -1,17 +1,60 @@
-#include "render/document.hpp"
-
 #include <cairo-pdf.h>
 #include <cairo-ps.h>
 #include <cairo-svg.h>
 #include <cairo.h>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <atomic>
+#include <cctype>
+#include <cerrno>
+#include <cstdio>
+#include <exception>
+#include <filesystem>
 #include <new>
+#include <ostream>
+#include <system_error>
 
-#include "base/error.hpp"
-#include "render/steady.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/document.hpp"
+#include "render/render.hpp"
+
+// From a Cairo surface to the bytes of a file: the same bytes whenever they are made, and a file that appears whole or not at all.
+//
+// A document is a Cairo surface of one format whose bytes go through a chain of Outputs. Three things would make equal pictures
+// unequal files. A PDF has a date, which Cairo leaves out when it is told an empty one. PostScript has a comment with the
+// date: UndatedOutput holds the header back until its end and takes that line out. SVG numbers surfaces and images by counters
+// of the process: RenumberedOutput finds those names, which open with a quotation mark (a reference with that and #), and numbers
+// them from 1 in order of appearance; everything else passes through without being looked at.
+//
+// A file is written beside its place under a name of this process and of a counter, so that threads do not meet, and renamed
+// at `commit`: until then a file of that name is as it was, and an error or a stop leaves nothing behind. A pipe or a device is
+// written directly, and a symbolic link is followed, so that the link stays a link.
+//
+// Subtle: Cairo calls back to write, and an exception must not pass through C code. The sink keeps the exception, answers
+// with an error of Cairo's own, and `finish` throws it. A document that is abandoned is wiped before it is destroyed: Cairo would
+// otherwise work out everything that was drawn on it.
 
 namespace algae {
+
 namespace {
+
+constexpr std::size_t buffer_size = std::size_t{1} << 16;
+
+/// Names of temporary files differ between processes and, by the counter, between threads.
+std::string temporary_name(const std::string& target) {
+    static std::atomic<unsigned> counter{0};
+    return target + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
+}
+
+constexpr std::string_view date_line = "%%CreationDate:";
+constexpr std::string_view end_of_header = "%%EndComments";
+constexpr std::size_t longest_reference = 64;
+constexpr std::size_t passed_on_at_once = std::size_t{1} << 16;
+
+bool is_digit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
 
 [[noreturn]] void fail(cairo_status_t status) {
     if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
@@ -19,6 +62,182 @@ namespace {
 }
 
 }  // namespace
+
+FileOutput::FileOutput(const std::string& path) : path_(path), target_(path) {
+    namespace files = std::filesystem;
+    std::error_code ignored;
+    if (path.empty()) throw Error("cannot write a file without a name");
+    if (files::is_symlink(path, ignored)) {
+        const files::path leads_to = files::weakly_canonical(path, ignored);
+        if (!ignored) target_ = leads_to.string();
+    }
+    const files::file_status status = files::status(target_, ignored);
+    if (files::is_directory(status)) fail(EISDIR);
+    if (files::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(errno);
+
+    const bool direct = files::exists(status) && !files::is_regular_file(status);
+    if (!direct) temporary_ = temporary_name(target_);
+    const int flags = O_WRONLY | O_CLOEXEC | (direct ? 0 : O_CREAT | O_EXCL);
+    descriptor_ = ::open(direct ? target_.c_str() : temporary_.c_str(), flags, 0666);
+    if (descriptor_ < 0) {
+        const int reason = errno;
+        temporary_.clear();
+        fail(reason);
+    }
+    struct stat old;
+    if (!direct && ::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 07777);
+    buffer_.reserve(buffer_size);
+}
+
+FileOutput::~FileOutput() {
+    if (descriptor_ >= 0) ::close(descriptor_);
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void FileOutput::fail(int reason) const {
+    throw Error("cannot write " + path_ + ": " + std::generic_category().message(reason));
+}
+
+void FileOutput::flush() {
+    std::size_t written = 0;
+    while (written < buffer_.size()) {
+        const ssize_t count =
+            ::write(descriptor_, buffer_.data() + written, buffer_.size() - written);
+        if (count < 0 && errno == EINTR) continue;
+        if (count < 0) fail(errno);
+        written += static_cast<std::size_t>(count);
+    }
+    buffer_.clear();
+}
+
+void FileOutput::write(const char* bytes, std::size_t count) {
+    buffer_.append(bytes, count);
+    if (buffer_.size() >= buffer_size) flush();
+}
+
+void FileOutput::commit() {
+    flush();
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (::close(descriptor) != 0) fail(errno);
+    if (temporary_.empty()) return;
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+}
+
+void StreamOutput::write(const char* bytes, std::size_t count) {
+    errno = 0;
+    stream_.write(bytes, static_cast<std::streamsize>(count));
+    check();
+}
+
+void StreamOutput::finish() {
+    errno = 0;
+    stream_.flush();
+    check();
+}
+
+void StreamOutput::check() const {
+    const int reason = errno;
+    if (stream_.good()) return;
+    throw Error("cannot write the picture" +
+                (reason ? ": " + std::generic_category().message(reason) : std::string()));
+}
+
+std::string ending_of(std::string_view path) {
+    const std::size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
+    std::string ending;
+    if (dot != std::string_view::npos && (slash == std::string_view::npos || dot > slash))
+        ending = path.substr(dot + 1);
+    for (char& letter : ending)
+        if (letter >= 'A' && letter <= 'Z') letter = static_cast<char>(letter - 'A' + 'a');
+    return ending;
+}
+
+std::optional<Colour> background_of(const std::optional<std::string>& wanted,
+                                    PictureFormat format) {
+    if (!wanted)
+        return format == PictureFormat::png ? std::optional(Colour{1, 1, 1}) : std::nullopt;
+    if (*wanted == "transparent") return std::nullopt;
+    return colour_named(*wanted);
+}
+
+void write_to(const std::string& path, const std::function<void(Output&)>& write) {
+    FileOutput file(path);
+    write(file);
+    file.commit();
+}
+
+void write_to(std::ostream& stream, const std::function<void(Output&)>& write) {
+    StreamOutput output(stream);
+    write(output);
+    output.finish();
+}
+
+void UndatedOutput::write(const char* bytes, std::size_t count) {
+    if (!in_header_) return next_.write(bytes, count);
+    header_.append(bytes, count);
+    if (header_.find(end_of_header) != std::string::npos) finish();
+}
+
+void UndatedOutput::finish() {
+    if (!in_header_) return;
+    in_header_ = false;
+    const std::size_t start = header_.find(date_line);
+    if (start != std::string::npos) {
+        const std::size_t end = header_.find('\n', start);
+        header_.erase(start, end == std::string::npos ? end : end + 1 - start);
+    }
+    next_.write(header_.data(), header_.size());
+    header_.clear();
+}
+
+void RenumberedOutput::write(const char* bytes, std::size_t count) {
+    held_.append(bytes, count);
+    if (held_.size() >= passed_on_at_once) pass_on(false);
+}
+
+void RenumberedOutput::finish() { pass_on(true); }
+
+void RenumberedOutput::pass_on(bool at_end) {
+    // A name opens with a quotation mark, a reference with that and #; then comes "surface" or
+    // "image" and its number. All else, which is nearly everything, is passed over quickly.
+    const std::size_t end = held_.size();
+    std::size_t done = 0, from = 0;
+    const auto hold_back = [&](std::size_t place) {
+        next_.write(held_.data() + done, place - done);
+        held_.erase(0, place);
+    };
+    for (;;) {
+        const std::size_t mark = held_.find('"', from);
+        if (mark == std::string::npos) break;
+        if (!at_end && mark + longest_reference > end) return hold_back(mark);
+        from = mark + 1;
+        if (from < end && held_[from] == '#') ++from;
+        std::size_t digits = from;
+        for (const std::string_view kind : {"surface", "image"})
+            if (std::string_view(held_).substr(from).starts_with(kind)) digits = from + kind.size();
+        std::size_t after = digits;
+        while (digits != from && after < end && is_digit(held_[after])) ++after;
+        if (after == digits) continue;
+        const std::string number = held_.substr(digits, after - digits);
+        const auto [known, added] = numbers_.try_emplace(number, numbers_.size() + 1);
+        const std::string renumbered = std::to_string(known->second);
+        next_.write(held_.data() + done, digits - done);
+        next_.write(renumbered.data(), renumbered.size());
+        done = from = after;
+    }
+    hold_back(end);
+}
+
+void CairoRelease::operator()(cairo_t* context) const { cairo_destroy(context); }
+void CairoRelease::operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
+
+OwnedSurface blank_image(double width, double height, bool opaque) {
+    return OwnedSurface(
+        cairo_image_surface_create(opaque ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
+                                   static_cast<int>(width), static_cast<int>(height)));
+}
 
 /// What Cairo's write function is given. An exception must not pass through Cairo, so it waits.
 struct Document::Sink {
@@ -139,6 +358,23 @@ void check_cairo(cairo_t* context) {
     cairo_status_t status = cairo_status(context);
     if (status == CAIRO_STATUS_SUCCESS) status = cairo_surface_status(cairo_get_target(context));
     if (status != CAIRO_STATUS_SUCCESS) fail(status);
+}
+
+std::string escaped_markup(std::string_view text) {
+    std::string out;
+    for (const char c : text) {
+        if (c == '"')
+            out += "&quot;";
+        else if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else
+            out += c;
+    }
+    return out;
 }
 
 }  // namespace algae

@@ -1,30 +1,283 @@
-#include "render/graph.hpp"
-
 #include <cairo.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numbers>
 #include <ostream>
 
-#include "base/error.hpp"
-#include "render/document.hpp"
-#include "render/graph_page.hpp"
-#include "render/output.hpp"
-#include "render/tree_layout.hpp"
-#include "system/colour.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/document.hpp"
+#include "render/detail/graph.hpp"
+#include "render/render.hpp"
+#include "system/system.hpp"
+
+// A placed graph as a page that Cairo draws: labels of rows at the left, frames, edges, nodes, and keys and caption underneath.
+//
+// Texts are measured on a recording surface, which has no pixels, so that widths and with them the whole layout are the same
+// for all formats. A subscript is a smaller text lowered beside its letter. The page is drawn in points from the
+// upper left corner and scaled as a whole: to the width or height asked for, otherwise two pixels for a point in png, and smaller
+// where the page would go beyond the largest size of the format (20,000 pixels, or 14,400 points, ISO 32000).
+//
+// The order of drawing says what covers what: guides of rows, frames, edges, nodes. Labels of straight edges stand on a
+// patch of paper that covers the edge.
 
 namespace algae {
 
 namespace {
 
-constexpr double pixels_of_a_point = 2;    // in png
-constexpr double largest_png = 20'000;     // pixels a side
-constexpr double largest_vector = 14'400;  // points a side: what PDF readers take (ISO 32000)
+constexpr double subscript_size = 0.72;    // of the size of the text
+constexpr double subscript_lowered = 0.2;  // of the size of the text
+constexpr double capital_height = 0.729;   // of DejaVu Sans
 
-double largest(PictureFormat format) {
-    return format == PictureFormat::png ? largest_png : largest_vector;
+void choose_font(cairo_t* context, const GraphFont& font, double factor = 1) {
+    cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
+                           font.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context, font.size * factor);
 }
+
+double advance(cairo_t* context, const std::string& text) {
+    cairo_text_extents_t extents{};
+    cairo_text_extents(context, text.c_str(), &extents);
+    return extents.x_advance;
+}
+
+double text_width(cairo_t* context, const std::string& text, const std::string& subscript,
+                  const GraphFont& font) {
+    choose_font(context, font);
+    double width = advance(context, text);
+    if (!subscript.empty()) {
+        choose_font(context, font, subscript_size);
+        width += advance(context, subscript);
+    }
+    return width;
+}
+
+}  // namespace
+
+double text_width(const std::string& text, const std::string& subscript, const GraphFont& font) {
+    const OwnedSurface nothing(cairo_recording_surface_create(CAIRO_CONTENT_COLOR_ALPHA, nullptr));
+    const OwnedContext context(cairo_create(nothing.get()));
+    const double width = text_width(context.get(), text, subscript, font);
+    check_cairo(context.get());
+    return width;
+}
+
+void write_text(cairo_t* context, const std::string& text, const std::string& subscript,
+                const GraphFont& font, double x, double y, double share) {
+    const double width = text_width(context, text, subscript, font);
+    const double baseline = y + font.size * capital_height / 2;
+    choose_font(context, font);
+    cairo_move_to(context, x - share * width, baseline);
+    cairo_show_text(context, text.c_str());
+    if (!subscript.empty()) {
+        const double middle = x - share * width + advance(context, text);
+        choose_font(context, font, subscript_size);
+        cairo_move_to(context, middle, baseline + subscript_lowered * font.size);
+        cairo_show_text(context, subscript.c_str());
+    }
+    cairo_new_path(context);
+}
+
+namespace {
+
+constexpr double margin = 12;
+constexpr double line_below = 18;  // height of keys, and of the caption
+constexpr double swatch = 9;
+constexpr double key_gap = 16;  // between two keys
+constexpr double thin = 0.7, thick = 0.9;
+constexpr double arrow_half = 2.6;
+constexpr GraphFont small_font{graph_small_letters, false};
+
+const Colour ink{0.1, 0.1, 0.12}, line_ink{0.38, 0.40, 0.44}, faint_ink{0.45, 0.47, 0.5};
+const Colour guide{0.91, 0.92, 0.93}, paper{1, 1, 1};
+
+void set(cairo_t* context, const Colour& colour) {
+    cairo_set_source_rgb(context, colour.red, colour.green, colour.blue);
+}
+
+Colour darker(const Colour& colour, double share) {
+    return {colour.red * share, colour.green * share, colour.blue * share};
+}
+
+void rounded_box(cairo_t* context, double left, double top, double right, double bottom,
+                 double radius) {
+    constexpr double quarter = std::numbers::pi / 2;
+    cairo_new_sub_path(context);
+    cairo_arc(context, right - radius, top + radius, radius, -quarter, 0);
+    cairo_arc(context, right - radius, bottom - radius, radius, 0, quarter);
+    cairo_arc(context, left + radius, bottom - radius, radius, quarter, 2 * quarter);
+    cairo_arc(context, left + radius, top + radius, radius, 2 * quarter, 3 * quarter);
+    cairo_close_path(context);
+}
+
+void arrow_head(cairo_t* context, const Point& from, const Point& to) {
+    const double x = to.x - from.x, y = to.y - from.y, size = std::hypot(x, y);
+    if (size == 0) return;
+    const double across_x = -y / size * arrow_half, across_y = x / size * arrow_half;
+    cairo_move_to(context, to.x, to.y);
+    cairo_line_to(context, from.x + across_x, from.y + across_y);
+    cairo_line_to(context, from.x - across_x, from.y - across_y);
+    cairo_close_path(context);
+    cairo_fill(context);
+}
+
+double key_width(const Graph::Key& key) {
+    return swatch + 5 + text_width(key.text, "", small_font);
+}
+
+/// A placed graph as a page: margins, labels of rows at the left, keys and caption underneath.
+class GraphPage {
+public:
+    GraphPage(const Graph& graph, const GraphLayout& layout) : graph_(graph), layout_(layout) {
+        double labels = 0;
+        for (const std::string& label : graph.row_labels)
+            labels = std::max(labels, text_width(label, "", small_font));
+        const double beside = labels > 0 ? labels + 14 : 0;
+        for (const Graph::Key& key : graph.keys)
+            keys_width_ += key_width(key) + (keys_width_ > 0 ? key_gap : 0);
+        const double below = std::max(keys_width_, text_width(graph.caption, "", small_font));
+        const double content = std::max(beside + layout.width, below);
+        left_ = margin + beside + (content - beside - layout.width) / 2;
+        width_ = content + 2 * margin;
+        height_ = layout.height + 2 * margin + (graph.keys.empty() ? 0 : line_below) +
+                  (graph.caption.empty() ? 0 : line_below);
+    }
+
+    /// In points.
+    double width() const { return width_; }
+    double height() const { return height_; }
+    void draw(cairo_t* context) const {
+        cairo_save(context);
+        cairo_translate(context, left_, margin);
+        draw_rows(context);
+        draw_groups(context);
+        draw_edges(context);
+        draw_nodes(context);
+        cairo_restore(context);
+        draw_below(context);
+    }
+
+private:
+    void draw_rows(cairo_t* context) const {
+        for (std::size_t i = 0; i < graph_.row_labels.size() && i < graph_.rows.size(); ++i) {
+            if (graph_.rows[i].empty() || graph_.row_labels[i].empty()) continue;
+            const double y = layout_.nodes[graph_.rows[i].front()].y;
+            set(context, guide);
+            cairo_set_line_width(context, thin);
+            cairo_move_to(context, -8, y);
+            cairo_line_to(context, layout_.width, y);
+            cairo_stroke(context);
+            set(context, faint_ink);
+            write_text(context, graph_.row_labels[i], "", small_font, -12, y, 1);
+        }
+    }
+    void draw_groups(cairo_t* context) const {
+        for (std::size_t i = 0; i < graph_.groups.size(); ++i) {
+            const GraphLayout::Frame& frame = layout_.groups[i];
+            rounded_box(context, frame.left, frame.top, frame.right, frame.bottom, 8);
+            set(context, graph_.groups[i].fill);
+            cairo_fill_preserve(context);
+            set(context, darker(graph_.groups[i].fill, 0.75));
+            cairo_set_line_width(context, thin);
+            cairo_stroke(context);
+            set(context, ink);
+            write_text(context, graph_.groups[i].label, "", small_font, frame.label.x,
+                       frame.label.y);
+        }
+    }
+    void draw_edges(cairo_t* context) const {
+        constexpr double dashes[] = {3, 2.5};
+        for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
+            const Graph::Edge& edge = graph_.edges[i];
+            const GraphLayout::Line& line = layout_.edges[i];
+            set(context, line_ink);
+            cairo_set_line_width(context, thick);
+            if (!line.points.empty()) cairo_move_to(context, line.points[0].x, line.points[0].y);
+            for (std::size_t k = 1; k + 2 < line.points.size(); k += 3)
+                cairo_curve_to(context, line.points[k].x, line.points[k].y, line.points[k + 1].x,
+                               line.points[k + 1].y, line.points[k + 2].x, line.points[k + 2].y);
+            if (edge.dashed) cairo_set_dash(context, dashes, 2, 0);
+            cairo_stroke(context);
+            cairo_set_dash(context, nullptr, 0, 0);
+            if (line.tip) arrow_head(context, line.points.back(), *line.tip);
+            if (edge.label.empty()) continue;
+            if (graph_.straight) {
+                const double half = text_width(edge.label, "", small_font) / 2 + 1.5;
+                set(context, paper);
+                rounded_box(context, line.label.x - half, line.label.y - 6, line.label.x + half,
+                            line.label.y + 6, 5);
+                cairo_fill(context);
+            }
+            set(context, ink);
+            write_text(context, edge.label, "", small_font, line.label.x, line.label.y);
+        }
+    }
+    void draw_nodes(cairo_t* context) const {
+        using enum Graph::Node::Shape;
+        for (std::size_t i = 0; i < graph_.nodes.size(); ++i) {
+            const Graph::Node& node = graph_.nodes[i];
+            if (node.shape == start) continue;
+            const Point middle = layout_.nodes[i], size = node_size(node);
+            const double left = middle.x - size.x / 2, right = middle.x + size.x / 2;
+            const double top = middle.y - size.y / 2, bottom = middle.y + size.y / 2;
+            const Colour fill = node.fill.value_or(paper);
+            if (node.shape == triangle) {
+                cairo_move_to(context, middle.x, top);
+                cairo_line_to(context, right, bottom);
+                cairo_line_to(context, left, bottom);
+                cairo_close_path(context);
+            } else {
+                const double inset = node.shape == bare ? 2 : 0;
+                rounded_box(context, left + inset, top + inset, right - inset, bottom - inset,
+                            node.shape == box ? 5 : size.y / 2 - inset);
+            }
+            set(context, fill);
+            if (node.shape == bare) {
+                cairo_fill(context);
+            } else {
+                cairo_fill_preserve(context);
+                set(context, node.fill ? darker(fill, 0.62) : line_ink);
+                cairo_set_line_width(context, node.bold ? 1.6 : thick);
+                cairo_stroke(context);
+            }
+            set(context, ink);
+            const bool low = node.shape == triangle;
+            write_text(context, node.label, node.subscript,
+                       {low ? graph_small_letters : graph_letters, node.bold}, middle.x,
+                       low ? bottom - 7 : middle.y);
+        }
+    }
+    void draw_below(cairo_t* context) const {
+        double y = margin + layout_.height + line_below;
+        if (!graph_.keys.empty()) {
+            double x = (width_ - keys_width_) / 2;
+            for (const Graph::Key& key : graph_.keys) {
+                rounded_box(context, x, y - swatch / 2, x + swatch, y + swatch / 2, 2);
+                set(context, key.fill);
+                cairo_fill_preserve(context);
+                set(context, darker(key.fill, 0.62));
+                cairo_set_line_width(context, thin);
+                cairo_stroke(context);
+                set(context, ink);
+                write_text(context, key.text, "", small_font, x + swatch + 5, y, 0);
+                x += key_width(key) + key_gap;
+            }
+            y += line_below;
+        }
+        set(context, ink);
+        if (!graph_.caption.empty())
+            write_text(context, graph_.caption, "", small_font, width_ / 2, y);
+    }
+
+    const Graph& graph_;
+    const GraphLayout& layout_;
+    double left_ = 0;  // of the graph
+    double keys_width_ = 0;
+    double width_ = 0, height_ = 0;
+};
+
+constexpr double pixels_of_a_point = 2;  // in png
 
 void check_side(const char* what, const std::optional<double>& side, PictureFormat format) {
     if (!side || (*side >= 10 && *side <= largest(format))) return;
@@ -34,15 +287,6 @@ void check_side(const char* what, const std::optional<double>& side, PictureForm
                 std::to_string(static_cast<long>(largest(format))) +
                 (format == PictureFormat::png ? " pixels" : " points") + " in " +
                 format_name(format) + ", not " + value);
-}
-
-std::optional<Colour> background_of(const GraphOptions& options, PictureFormat format) {
-    if (options.background) {
-        if (*options.background == "transparent") return std::nullopt;
-        return colour_named(*options.background);
-    }
-    if (format == PictureFormat::png) return Colour{1, 1, 1};
-    return std::nullopt;
 }
 
 /// From points of the page to units of the picture.
@@ -56,7 +300,7 @@ double scale_of(const GraphPage& page, PictureFormat format, const GraphOptions&
 
 GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format,
                 const GraphOptions& options, const Budget& budget) {
-    const std::optional<Colour> background = background_of(options, format);
+    const std::optional<Colour> background = background_of(options.background, format);
     const GraphLayout layout =
         graph.trees ? tree_layout(graph, budget) : graph_layout(graph, budget);
     const GraphPage page(graph, layout);
@@ -78,26 +322,27 @@ GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format,
     return drawn;
 }
 
+/// `target`: a path or a stream.
+template <class Target>
+GraphDrawn draw_to(Target& target, const Graph& graph, PictureFormat format,
+                   const GraphOptions& options, const Budget& budget) {
+    check_side("width", options.width, format);
+    check_side("height", options.height, format);
+    GraphDrawn drawn;
+    write_to(target, [&](Output& output) { drawn = draw(graph, output, format, options, budget); });
+    return drawn;
+}
+
 }  // namespace
 
 GraphDrawn draw_graph(const Graph& graph, const std::string& path, PictureFormat format,
                       const GraphOptions& options, const Budget& budget) {
-    check_side("width", options.width, format);
-    check_side("height", options.height, format);
-    FileOutput file(path);
-    const GraphDrawn drawn = draw(graph, file, format, options, budget);
-    file.commit();
-    return drawn;
+    return draw_to(path, graph, format, options, budget);
 }
 
 GraphDrawn draw_graph(const Graph& graph, std::ostream& stream, PictureFormat format,
                       const GraphOptions& options, const Budget& budget) {
-    check_side("width", options.width, format);
-    check_side("height", options.height, format);
-    StreamOutput output(stream);
-    const GraphDrawn drawn = draw(graph, output, format, options, budget);
-    output.finish();
-    return drawn;
+    return draw_to(stream, graph, format, options, budget);
 }
 
 }  // namespace algae

@@ -1,13 +1,18 @@
-#include "render/ink.hpp"
-
 #include <cairo.h>
 
 #include <algorithm>
 #include <cstdint>
 #include <cstring>
-#include <memory>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/document.hpp"
+#include "render/render.hpp"
+
+// The ink of an image: the points whose dimension is measured.
+//
+// A PNG is read by Cairo, whose pixels have their colours multiplied by their opacity already; they are put on a white sheet. How light a
+// pixel is weighs red, green and blue as ITU-R BT.709 does, and a threshold tells ink from paper. An image that is all ink or all
+// paper at its threshold is an error and not a set, because nothing was told apart. Points stand a pixel apart, x to the right and y upward.
 
 namespace algae {
 
@@ -22,10 +27,6 @@ cairo_status_t read_bytes(void* source, unsigned char* to, unsigned int count) {
     rest.remove_prefix(count);
     return CAIRO_STATUS_SUCCESS;
 }
-
-struct Destroyer {
-    void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
-};
 
 /// How light a pixel is on a white sheet, 0 to 1. Its colours are multiplied with its opacity already.
 double lightness(std::uint32_t pixel, bool has_alpha) {
@@ -45,8 +46,7 @@ PointSet ink_of(std::string_view png, const std::string& name, const InkOptions&
         throw Error("the threshold is " + std::to_string(options.threshold) +
                     ", expected 0 (black) to 1 (white)");
     std::string_view rest = png;
-    const std::unique_ptr<cairo_surface_t, Destroyer> image(
-        cairo_image_surface_create_from_png_stream(read_bytes, &rest));
+    const OwnedSurface image(cairo_image_surface_create_from_png_stream(read_bytes, &rest));
     if (const cairo_status_t status = cairo_surface_status(image.get());
         status != CAIRO_STATUS_SUCCESS)
         throw Error(name + ": expected a PNG image: " + cairo_status_to_string(status));

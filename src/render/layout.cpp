@@ -1,10 +1,23 @@
-#include "render/layout.hpp"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
+#include "render/detail/layout.hpp"
+
+// Where things stand in a picture: figures in cells, and labels where they cover little.
+//
+// A layout is rows of cells of one size. With width and height given, the cells share what margins, gaps and captions leave.
+// With one of them, the other is the least that holds every figure; with none, the longer side is that of the wishes. In a row of
+// several cells none is more than twice as high as wide unless the wishes say so, and straight lines, which would ask for the
+// highest or widest cells but fit into any, decide the size only where there is nothing else. A figure stands in the middle of its
+// cell; with a common scale, in the middle of its cell's lower side, so that figures of one row stand on one line.
+//
+// Labels are placed one after the other, each at the middle that costs least of those offered: what it would cover of lines, discs
+// and earlier labels, and what lies outside of the picture, weighted; earlier middles win where costs are alike. This is
+// greedy: a label that is placed stays.
+
 namespace algae {
+
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -75,7 +88,9 @@ std::size_t panel_columns(std::span<const Box> boxes) {
     if (breadth > wide * height) {
         constexpr double steep = 1.3;  // the picture is not much higher than wide
         std::size_t columns = 1;
-        const auto rows_high = [&] { return static_cast<double>((boxes.size() + columns - 1) / columns) * height; };
+        const auto rows_high = [&] {
+            return static_cast<double>((boxes.size() + columns - 1) / columns) * height;
+        };
         while (rows_high() > steep * static_cast<double>(columns) * breadth) ++columns;
         return columns;
     }
@@ -130,7 +145,8 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         place.width = cell.width;
         place.height = cell.height;
         place.left = wishes.margin + column * (cell.width + 2 * wishes.margin + wishes.gap);
-        place.top = wishes.margin + row * (cell.height + wishes.margin + wishes.gap + wishes.caption);
+        place.top =
+            wishes.margin + row * (cell.height + wishes.margin + wishes.gap + wishes.caption);
         place.caption_top = place.top + cell.height;
         const Box& box = boxes[i];
         place.frame = wishes.common_scale && std::isfinite(common)
@@ -163,6 +179,67 @@ std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes
         cell.frame = standing(boxes[i], cell, scale);
     }
     return pages;
+}
+
+namespace {
+
+/// How much of a line lies in the rectangle (Liang and Barsky 1984).
+double length_within(const LabelPlace& label, Point from, Point to) {
+    double enter = 0, leave = 1;
+    const auto clip = [&](double start, double way, double low, double high) {
+        if (std::fabs(way) < 1e-12) {
+            if (start < low || start > high) leave = -1;
+            return;
+        }
+        const double a = (low - start) / way, b = (high - start) / way;
+        enter = std::max(enter, std::min(a, b));
+        leave = std::min(leave, std::max(a, b));
+    };
+    const double dx = to.x - from.x, dy = to.y - from.y;
+    clip(from.x, dx, label.middle.x - label.width / 2, label.middle.x + label.width / 2);
+    clip(from.y, dy, label.middle.y - label.height / 2, label.middle.y + label.height / 2);
+    return leave > enter ? (leave - enter) * std::hypot(dx, dy) : 0;
+}
+
+/// How far two intervals of these middles and lengths overlap.
+double overlap(double a, double length_a, double b, double length_b) {
+    return std::max(0.0, (length_a + length_b) / 2 - std::fabs(a - b));
+}
+
+}  // namespace
+
+double LabelPlaces::cost(const LabelPlace& label) const {
+    constexpr double outside = 50, on_label = 6, on_line = 2, on_disc = 3;  // per unit
+    double sum = 0;
+    const Point& at = label.middle;
+    sum += outside * (std::max(0.0, low_.x - (at.x - label.width / 2)) +
+                      std::max(0.0, at.x + label.width / 2 - high_.x) +
+                      std::max(0.0, low_.y - (at.y - label.height / 2)) +
+                      std::max(0.0, at.y + label.height / 2 - high_.y));
+    for (const LabelPlace& other : labels_)
+        sum += on_label * overlap(at.x, label.width + 2, other.middle.x, other.width) *
+               overlap(at.y, label.height + 2, other.middle.y, other.height);
+    for (const auto& [from, to] : lines_) sum += on_line * length_within(label, from, to);
+    for (const auto& [middle, radius] : discs_)
+        sum += on_disc * overlap(at.x, label.width, middle.x, 2 * radius) *
+               overlap(at.y, label.height, middle.y, 2 * radius);
+    return sum;
+}
+
+LabelPlace LabelPlaces::place(const std::vector<Point>& middles, double width, double height) {
+    LabelPlace best{middles.front(), width, height};
+    double least = std::numeric_limits<double>::infinity();
+    double preference = 0;
+    for (const Point& middle : middles) {
+        const LabelPlace label{middle, width, height};
+        const double here = cost(label) + preference;
+        preference += 0.5;
+        if (here >= least) continue;
+        least = here;
+        best = label;
+    }
+    labels_.push_back(best);
+    return best;
 }
 
 }  // namespace algae

@@ -1,4 +1,4 @@
-#include "render/mask.hpp"
+#include "render/detail/mask.hpp"
 
 #include <algorithm>
 #include <bit>
@@ -6,7 +6,19 @@
 #include <limits>
 #include <utility>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
+
+// A bitmap for figures that are finer than the pixels of their picture: what a word of any length costs is then its pixels.
+//
+// Each pixel has `cells` by `cells` bits. A line marks the cells along it (a digital line); parts outside are clipped
+// (Liang and Barsky 1984). In the usual case, the next point is in the same cell or in one of its neighbours, and one comparison of
+// unsigned differences decides it, inline. Nothing is as thick as a stroke yet: marks are widened all at once when the bitmap is
+// taken, a row of bits at a time, by the runs of a disc. Narrow runs come first, so that one row of bits is widened
+// step by step, 64 cells with each operation. A ring of as many rows as the disc has is enough. The coverage of a pixel is then the count
+// of its bits. Polygons are filled into a bitmap of their own by the nonzero rule, because they are not thickened.
+//
+// Subtle: a disc of an even number of rows stands around a corner of cells, one of an odd number around the middle of a cell. Only
+// the diameter is rounded, so that thin lines are true on average, and marks of even discs are offset by half a cell.
 
 namespace algae {
 namespace {

@@ -1,8 +1,11 @@
-#include "render/picture_page.hpp"
-
 #include <fmt/format.h>
 
-#include "render/markup.hpp"
+#include "render/detail/document.hpp"
+#include "render/render.hpp"
+
+// A page of pictures as HTML, as `algae figures` makes one of a gallery. It needs nothing but the pictures beside it: the style stands
+// in the page, and there is no script. All text of files is escaped; in links, what browsers would take for something else is
+// encoded first. Groups stand in their order, under the headings that the links at the top lead to.
 
 namespace algae {
 

@@ -1,12 +1,26 @@
-#include "render/scene_graph.hpp"
-
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "space/limbs.hpp"
+#include "render/detail/scene_graph.hpp"
+#include "turtle/turtle.hpp"
+
+// A scene as VRML and X3D describe one: solids that stay solids, surfaces, lines, viewpoints and a light.
+//
+// Solids are nodes of their own kind, and so are rods that stand alone and end flat: cylinders. Above 20,000 such bodies all rods
+// are surfaces. The other rods are tubes, and together with the polygons they are one surface for each colour, closed parts apart
+// from sheets, which are seen from both sides; a point where the paint changes is in two of them. Strokes without thickness are
+// polylines, one set for each colour.
+//
+// Each node has its absolute place; no transformation is inherited. A rotation is an axis and an angle, taken from the quaternion
+// of the three axes by the largest of its parts (Shepperd 1978).
+//
+// A figure that leaves the plane z = 0 stands upright in these formats, whose y is up: (x, y, z) becomes (x, z, -y). The first
+// viewpoint is then the camera, and front, side and above follow; a figure of the plane is looked at from straight in front, from
+// the left and from the right. A viewpoint is so far away that the whole box is seen, and the light comes over the left shoulder
+// of the first.
 
 namespace algae {
 
@@ -17,9 +31,9 @@ constexpr std::size_t most_bodies = 20'000;
 
 Vector unit(const Vector& v) { return (1 / length(v)) * v; }
 
-class Graph {
+class SceneBuilder {
 public:
-    Graph(const Scene& scene, const MeshOptions& options, const Budget& budget)
+    SceneBuilder(const Scene& scene, const MeshOptions& options, const Budget& budget)
         : scene_(scene), options_(options), budget_(budget), upright_(is_in_space(box_of(scene))) {}
 
     SceneGraph built(const Camera& camera) {
@@ -249,7 +263,7 @@ AxisTurn turn_to(const Vector& x, const Vector& y, const Vector& z) {
 
 SceneGraph scene_graph(const Scene& scene, const MeshOptions& options, const Camera& camera,
                        const Budget& budget) {
-    return Graph(scene, options, budget).built(camera);
+    return SceneBuilder(scene, options, budget).built(camera);
 }
 
 }  // namespace algae

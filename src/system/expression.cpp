@@ -1,14 +1,99 @@
-#include "system/expression.hpp"
-
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <optional>
+#include <string>
 #include <utility>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "system/system.hpp"
+
+// Expressions: their values, as exact as they can be, and their text.
+//
+// A value is a rational wherever the expression allows it, and a double beside it in any case. A chain of + - * / and integral powers
+// keeps the rational; a function gives one only where it must be one (the sine of 30 degrees, the root of a square).
+// Rationals that grow beyond a fixed size are dropped and the double stays, so that no expression takes unbounded
+// time. Errors carry the place of the part that has no value, because expressions are written by people in files.
+// The text of an expression has as few brackets as reading it back allows: an operand is bracketed exactly where its
+// operator binds less tightly than its surroundings.
+
+// What the evaluation of expressions shares among its .cpp files.
 
 namespace algae {
+
+/// A value on its way: exact as long as that is possible.
+struct Value {
+    std::optional<Rational> exact;
+    double rounded = 0;
+};
+
+/// Values with more bits than this, numerator and denominator together, go on as doubles.
+inline constexpr std::uint64_t longest_exact = 100'000;
+
+/// The value of a call with these arguments.
+Value call(const Expression& at, const std::vector<Value>& values);
+
+std::uint64_t bits(const Rational& value) {
+    return bit_length(value.numerator()) + bit_length(value.denominator());
+}
+
+/// Throws `Diagnostics` with this message at the place of an expression.
+[[noreturn]] void fail(const Expression& at, std::string message) {
+    throw Diagnostics({Diagnostic{at.place, std::move(message), {}, 0}});
+}
+
+/// The text of an expression, cut if it is long.
+std::string shown(const Expression& expression) {
+    constexpr std::size_t longest = 60;
+    std::string text = to_text(expression);
+    if (text.size() <= longest) return text;
+    std::size_t length = longest;
+    while ((static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
+    return text.substr(0, length) + "...";
+}
+
+/// The value, if it is finite; otherwise fails at the expression.
+Value finite(Value value, const Expression& at) {
+    if (!std::isfinite(value.rounded)) fail(at, "the value of '" + shown(at) + "' is too large");
+    return value;
+}
+
+Value exactly(const Rational& value, const Expression& at) {
+    Value out{value, value.to_double()};
+    if (bits(value) > longest_exact) out.exact.reset();
+    return finite(std::move(out), at);
+}
+
+Value truth(bool value) { return {Rational(value ? 1 : 0), value ? 1.0 : 0.0}; }
+
+bool is_zero(const Value& value) {
+    return value.exact ? value.exact->is_zero() : value.rounded == 0;
+}
+
+/// -1, 0 or 1; exact if both are.
+int compare(const Value& left, const Value& right) {
+    if (left.exact && right.exact)
+        return *left.exact < *right.exact ? -1 : *right.exact < *left.exact;
+    return left.rounded < right.rounded ? -1 : left.rounded > right.rounded;
+}
 
 namespace {
 
 /// How tightly an operator binds; a number, a name or a call binds tightest.
-enum Binding { loosest, disjunction, conjunction, relation, sum, product, prefix, power, tightest };
+enum Binding {
+    loosest,
+    disjunction,
+    conjunction,
+    relation,
+    sum,
+    product,
+    prefix,
+    raising,
+    tightest
+};
 
 Binding binding(const Expression& expression) {
     switch (expression.kind) {
@@ -27,7 +112,7 @@ Binding binding(const Expression& expression) {
     if (name == "&") return conjunction;
     if (name == "+" || name == "-") return sum;
     if (name == "*" || name == "/") return product;
-    return name == "^" ? power : relation;
+    return name == "^" ? raising : relation;
 }
 
 void print(const Expression& expression, Binding least, std::string& out);
@@ -36,8 +121,8 @@ void print_binary(const Expression& expression, std::string& out) {
     const Binding own = binding(expression);
     const auto tighter = static_cast<Binding>(own + 1);
     // A relation does not chain, ^ groups to the right and takes a sign there, all others group left.
-    const Binding left = own == power || own == relation ? tighter : own;
-    const Binding right = own == power ? prefix : tighter;
+    const Binding left = own == raising || own == relation ? tighter : own;
+    const Binding right = own == raising ? prefix : tighter;
     print(expression.operands.at(0), left, out);
     out += own <= relation ? ' ' + expression.name + ' ' : expression.name;
     print(expression.operands.at(1), right, out);
@@ -139,6 +224,208 @@ std::string to_text(const Expression& expression) {
     std::string out;
     print(expression, loosest, out);
     return out;
+}
+
+namespace {
+
+/// The root of a square, by Newton's method from above; nothing of any other number.
+std::optional<Integer> whole_root(const Integer& square) {
+    if (square <= 1) return square;
+    Integer root = power(Integer(2), (bit_length(square) + 1) / 2);
+    while (true) {
+        const Integer better = floor_divide(root + floor_divide(square, root), 2);
+        if (better >= root) break;
+        root = better;
+    }
+    if (root * root != square) return std::nullopt;
+    return root;
+}
+
+Value square_root(const Value& value, const Expression& at) {
+    if (value.rounded < 0) fail(at, "the square root of a negative number in '" + shown(at) + "'");
+    if (value.exact) {
+        const auto numerator = whole_root(value.exact->numerator());
+        const auto denominator = numerator ? whole_root(value.exact->denominator()) : std::nullopt;
+        if (denominator) return exactly(Rational(*numerator, *denominator), at);
+    }
+    return {std::nullopt, std::sqrt(value.rounded)};
+}
+
+/// The angle in degrees, from 0 up to a full turn.
+Value reduced(const Value& degrees) {
+    if (!degrees.exact) return {std::nullopt, std::fmod(degrees.rounded, 360.0)};
+    const Rational turned = *degrees.exact - Rational(floor(*degrees.exact / 360)) * 360;
+    return {turned, turned.to_double()};
+}
+
+Value sine(const Value& degrees) {
+    const Value angle = reduced(degrees);
+    if (angle.exact) {
+        constexpr std::array<std::pair<int, int>, 8> halves{
+            // the angles whose sine is rational
+            {{0, 0}, {30, 1}, {90, 2}, {150, 1}, {180, 0}, {210, -1}, {270, -2}, {330, -1}}};
+        for (const auto& [whole, half] : halves)
+            if (*angle.exact == Rational(whole)) return {Rational(half, 2), half / 2.0};
+    }
+    return {std::nullopt, std::sin(angle.rounded * std::numbers::pi / 180)};
+}
+
+Value cosine(const Value& degrees) {
+    Value shifted{std::nullopt, degrees.rounded + 90};
+    if (degrees.exact) shifted = {*degrees.exact + 90, 0};
+    const Value out = sine(shifted);
+    if (out.exact) return out;
+    return {std::nullopt, std::cos(reduced(degrees).rounded * std::numbers::pi / 180)};
+}
+
+Value tangent(const Value& degrees, const Expression& at) {
+    const Value angle = reduced(degrees);
+    if (angle.exact) {
+        const Rational half = *angle.exact < 180 ? *angle.exact : *angle.exact - 180;
+        if (half == Rational(90)) fail(at, "'" + shown(at) + "' has no value");
+        if (half.is_zero()) return truth(false);
+        if (half == Rational(45)) return truth(true);
+        if (half == Rational(135)) return {Rational(-1), -1};
+    }
+    return finite({std::nullopt, std::tan(angle.rounded * std::numbers::pi / 180)}, at);
+}
+
+}  // namespace
+
+Value call(const Expression& at, const std::vector<Value>& values) {
+    const std::string& name = at.name;
+    const Value& first = values.at(0);
+    if (name == "min" || name == "max") {
+        const int wanted = name == "min" ? -1 : 1;
+        Value best = first;
+        for (const Value& value : values)
+            if (compare(value, best) == wanted) best = value;
+        return best;
+    }
+    if (name == "abs")
+        return first.exact ? exactly(abs(*first.exact), at)
+                           : Value{std::nullopt, std::abs(first.rounded)};
+    if (name == "floor")
+        return first.exact ? exactly(floor(*first.exact), at)
+                           : Value{std::nullopt, std::floor(first.rounded)};
+    if (name == "ceil")
+        return first.exact ? exactly(ceiling(*first.exact), at)
+                           : Value{std::nullopt, std::ceil(first.rounded)};
+    if (name == "sqrt") return square_root(first, at);
+    if (name == "sin") return sine(first);
+    if (name == "cos") return cosine(first);
+    if (name == "tan") return tangent(first, at);
+    const double x = first.rounded;
+    if (name == "exp") return finite({std::nullopt, std::exp(x)}, at);
+    if (name == "atan") return {std::nullopt, std::atan(x) * 180 / std::numbers::pi};
+    if (name == "log" && x <= 0)
+        fail(at, "the logarithm of a number that is not positive in '" + shown(at) + "'");
+    if (name == "log") return {std::nullopt, std::log(x)};
+    if (std::abs(x) > 1) fail(at, "'" + shown(at) + "' needs a number from -1 to 1");
+    return {std::nullopt, (name == "asin" ? std::asin(x) : std::acos(x)) * 180 / std::numbers::pi};
+}
+
+const std::vector<std::string>& function_names() {
+    static const std::vector<std::string> names{
+        "abs",   "acos",   "asin", "atan", "ceil", "cos", "distance", "exp",
+        "floor", "length", "log",  "max",  "min",  "sin", "sqrt",     "tan"};
+    return names;
+}
+
+std::optional<Arity> function_arity(std::string_view name) {
+    const auto& names = function_names();
+    if (std::find(names.begin(), names.end(), name) == names.end()) return std::nullopt;
+    const bool any = name == "min" || name == "max";
+    return Arity{any || name == "distance" ? std::size_t{2} : std::size_t{1}, any};
+}
+
+namespace {
+
+Value power(const Value& base, const Value& exponent, const Expression& at) {
+    if (is_zero(base) && exponent.rounded < 0)
+        fail(at, "a negative power of 0 in '" + shown(at) + "'");
+    if (base.exact && exponent.exact && exponent.exact->is_integer()) {
+        if (abs(*base.exact) == 1 || base.exact->is_zero()) {
+            const bool even = exponent.exact->numerator().is_even();
+            if (exponent.exact->is_zero()) return truth(true);
+            return exactly(even ? abs(*base.exact) : *base.exact, at);
+        }
+        const Integer size = abs(exponent.exact->numerator()) * Integer(bits(*base.exact));
+        if (size <= Integer(longest_exact))
+            return exactly(power(*base.exact, exponent.exact->numerator().to_int64()), at);
+    }
+    const double rounded = std::pow(base.rounded, exponent.rounded);
+    if (std::isnan(rounded))
+        fail(at, "a power of a negative number that is not whole in '" + shown(at) + "'");
+    return finite({std::nullopt, rounded}, at);
+}
+
+Value binary(const Expression& at, const Value& left, const Value& right) {
+    const std::string& name = at.name;
+    const bool exact = left.exact && right.exact;
+    if (name == "|") return truth(!is_zero(left) || !is_zero(right));
+    if (name == "&") return truth(!is_zero(left) && !is_zero(right));
+    if (name == "=") return truth(compare(left, right) == 0);
+    if (name == "!=") return truth(compare(left, right) != 0);
+    if (name == "<") return truth(compare(left, right) < 0);
+    if (name == "<=") return truth(compare(left, right) <= 0);
+    if (name == ">") return truth(compare(left, right) > 0);
+    if (name == ">=") return truth(compare(left, right) >= 0);
+    if (name == "^") return power(left, right, at);
+    if (name == "/" && is_zero(right)) fail(at.operands[1], "division by 0 in '" + shown(at) + "'");
+    switch (name[0]) {
+        case '+':
+            if (exact) return exactly(*left.exact + *right.exact, at);
+            return finite({std::nullopt, left.rounded + right.rounded}, at);
+        case '-':
+            if (exact) return exactly(*left.exact - *right.exact, at);
+            return finite({std::nullopt, left.rounded - right.rounded}, at);
+        case '*':
+            if (exact) return exactly(*left.exact * *right.exact, at);
+            return finite({std::nullopt, left.rounded * right.rounded}, at);
+        default:
+            if (exact) return exactly(*left.exact / *right.exact, at);
+            return finite({std::nullopt, left.rounded / right.rounded}, at);
+    }
+}
+
+Value value_of(const Expression& expression, const Names& names) {
+    if (expression.kind == Expression::Kind::number)
+        return finite({expression.value, expression.value.to_double()}, expression);
+    if (expression.kind == Expression::Kind::name) {
+        const Quantity* known = names ? names(expression.name) : nullptr;
+        if (!known)
+            fail(expression, "expected a number or a constant, found '" + expression.name + "'");
+        return {known->exact, known->value};
+    }
+    if (is_distance(expression)) {
+        const Quantity* known = names ? names(to_text(expression)) : nullptr;
+        if (!known)
+            fail(expression, "expected no distance but in the condition of a shape rule, found '" +
+                                 shown(expression) + "'");
+        return {known->exact, known->value};
+    }
+    if (reads_words(expression) &&
+        (expression.kind == Expression::Kind::word || expression.kind == Expression::Kind::call))
+        fail(expression, "expected a number, found " +
+                             std::string(expression.name == "length" ? "" : "the word ") + "'" +
+                             shown(expression) + "'");
+    std::vector<Value> values;
+    for (const Expression& operand : expression.operands)
+        values.push_back(value_of(operand, names));
+    if (expression.kind == Expression::Kind::call) return call(expression, values);
+    if (expression.kind == Expression::Kind::binary)
+        return binary(expression, values.at(0), values.at(1));
+    if (expression.name == "!") return truth(is_zero(values.at(0)));
+    if (values.at(0).exact) return exactly(-*values[0].exact, expression);
+    return {std::nullopt, -values[0].rounded};
+}
+
+}  // namespace
+
+Quantity evaluate(const Expression& expression, const Names& names) {
+    Value value = value_of(expression, names);
+    return {expression, std::move(value.exact), value.rounded};
 }
 
 }  // namespace algae

@@ -1,6 +1,16 @@
-#include "system/lsystem.hpp"
-
 #include <algorithm>
+#include <set>
+#include <tuple>
+
+#include "system/system.hpp"
+#include "word/word.hpp"
+
+// From rules as written to the classes of the theory.
+//
+// An LSystem holds every construct of the notation and interprets none. A theorem holds of a class, so it asks for a
+// view: `as_d0l`, `as_ol`, `as_s0l`, `as_et0l`, `as_il` give the class's own type, or the reason, with its place, why
+// the system is not of it. Letters without a rule stay as they are; views make that rule explicit. Only accessible letters are
+// looked at where a class allows it, since a rule that is never used decides nothing about the language.
 
 namespace algae {
 
@@ -48,6 +58,546 @@ bool LSystem::operator==(const LSystem& other) const {
            ignored == other.ignored && terminals == other.terminals &&
            interpretation == other.interpretation && environments == other.environments &&
            settings == other.settings && expectations == other.expectations;
+}
+
+namespace {
+
+bool has_parameters(const Pattern& pattern) {
+    return std::any_of(pattern.begin(), pattern.end(),
+                       [](const ModulePattern& m) { return !m.parameters.empty(); });
+}
+
+/// The modules of a context; brackets only say where they stand.
+std::size_t context_length(const Pattern& context, const Alphabet& alphabet) {
+    return static_cast<std::size_t>(
+        std::count_if(context.begin(), context.end(), [&](const ModulePattern& module) {
+            const std::string& name = alphabet.name(module.symbol);
+            return name != "[" && name != "]";
+        }));
+}
+
+std::vector<Symbol> symbols(const Pattern& pattern) {
+    std::vector<Symbol> found;
+    for (const ModulePattern& module : pattern) found.push_back(module.symbol);
+    return found;
+}
+
+/// Whether two rules could both apply to a letter. Equal rules written twice are one rule.
+bool has_choice(const LSystem& system) {
+    using Key =
+        std::tuple<std::size_t, Symbol, std::size_t, std::vector<Symbol>, std::vector<Symbol>>;
+    std::set<Key> seen;
+    std::vector<const Production*> unconditional;
+    for (const Production& rule : system.rules)
+        if (!rule.condition && rule.elsewhere.empty()) unconditional.push_back(&rule);
+    // Twice the same rule: sorted by what they rewrite, then compared.
+    std::set<std::pair<Key, Word>> successors;
+    for (const Production* rule : unconditional) {
+        const Key key{rule->table, rule->predecessor.symbol, rule->predecessor.parameters.size(),
+                      symbols(rule->left), symbols(rule->right)};
+        const bool fresh_key = seen.insert(key).second;
+        const bool fresh_rule = successors.insert({key, rule->successor.letters}).second;
+        if (!fresh_key && (fresh_rule || rule->shape || !rule->successor.arguments.empty()))
+            return true;
+    }
+    return false;
+}
+
+}  // namespace
+
+Class class_of(const LSystem& system) {
+    Class kind;
+    kind.tables = system.tables.size();
+    kind.extended = !system.terminals.empty();
+    kind.bracketed = system.alphabet.find("[") && system.alphabet.find("]");
+    kind.parametric = !system.axiom.arguments.empty();
+    kind.deterministic = !has_choice(system);
+    for (Symbol a = 0; a < system.alphabet.size(); ++a) {
+        kind.open = kind.open || is_communication(system.alphabet.name(a));
+    }
+    for (const Production& rule : system.rules) {
+        kind.propagating = kind.propagating && (rule.shape || !rule.successor.letters.empty());
+        kind.stochastic = kind.stochastic || rule.probability;
+        kind.parametric = kind.parametric || rule.condition ||
+                          !rule.predecessor.parameters.empty() ||
+                          !rule.successor.arguments.empty() || has_parameters(rule.left) ||
+                          has_parameters(rule.right);
+        kind.shape = kind.shape || rule.shape;
+        kind.conditional = kind.conditional || !rule.elsewhere.empty();
+        kind.context.first =
+            std::max(kind.context.first, context_length(rule.left, system.alphabet));
+        kind.context.second =
+            std::max(kind.context.second, context_length(rule.right, system.alphabet));
+    }
+    kind.nested = holds_words(system);
+    kind.parametric = kind.parametric || kind.nested;
+    if (kind.stochastic) kind.deterministic = false;
+    return kind;
+}
+
+std::string Class::name() const {
+    std::string name;
+    if (open) name += "open ";
+    if (parametric) name += "parametric ";
+    if (shape) name += "shape ";
+    if (extended) name += 'E';
+    if (propagating) name += 'P';
+    if (deterministic) name += 'D';
+    if (stochastic) name += 'S';
+    if (tables > 0) name += 'T';
+    name += context == std::pair<std::size_t, std::size_t>{0, 0}
+                ? "0L"
+                : '(' + std::to_string(context.first) + ',' + std::to_string(context.second) + ")L";
+    if (conditional) name += " with context conditions";
+    if (nested) name += conditional ? " and systems within" : " with systems within";
+    return name;
+}
+
+namespace {
+
+std::string at(const Place& place) {
+    return place.line == 0 ? std::string("a rule") : "the rule at " + to_string(place);
+}
+
+std::string beyond_ol(const Production& rule, bool probabilities) {
+    if (!rule.left.empty() || !rule.right.empty()) return at(rule.place) + " has a context";
+    if (!rule.elsewhere.empty()) return at(rule.place) + " has a context condition";
+    if (rule.condition) return at(rule.place) + " has a condition";
+    if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty())
+        return at(rule.place) + " has parameters";
+    if (!rule.successor.splices.empty()) return at(rule.place) + " splices a word in";
+    if (rule.shape) return at(rule.place) + " is a shape rule";
+    if (probabilities && rule.probability && *rule.probability != Rational(1))
+        return at(rule.place) + " has a probability";
+    return {};
+}
+
+bool is_balanced(const Word& word, const Brackets& brackets) {
+    std::size_t depth = 0;
+    for (const Symbol a : word) {
+        if (a == brackets.open) ++depth;
+        if (a == brackets.close && depth-- == 0) return false;
+    }
+    return depth == 0;
+}
+
+/// The brackets, if every word of the system is made of matching ones because no rule rewrites
+/// them and every successor matches its own.
+std::optional<Brackets> lasting_brackets(const D0L& system) {
+    const auto brackets = brackets_of(*system.alphabet);
+    if (!brackets || !is_balanced(system.axiom, *brackets)) return std::nullopt;
+    for (const Symbol a : system.letters) {
+        const Word& successor = system.successor(a);
+        if (a == brackets->open || a == brackets->close) {
+            if (successor != Word{a}) return std::nullopt;
+        } else if (!is_balanced(successor, *brackets)) {
+            return std::nullopt;
+        }
+    }
+    return brackets;
+}
+
+}  // namespace
+
+std::string beyond_ol(const LSystem& system, bool probabilities) {
+    if (!system.inner.empty()) return "there are systems within it";
+    if (!system.axiom.arguments.empty()) return "the axiom has parameters";
+    if (!system.axiom.splices.empty()) return "the axiom has a word spliced in";
+    if (!system.tables.empty()) return "it has tables";
+    if (!system.terminals.empty()) return "it has terminals";
+    for (const Production& rule : system.rules)
+        if (std::string reason = beyond_ol(rule, probabilities); !reason.empty()) return reason;
+    for (const Symbol a : system.axiom.letters)
+        if (system.alphabet.name(a).size() > 1 && system.alphabet.name(a)[0] == '?')
+            return "the axiom has a communication module";
+    return {};
+}
+
+View<OL> as_ol(const LSystem& system) {
+    if (std::string reason = beyond_ol(system); !reason.empty())
+        return View<OL>::refused("not an 0L system: " + reason);
+    OL ol;
+    ol.alphabet = std::make_shared<const Alphabet>(system.alphabet);
+    ol.axiom = system.axiom.letters;
+    ol.name = system.name;
+    ol.successors.resize(ol.alphabet->size());
+    for (const Production& rule : system.rules) {
+        auto& choices = ol.successors[rule.predecessor.symbol];
+        if (std::find(choices.begin(), choices.end(), rule.successor.letters) == choices.end())
+            choices.push_back(rule.successor.letters);
+    }
+    for (Symbol a = 0; a < ol.successors.size(); ++a)
+        if (ol.successors[a].empty()) ol.successors[a].push_back(Word{a});
+    ol.letters = accessible(ol.axiom, ol.alphabet->size(), [&](Symbol a, auto see) {
+        for (const Word& successor : ol.successors[a]) see(successor);
+    });
+    return ol;
+}
+
+View<D0L> as_d0l(const LSystem& system) {
+    const View<OL> ol = as_ol(system);
+    if (!ol) return View<D0L>::refused("not a D0L system: " + ol.reason().substr(18));
+    std::vector<Word> images;
+    images.reserve(ol->successors.size());
+    for (Symbol a = 0; a < ol->successors.size(); ++a) {
+        if (ol->successors[a].size() > 1)
+            return View<D0L>::refused("not a D0L system: " + system.alphabet.name(a) + " has " +
+                                      std::to_string(ol->successors[a].size()) + " rules");
+        images.push_back(ol->successors[a].front());
+    }
+    return make_d0l(ol->alphabet, ol->axiom, std::move(images), system.name);
+}
+
+D0L make_d0l(std::shared_ptr<const Alphabet> alphabet, Word axiom, std::vector<Word> images,
+             std::string name) {
+    D0L system{std::move(alphabet), std::move(axiom), {}, {}, std::move(name)};
+    system.rules = Morphism{Words{}, std::move(images)};
+    system.letters = accessible(system.axiom, system.rules.images.size(),
+                                [&](Symbol a, auto see) { see(system.rules.images[a]); });
+    system.rules.brackets = lasting_brackets(system);
+    return system;
+}
+
+D0L d0l(const std::string& axiom, const std::vector<std::pair<char, std::string>>& productions) {
+    Alphabet alphabet;
+    const auto word = [&](const std::string& text) {
+        Word letters;
+        for (const char c : text) letters.push_back(alphabet.symbol(std::string(1, c)));
+        return letters;
+    };
+    Word start = word(axiom);
+    std::vector<std::pair<Symbol, Word>> rules;
+    for (const auto& [a, successor] : productions) {
+        const Symbol predecessor = word(std::string(1, a)).front();
+        rules.emplace_back(predecessor, word(successor));
+    }
+    std::vector<Word> images(alphabet.size());
+    for (Symbol a = 0; a < images.size(); ++a) images[a] = {a};
+    for (auto& [a, successor] : rules) images[a] = std::move(successor);
+    return make_d0l(std::make_shared<const Alphabet>(std::move(alphabet)), std::move(start),
+                    std::move(images));
+}
+
+OL ol(const std::string& axiom, const std::vector<std::pair<char, std::string>>& productions) {
+    LSystem system;
+    const auto word = [&](const std::string& text) {
+        Word letters;
+        for (const char c : text) letters.push_back(system.alphabet.symbol(std::string(1, c)));
+        return letters;
+    };
+    system.axiom.letters = word(axiom);
+    for (const auto& [a, successor] : productions) {
+        Production rule;
+        rule.predecessor.symbol = word(std::string(1, a)).front();
+        rule.successor.letters = word(successor);
+        system.rules.push_back(std::move(rule));
+    }
+    return *as_ol(system);
+}
+
+bool is_propagating(const D0L& system) {
+    return std::none_of(system.letters.begin(), system.letters.end(),
+                        [&](Symbol a) { return system.rules.images[a].empty(); });
+}
+
+bool is_propagating(const OL& system) {
+    return std::none_of(system.letters.begin(), system.letters.end(), [&](Symbol a) {
+        const auto& choices = system.successors[a];
+        return std::any_of(choices.begin(), choices.end(), [](const Word& w) { return w.empty(); });
+    });
+}
+
+View<S0L> as_s0l(const LSystem& system) {
+    const auto refused = [](const std::string& reason) {
+        return View<S0L>::refused("not a stochastic 0L system: " + reason);
+    };
+    if (std::string reason = beyond_ol(system, false); !reason.empty()) return refused(reason);
+    S0L out;
+    out.alphabet = std::make_shared<const Alphabet>(system.alphabet);
+    out.axiom = system.axiom.letters;
+    out.name = system.name;
+    out.alternatives.resize(out.alphabet->size());
+    for (const Production& rule : system.rules) {
+        auto& known = out.alternatives[rule.predecessor.symbol];
+        if (!rule.probability && !known.empty()) {
+            if (known.size() == 1 && known.front().first == rule.successor.letters) continue;
+            return refused(system.alphabet.name(rule.predecessor.symbol) +
+                           " has several rules without probabilities");
+        }
+        known.emplace_back(rule.successor.letters, rule.probability.value_or(Rational(1)));
+    }
+    for (Symbol a = 0; a < out.alternatives.size(); ++a) {
+        auto& known = out.alternatives[a];
+        if (known.empty()) known.emplace_back(Word{a}, Rational(1));
+        Rational sum;
+        for (const auto& [word, probability] : known) sum += probability;
+        if (sum != 1)
+            return refused("the probabilities of " + system.alphabet.name(a) + " add up to " +
+                           to_string(sum) + ", expected 1");
+    }
+    return out;
+}
+
+namespace {
+
+/// Each table gets the identity for letters that have no successor in it.
+void complete(Table& table, std::size_t letters) {
+    table.resize(letters);
+    for (Symbol a = 0; a < letters; ++a)
+        if (table[a].empty()) table[a].push_back(Word{a});
+}
+
+void add_rule(Table& table, Symbol letter, Word successor) {
+    auto& choices = table[letter];
+    if (std::find(choices.begin(), choices.end(), successor) == choices.end())
+        choices.push_back(std::move(successor));
+}
+
+/// Whether the successors of every accessible letter in every table are as `holds` says.
+template <class Holds>
+bool for_all_accessible(const ET0L& system, Holds holds) {
+    const std::vector<Symbol> letters = accessible_letters(system);
+    return std::all_of(letters.begin(), letters.end(), [&](Symbol a) {
+        return std::all_of(system.tables.begin(), system.tables.end(),
+                           [&](const Table& table) { return holds(table[a]); });
+    });
+}
+
+}  // namespace
+
+View<ET0L> as_et0l(const LSystem& written) {
+    LSystem plain = written;  // what else goes beyond 0L is looked for without these two
+    plain.tables.clear();
+    plain.schedule.clear();
+    plain.terminals.clear();
+    if (std::string reason = beyond_ol(plain); !reason.empty())
+        return View<ET0L>::refused("not an ET0L system: " + reason);
+    ET0L system;
+    system.alphabet = std::make_shared<const Alphabet>(written.alphabet);
+    system.axiom = written.axiom.letters;
+    system.name = written.name;
+    system.table_names = written.tables;
+    if (system.table_names.empty()) system.table_names.emplace_back();
+    const std::size_t letters = system.alphabet->size();
+    system.tables.assign(system.table_names.size(), Table(letters));
+    for (const Production& rule : written.rules)
+        add_rule(system.tables.at(rule.table), rule.predecessor.symbol, rule.successor.letters);
+    for (Table& table : system.tables) complete(table, letters);
+    system.terminal.assign(letters, written.terminals.empty());
+    for (const Symbol a : written.terminals) system.terminal[a] = 1;
+    return system;
+}
+
+ET0L as_et0l(const OL& system) {
+    return {system.alphabet,     system.axiom,
+            {system.successors}, std::vector<char>(system.successors.size(), 1),
+            {std::string()},     system.name};
+}
+
+bool has_only_terminals(const ET0L& system) {
+    const std::vector<Symbol> letters = accessible_letters(system);
+    return std::all_of(letters.begin(), letters.end(),
+                       [&](Symbol a) { return system.terminal[a] != 0; });
+}
+
+bool is_deterministic(const ET0L& system) {
+    return for_all_accessible(system,
+                              [](const std::vector<Word>& choices) { return choices.size() == 1; });
+}
+
+bool is_propagating(const ET0L& system) {
+    return for_all_accessible(system, [](const std::vector<Word>& choices) {
+        return std::none_of(choices.begin(), choices.end(),
+                            [](const Word& word) { return word.empty(); });
+    });
+}
+
+std::vector<Symbol> accessible_letters(const ET0L& system) {
+    return accessible(system.axiom, system.terminal.size(), [&](Symbol a, auto see) {
+        for (const Table& table : system.tables)
+            for (const Word& successor : table[a]) see(successor);
+    });
+}
+
+std::string family_name(const ET0L& system) {
+    std::string name;
+    if (!has_only_terminals(system)) name += 'E';
+    if (is_propagating(system)) name += 'P';
+    if (is_deterministic(system)) name += 'D';
+    if (system.tables.size() > 1) name += 'T';
+    return name + "0L";
+}
+
+ET0L over(const ET0L& system, std::shared_ptr<const Alphabet> alphabet) {
+    const std::vector<Symbol> letters = renaming(*system.alphabet, *alphabet);
+    ET0L moved{alphabet,
+               replaced(system.axiom, letters),
+               {},
+               std::vector<char>(alphabet->size(), 0),
+               system.table_names,
+               system.name};
+    for (const Table& table : system.tables) {
+        Table& target = moved.tables.emplace_back(alphabet->size());
+        for (Symbol a = 0; a < table.size(); ++a)
+            for (const Word& successor : table[a])
+                target[letters[a]].push_back(replaced(successor, letters));
+        complete(target, alphabet->size());
+    }
+    for (Symbol a = 0; a < letters.size(); ++a) moved.terminal[letters[a]] = system.terminal[a];
+    return moved;
+}
+
+ET0L et0l(const std::string& axiom,
+          const std::vector<std::vector<std::pair<char, std::string>>>& tables,
+          const std::string& terminals) {
+    LSystem system;
+    const auto word = [&](const std::string& text) {
+        Word letters;
+        for (const char c : text) letters.push_back(system.alphabet.symbol(std::string(1, c)));
+        return letters;
+    };
+    system.axiom.letters = word(axiom);
+    for (std::size_t t = 0; t < tables.size(); ++t) {
+        if (tables.size() > 1) system.tables.push_back(std::to_string(t + 1));
+        for (const auto& [a, successor] : tables[t]) {
+            Production rule;
+            rule.predecessor.symbol = word(std::string(1, a)).front();
+            rule.successor.letters = word(successor);
+            rule.table = t;
+            system.rules.push_back(std::move(rule));
+        }
+    }
+    system.terminals = word(terminals);
+    return *as_et0l(system);
+}
+
+namespace {
+
+std::string beyond_il(const Production& rule) {
+    const auto plain = [](const Pattern& pattern) {
+        return std::all_of(pattern.begin(), pattern.end(),
+                           [](const ModulePattern& m) { return m.parameters.empty(); });
+    };
+    if (!rule.elsewhere.empty()) return at(rule.place) + " has a context condition";
+    if (rule.condition) return at(rule.place) + " has a condition";
+    if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty() ||
+        !plain(rule.left) || !plain(rule.right))
+        return at(rule.place) + " has parameters";
+    if (!rule.successor.splices.empty()) return at(rule.place) + " splices a word in";
+    if (rule.shape) return at(rule.place) + " is a shape rule";
+    if (rule.probability && *rule.probability != Rational(1))
+        return at(rule.place) + " has a probability";
+    return {};
+}
+
+Word letters(const Pattern& pattern) {
+    Word word;
+    for (const ModulePattern& module : pattern) word.push_back(module.symbol);
+    return word;
+}
+
+std::string beyond_il(const LSystem& system) {
+    if (!system.inner.empty()) return "there are systems within it";
+    if (!system.axiom.arguments.empty()) return "the axiom has parameters";
+    if (!system.axiom.splices.empty()) return "the axiom has a word spliced in";
+    if (!system.tables.empty()) return "it has tables";
+    if (!system.terminals.empty()) return "it has terminals";
+    for (const Production& rule : system.rules)
+        if (std::string reason = beyond_il(rule); !reason.empty()) return reason;
+    return {};
+}
+
+/// The brackets that make trees of words: none where both are ignored.
+std::optional<Brackets> fences(const LSystem& system) {
+    const std::optional<Brackets> brackets = brackets_of(system.alphabet);
+    if (!brackets) return std::nullopt;
+    const auto is_ignored = [&](Symbol a) {
+        return std::find(system.ignored.begin(), system.ignored.end(), a) != system.ignored.end();
+    };
+    return is_ignored(brackets->open) && is_ignored(brackets->close) ? std::nullopt : brackets;
+}
+
+/// Why the brackets cannot be those of trees, or nothing.
+std::string beyond_trees(const LSystem& system, const Brackets& brackets) {
+    for (const Symbol a : system.ignored)
+        if (a == brackets.open || a == brackets.close)
+            return "it ignores one bracket and not the other";
+    for (const Production& rule : system.rules) {
+        for (const ModulePattern& module : rule.left)
+            if (module.symbol == brackets.open || module.symbol == brackets.close)
+                return at(rule.place) +
+                       " has a bracket in its left context, which is a path and has no branches";
+        std::size_t depth = 0;
+        for (const ModulePattern& module : rule.right) {
+            if (module.symbol == brackets.open) ++depth;
+            if (module.symbol == brackets.close && depth-- == 0)
+                return at(rule.place) + " has an unmatched ']' in its right context";
+        }
+        if (depth > 0) return at(rule.place) + " has an unmatched '[' in its right context";
+    }
+    return {};
+}
+
+std::size_t letters_in(const IL::Rule& rule, const std::optional<Brackets>& brackets) {
+    std::size_t count = rule.left.size() + rule.right.size();
+    if (brackets)
+        for (const Symbol a : rule.right) count -= a == brackets->open || a == brackets->close;
+    return count;
+}
+
+}  // namespace
+
+View<IL> as_il(const LSystem& system) {
+    if (std::string reason = beyond_il(system); !reason.empty())
+        return View<IL>::refused("not a deterministic IL system: " + reason);
+    IL il;
+    il.brackets = fences(system);
+    if (il.brackets)
+        if (std::string reason = beyond_trees(system, *il.brackets); !reason.empty())
+            return View<IL>::refused("not a deterministic IL system: " + reason);
+    il.alphabet = std::make_shared<const Alphabet>(system.alphabet);
+    il.axiom = system.axiom.letters;
+    il.name = system.name;
+    il.rules.resize(il.alphabet->size());
+    il.ignored.assign(il.alphabet->size(), 0);
+    for (const Symbol a : system.ignored) il.ignored[a] = 1;
+    for (const Production& rule : system.rules) {
+        auto& known = il.rules[rule.predecessor.symbol];
+        IL::Rule fresh{letters(rule.left), letters(rule.right), rule.successor.letters};
+        for (const IL::Rule& other : known)
+            if (other.left == fresh.left && other.right == fresh.right &&
+                other.successor != fresh.successor)
+                return View<IL>::refused("not a deterministic IL system: " +
+                                         system.alphabet.name(rule.predecessor.symbol) +
+                                         " has two rules with the same contexts");
+        known.push_back(std::move(fresh));
+    }
+    for (auto& known : il.rules)
+        std::stable_sort(known.begin(), known.end(),
+                         [&](const IL::Rule& left, const IL::Rule& right) {
+                             return letters_in(left, il.brackets) > letters_in(right, il.brackets);
+                         });
+    return il;
+}
+
+IL over(const IL& system, std::shared_ptr<const Alphabet> alphabet) {
+    const std::vector<Symbol> letters = renaming(*system.alphabet, *alphabet);
+    IL moved{alphabet,
+             replaced(system.axiom, letters),
+             {},
+             std::vector<char>(alphabet->size(), 0),
+             system.name};
+    if (system.brackets)
+        moved.brackets = Brackets{letters[system.brackets->open], letters[system.brackets->close]};
+    moved.rules.resize(alphabet->size());
+    for (Symbol a = 0; a < letters.size(); ++a) {
+        moved.ignored[letters[a]] = system.ignored[a];
+        for (const IL::Rule& rule : system.rules[a])
+            moved.rules[letters[a]].push_back({replaced(rule.left, letters),
+                                               replaced(rule.right, letters),
+                                               replaced(rule.successor, letters)});
+    }
+    return moved;
 }
 
 }  // namespace algae

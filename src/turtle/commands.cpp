@@ -1,40 +1,24 @@
-#include "turtle/commands.hpp"
+#include "turtle/turtle.hpp"
 
+#include <algorithm>
 #include <map>
-#include <optional>
-#include <string>
 
-#include "base/error.hpp"
+#include "turtle/detail/module_turtle.hpp"
+#include "turtle/detail/plane_figure.hpp"
+
+// What letters tell a turtle in the plane, where they have no parameters.
+//
+// A symbol means what its name says (F, +, [ ...) unless the system interprets it: then it means the
+// commands of its interpretation, and so on until only symbols without one are left. The commands of
+// each symbol are worked out once. Interpretations are plain rules here; one with parameters, contexts
+// or probabilities needs ModuleTurtle, and one that comes back to itself is an error.
 
 namespace algae {
 
 namespace {
 
-std::optional<Command> own_command(const std::string& name, const Settings& settings) {
-    if (name == "F" || name.starts_with("F_")) return Command::draw;
-    if (name == "f" || name.starts_with("f_")) return Command::move;
-    if (name.size() != 1) return std::nullopt;
-    switch (name[0]) {
-        case 'G': return Command::draw_unmarked;
-        case '+': return Command::left;
-        case '-': return Command::right;
-        case '|': return Command::back;
-        case '[': return Command::push;
-        case ']': return Command::pop;
-        case '{': return Command::open_polygon;
-        case '}': return Command::close_polygon;
-        case '.': return Command::vertex;
-        case '\'': return Command::next_colour;
-        case '%': return Command::cut;
-        case '*': return settings.scale ? std::optional(Command::scale) : std::nullopt;
-        case '!': return settings.narrow ? std::optional(Command::narrow) : std::nullopt;
-        default: return std::nullopt;
-    }
-}
-
-bool needs_space(const std::string& name) {
-    return name == "&" || name == "^" || name == "\\" || name == "/" || name == "$";
-}
+static_assert(static_cast<int>(Command::cut) == static_cast<int>(TurtleOperation::cut),
+              "commands are the first operations, in their order");
 
 /// Whether the symbol has one of these solids or surfaces.
 template <class Setting>
@@ -49,14 +33,16 @@ std::map<Symbol, const Production*> interpretation(const LSystem& system) {
     std::map<Symbol, const Production*> rules;
     for (const Production& rule : system.interpretation) {
         const std::string& name = system.alphabet.name(rule.predecessor.symbol);
-        if (!rule.left.empty() || !rule.right.empty() || !rule.elsewhere.empty() || rule.condition ||
-            rule.probability || rule.shape || !rule.predecessor.parameters.empty() ||
-            !rule.successor.arguments.empty() || !rule.successor.splices.empty())
+        if (!rule.left.empty() || !rule.right.empty() || !rule.elsewhere.empty() ||
+            rule.condition || rule.probability || rule.shape ||
+            !rule.predecessor.parameters.empty() || !rule.successor.arguments.empty() ||
+            !rule.successor.splices.empty())
             throw Error(to_string(rule.place) + ": the interpretation of " + name +
                         " is not a plain rule: drawing needs one without context, condition, "
                         "probability or parameters");
         if (!rules.emplace(rule.predecessor.symbol, &rule).second)
-            throw Error(to_string(rule.place) + ": " + name + " has two interpretations, expected one");
+            throw Error(to_string(rule.place) + ": " + name +
+                        " has two interpretations, expected one");
     }
     return rules;
 }
@@ -66,7 +52,9 @@ std::map<Symbol, const Production*> interpretation(const LSystem& system) {
 class Reader {
 public:
     explicit Reader(const LSystem& system)
-        : system_(system), rules_(interpretation(system)), known_(system.alphabet.size(), State::unread),
+        : system_(system),
+          rules_(interpretation(system)),
+          known_(system.alphabet.size(), State::unread),
           commands_(system.alphabet.size()) {}
 
     const std::vector<Command>& of(Symbol wanted) {
@@ -99,7 +87,8 @@ private:
 
     void take(Symbol a, Symbol part) {
         commands_[a].insert(commands_[a].end(), commands_[part].begin(), commands_[part].end());
-        if (commands_[a].size() > largest) fail(a, " has more than " + std::to_string(largest) + " commands");
+        if (commands_[a].size() > largest)
+            fail(a, " has more than " + std::to_string(largest) + " commands");
     }
 
     /// Reads a symbol without interpretation; puts one with an interpretation on the path.
@@ -112,14 +101,18 @@ private:
         }
         known_[a] = State::read;
         const std::string& name = system_.alphabet.name(a);
-        if (needs_space(name) || leaves(system_.settings.solids, a)) refuse_space(system_, a);
+        if (turns_out_of_plane(name) || leaves(system_.settings.solids, a))
+            refuse_space(system_, a);
         if (leaves(system_.settings.surfaces, a))
             throw Error("the symbol " + name + " leaves a surface, expected segments only");
-        if (const auto command = own_command(name, system_.settings)) commands_[a].push_back(*command);
+        const TurtleOperation operation = named_operation(name, system_.settings, 0);
+        if (operation <= TurtleOperation::cut)
+            commands_[a].push_back(static_cast<Command>(operation));
     }
 
     [[noreturn]] void fail(Symbol a, const std::string& why) const {
-        throw Error(to_string(rules_.at(a)->place) + ": the interpretation of " + system_.alphabet.name(a) + why);
+        throw Error(to_string(rules_.at(a)->place) + ": the interpretation of " +
+                    system_.alphabet.name(a) + why);
     }
 
     const LSystem& system_;
@@ -140,9 +133,22 @@ Commands::Commands(const LSystem& system, const std::vector<Symbol>& letters)
 }
 
 void refuse_space(const LSystem& system, Symbol symbol) {
-    throw Error("the symbol " + system.alphabet.name(symbol) + " leaves the plane: " +
-                (system.name.empty() ? "this" : system.name) +
+    throw Error("the symbol " + system.alphabet.name(symbol) +
+                " leaves the plane: " + (system.name.empty() ? "this" : system.name) +
                 " is a figure in space, expected one in the plane");
+}
+
+Integer drawn_segments(const Commands& commands, const std::vector<Symbol>& letters,
+                       const std::vector<Integer>& counts) {
+    Integer sum = 0;
+    for (std::size_t i = 0; i < letters.size(); ++i) {
+        const auto& does = commands.of(letters[i]);
+        const auto drawn = std::count_if(does.begin(), does.end(), [](Command command) {
+            return command == Command::draw || command == Command::draw_unmarked;
+        });
+        if (drawn > 0) sum += counts[i] * Integer(drawn);
+    }
+    return sum;
 }
 
 }  // namespace algae

@@ -1,11 +1,19 @@
-#include "turtle/explanation.hpp"
+#include "turtle/turtle.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
 
-#include "rewrite/module_text.hpp"
+#include "turtle/detail/module_turtle.hpp"
+
+// A turtle's walk in words, symbol by symbol.
+//
+// The words are about what happened, not about what the symbol is called: an Explainer hears the events
+// of the walk and compares the turtle before and after each symbol. So a symbol with an interpretation
+// says all that comes of it, and one that changes nothing says why (a cut branch, a corner of a polygon).
+// A turn is named after the axis that stays, if one does; its amount is the one that the file or the
+// module says if that is the same turn, so that 270 degrees to the left are not told as 90 to the right.
 
 namespace algae {
 

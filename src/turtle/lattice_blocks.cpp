@@ -1,10 +1,22 @@
-#include "turtle/lattice_blocks.hpp"
+#include "turtle/detail/plane_figure.hpp"
 
 #include <algorithm>
 #include <array>
 #include <complex>
 #include <memory>
 #include <utility>
+
+// Drawing on the lattice in blocks: the fast way to draw every stroke.
+//
+// What a letter draws in its last few steps depends on its heading alone, up to a translation, and on
+// the lattice translations are exact. So a block holds these strokes in whole numbers from where the
+// letter starts; drawing it is one addition and one conversion for each point. Blocks are made when they
+// are first drawn, one for each letter and heading, and stand for at most 400 letters, so that those of
+// all headings stay in a fast cache.
+//
+// The strokes must be those of Pen<LatticePosition> number for number, also in where the pen is lifted: a
+// block says whether it begins with a stroke (then a pen that is already there goes on), whether it leaves
+// the pen as it was, and whether it ends with a stroke.
 
 namespace algae {
 

@@ -1,16 +1,400 @@
-#include "turtle/module_turtle.hpp"
+#include "turtle/detail/module_turtle.hpp"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <numbers>
 #include <span>
 
-#include "base/error.hpp"
-#include "rewrite/draws.hpp"
-#include "rewrite/module_text.hpp"
-#include "rewrite/word_values.hpp"
+// The turtle for words of modules: its attitude in space, what it does at each command, and its walk.
+//
+// Each module of the word is obeyed, or interpreted if some interpretation rule of its kind matches: then
+// what the rule gives is walked in its place, and interpreted again. The interpretation is compiled as the
+// rules of a system of its own, so that conditions, parameters and probabilities work as in derivations.
+// It sees one module at a time: rules with contexts are refused.
+//
+// Interpretation is recursive, at most 1000 deep and a million modules for one of the word, so that one
+// that never ends is an error with a place and not a crash. Parameters of depth d live in rooms_[d], which
+// stay where they are while deeper rooms are added.
+//
+// Turns of the attitude are rotations in a plane of two of its three vectors. Sines and cosines of
+// multiples of 30 and 45 degrees come out as they should, because the angle is folded into one eighth of a
+// turn first; the rounding of all others is taken out every 16 turns (Attitude::straighten), so that long
+// walks stay orthonormal.
+//
+// What is subtle in the commands: `turn clockwise` mirrors turns about up only, and the file's own angle
+// already has it (see yaw and tilt); a cut branch goes on counting brackets but does
+// nothing else, and a polygon that was open at the cut is given up at the end of the branch; a bracket
+// gives back position, attitude, step, width and colour, and tells of width and colour only if they change.
 
 namespace algae {
 
+Turn turn_by(double degrees) {
+    double rest = std::fmod(degrees, 360.0);  // exact
+    const bool mirrored = rest < 0;
+    rest = std::fabs(rest);
+    const int quarters = static_cast<int>(rest / 90);
+    rest -= 90.0 * quarters;
+    const bool flipped = rest > 45;
+    const double part = (flipped ? 90 - rest : rest) * (std::numbers::pi / 180);
+    double cosine = std::cos(part), sine = std::sin(part);
+    if (rest == 30 || rest == 60) sine = 0.5;
+    if (rest == 45) sine = cosine;
+    if (flipped) std::swap(cosine, sine);
+    switch (quarters) {
+        case 1:
+            cosine = -std::exchange(sine, cosine);
+            break;
+        case 2:
+            cosine = -cosine, sine = -sine;
+            break;
+        case 3:
+            sine = -std::exchange(cosine, sine);
+            break;
+        default:
+            break;
+    }
+    return {cosine, mirrored ? -sine : sine};
+}
+
+void Attitude::bend(const Vector& to, double radians) {
+    const Vector across = cross(heading_, to);
+    const double size = length(across);
+    if (!(size > 0)) return;
+    const Vector axis = (1 / size) * across;
+    const double cosine = std::cos(radians), sine = std::sin(radians);
+    for (Vector* const vector : {&heading_, &left_, &up_})
+        *vector = cosine * *vector + sine * cross(axis, *vector) +
+                  (1 - cosine) * dot(axis, *vector) * axis;
+    if (++turns_ % 16 == 0) straighten();
+}
+
+bool Attitude::level() {
+    const double size = std::hypot(heading_.x, heading_.y);
+    if (!(size > 1e-9)) return false;
+    left_ = {-heading_.y / size, heading_.x / size, 0};
+    up_ = cross(heading_, left_);
+    return true;
+}
+
 namespace {
+
+/// Turns by degrees, those that were asked for lately without working them out again.
+class Turns {
+public:
+    const Turn& by(double degrees) {
+        const auto bits = std::bit_cast<std::uint64_t>(degrees);
+        Known& known = known_[bits * 0x9E3779B97F4A7C15u >> 58];
+        if (known.degrees != degrees) known = {degrees, turn_by(degrees)};
+        return known.turn;
+    }
+
+private:
+    struct Known {
+        double degrees = 0;
+        Turn turn;
+    };
+    std::array<Known, 64> known_;
+};
+
+/// Why a turtle does not obey.
+struct TurtleRefusal {
+    std::string reason;
+    bool is_unmatched = false;  // a bracket or brace that closes nothing
+};
+
+double amount(const TurtleCommand& command, const double* values, double otherwise) {
+    return command.parameters > 0 ? *values : otherwise;
+}
+
+std::uint32_t colour_number(double number) {
+    constexpr double most = 4294967295;
+    if (!(number >= 0 && number <= most && number == std::floor(number)))
+        throw TurtleRefusal{"expected the number of a colour, counted from 0"};
+    return static_cast<std::uint32_t>(number);
+}
+
+/// A turtle that obeys commands one after another, and tells of what it does.
+class Turtle {
+public:
+    /// Both must outlive the turtle.
+    Turtle(const TurtleManner& manner, TurtleEvents& events)
+        : manner_(manner),
+          events_(events),
+          state_(manner.start),
+          default_turn_(turn_by(manner.angle)) {}
+
+    const TurtleState& state() const { return state_; }
+
+    /// Does what the command says with these parameters. Throws TurtleRefusal if it makes no sense here.
+    void obey(const TurtleCommand& command, const double* values) {
+        using enum TurtleOperation;
+        if (skips(command)) return;
+        switch (command.operation) {
+            case nothing:
+                break;
+            case draw:
+                go(true, true, amount(command, values, 1));
+                break;
+            case draw_unmarked:
+                go(true, false, amount(command, values, 1));
+                break;
+            case move:
+                go(false, true, amount(command, values, 1));
+                break;
+            case left:
+                state_.attitude.yaw(yaw(command, values, false));
+                break;
+            case right:
+                state_.attitude.yaw(yaw(command, values, true));
+                break;
+            case down:
+                state_.attitude.pitch(tilt(command, values, false));
+                break;
+            case up:
+                state_.attitude.pitch(tilt(command, values, true));
+                break;
+            case roll_left:
+                state_.attitude.roll(tilt(command, values, false));
+                break;
+            case roll_right:
+                state_.attitude.roll(tilt(command, values, true));
+                break;
+            case back:
+                state_.attitude.turn_back();
+                break;
+            case level:
+                if (!state_.attitude.level())
+                    throw TurtleRefusal{
+                        "the heading is vertical, so that there is no level direction to roll to"};
+                break;
+            case push:
+                open_branch();
+                break;
+            case pop:
+                close_branch();
+                break;
+            case open_polygon:
+                polygons_.push_back({state_.position});
+                break;
+            case close_polygon:
+                end_polygon();
+                break;
+            case vertex:
+                if (!polygons_.empty()) polygons_.back().push_back(state_.position);
+                break;
+            case scale:
+                rescale(amount(command, values, manner_.scale));
+                break;
+            case width:
+                set_width(command, values);
+                break;
+            case colour:
+                set_colour(command, values);
+                break;
+            case cut:
+                cut_ = true;
+                cut_depth_ = 0;
+                break;
+            case plot:
+                go_to({values[0], values[1], command.parameters > 2 ? values[2] : 0}, true, true);
+                break;
+            case stamp:
+                leave_stamp(command, amount(command, values, 2));
+                break;
+            case solid:
+                do_solid(command, values);
+                break;
+            case surface:
+                leave_surface(command, amount(command, values, 1));
+                break;
+        }
+    }
+
+    /// Whether the command is in a part of the branch that `%` cut off.
+    bool skips(const TurtleCommand& command) const {
+        return cut_ && command.operation != TurtleOperation::push &&
+               command.operation != TurtleOperation::pop;
+    }
+    /// Throws TurtleRefusal if a branch or a polygon is still open.
+    void finish() const {
+        if (!polygons_.empty() && !cut_) throw TurtleRefusal{"'{' is never closed"};
+        if (!saved_.empty()) throw TurtleRefusal{"'[' is never closed"};
+    }
+
+private:
+    struct Saved {
+        TurtleState state;
+        std::size_t polygons;
+    };
+
+    /// The turn that a command asks for, the other way if `mirrored`.
+    Turn turn(const TurtleCommand& command, const double* values, bool mirrored) {
+        Turn turn = command.parameters > 0 ? turns_.by(*values) : default_turn_;
+        if (mirrored) turn.sine = -turn.sine;
+        return turn;
+    }
+
+    /// Turns about up go the other way round after `turn clockwise`, which the file's own angle has in it.
+    Turn yaw(const TurtleCommand& command, const double* values, bool mirrored) {
+        return turn(command, values, mirrored != (manner_.clockwise && command.parameters > 0));
+    }
+
+    /// Other turns do not, whether or not they have an amount.
+    Turn tilt(const TurtleCommand& command, const double* values, bool mirrored) {
+        return turn(command, values, mirrored != (manner_.clockwise && command.parameters == 0));
+    }
+
+    void go_to(const Vector& to, bool drawn, bool marked) {
+        if (!std::isfinite(to.x + to.y + to.z))
+            throw TurtleRefusal{"leads to a place that is not finite"};
+        const Vector from = state_.position;
+        state_.position = to;
+        if (drawn)
+            events_.stroke(from, state_);
+        else
+            events_.move(from, state_);
+        if (marked && !polygons_.empty()) polygons_.back().push_back(to);
+    }
+
+    void go(bool drawn, bool marked, double steps) {
+        const double way = state_.step * steps;
+        go_to(state_.position + way * state_.attitude.heading(), drawn, marked);
+        if (!drawn || !manner_.tropism) return;
+        const Vector& to = *manner_.tropism;
+        const double pull = length(cross(state_.attitude.heading(), to));
+        state_.attitude.bend(to, manner_.susceptibility * pull);
+    }
+
+    void rescale(double factor) {
+        state_.step *= factor;
+        if (!std::isfinite(state_.step))
+            throw TurtleRefusal{"makes the step longer than any number"};
+    }
+
+    void set_width(const TurtleCommand& command, const double* values) {
+        if (command.parameters > 0) {
+            if (*values < 0) throw TurtleRefusal{"expected a width of at least 0"};
+            state_.width = {*values, true};
+        } else {
+            state_.width.amount *= manner_.narrow;
+        }
+        events_.width(state_.width);
+    }
+
+    void set_colour(const TurtleCommand& command, const double* values) {
+        if (command.parameters == 3) return set_paint(values);
+        state_.colour = command.parameters > 0 ? colour_number(*values) : state_.colour + 1;
+        state_.paint.reset();
+        tell_colour();
+    }
+
+    void set_paint(const double* values) {
+        if (std::any_of(values, values + 3, [](double part) { return !(part >= 0 && part <= 1); }))
+            throw TurtleRefusal{"expected red, green and blue, each from 0 to 1"};
+        state_.paint = Colour{values[0], values[1], values[2]};
+        tell_colour();
+    }
+
+    void tell_colour() {
+        if (state_.paint)
+            events_.paint(*state_.paint);
+        else
+            events_.colour(state_.colour);
+    }
+
+    void leave_stamp(const TurtleCommand& command, double size) {
+        if (size < 0) throw TurtleRefusal{"expected a size of at least 0"};
+        events_.stamp(command.shape, size * std::fabs(state_.step), state_);
+    }
+
+    /// Turns or moves the turtle, or leaves a solid.
+    void do_solid(const TurtleCommand& command, const double* values) {
+        const SolidModule& module = *command.solid;
+        Vector size = module.size(values, command.parameters);
+        Attitude& look = state_.attitude;
+        if (module.is_rotation()) {
+            look.roll(turns_.by(-size.x));  // to the left is clockwise about the heading
+            look.pitch(turns_.by(size.y));
+            look.yaw(turns_.by(size.z));
+            return;
+        }
+        size = std::fabs(state_.step) * size;
+        const auto shape = module.shape();
+        if (!shape)
+            return go_to(state_.position + size.x * look.heading() + size.y * look.left() +
+                             size.z * look.up(),
+                         false, true);
+        if (!std::isfinite(size.x + size.y + size.z) || std::min({size.x, size.y, size.z}) < 0)
+            throw TurtleRefusal{"expected measures of at least 0"};
+        if (const auto number = module.colour(values, command.parameters))
+            events_.colour(colour_number(*number));
+        events_.solid(*shape, size, state_);
+        tell_colour();
+    }
+
+    void leave_surface(const TurtleCommand& command, double size) {
+        size *= std::fabs(state_.step);
+        if (!(size >= 0 && std::isfinite(size)))
+            throw TurtleRefusal{"expected a size of at least 0"};
+        const Attitude& look = state_.attitude;
+        for (const auto& face : command.faces) {
+            corners_.clear();
+            for (const Vector& at : face)
+                corners_.push_back(state_.position + size * at.x * look.heading() +
+                                   size * at.y * look.left() + size * at.z * look.up());
+            events_.polygon(corners_);
+        }
+    }
+
+    void open_branch() {
+        if (cut_) {
+            ++cut_depth_;
+            return;
+        }
+        saved_.push_back({state_, polygons_.size()});
+        events_.branched(state_);
+    }
+
+    void close_branch() {
+        if (cut_ && cut_depth_ > 0) {
+            --cut_depth_;
+            return;
+        }
+        if (saved_.empty()) throw TurtleRefusal{"unmatched ']'", true};
+        if (cut_) polygons_.resize(std::min(polygons_.size(), saved_.back().polygons));
+        cut_ = false;
+        restore(saved_.back().state);
+        saved_.pop_back();
+    }
+
+    void end_polygon() {
+        if (polygons_.empty()) throw TurtleRefusal{"unmatched '}'", true};
+        if (polygons_.back().size() > 2) events_.polygon(polygons_.back());
+        polygons_.pop_back();
+    }
+
+    void restore(const TurtleState& state) {
+        const bool wider = state.width != state_.width,
+                   other = state.colour != state_.colour || state.paint != state_.paint;
+        state_ = state;
+        if (wider) events_.width(state_.width);
+        if (other) tell_colour();
+        events_.returned(state_);
+    }
+
+    const TurtleManner& manner_;
+    TurtleEvents& events_;
+    TurtleState state_;
+    Turns turns_;
+    Turn default_turn_;
+    std::vector<Saved> saved_;
+    std::vector<std::vector<Vector>> polygons_;  // open ones, the innermost last
+    std::vector<Vector> corners_;                // of a surface's face
+    bool cut_ = false;                           // up to the end of the branch
+    std::size_t cut_depth_ = 0;                  // branches opened since
+};
 
 constexpr std::size_t deepest_interpretation = 1000;
 constexpr std::uint64_t longest_interpretation = 1'000'000;  // modules for one of the word

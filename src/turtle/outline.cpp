@@ -1,19 +1,169 @@
-#include "turtle/outline.hpp"
+#include "turtle/turtle.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 #include <unordered_map>
 
-#include "base/error.hpp"
-#include "fold/derive.hpp"
-#include "system/classes.hpp"
-#include "system/d0l.hpp"
-#include "turtle/commands.hpp"
-#include "turtle/compass.hpp"
-#include "turtle/figure.hpp"
-#include "turtle/segment_set.hpp"
+// What a figure leaves on the paper, whatever the order and direction of its strokes: how much of it is
+// different (trace), the strokes themselves (outline), and whether two figures are similar.
+//
+// Points that stand for the same number may differ by rounding. So points get numbers by a fine grid, a
+// millionth of a step (NumberedPoints): each is looked for in its own cell and in the cells beside it that
+// are near. Where all of a figure is on the lattice, points are compared as exact numbers instead.
+//
+// Similarity: a similar map takes the middle of all points to the middle of the others, and the farthest
+// point from it to one that is as far in proportion. So there is one candidate for each such point and
+// each orientation; a candidate is tried in doubles, and what is found is proved in the ring where both are
+// exact. Strokes are compared with strokes: one stroke is not the same as two that make it up.
 
 namespace algae {
+
+namespace {
+
+/// Gives points numbers, equal ones to points that lie together.
+class NumberedPoints {
+public:
+    explicit NumberedPoints(double grid) : grid_(grid), slots_(1024, none) {}
+
+    std::uint32_t number(const Vector& point) {
+        const Place x = place(point.x), y = place(point.y), z = place(point.z);
+        for (int dx = x.before; dx <= x.behind; ++dx)
+            for (int dy = y.before; dy <= y.behind; ++dy)
+                for (int dz = z.before; dz <= z.behind; ++dz) {
+                    const std::uint32_t seen =
+                        slots_[slot({x.cell + dx, y.cell + dy, z.cell + dz})];
+                    if (seen != none) return seen;
+                }
+        const auto fresh = static_cast<std::uint32_t>(cells_.size());
+        cells_.push_back({x.cell, y.cell, z.cell});
+        slots_[slot(cells_.back())] = fresh;
+        if (2 * cells_.size() > slots_.size()) grow();
+        return fresh;
+    }
+    std::size_t size() const { return cells_.size(); }
+    std::size_t bytes() const {
+        return slots_.size() * sizeof(std::uint32_t) + cells_.capacity() * sizeof(Cell);
+    }
+
+private:
+    using Cell = std::array<long long, 3>;
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    /// A coordinate's cell, and the cells beside it that are near.
+    struct Place {
+        long long cell;
+        int before, behind;
+    };
+    Place place(double coordinate) const {
+        // A point close to the edge of its cell may have been seen on the other side of it.
+        constexpr double edge = 0.25;
+        const double exactly = coordinate / grid_;
+        const double cell = std::floor(exactly + 0.5);
+        const double off = exactly - cell;
+        return {static_cast<long long>(cell), off < -edge ? -1 : 0, off > edge ? 1 : 0};
+    }
+    /// Where the cell is, or would be.
+    std::size_t slot(const Cell& cell) const {
+        std::uint64_t hash = 0;
+        for (const long long part : cell) {
+            hash = (hash + static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15u;
+            hash ^= hash >> 31;
+        }
+        std::size_t at = hash & (slots_.size() - 1);
+        while (slots_[at] != none && cells_[slots_[at]] != cell)
+            at = (at + 1) & (slots_.size() - 1);
+        return at;
+    }
+    void grow() {
+        slots_.assign(2 * slots_.size(), none);
+        for (std::size_t i = 0; i < cells_.size(); ++i)
+            slots_[slot(cells_[i])] = static_cast<std::uint32_t>(i);
+    }
+
+    double grid_;
+    std::vector<std::uint32_t> slots_;  // numbers of points, at most half of them taken
+    std::vector<Cell> cells_;           // by number
+};
+
+/// Different segments between points that lie on a fine grid.
+class SegmentSet {
+public:
+    /// Points are the same when they round to the same point of a grid as fine as `grid`. The budget
+    /// bounds the memory of all segments.
+    SegmentSet(double grid, const Budget& budget) : points_(grid), budget_(budget) {}
+
+    std::uint32_t number(const Vector& point) { return points_.number(point); }
+    /// Between the points with these numbers. Throws BoundReached past budget.memory.
+    void add(std::uint32_t from, std::uint32_t to) {
+        const auto [low, high] = std::minmax(from, to);
+        segments_.push_back(std::uint64_t{high} << 32 | low);
+        if (segments_.size() % 65536 == 0)
+            budget_.check_memory(segments_.capacity() * sizeof(std::uint64_t) + points_.bytes(),
+                                 "the segments");
+    }
+    /// How many there are, once all are added.
+    Trace result() {
+        // Those of a curve that never crosses itself come in order.
+        if (!std::is_sorted(segments_.begin(), segments_.end()))
+            std::sort(segments_.begin(), segments_.end());
+        const auto last = std::unique(segments_.begin(), segments_.end());
+        std::vector<char> is_end(points_.size());
+        for (auto it = segments_.begin(); it != last; ++it)
+            is_end[*it & 0xFFFFFFFF] = is_end[*it >> 32] = 1;
+        const auto vertices = std::count(is_end.begin(), is_end.end(), 1);
+        return {static_cast<std::uint64_t>(last - segments_.begin()),
+                static_cast<std::uint64_t>(vertices)};
+    }
+
+private:
+    NumberedPoints points_;
+    const Budget& budget_;
+    std::vector<std::uint64_t> segments_;
+};
+
+class Tracer : public Canvas {
+public:
+    Tracer(double grid, const Budget& budget) : segments_(grid, budget) {}
+
+    void move_to(Point point) override { from_ = number(point); }
+    void line_to(Point point) override {
+        const std::uint32_t to = number(point);
+        segments_.add(from_, to);
+        from_ = to;
+    }
+    void polygon(std::span<const Point>) override {}
+    void width(double) override {}
+    void width_as_length(double) override {}
+    void colour(std::uint32_t) override {}
+    void position(double) override {}
+
+    Trace result() { return segments_.result(); }
+
+private:
+    std::uint32_t number(Point point) { return segments_.number({point.x, point.y, 0}); }
+
+    SegmentSet segments_;
+    std::uint32_t from_ = 0;
+};
+
+}  // namespace
+
+Trace trace(const Figure& figure, const Budget& budget) {
+    Tracer tracer(figure.facts().step * 1e-6, budget);
+    figure.draw(tracer, 0, budget);
+    return tracer.result();
+}
+
+Trace trace(const SpaceDerivation& derivation, const Budget& budget) {
+    SegmentSet segments(derivation.facts.step * 1e-6, budget);
+    for (const Rod& rod : derivation.scene.rods) {
+        const std::uint32_t from = segments.number(rod.from);
+        segments.add(from, segments.number(rod.to));
+    }
+    return segments.result();
+}
 
 namespace {
 
@@ -195,6 +345,175 @@ Outline outline(const LSystem& system, std::uint64_t n, const Budget& budget,
     make_set(found->strokes);
     make_set(found->polygons);
     return std::move(*found);
+}
+
+namespace {
+
+using Complex = std::complex<double>;
+
+constexpr double fine = 1e-7;  // of the size of a figure
+
+/// A figure's middle and how far its points lie from it.
+struct Spread {
+    Complex middle;
+    double mean = 0;  // square root of the mean of the squares
+    std::size_t farthest = 0;
+
+    explicit Spread(const std::vector<Complex>& points) {
+        const auto count = static_cast<double>(points.size());
+        middle = std::accumulate(points.begin(), points.end(), Complex()) / count;
+        double squares = 0;
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            squares += std::norm(points[i] - middle);
+            if (std::norm(points[i] - middle) > std::norm(points[farthest] - middle)) farthest = i;
+        }
+        mean = std::sqrt(squares / count);
+    }
+};
+
+/// The number of the image of each point under z -> factor (z - from) + to, with z mirrored if asked for;
+/// empty if some image is no point.
+std::vector<std::uint32_t> images(const Outline& left, const Outline& right, const Spread& from,
+                                  const Spread& to, Complex factor, bool mirrored) {
+    NumberedPoints numbers(to.mean * fine);
+    std::vector<std::uint32_t> of_right;
+    for (std::size_t i = 0; i < right.points.size(); ++i)
+        if (numbers.number({right.points[i].real(), right.points[i].imag(), 0}) != i) return {};
+    std::vector<std::uint32_t> found;
+    for (const Complex point : left.points) {
+        const Complex way = point - from.middle;
+        const Complex image = to.middle + factor * (mirrored ? std::conj(way) : way);
+        const std::uint32_t number = numbers.number({image.real(), image.imag(), 0});
+        if (number >= right.points.size()) return {};
+        found.push_back(number);
+    }
+    return found;
+}
+
+bool is_onto(const Outline& left, const Outline& right, const std::vector<std::uint32_t>& image) {
+    std::vector<Outline::Stroke> strokes;
+    for (const auto& [from, to] : left.strokes)
+        strokes.push_back(std::minmax(image[from], image[to]));
+    std::sort(strokes.begin(), strokes.end());
+    if (strokes != right.strokes) return false;
+    std::vector<std::vector<std::uint32_t>> polygons = left.polygons;
+    for (std::vector<std::uint32_t>& polygon : polygons) {
+        for (std::uint32_t& corner : polygon) corner = image[corner];
+        std::sort(polygon.begin(), polygon.end());
+    }
+    std::sort(polygons.begin(), polygons.end());
+    return polygons == right.polygons;
+}
+
+bool is_in_place(const Outline& left, const Outline& right, const Spread& from, const Spread& to) {
+    if (std::abs(from.middle - to.middle) > to.mean * fine) return false;
+    const auto image = images(left, right, from, to, 1, false);
+    return !image.empty() && is_onto(left, right, image);
+}
+
+/// Points of a ring in a greater one.
+std::vector<CyclotomicInteger> lifted(const Outline::Lattice& lattice, const CyclotomicRing& ring,
+                                      bool mirrored) {
+    const long factor = ring.order() / lattice.ring.order();
+    std::vector<CyclotomicInteger> all;
+    for (const CyclotomicInteger& point : lattice.points) {
+        CyclotomicInteger sum = ring.zero();
+        for (std::size_t i = 0; i < point.coefficients.size(); ++i) {
+            CyclotomicInteger term = ring.zeta(static_cast<long>(i) * factor);
+            ring.scale(term, point.coefficients[i]);
+            ring.add(sum, term);
+        }
+        all.push_back(mirrored ? ring.conjugate(sum) : sum);
+    }
+    return all;
+}
+
+CyclotomicInteger difference(const CyclotomicRing& ring, CyclotomicInteger left,
+                             const CyclotomicInteger& right) {
+    ring.subtract(left, right);
+    return left;
+}
+
+/// The square of a length in the ring, times the square of an integer.
+CyclotomicInteger squared(const CyclotomicRing& ring, const CyclotomicInteger& way,
+                          const Integer& factor) {
+    CyclotomicInteger square = ring.multiply(way, ring.conjugate(way));
+    ring.scale(square, factor * factor);
+    return square;
+}
+
+/// Puts into `found` what the ring says of the motion that maps points to these; false if it is none.
+bool proves(const Outline::Lattice& left, const Outline::Lattice& right,
+            const std::vector<std::uint32_t>& image, bool mirrored, Similarity& found) {
+    const CyclotomicRing ring(std::lcm(left.ring.order(), right.ring.order()));
+    const auto from = lifted(left, ring, mirrored), to = lifted(right, ring, false);
+    const std::size_t other = from.size() > 1 ? 1 : 0;
+    const CyclotomicInteger way = difference(ring, from[other], from[0]);
+    const CyclotomicInteger its_image = difference(ring, to[image[other]], to[image[0]]);
+    for (std::size_t i = 0; i < from.size(); ++i)
+        if (ring.multiply(difference(ring, from[i], from[0]), its_image) !=
+            ring.multiply(difference(ring, to[image[i]], to[image[0]]), way))
+            return false;
+    found.exact = true;
+    if (left.unit && right.unit)
+        found.same_size =
+            squared(ring, way, left.unit->numerator() * right.unit->denominator()) ==
+            squared(ring, its_image, right.unit->numerator() * left.unit->denominator());
+    return true;
+}
+
+std::string counted(std::size_t count, const std::string& noun) {
+    return std::to_string(count) + " different " + noun + (count == 1 ? "" : "s");
+}
+
+/// A sentence where the numbers of some parts differ.
+std::string number_difference(const Outline& left, const std::string& left_name,
+                              const Outline& right, const std::string& right_name) {
+    const auto told = [&](std::size_t l, std::size_t r, const std::string& noun) {
+        return l == r ? std::string()
+                      : "The figure of " + left_name + " has " + counted(l, noun) + ", that of " +
+                            right_name + " has " + counted(r, noun) + ".";
+    };
+    std::string found = told(left.strokes.size(), right.strokes.size(), "stroke");
+    if (found.empty()) found = told(left.polygons.size(), right.polygons.size(), "filled polygon");
+    if (found.empty()) found = told(left.points.size(), right.points.size(), "point");
+    return found;
+}
+
+}  // namespace
+
+Similarity similarity(const Outline& left, const std::string& left_name, const Outline& right,
+                      const std::string& right_name) {
+    Similarity found;
+    found.difference = number_difference(left, left_name, right, right_name);
+    found.exact = left.lattice && right.lattice;
+    if (!found.difference.empty()) return found;
+    if (left.points.empty()) {
+        found.similar = found.same_size = found.same_place = true;
+        return found;
+    }
+    const Spread from(left.points), to(right.points);
+    const double scale = to.mean / from.mean;
+    const Complex arm = left.points[from.farthest] - from.middle;
+    for (const bool mirrored : {false, true})
+        for (const Complex point : right.points) {
+            if (std::abs(std::abs(point - to.middle) - scale * std::abs(arm)) > to.mean * fine)
+                continue;
+            const Complex factor = (point - to.middle) / (mirrored ? std::conj(arm) : arm);
+            const auto image = images(left, right, from, to, factor, mirrored);
+            if (image.empty() || !is_onto(left, right, image)) continue;
+            found.same_size = std::abs(scale - 1) < fine;
+            if (found.exact && !proves(*left.lattice, *right.lattice, image, mirrored, found))
+                continue;
+            found.similar = true;
+            found.same_place = found.same_size && is_in_place(left, right, from, to);
+            return found;
+        }
+    found.same_size = false;
+    found.difference = "The figures of " + left_name + " and " + right_name +
+                       " have equally many strokes and points, but no motion, mirroring and change "
+                       "of size brings one onto the other.";
+    return found;
 }
 
 }  // namespace algae

@@ -1,11 +1,283 @@
-#include "verify/certificate.hpp"
+#include <iomanip>
+#include <limits>
+#include <locale>
+#include <nlohmann/json.hpp>
+#include <sstream>
 
 #include <algorithm>
+#include <array>
+#include <charconv>
+#include <map>
+#include <string>
 
-#include "verify/reader.hpp"
-#include "word/word_sets.hpp"
+#include "verify/verify.hpp"
+#include "word/word.hpp"
+
+// A certificate as statements and proofs: systems, languages, words and numbers are read as CERTIFICATES.md says, and written again
+// in words from what was read, never from the text that the certificate carries. So what is shown to a person
+// is what was checked.
 
 namespace algae::verify {
+
+Symbol Reader::symbol(const Field& field, std::string_view name) const {
+    const auto found = alphabet_.find(name);
+    if (!found) field.fail("'" + std::string(name) + "' is no letter of the alphabet");
+    return *found;
+}
+
+Symbol Reader::letter(const Field& field) const { return symbol(field, field.text()); }
+
+Word Reader::word(const Field& field) const {
+    Word word;
+    std::string_view rest = field.text();
+    if (rest.empty()) return word;
+    for (;;) {
+        const std::size_t blank = rest.find(' ');
+        word.push_back(symbol(field, rest.substr(0, blank)));
+        if (blank == std::string_view::npos) return word;
+        rest.remove_prefix(blank + 1);
+    }
+}
+
+std::vector<Word> Reader::words(const Field& field) const {
+    std::vector<Word> all;
+    for (const Field& each : field.list()) all.push_back(word(each));
+    return all;
+}
+
+std::vector<Symbol> Reader::letters(const Field& field) const {
+    Word all = word(field);
+    std::sort(all.begin(), all.end());
+    if (std::adjacent_find(all.begin(), all.end()) != all.end())
+        field.fail("a letter stands here twice");
+    return all;
+}
+
+std::map<Symbol, Word> Reader::morphism(const Field& field) const {
+    std::map<Symbol, Word> images;
+    for (const auto& [name, image] : field.object()) images[symbol(image, name)] = word(image);
+    return images;
+}
+
+System::Successors Reader::table(const Field& field) const {
+    System::Successors table(alphabet_.size());
+    for (const auto& [name, successors] : field.object()) {
+        auto& all = table[symbol(successors, name)];
+        all = words(successors);
+        if (all.empty()) successors.fail("a letter needs a successor");
+        std::sort(all.begin(), all.end());
+        all.erase(std::unique(all.begin(), all.end()), all.end());
+    }
+    for (Symbol a = 0; a < table.size(); ++a)
+        if (table[a].empty()) table[a] = {{a}};
+    return table;
+}
+
+System Reader::with_context(const Field& field) const {
+    field.only({"axiom", "rules", "ignored"});
+    System system;
+    system.context = true;
+    system.axiom = word(field.at("axiom"));
+    system.terminal.assign(alphabet_.size(), 1);
+    system.ignored.assign(alphabet_.size(), 0);
+    if (field.has("ignored"))
+        for (const Symbol a : letters(field.at("ignored"))) system.ignored[a] = 1;
+    for (const Field& each : field.at("rules").list()) {
+        each.only({"left", "letter", "right", "successor"});
+        System::Rule rule{word(each.at("left")), letter(each.at("letter")), word(each.at("right")),
+                          word(each.at("successor"))};
+        for (const System::Rule& other : system.rules)
+            if (other.left == rule.left && other.letter == rule.letter && other.right == rule.right)
+                each.fail("there is a rule for this letter between these contexts already");
+        system.rules.push_back(std::move(rule));
+    }
+    return system;
+}
+
+System Reader::system(const Field& field) const {
+    if (field.has("rules")) return with_context(field);
+    field.only({"axiom", "tables", "terminals"});
+    System system;
+    system.axiom = word(field.at("axiom"));
+    for (const Field& each : field.at("tables").list()) system.tables.push_back(table(each));
+    if (system.tables.empty()) field.at("tables").fail("a system needs a table");
+    system.terminal.assign(alphabet_.size(), field.has("terminals") ? 0 : 1);
+    if (field.has("terminals"))
+        for (const Symbol a : letters(field.at("terminals"))) system.terminal[a] = 1;
+    return system;
+}
+
+NamedSystem Reader::named_system(const Field& field) const {
+    const auto found = systems_.find(field.text());
+    if (found == systems_.end()) field.fail("no system is called '" + field.text() + "'");
+    return {found->first, found->second};
+}
+
+Language Reader::on_one(const Field& field, const std::string& name) const {
+    static const std::map<std::string, Tree::Kind> kinds = {
+        {"star", Tree::Kind::star}, {"plus", Tree::Kind::plus}, {"reversal", Tree::Kind::reversal}};
+    Tree tree;
+    tree.parts = {language(field.at(name))};
+    if (const auto kind = kinds.find(name); kind != kinds.end()) {
+        field.only({name});
+        tree.kind = kind->second;
+    } else if (name == "complement") {
+        field.only({name, "letters"});
+        tree.kind = Tree::Kind::complement;
+        tree.letters = letters(field.at("letters"));
+    } else {
+        field.only({name, "morphism"});
+        tree.kind = name == "image" ? Tree::Kind::image : Tree::Kind::inverse_image;
+        tree.morphism = morphism(field.at("morphism"));
+    }
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+Language Reader::language(const Field& field) const {
+    static const std::map<std::string, Tree::Kind> of_two = {
+        {"union", Tree::Kind::united},
+        {"intersection", Tree::Kind::intersection},
+        {"difference", Tree::Kind::difference},
+        {"concatenation", Tree::Kind::concatenation}};
+    if (field.has("words")) {
+        field.only({"words"});
+        return words_of(words(field.at("words")));
+    }
+    if (field.has("generated")) {
+        field.only({"generated"});
+        const NamedSystem named = named_system(field.at("generated"));
+        return generated_by(named.system, named.name);
+    }
+    for (const auto& [name, kind] : of_two) {
+        if (!field.has(name)) continue;
+        field.only({name});
+        const auto [left, right] = field.at(name).pair();
+        return combination(kind, {language(left), language(right)});
+    }
+    for (const char* name : {"star", "plus", "reversal", "complement", "image", "inverse image"})
+        if (field.has(name)) return on_one(field, name);
+    field.fail("expected a language");
+}
+
+bool Reader::of_languages(const Field& field, Statement& read) const {
+    using Kind = Statement::Kind;
+    static constexpr std::array families = {"0L",    "P0L", "D0L",  "PD0L",  "T0L", "PT0L", "DT0L",
+                                            "PDT0L", "E0L", "ET0L", "EDT0L", "IL",  "REG",  "CF"};
+    if (field.has("is")) {
+        field.only({"is", "language"});
+        read.family = field.at("is").text();
+        read.kind = read.family == "finite"  ? Kind::finite
+                    : read.family == "empty" ? Kind::empty
+                                             : Kind::family;
+        if (read.kind == Kind::family &&
+            std::find(families.begin(), families.end(), read.family) == families.end())
+            field.at("is").fail("there is no family '" + read.family + "'");
+    } else if (field.has("member")) {
+        field.only({"member", "language"});
+        read.kind = Kind::member;
+        read.word = word(field.at("member"));
+    } else if (field.has("size")) {
+        field.only({"size", "language"});
+        read.kind = Kind::size;
+        read.size = field.at("size").integer();
+    } else {
+        for (const char* name : {"equal", "included"}) {
+            if (!field.has(name)) continue;
+            field.only({name});
+            read.kind = std::string_view(name) == "equal" ? Kind::equal : Kind::included;
+            const auto [left, right] = field.at(name).pair();
+            read.languages = {language(left), language(right)};
+            return true;
+        }
+        return false;
+    }
+    read.languages = {language(field.at("language"))};
+    return true;
+}
+
+Statement Reader::of_modules(const Field& field, Statement read) const {
+    field.only({"derives", "system", "from", "steps", "probability"});
+    read.family = field.at("system").text();
+    read.rewriting = rewritings_.at(read.family);
+    read.modules = modules(field.at("derives"));
+    if (field.has("from")) read.modules_from = modules(field.at("from"));
+    read.steps = field.at("steps").integer();
+    const bool is_chance = field.has("probability");
+    read.kind = is_chance ? Statement::Kind::chance : Statement::Kind::rewrites;
+    if (is_chance) read.probability = probability(field.at("probability"));
+    return read;
+}
+
+Statement Reader::of_dimension(const Field& field, Statement read) const {
+    const std::string of = field.has("dimension") ? "dimension" : "boundary";
+    field.only({of, "equals", "at most"});
+    read.kind = of == "dimension" ? Statement::Kind::dimension : Statement::Kind::boundary;
+    read.family = field.at(of).text();
+    if (!rewritings_.contains(read.family)) read.systems = {named_system(field.at(of))};
+    read.at_most = field.has("at most");
+    if (read.at_most) field.only({of, "at most"});
+    read.formula = field.at(read.at_most ? "at most" : "equals");
+    read.formula->text();
+    return read;
+}
+
+Statement Reader::of_systems(const Field& field, Statement read) const {
+    using Kind = Statement::Kind;
+    if (field.has("derives")) {
+        if (rewritings_.contains(field.at("system").text()))
+            return of_modules(field, std::move(read));
+        field.only({"derives", "system", "from", "steps"});
+        read.kind = Kind::derives;
+        read.word = word(field.at("derives"));
+        read.systems = {named_system(field.at("system"))};
+        if (field.has("from")) read.from = word(field.at("from"));
+        if (field.has("steps")) read.steps = field.at("steps").integer();
+        return read;
+    }
+    for (const char* name : {"equal sequences", "equal growth"}) {
+        if (!field.has(name)) continue;
+        field.only({name});
+        read.kind =
+            std::string_view(name) == "equal growth" ? Kind::equal_growth : Kind::equal_sequences;
+        const auto [left, right] = field.at(name).pair();
+        read.systems = {named_system(left), named_system(right)};
+        return read;
+    }
+    if (field.has("dimension") || field.has("boundary")) return of_dimension(field, read);
+    if (!field.has("growth")) field.fail("expected a statement");
+    read.systems = {named_system(field.at("growth"))};
+    if (field.has("equals")) {
+        field.only({"growth", "equals"});
+        read.kind = Kind::growth_formula;
+        read.formula = field.at("equals");
+        return read;
+    }
+    field.only({"growth", "class", "degree"});
+    read.kind = Kind::growth_class;
+    const Field name = field.at("class");
+    read.family = name.text();
+    static constexpr std::array classes = {"zero", "bounded", "polynomial", "exponential"};
+    if (std::find(classes.begin(), classes.end(), read.family) == classes.end())
+        name.fail("there is no class of growth '" + read.family + "'");
+    if (field.has("degree")) {
+        if (read.family != "polynomial")
+            field.at("degree").fail("only polynomial growth has a degree");
+        read.size = field.at("degree").integer();
+    }
+    return read;
+}
+
+Statement Reader::statement(const Field& field) const {
+    Statement read;
+    if (field.has("not")) {
+        field.only({"not"});
+        read = statement(field.at("not"));
+        read.negated = !read.negated;
+        return read;
+    }
+    if (of_languages(field, read)) return read;
+    return of_systems(field, std::move(read));
+}
 
 Language words_of(std::vector<Word> words) {
     std::sort(words.begin(), words.end(), shortlex_less);
@@ -119,6 +391,359 @@ std::unique_ptr<const Certificate> read_certificate(const std::string& text,
     for (const Field& each : root.at("statements").list())
         read->entries.push_back(read_entry(each, reader));
     return read;
+}
+
+}  // namespace algae::verify
+
+namespace algae {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using End = ObstructionCase::End;
+
+const std::map<std::string, End>& ends() {
+    static const std::map<std::string, End> all = {{"no image", End::no_image},
+                                                   {"needed", End::needed},
+                                                   {"sources", End::sources},
+                                                   {"conflict", End::conflict},
+                                                   {"choice", End::choice}};
+    return all;
+}
+
+/// Writes the parts of an obstruction.
+class Writer {
+public:
+    explicit Writer(const Alphabet& alphabet) : alphabet_(alphabet) {}
+
+    Json one_case(const ObstructionCase& part) const {
+        Json written = Json::object();
+        written["excluded"] = Json::array();
+        for (const ExcludedRule& excluded : part.excluded) {
+            Json each{{"letter", alphabet_.name(excluded.rule.letter)},
+                      {"image", word(excluded.rule.image)},
+                      {"word", word(excluded.word)}};
+            if (!excluded.images.empty()) each["images"] = words(excluded.images);
+            written["excluded"].push_back(std::move(each));
+        }
+        for (const auto& [name, end] : ends())
+            if (end == part.end) written["end"] = name;
+        if (part.end == End::no_image || part.end == End::choice)
+            written["letter"] = alphabet_.name(part.letter);
+        if (part.end == End::sources) {
+            written["sources"] = Json::array();
+            for (const auto& set : part.sources) written["sources"].push_back(words(set));
+        }
+        if (part.end == End::conflict) {
+            written["word"] = word(part.word);
+            written["images"] = words(part.images);
+        }
+        if (part.end == End::conflict || part.end == End::choice) {
+            written["rules"] = rules(part.rules);
+            written["cases"] = Json::array();
+            for (const ObstructionCase& each : part.cases)
+                written["cases"].push_back(one_case(each));
+        }
+        return written;
+    }
+
+    Json rules(const std::vector<LetterRule>& all) const {
+        Json written = Json::array();
+        for (const LetterRule& rule : all)
+            written.push_back(
+                {{"letter", alphabet_.name(rule.letter)}, {"image", word(rule.image)}});
+        return written;
+    }
+
+private:
+    Json word(const Word& each) const { return certificate_text(alphabet_, each); }
+    Json words(const std::vector<Word>& all) const {
+        Json written = Json::array();
+        for (const Word& each : all) written.push_back(word(each));
+        return written;
+    }
+
+    const Alphabet& alphabet_;
+};
+
+}  // namespace
+
+std::string certificate_text(const Alphabet& alphabet, const Word& word) {
+    std::string text;
+    for (std::size_t i = 0; i < word.size(); ++i)
+        text += (i > 0 ? " " : "") + alphabet.name(word[i]);
+    return text;
+}
+
+Json to_json(const FamilyObstruction& obstruction) {
+    const Writer writer(*obstruction.language.alphabet);
+    Json written{{"root", writer.one_case(obstruction.root)}};
+    if (obstruction.impossible.empty()) return written;
+    written["impossible"] = Json::array();
+    for (const ImpossibleTable& table : obstruction.impossible)
+        written["impossible"].push_back(
+            {{"rules", writer.rules(table.rules)}, {"why", writer.one_case(table.why)}});
+    return written;
+}
+
+namespace verify {
+
+namespace {
+
+LetterRule read_rule(const Reader& reader, const Field& field) {
+    return {reader.letter(field.at("letter")), reader.word(field.at("image"))};
+}
+
+std::vector<LetterRule> read_rules(const Reader& reader, const Field& field) {
+    std::vector<LetterRule> all;
+    for (const Field& each : field.list()) {
+        each.only({"letter", "image"});
+        all.push_back(read_rule(reader, each));
+    }
+    return all;
+}
+
+ExcludedRule read_excluded(const Reader& reader, const Field& field) {
+    field.only({"letter", "image", "word", "images"});
+    ExcludedRule read{read_rule(reader, field), reader.word(field.at("word")), {}};
+    if (field.has("images")) {
+        read.images = reader.words(field.at("images"));
+        if (read.images.empty()) field.at("images").fail("a step has an image for each letter");
+    }
+    return read;
+}
+
+ObstructionCase read_case(const Reader& reader, const Field& field) {
+    ObstructionCase read;
+    for (const Field& each : field.at("excluded").list())
+        read.excluded.push_back(read_excluded(reader, each));
+    const Field end = field.at("end");
+    const auto found = ends().find(end.text());
+    if (found == ends().end()) end.fail("no case ends with '" + end.text() + "'");
+    read.end = found->second;
+    const auto read_cases = [&] {
+        read.rules = read_rules(reader, field.at("rules"));
+        for (const Field& each : field.at("cases").list())
+            read.cases.push_back(read_case(reader, each));
+    };
+    switch (read.end) {
+        case End::no_image:
+            field.only({"excluded", "end", "letter"});
+            read.letter = reader.letter(field.at("letter"));
+            break;
+        case End::needed:
+            field.only({"excluded", "end"});
+            break;
+        case End::sources:
+            field.only({"excluded", "end", "sources"});
+            for (const Field& set : field.at("sources").list())
+                read.sources.push_back(reader.words(set));
+            break;
+        case End::conflict:
+            field.only({"excluded", "end", "word", "images", "rules", "cases"});
+            read.word = reader.word(field.at("word"));
+            read.images = reader.words(field.at("images"));
+            read_cases();
+            break;
+        case End::choice:
+            field.only({"excluded", "end", "letter", "rules", "cases"});
+            read.letter = reader.letter(field.at("letter"));
+            read_cases();
+            break;
+    }
+    return read;
+}
+
+}  // namespace
+
+FamilyObstruction read_obstruction(const Reader& reader, const Field& field) {
+    field.only({"root", "impossible"});
+    FamilyObstruction read;
+    read.root = read_case(reader, field.at("root"));
+    if (!field.has("impossible")) return read;
+    for (const Field& each : field.at("impossible").list()) {
+        each.only({"rules", "why"});
+        read.impossible.push_back(
+            {read_rules(reader, each.at("rules")), read_case(reader, each.at("why"))});
+    }
+    return read;
+}
+
+}  // namespace verify
+
+}  // namespace algae
+
+namespace algae::verify {
+
+namespace {
+
+constexpr std::size_t longest = 160;  // bytes of one expression
+
+/// The text with a gap in its middle if it is long, cut between characters.
+std::string shortened(const std::string& text) {
+    if (text.size() <= longest) return text;
+    const auto inside = [&](std::size_t i) {
+        return (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+    };
+    std::size_t head = longest / 2, tail = text.size() - longest / 2;
+    while (head > 0 && inside(head)) --head;
+    while (tail < text.size() && inside(tail)) ++tail;
+    return text.substr(0, head) + " ... " + text.substr(tail);
+}
+
+std::string morphism_text(const std::map<Symbol, Word>& morphism, const Alphabet& alphabet) {
+    std::string text;
+    for (const auto& [a, image] : morphism)
+        text += (text.empty() ? "" : ", ") + alphabet.name(a) + " -> " + spell(alphabet, image);
+    return "[" + text + "]";
+}
+
+std::string language_text(const Language& language, const Alphabet& alphabet) {
+    const auto part = [&](std::size_t i) { return language_text(language->parts[i], alphabet); };
+    const auto of_two = [&](const char* sign) { return "(" + part(0) + sign + part(1) + ")"; };
+    std::string text;
+    switch (language->kind) {
+        case Tree::Kind::words:
+            for (const Word& word : language->words)
+                text += (text.empty() ? "" : ", ") + spell(alphabet, word);
+            text = "{" + text + "}";
+            break;
+        case Tree::Kind::generated:
+            return "L(" + language->name + ")";
+        case Tree::Kind::united:
+            text = of_two(" | ");
+            break;
+        case Tree::Kind::intersection:
+            text = of_two(" & ");
+            break;
+        case Tree::Kind::difference:
+            text = of_two(" - ");
+            break;
+        case Tree::Kind::concatenation:
+            text = of_two(" ");
+            break;
+        case Tree::Kind::star:
+            text = part(0) + "*";
+            break;
+        case Tree::Kind::plus:
+            text = part(0) + "+";
+            break;
+        case Tree::Kind::reversal:
+            text = "reversal of " + part(0);
+            break;
+        case Tree::Kind::complement:
+            text = "complement of " + part(0) + " over " + spell(alphabet, language->letters);
+            break;
+        case Tree::Kind::image:
+            text = "image of " + part(0) + " under " + morphism_text(language->morphism, alphabet);
+            break;
+        case Tree::Kind::inverse_image:
+            text = "inverse image of " + part(0) + " under " +
+                   morphism_text(language->morphism, alphabet);
+            break;
+    }
+    return shortened(text);
+}
+
+/// The shortest decimal that is read back as the same number.
+std::string shortest_decimal(double value) {
+#ifdef __cpp_lib_to_chars
+    std::array<char, 400> digits;
+    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+    return {digits.data(), end};
+#else  // a library that converts integers only
+    for (int precision = 1;; ++precision) {
+        std::ostringstream out;
+        out.imbue(std::locale::classic());
+        out << std::setprecision(precision) << value;
+        if (precision == std::numeric_limits<double>::max_digits10) return out.str();
+        std::istringstream in(out.str());
+        in.imbue(std::locale::classic());
+        double again = 0;
+        if (in >> again && again == value) return out.str();
+    }
+#endif
+}
+
+std::string modules_text(const Modules& word) {
+    std::string text;
+    for (const Module& module : word) {
+        text += module.letter;
+        std::string list;
+        for (const double value : module.values) {
+            list += (list.empty() ? "" : ",") + shortest_decimal(value);
+        }
+        if (!list.empty()) text += "(" + list + ")";
+    }
+    return text.empty() ? "ε" : shortened(text);
+}
+
+std::string plain_text(const Statement& statement, const Alphabet& alphabet, bool opposite) {
+    using Kind = Statement::Kind;
+    const std::string no = opposite ? "not " : "";
+    const auto language = [&](std::size_t i) {
+        return language_text(statement.languages[i], alphabet);
+    };
+    const auto system = [&](std::size_t i) { return statement.systems[i].name; };
+    const std::string word = shortened(spell(alphabet, statement.word));
+    switch (statement.kind) {
+        case Kind::family:
+            return language(0) + " is " + no + statement.family;
+        case Kind::finite:
+            return language(0) + " is " + no + "finite";
+        case Kind::empty:
+            return language(0) + " is " + no + "empty";
+        case Kind::equal:
+            return language(0) + (opposite ? " != " : " = ") + language(1);
+        case Kind::included:
+            return language(0) + (opposite ? " is not within " : " <= ") + language(1);
+        case Kind::member:
+            return word + " is " + no + "in " + language(0);
+        case Kind::size:
+            return language(0) + (opposite ? " has not " : " has ") +
+                   shortened(to_string(*statement.size)) + " words";
+        case Kind::derives:
+            return system(0) + (opposite ? " does not derive " : " derives ") + word +
+                   (statement.from ? " from " + shortened(spell(alphabet, *statement.from)) : "") +
+                   (statement.steps ? " in " + shortened(to_string(*statement.steps)) + " steps"
+                                    : "");
+        case Kind::rewrites:
+        case Kind::chance: {
+            const bool is_chance = statement.kind == Kind::chance;
+            return statement.family + (opposite && !is_chance ? " does not derive " : " derives ") +
+                   modules_text(statement.modules) +
+                   (statement.modules_from ? " from " + modules_text(*statement.modules_from)
+                                           : "") +
+                   " in " + shortened(to_string(*statement.steps)) + " steps" +
+                   (is_chance ? std::string(opposite ? ", not" : "") + " with the probability " +
+                                    to_string(*statement.probability)
+                              : "");
+        }
+        case Kind::equal_sequences:
+            return system(0) + " and " + system(1) + " have " + (opposite ? "different" : "equal") +
+                   " sequences";
+        case Kind::equal_growth:
+            return system(0) + " and " + system(1) + " have " + (opposite ? "different" : "equal") +
+                   " lengths";
+        case Kind::growth_formula:
+            return "the lengths of " + system(0) + " are " + no + "given by the formula";
+        case Kind::dimension:
+        case Kind::boundary:
+            return std::string("the ") +
+                   (statement.kind == Kind::dimension ? "dimension" : "boundary's dimension") +
+                   " of " + statement.family + " is " + no + (statement.at_most ? "at most " : "") +
+                   statement.formula->text();
+        case Kind::growth_class:
+            break;
+    }
+    return "the growth of " + system(0) + " is " + no + statement.family +
+           (statement.size ? " of degree " + shortened(to_string(*statement.size)) : "");
+}
+
+}  // namespace
+
+std::string statement_text(const Statement& statement, bool refuted, const Alphabet& alphabet) {
+    return plain_text(statement, alphabet, statement.negated != refuted);
 }
 
 }  // namespace algae::verify

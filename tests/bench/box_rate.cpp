@@ -11,8 +11,8 @@
 #include <ctime>
 #include <exception>
 
-#include "dimension/box_counts.hpp"
-#include "notation/read.hpp"
+#include "dimension/dimension.hpp"
+#include "notation/notation.hpp"
 
 namespace {
 

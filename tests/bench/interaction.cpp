@@ -12,8 +12,8 @@
 #include <string>
 #include <vector>
 
-#include "fold/interaction.hpp"
-#include "notation/read.hpp"
+#include "notation/notation.hpp"
+#include "system/system.hpp"
 
 namespace {
 
@@ -33,8 +33,10 @@ Word plain_step(const IL& system, const Word& word) {
             chosen = &rule;
             break;
         }
-        if (chosen) next.insert(next.end(), chosen->successor.begin(), chosen->successor.end());
-        else next.push_back(word[i]);
+        if (chosen)
+            next.insert(next.end(), chosen->successor.begin(), chosen->successor.end());
+        else
+            next.push_back(word[i]);
     }
     return next;
 }
@@ -51,7 +53,8 @@ double median(std::vector<double> values) {
 }
 
 /// Rates of both: `steps` steps after two to warm up, and one plain step.
-void measure(const char* name, const std::string& text, unsigned steps, unsigned rounds, bool plain) {
+void measure(const char* name, const std::string& text, unsigned steps, unsigned rounds,
+             bool plain) {
     const IL system = *as_il(read_lsystem(text, "bench.lsys"));
     std::vector<double> ours, others;
     for (unsigned round = 0; round < rounds; ++round) {
@@ -71,7 +74,9 @@ void measure(const char* name, const std::string& text, unsigned steps, unsigned
         others.push_back(size / seconds([&] { word = plain_step(system, word); }));
     }
     std::printf("  %-44s algae %8.1f M/s", name, median(ours) / 1e6);
-    if (plain) std::printf("  rule scan %6.1f M/s  ratio %.1f", median(others) / 1e6, median(ours) / median(others));
+    if (plain)
+        std::printf("  rule scan %6.1f M/s  ratio %.1f", median(others) / 1e6,
+                    median(ours) / median(others));
     std::printf("\n");
 }
 
@@ -90,7 +95,8 @@ std::string random_rules(const std::string& of, std::size_t longest) {
         for (const char letter : of)
             for (const char right : of) {
                 text += std::string("; ") + left + " < " + letter + " > " + right + " -> ";
-                for (std::size_t i = 0; i < (longest == 1 ? 1 : random() % (longest + 1)); ++i) text += of[random() % of.size()];
+                for (std::size_t i = 0; i < (longest == 1 ? 1 : random() % (longest + 1)); ++i)
+                    text += of[random() % of.size()];
             }
     return text;
 }
@@ -100,22 +106,33 @@ std::string random_rules(const std::string& of, std::size_t longest) {
 int main(int argc, char** argv) {
     const unsigned rounds = argc > 1 ? static_cast<unsigned>(std::max(1, std::atoi(argv[1]))) : 5;
     constexpr std::size_t million = 1'000'000;
-    const auto of_letters = [&](const std::string& from) { return "axiom " + letters(from, million); };
+    const auto of_letters = [&](const std::string& from) {
+        return "axiom " + letters(from, million);
+    };
     std::string rule_110;
     for (int k = 0; k < 8; ++k)
-        rule_110 += std::string("; ") + char('0' + k / 4) + " < " + char('0' + k / 2 % 2) + " > " + char('0' + k % 2) +
-                    " -> " + char('0' + (110 >> k & 1));
+        rule_110 += std::string("; ") + char('0' + k / 4) + " < " + char('0' + k / 2 % 2) + " > " +
+                    char('0' + k % 2) + " -> " + char('0' + (110 >> k & 1));
     measure("b < a -> b; b -> a", of_letters("ab") + "; b < a -> b; b -> a", 2000, rounds, true);
     measure("rule 110", of_letters("01") + rule_110, 2000, rounds, true);
-    measure("4 letters, random 2L", of_letters("abcd") + random_rules("abcd", 1), 200, rounds, true);
-    measure("8 letters, random 2L", of_letters("abcdefgh") + random_rules("abcdefgh", 1), 50, rounds, true);
-    measure("16 letters, random 2L", of_letters("abcdefghijklmnop") + random_rules("abcdefghijklmnop", 1), 50, rounds, false);
-    measure("2 letters, 2L, 0 to 2 letters each", of_letters("ab") + random_rules("ab", 2), 20, rounds, true);
-    measure("4 letters, 2L, 0 to 2 letters each", of_letters("abcd") + random_rules("abcd", 2), 10, rounds, true);
-    measure("a < b -> ba; b < a -> aa (grows)", of_letters("ab") + "; a < b -> ba; b < a -> aa", 4, rounds, true);
-    measure("signal with an ignored letter", of_letters("aaab+") + "; b < a -> b; b -> a; ignore +", 20, rounds, false);
+    measure("4 letters, random 2L", of_letters("abcd") + random_rules("abcd", 1), 200, rounds,
+            true);
+    measure("8 letters, random 2L", of_letters("abcdefgh") + random_rules("abcdefgh", 1), 50,
+            rounds, true);
+    measure("16 letters, random 2L",
+            of_letters("abcdefghijklmnop") + random_rules("abcdefghijklmnop", 1), 50, rounds,
+            false);
+    measure("2 letters, 2L, 0 to 2 letters each", of_letters("ab") + random_rules("ab", 2), 20,
+            rounds, true);
+    measure("4 letters, 2L, 0 to 2 letters each", of_letters("abcd") + random_rules("abcd", 2), 10,
+            rounds, true);
+    measure("a < b -> ba; b < a -> aa (grows)", of_letters("ab") + "; a < b -> ba; b < a -> aa", 4,
+            rounds, true);
+    measure("signal with an ignored letter", of_letters("aaab+") + "; b < a -> b; b -> a; ignore +",
+            20, rounds, false);
     std::string tree;
     for (std::size_t i = 0; i < million / 10; ++i) tree += i % 3 ? "a[ba]aab[a]" : "b[a[b]a]aa";
     measure("signal in a tree", "axiom " + tree + "; b < a -> b; b -> a", 20, rounds, false);
-    measure("tree contexts on the right", "axiom " + tree + "; b < a > [b]aa -> b; a > [a]b -> b; b -> a", 20, rounds, false);
+    measure("tree contexts on the right",
+            "axiom " + tree + "; b < a > [b]aa -> b; a > [a]b -> b; b -> a", 20, rounds, false);
 }

@@ -57,7 +57,8 @@ int main(int argc, char** argv) {
     }
     const int rounds = std::max(1, std::atoi(argv[1]));
     std::vector<Contender> contenders;
-    for (int i = 2; i + 1 < std::min(argc, 6); i += 2) contenders.push_back({argv[i], argv[i + 1], {}});
+    for (int i = 2; i + 1 < std::min(argc, 6); i += 2)
+        contenders.push_back({argv[i], argv[i + 1], {}});
     for (Contender& one : contenders) {  // to warm up
         one.run();
         one.seconds.clear();
@@ -66,8 +67,8 @@ int main(int argc, char** argv) {
         for (Contender& one : contenders) one.run();
     for (Contender& one : contenders) {
         const double middle = one.middle();
-        std::printf("  %-34s min %.3f s  median %.3f s  peak %6.1f MiB", one.label.c_str(), one.seconds.front(),
-                    middle, static_cast<double>(one.kibibytes) / 1024);
+        std::printf("  %-34s min %.3f s  median %.3f s  peak %6.1f MiB", one.label.c_str(),
+                    one.seconds.front(), middle, static_cast<double>(one.kibibytes) / 1024);
         if (argc == 8) std::printf("  %.3g %s/s", std::atof(argv[6]) / middle, argv[7]);
         std::printf("\n");
     }

@@ -13,8 +13,8 @@
 #include <sstream>
 #include <vector>
 
-#include "notation/read.hpp"
-#include "rewrite/rewriting.hpp"
+#include "notation/notation.hpp"
+#include "rewrite/rewrite.hpp"
 
 int main(int argc, char** argv) {
     if (argc != 5) {

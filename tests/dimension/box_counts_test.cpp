@@ -1,13 +1,13 @@
-#include "dimension/box_counts.hpp"
+#include "dimension/dimension.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-#include "base/error.hpp"
-#include "dimension/box_counter.hpp"
-#include "notation/read.hpp"
+#include "dimension/detail/cells.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 #include "oracle/touched_cells.hpp"
 
 using namespace algae;

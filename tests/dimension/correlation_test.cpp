@@ -1,4 +1,4 @@
-#include "dimension/correlation.hpp"
+#include "dimension/detail/measures.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,8 +6,8 @@
 #include <cmath>
 #include <random>
 
-#include "base/error.hpp"
 #include "dimension/measured.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

@@ -1,12 +1,11 @@
-#include "dimension/dimension_value.hpp"
+#include "dimension/detail/value.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-#include "dimension/exact_dimension.hpp"
-#include "notation/read.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 

@@ -1,6 +1,6 @@
 // Ways and scaling factors against turtles in floating point.
 
-#include "dimension/displacement.hpp"
+#include "dimension/dimension.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -16,12 +16,11 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "dimension/exact_dimension.hpp"
-#include "dimension/recurrent_set.hpp"
-#include "notation/read.hpp"
+#include "dimension/detail/recurrent_set.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 #include "oracle/random_systems.hpp"
-#include "system/d0l.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 using oracle::WrittenSystem;
@@ -56,7 +55,7 @@ rc::Gen<std::pair<WrittenSystem, int>> any_turtle_system() {
 
 Budget short_time() {
     Budget budget;
-    budget.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(60);
+    budget.deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds(200);
     return budget;
 }
 
@@ -273,7 +272,12 @@ TEST_CASE("the dimension with multiplicity is that of rates found by iteration")
         const auto ways = growth_of_ways(written, angle);
         const auto letters = growth_of_letters(written);
         if (!ways || !letters) return;
-        const ExactDimension found = exact_dimension(system, short_time());
+        ExactDimension found;
+        try {
+            found = exact_dimension(system, short_time());
+        } catch (const BoundReached&) {
+            return;  // too large for a test
+        }
         if (!found.similarity) return;
         const double expected = std::log(*letters) / std::log(static_cast<double>(*ways));
         const double value = found.similarity->enclosure(64).midpoint();

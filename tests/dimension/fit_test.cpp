@@ -1,13 +1,13 @@
-#include "dimension/fit.hpp"
+#include "dimension/dimension.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <random>
 
-#include "base/error.hpp"
 #include "dimension/known_curves.hpp"
-#include "notation/read.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 

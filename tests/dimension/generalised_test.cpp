@@ -1,4 +1,4 @@
-#include "dimension/generalised.hpp"
+#include "dimension/dimension.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,11 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/error.hpp"
-#include "dimension/cell_masses.hpp"
-#include "dimension/fit.hpp"
+#include "dimension/detail/cells.hpp"
 #include "dimension/measured.hpp"
-#include "dimension/morton.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

@@ -1,12 +1,12 @@
-#include "dimension/lacunarity.hpp"
+#include "dimension/detail/measures.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-#include "base/error.hpp"
 #include "dimension/measured.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

@@ -6,11 +6,11 @@
 #include <numbers>
 #include <set>
 
-#include "base/error.hpp"
-#include "dimension/exact_dimension.hpp"
-#include "dimension/limit_fit.hpp"
-#include "notation/read.hpp"
-#include "system/d0l.hpp"
+#include "dimension/detail/measures.hpp"
+#include "dimension/dimension.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 

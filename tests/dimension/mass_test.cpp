@@ -1,15 +1,13 @@
-#include "dimension/mass.hpp"
+#include "dimension/detail/measures.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-#include "base/error.hpp"
-#include "dimension/even_sample.hpp"
-#include "dimension/halved_radii.hpp"
 #include "dimension/known_curves.hpp"
 #include "dimension/measured.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <memory>
 
-#include "dimension/scaling.hpp"
-#include "notation/read.hpp"
-#include "turtle/figure.hpp"
+#include "dimension/detail/measures.hpp"
+#include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae {
 

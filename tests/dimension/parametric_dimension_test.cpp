@@ -1,4 +1,4 @@
-#include "dimension/parametric_dimension.hpp"
+#include "dimension/dimension.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -10,11 +10,9 @@
 #include <tuple>
 #include <vector>
 
-#include "base/error.hpp"
-#include "dimension/constant_expression.hpp"
-#include "dimension/equal_lengths.hpp"
-#include "dimension/ratio_graph.hpp"
-#include "notation/read.hpp"
+#include "dimension/detail/ratio_graph.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 using Status = ExactDimension::Status;

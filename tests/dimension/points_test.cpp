@@ -1,4 +1,4 @@
-#include "dimension/points.hpp"
+#include "dimension/dimension.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,8 +6,7 @@
 #include <cmath>
 #include <set>
 
-#include "base/error.hpp"
-#include "dimension/fit.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

@@ -10,12 +10,11 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "dimension/distinct_parts.hpp"
-#include "dimension/neighbours.hpp"
-#include "notation/read.hpp"
+#include "dimension/detail/recurrent_set.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 #include "oracle/lattice_parts.hpp"
-#include "system/d0l.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 using oracle::LatticePart;

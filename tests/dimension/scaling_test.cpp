@@ -1,10 +1,10 @@
-#include "dimension/scaling.hpp"
+#include "dimension/detail/measures.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

@@ -7,11 +7,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "exact/cyclotomic.hpp"
-#include "exact/integer.hpp"
-#include "exact/integer_matrix.hpp"
-#include "exact/polynomial.hpp"
-#include "exact/rational.hpp"
+#include "exact/exact.hpp"
 
 namespace rc {
 

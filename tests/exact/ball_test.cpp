@@ -1,10 +1,9 @@
-#include "exact/ball.hpp"
+#include "exact/exact.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 
-#include "base/error.hpp"
 #include "exact/any_numbers.hpp"
 
 using namespace algae;

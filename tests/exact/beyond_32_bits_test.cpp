@@ -8,13 +8,7 @@
 #include <unordered_set>
 #include <vector>
 
-#include "base/error.hpp"
-#include "exact/ball.hpp"
-#include "exact/cyclotomic.hpp"
-#include "exact/integer.hpp"
-#include "exact/integer_matrix.hpp"
-#include "exact/polynomial.hpp"
-#include "exact/rational.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

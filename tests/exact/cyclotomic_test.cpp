@@ -1,4 +1,4 @@
-#include "exact/cyclotomic.hpp"
+#include "exact/exact.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,7 +7,6 @@
 #include <numbers>
 #include <unordered_set>
 
-#include "base/error.hpp"
 #include "exact/any_numbers.hpp"
 
 using namespace algae;

@@ -1,4 +1,4 @@
-#include "exact/integer.hpp"
+#include "exact/exact.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,7 +8,6 @@
 #include <sstream>
 #include <unordered_set>
 
-#include "base/error.hpp"
 #include "exact/any_numbers.hpp"
 
 using namespace algae;

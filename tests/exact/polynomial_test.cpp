@@ -1,8 +1,7 @@
-#include "exact/polynomial.hpp"
+#include "exact/exact.hpp"
 
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
 #include "exact/any_numbers.hpp"
 
 using namespace algae;

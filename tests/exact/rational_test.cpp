@@ -1,11 +1,10 @@
-#include "exact/rational.hpp"
+#include "exact/exact.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
 #include <limits>
 
-#include "base/error.hpp"
 #include "exact/any_numbers.hpp"
 
 using namespace algae;

@@ -2,15 +2,12 @@
 #include <rapidcheck.h>
 
 #include "exchange/any_brno.hpp"
-#include "exchange/brno_file.hpp"
 #include "exchange/compared.hpp"
-#include "exchange/conversion.hpp"
+#include "exchange/detail/formats.hpp"
+#include "exchange/exchange.hpp"
 #include "exchange/inputs.hpp"
-#include "exchange/system_format.hpp"
-#include "notation/gallery.hpp"
-#include "notation/print.hpp"
-#include "notation/read.hpp"
-#include "space/slow_walk.hpp"
+#include "notation/notation.hpp"
+#include "turtle/slow_walk.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;

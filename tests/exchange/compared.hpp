@@ -5,10 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "oracle/written_system.hpp"
-#include "space/space_figure.hpp"
-#include "turtle/derived_modules.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae::exchange_tests {
 

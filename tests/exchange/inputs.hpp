@@ -7,10 +7,9 @@
 #include <sstream>
 #include <string>
 
-#include "base/error.hpp"
-#include "notation/gallery.hpp"
-#include "notation/read.hpp"
-#include "system/lsystem.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
+#include "system/system.hpp"
 
 namespace algae::exchange_tests {
 

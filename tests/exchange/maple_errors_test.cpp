@@ -3,8 +3,8 @@
 
 #include "exchange/any_brno.hpp"
 #include "exchange/compared.hpp"
+#include "exchange/detail/formats.hpp"
 #include "exchange/inputs.hpp"
-#include "exchange/maple_file.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;

@@ -1,4 +1,4 @@
-#include "exchange/maple_file.hpp"
+#include "exchange/detail/formats.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -7,9 +7,7 @@
 #include "exchange/compared.hpp"
 #include "exchange/inputs.hpp"
 #include "exchange/slow_maple.hpp"
-#include "notation/gallery.hpp"
-#include "notation/print.hpp"
-#include "notation/read.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;

@@ -5,13 +5,11 @@
 
 #include "exchange/any_brno.hpp"
 #include "exchange/compared.hpp"
-#include "exchange/conversion.hpp"
+#include "exchange/detail/formats.hpp"
+#include "exchange/exchange.hpp"
 #include "exchange/inputs.hpp"
-#include "exchange/netlogo_file.hpp"
 #include "exchange/netlogo_model.hpp"
-#include "notation/gallery.hpp"
-#include "notation/print.hpp"
-#include "notation/read.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;

@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "turtle/pose.hpp"
+#include "exact/exact.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae::slow_maple {
 

@@ -2,14 +2,11 @@
 #include <rapidcheck.h>
 
 #include "exchange/any_brno.hpp"
-#include "exchange/ca_table.hpp"
 #include "exchange/compared.hpp"
-#include "exchange/conversion.hpp"
-#include "exchange/ifs_table.hpp"
-#include "nature/cellular_automaton.hpp"
-#include "nature/iterated_functions.hpp"
-#include "notation/relative_gallery.hpp"
-#include "notation/relative_reader.hpp"
+#include "exchange/detail/formats.hpp"
+#include "exchange/exchange.hpp"
+#include "nature/nature.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "growth/catenative.hpp"
 #include "growth/expanded.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -20,8 +20,11 @@ TEST_CASE("bounded and polynomial lengths have no formula at all") {
     CHECK(bounded.kind == CatenativeAnswer::Kind::none);
     const auto polynomial = locally_catenative(d0l("a", {{'a', "ab"}, {'b', "b"}}), 5);
     CHECK(polynomial.kind == CatenativeAnswer::Kind::none);
-    CHECK(polynomial.because == "the lengths grow like a polynomial, and two words or more would make them grow exponentially");
-    CHECK(locally_catenative(d0l("a", {{'a', "b"}, {'b', ""}}), 5).kind == CatenativeAnswer::Kind::none);
+    CHECK(polynomial.because ==
+          "the lengths grow like a polynomial, and two words or more would make them grow "
+          "exponentially");
+    CHECK(locally_catenative(d0l("a", {{'a', "b"}, {'b', ""}}), 5).kind ==
+          CatenativeAnswer::Kind::none);
 }
 
 TEST_CASE("what is not found is said not to be found") {

@@ -1,9 +1,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "growth/closed_form.hpp"
 #include "growth/counted.hpp"
-#include "growth/radicals.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -42,7 +41,8 @@ TEST_CASE("closed forms of the systems in the files give every length from 0 to 
         const ClosedForm form = closed_form(system);
         const std::vector<Integer> counted = counted_lengths(system, 201);
         bool all = true;
-        for (std::size_t n = form.exceptions().size(); n <= 200; ++n) all = all && rounded(form, n, counted[n]) == counted[n];
+        for (std::size_t n = form.exceptions().size(); n <= 200; ++n)
+            all = all && rounded(form, n, counted[n]) == counted[n];
         CHECK(all);
     }
 }
@@ -59,12 +59,22 @@ TEST_CASE("roots with multiplicity, in fields of every small degree") {
         const ClosedForm form = closed_form(system);
         const std::vector<Integer> counted = counted_lengths(system, 201);
         CHECK(form.terms().front().coefficients.size() > 1);
-        for (std::size_t n = form.exceptions().size(); n <= 200; n += 7) CHECK(rounded(form, n, counted[n]) == counted[n]);
+        for (std::size_t n = form.exceptions().size(); n <= 200; n += 7)
+            CHECK(rounded(form, n, counted[n]) == counted[n]);
     }
 }
 
 TEST_CASE("fields too large to be written out are still evaluated") {
-    const D0L system = d0l("a", {{'a', "b"}, {'b', "c"}, {'c', "d"}, {'d', "e"}, {'e', "f"}, {'f', "g"}, {'g', "h"}, {'h', "i"}, {'i', "j"}, {'j', "ab"}});
+    const D0L system = d0l("a", {{'a', "b"},
+                                 {'b', "c"},
+                                 {'c', "d"},
+                                 {'d', "e"},
+                                 {'e', "f"},
+                                 {'f', "g"},
+                                 {'g', "h"},
+                                 {'h', "i"},
+                                 {'i', "j"},
+                                 {'j', "ab"}});
     const ClosedForm form = closed_form(system);
     CHECK(form.terms().back().polynomial.degree() > ClosedForm::largest_written_degree);
     const std::vector<Integer> counted = counted_lengths(system, 201);
@@ -77,9 +87,11 @@ TEST_CASE("closed forms as they are written") {
           "((5+sqrt(5))/10)*((1+sqrt(5))/2)^n + ((5-sqrt(5))/10)*((1-sqrt(5))/2)^n");
     CHECK(text("a", {{'a', "aab"}, {'b', "bb"}}) == "(n + 2)*2^n/2");
     CHECK(text("a", {{'a', "ab"}, {'b', "bc"}, {'c', "cd"}}) == "(n^3 + 5n + 6)/6");
-    CHECK(text("a", {{'a', "bb"}, {'b', "a"}}) == "((1+sqrt(2))/2)*sqrt(2)^n + ((1-sqrt(2))/2)*(-sqrt(2))^n");
+    CHECK(text("a", {{'a', "bb"}, {'b', "a"}}) ==
+          "((1+sqrt(2))/2)*sqrt(2)^n + ((1-sqrt(2))/2)*(-sqrt(2))^n");
     CHECK(text("a", {{'a', "bc"}, {'b', "a"}, {'c', "c"}}) == "(2n + 5 - (-1)^n)/4");
-    CHECK(text("a", {{'a', "bc"}, {'b', "cac"}, {'c', "de"}, {'d', ""}, {'e', ""}}) == "(11 - (-1)^n)/2, for n >= 2");
+    CHECK(text("a", {{'a', "bc"}, {'b', "cac"}, {'c', "de"}, {'d', ""}, {'e', ""}}) ==
+          "(11 - (-1)^n)/2, for n >= 2");
     CHECK(text("a", {{'a', "b"}, {'b', "c"}, {'c', ""}}) == "0, for n >= 3");
     CHECK(text("a", {{'a', "b"}, {'b', "c"}, {'c', "a"}}) == "1");
     CHECK(text("c", {{'a', "c"}, {'b', "ca"}, {'c', "b"}}) ==
@@ -102,18 +114,20 @@ TEST_CASE("numbers with a square root as they are written") {
 
 TEST_CASE("a quotient in a number field has an integer below") {
     CHECK(rc::check([] {
-        const Polynomial moduli[] = {Polynomial({-1, -1, 0, 1}), Polynomial({-2, 0, 1}), Polynomial({-5, 1}),
-                                     Polynomial({3, 0, -1, 0, 0, 1})};
+        const Polynomial moduli[] = {Polynomial({-1, -1, 0, 1}), Polynomial({-2, 0, 1}),
+                                     Polynomial({-5, 1}), Polynomial({3, 0, -1, 0, 0, 1})};
         const NumberField field(moduli[*rc::gen::inRange(0, 4)]);
         const auto any = [&] {
             std::vector<Integer> coefficients;
-            for (int i = 0; i < field.modulus().degree(); ++i) coefficients.emplace_back(*rc::gen::inRange(-9, 10));
+            for (int i = 0; i < field.modulus().degree(); ++i)
+                coefficients.emplace_back(*rc::gen::inRange(-9, 10));
             return Polynomial(std::move(coefficients));
         };
         const Polynomial above = any(), below = any();
         RC_PRE(!below.is_zero());
         const AlgebraicNumber found = field.simplified({above, below});
         RC_ASSERT(found.denominator.degree() == 0);
-        RC_ASSERT(field.multiply(found.numerator, below) == field.reduced(above * found.denominator));
+        RC_ASSERT(field.multiply(found.numerator, below) ==
+                  field.reduced(above * found.denominator));
     }));
 }

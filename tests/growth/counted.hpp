@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "notation/read.hpp"
-#include "system/d0l.hpp"
+#include "notation/notation.hpp"
+#include "system/system.hpp"
 
 namespace algae {
 
@@ -36,7 +36,9 @@ inline std::vector<Integer> counted_lengths(const D0L& system, std::size_t count
 /// grow like polynomials, or die; in some, letters go round.
 inline D0L any_small_system() {
     // Whole ranges from the first case on.
-    const auto number = [](int low, int high) { return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1)); };
+    const auto number = [](int low, int high) {
+        return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(low, high + 1));
+    };
     const std::string all = "abcdef";
     const auto count = static_cast<std::size_t>(number(1, 6));
     const int kind = number(0, 3), longest = number(1, 4), erasing = number(0, 3);
@@ -64,22 +66,27 @@ inline D0L any_wide_system(std::size_t letters) {
         alphabet.symbol("x_" + std::to_string(i));
         Word image;
         const auto size = *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(1, 7));
-        for (std::size_t k = 0; k < size; ++k) image.push_back(static_cast<Symbol>(*rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, letters))));
+        for (std::size_t k = 0; k < size; ++k)
+            image.push_back(static_cast<Symbol>(
+                *rc::gen::resize(rc::kNominalSize, rc::gen::inRange<std::size_t>(0, letters))));
         images.push_back(std::move(image));
     }
-    return make_d0l(std::make_shared<const Alphabet>(std::move(alphabet)), Word{0}, std::move(images));
+    return make_d0l(std::make_shared<const Alphabet>(std::move(alphabet)), Word{0},
+                    std::move(images));
 }
 
 /// Every D0L system among the files of the repository.
 inline std::vector<D0L> systems_in_files() {
     std::vector<D0L> found;
     for (const char* folder : {"/figures", "/systems"})
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(std::string(ALGAE_SOURCE_DIR) + folder)) {
+        for (const auto& entry : std::filesystem::recursive_directory_iterator(
+                 std::string(ALGAE_SOURCE_DIR) + folder)) {
             if (entry.path().extension() != ".lsys") continue;
             std::ifstream in(entry.path(), std::ios::binary);
             std::ostringstream text;
             text << in.rdbuf();
-            const View<D0L> system = as_d0l(read_lsystem(text.str(), entry.path().filename().string()));
+            const View<D0L> system =
+                as_d0l(read_lsystem(text.str(), entry.path().filename().string()));
             if (system) found.push_back(*system);
         }
     return found;

@@ -2,7 +2,7 @@
 #include <rapidcheck.h>
 
 #include "growth/counted.hpp"
-#include "growth/equal_growth.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -28,7 +28,8 @@ TEST_CASE("turning all words round does not change how they grow") {
         const D0L system = any_small_system();
         std::vector<Word> images = system.rules.images;
         for (Word& image : images) std::reverse(image.begin(), image.end());
-        RC_ASSERT(equal_growth(system, make_d0l(system.alphabet, system.axiom, std::move(images))).equal);
+        RC_ASSERT(
+            equal_growth(system, make_d0l(system.alphabet, system.axiom, std::move(images))).equal);
     }));
 }
 

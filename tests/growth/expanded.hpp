@@ -15,7 +15,9 @@ namespace algae {
 inline rc::Gen<oracle::WrittenSystem> any_growing_d0l() {
     return rc::gen::apply(
         [](std::string before, std::string after, std::string b, std::string d, bool first) {
-            oracle::WrittenSystem system{first ? "a" : "da", {{'a', {before + "a" + after}}, {'b', {b}}, {'d', {d}}, {'m', {""}}}};
+            oracle::WrittenSystem system{
+                first ? "a" : "da",
+                {{'a', {before + "a" + after}}, {'b', {b}}, {'d', {d}}, {'m', {""}}}};
             return system;
         },
         oracle::any_word("abd", 2), oracle::any_word("abbcdm", 3), oracle::any_word("abdbdcm", 4),
@@ -23,7 +25,8 @@ inline rc::Gen<oracle::WrittenSystem> any_growing_d0l() {
 }
 
 /// The words of the generations that have at most so many letters, no more than `generations`.
-inline std::vector<std::string> expanded(const oracle::WrittenSystem& system, std::size_t letters, unsigned generations) {
+inline std::vector<std::string> expanded(const oracle::WrittenSystem& system, std::size_t letters,
+                                         unsigned generations) {
     std::vector<std::string> words;
     const unsigned last = oracle::last_generation_within(system, letters, generations);
     for (unsigned n = 0; n <= last; ++n) {
@@ -38,7 +41,8 @@ inline std::vector<std::string> expanded(const oracle::WrittenSystem& system, st
 inline std::set<std::string> factors_of(const std::vector<std::string>& words, std::size_t length) {
     std::set<std::string> found;
     for (const std::string& word : words)
-        for (std::size_t i = 0; i + length <= word.size(); ++i) found.insert(word.substr(i, length));
+        for (std::size_t i = 0; i + length <= word.size(); ++i)
+            found.insert(word.substr(i, length));
     return found;
 }
 
@@ -50,8 +54,9 @@ inline std::string repeated(const std::string& word, std::size_t times) {
 }
 
 inline bool occurs(const std::string& factor, const std::vector<std::string>& words) {
-    return std::any_of(words.begin(), words.end(),
-                       [&](const std::string& word) { return word.find(factor) != std::string::npos; });
+    return std::any_of(words.begin(), words.end(), [&](const std::string& word) {
+        return word.find(factor) != std::string::npos;
+    });
 }
 
 }  // namespace algae

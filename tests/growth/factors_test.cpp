@@ -1,15 +1,17 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "growth/expanded.hpp"
-#include "growth/factors.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
 namespace {
 
-std::vector<std::uint64_t> counts(const D0L& system, std::size_t length) { return factor_complexity(system, length); }
+std::vector<std::uint64_t> counts(const D0L& system, std::size_t length) {
+    return factor_complexity(system, length);
+}
 using Counts = std::vector<std::uint64_t>;
 
 std::set<std::string> texts(const D0L& system, const FactorSet& set) {
@@ -45,7 +47,8 @@ TEST_CASE("a finite language has no long factors, and the shorter words count") 
 TEST_CASE("a long run of letters that vanish is no obstacle") {
     // 8^12 letters m stand between two letters a, twelve steps before they are gone
     std::vector<std::pair<char, std::string>> rules{{'a', "aba"}};
-    for (char c = 'b'; c < 'm'; ++c) rules.emplace_back(c, std::string(8, static_cast<char>(c + 1)));
+    for (char c = 'b'; c < 'm'; ++c)
+        rules.emplace_back(c, std::string(8, static_cast<char>(c + 1)));
     rules.emplace_back('m', "");
     const auto complexity = counts(d0l("a", rules), 10);
     CHECK(complexity[1] == 13);
@@ -63,7 +66,8 @@ TEST_CASE("the factors of random systems are those seen in their words") {
         RC_ASSERT(std::includes(exact.begin(), exact.end(), seen.begin(), seen.end()));
         RC_ASSERT(exact == seen);
         const auto complexity = counts(system, length);
-        for (std::size_t k = 0; k <= length; ++k) RC_ASSERT(complexity[k] == texts(system, factors(system, k)).size());
+        for (std::size_t k = 0; k <= length; ++k)
+            RC_ASSERT(complexity[k] == texts(system, factors(system, k)).size());
     }));
 }
 
@@ -76,5 +80,6 @@ TEST_CASE("words that begin one another are beginnings of one infinite word") {
 TEST_CASE("a set of factors that takes too much memory is refused") {
     Budget budget;
     budget.memory = 100'000;
-    CHECK_THROWS_AS(factors(d0l("a", {{'a', "ab"}, {'b', "bc"}, {'c', "c"}}), 200, budget), BoundReached);
+    CHECK_THROWS_AS(factors(d0l("a", {{'a', "ab"}, {'b', "bc"}, {'c', "c"}}), 200, budget),
+                    BoundReached);
 }

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <map>
 
-#include "base/error.hpp"
-#include "growth/incidence.hpp"
+#include "exact/exact.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -59,7 +59,8 @@ TEST_CASE("the estimate is close to the logarithm of the length") {
 TEST_CASE("a length too long to write is refused at once, with about how many digits it has") {
     const D0L koch = d0l("F", {{'F', "F+F--F+F"}});
     CHECK_THROWS_WITH_AS(length(koch, 9'000'000'000'000),
-                         "the length of generation 9000000000000 alone has about 5418539921952 digits, more than the "
+                         "the length of generation 9000000000000 alone has about 5418539921952 "
+                         "digits, more than the "
                          "1000000000 allowed",
                          BoundReached);
 }

@@ -1,8 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "growth/growth_matrix.hpp"
-#include "growth/length_bounds.hpp"
+#include "growth/growth.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;
@@ -36,7 +35,8 @@ TEST_CASE("a choice of rules is a D0L system between the bounds") {
         const OL system = oracle::ol_of(*oracle::any_0l(3, true));
         const LengthBounds found = length_bounds(system, 8);
         for (const auto& choices : {found.least_choice, found.most_choice}) {
-            const std::vector<Integer> lengths_of_choice = lengths(chosen_system(system, choices), 9);
+            const std::vector<Integer> lengths_of_choice =
+                lengths(chosen_system(system, choices), 9);
             for (std::size_t n = 0; n <= 8; ++n) {
                 RC_ASSERT(found.least[n] <= lengths_of_choice[n]);
                 RC_ASSERT(lengths_of_choice[n] <= found.most[n]);

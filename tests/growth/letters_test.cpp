@@ -4,10 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "growth/analysis.hpp"
 #include "growth/counted.hpp"
-#include "growth/incidence.hpp"
-#include "growth/letters.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -16,13 +14,16 @@ namespace {
 Word rewritten(const D0L& system, Word word, std::uint64_t n) {
     for (; n > 0; --n) {
         Word next;
-        for (const Symbol a : word) next.insert(next.end(), system.successor(a).begin(), system.successor(a).end());
+        for (const Symbol a : word)
+            next.insert(next.end(), system.successor(a).begin(), system.successor(a).end());
         word = std::move(next);
     }
     return word;
 }
 
-D0L from(const D0L& system, Symbol a) { return make_d0l(system.alphabet, Word{a}, system.rules.images); }
+D0L from(const D0L& system, Symbol a) {
+    return make_d0l(system.alphabet, Word{a}, system.rules.images);
+}
 
 }  // namespace
 
@@ -31,7 +32,8 @@ TEST_CASE("letters die when their words say so") {
         const D0L system = any_small_system();
         const auto found = lifetimes(growth_matrix(system));
         for (std::size_t i = 0; i < system.letters.size(); ++i) {
-            const std::vector<Integer> values = counted_lengths(from(system, system.letters[i]), 12);
+            const std::vector<Integer> values =
+                counted_lengths(from(system, system.letters[i]), 12);
             const auto empty = std::find(values.begin(), values.end(), Integer(0));
             RC_ASSERT(found[i].has_value() == (empty != values.end()));
             if (found[i]) RC_ASSERT(static_cast<std::int64_t>(*found[i]) == empty - values.begin());
@@ -61,7 +63,8 @@ TEST_CASE("letters that begin their own words, by rewriting") {
                 power = p;
                 fixed = word.size() == 1;
             }
-            const auto known = std::find_if(found.begin(), found.end(), [&](const auto& point) { return point.letter == a; });
+            const auto known = std::find_if(found.begin(), found.end(),
+                                            [&](const auto& point) { return point.letter == a; });
             RC_ASSERT((known == found.end()) == (power == 0));
             if (power == 0) continue;
             RC_ASSERT(known->power == power);
@@ -89,7 +92,8 @@ TEST_CASE("primitivity by powers of the full matrix") {
         }
         bool irreducible = true;
         for (std::size_t i = 0; i < size; ++i)
-            for (std::size_t j = 0; j < size; ++j) irreducible = irreducible && !sum(i, j).is_zero();
+            for (std::size_t j = 0; j < size; ++j)
+                irreducible = irreducible && !sum(i, j).is_zero();
         const Primitivity found = primitivity(growth_matrix(system));
         RC_ASSERT(found.irreducible == irreducible);
         RC_ASSERT(found.exponent == exponent);
@@ -97,7 +101,8 @@ TEST_CASE("primitivity by powers of the full matrix") {
     CHECK(primitivity(growth_matrix(d0l("a", {{'a', "ab"}, {'b', "a"}}))).exponent == 2);
     CHECK(!primitivity(growth_matrix(d0l("a", {{'a', "bb"}, {'b', "a"}}))).exponent);
     // Wielandt's matrices need the most: (letters - 1)^2 + 1.
-    CHECK(primitivity(growth_matrix(d0l("a", {{'a', "b"}, {'b', "c"}, {'c', "d"}, {'d', "ab"}}))).exponent == 10);
+    CHECK(primitivity(growth_matrix(d0l("a", {{'a', "b"}, {'b', "c"}, {'c', "d"}, {'d', "ab"}})))
+              .exponent == 10);
 }
 
 TEST_CASE("the shares of letters come close to their limits") {
@@ -131,14 +136,16 @@ TEST_CASE("shares as they are written") {
     CHECK(shares(d0l("F", {{'F', "F+F--F+F"}})) == Shares{"3/7", "2/7", "2/7"});
     CHECK(shares(d0l("a", {{'a', "ab"}, {'b', "a"}})) == Shares{"(-1+sqrt(5))/2", "(3-sqrt(5))/2"});
     CHECK(shares(d0l("a", {{'a', "bb"}, {'b', "a"}})) == Shares{"1", "0", "0", "1"});
-    CHECK(shares(d0l("c", {{'a', "c"}, {'b', "ca"}, {'c', "b"}})) == Shares{"r^2 - r", "r - 1", "-r^2 + 2"});
+    CHECK(shares(d0l("c", {{'a', "c"}, {'b', "ca"}, {'c', "b"}})) ==
+          Shares{"r^2 - r", "r - 1", "-r^2 + 2"});
     CHECK(shares(d0l("a", {{'a', ""}})).empty());
     const D0L padovan = d0l("c", {{'a', "c"}, {'b', "ca"}, {'c', "b"}});
     CHECK(letter_frequencies(padovan).limits[0][0].decimal(10) == "0.4301597090");
 }
 
 TEST_CASE("letter counts of the fibonacci word") {
-    CHECK(parikh_vector(d0l("a", {{'a', "ab"}, {'b', "a"}}), 30) == std::vector<Integer>{1346269, 832040});
+    CHECK(parikh_vector(d0l("a", {{'a', "ab"}, {'b', "a"}}), 30) ==
+          std::vector<Integer>{1346269, 832040});
 }
 
 TEST_CASE("an analysis of every system in the files holds together") {
@@ -150,7 +157,8 @@ TEST_CASE("an analysis of every system in the files holds together") {
         CHECK(exact_divide(found.polynomials.minimal, found.recurrence.polynomial).has_value());
         if (found.frequencies.limits.empty()) continue;
         Ball sum(0, 128);
-        for (const Frequency& frequency : found.frequencies.limits[0]) sum += frequency.enclosure(128);
+        for (const Frequency& frequency : found.frequencies.limits[0])
+            sum += frequency.enclosure(128);
         CHECK(sum.contains(Rational(1)));
     }
 }

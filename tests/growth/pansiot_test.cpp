@@ -2,9 +2,7 @@
 #include <rapidcheck.h>
 
 #include "growth/expanded.hpp"
-#include "growth/factors.hpp"
-#include "growth/pansiot.hpp"
-#include "growth/repetitions.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -12,7 +10,8 @@ namespace {
 
 std::string class_of_words(const D0L& system) {
     const ComplexityOrder order = complexity_order(system);
-    return order.is_decided() ? to_string(order.at_least) : to_string(order.at_least) + " to " + to_string(order.at_most);
+    return order.is_decided() ? to_string(order.at_least)
+                              : to_string(order.at_least) + " to " + to_string(order.at_most);
 }
 
 }  // namespace
@@ -52,14 +51,16 @@ TEST_CASE("languages whose words do not begin one another") {
 }
 
 TEST_CASE("what is not decided is bounded from both sides") {
-    const ComplexityOrder order = complexity_order(d0l("cbad", {{'a', "aa"}, {'b', "bbb"}, {'d', "ddd"}, {'c', "ee"}, {'e', "c"}}));
+    const ComplexityOrder order = complexity_order(
+        d0l("cbad", {{'a', "aa"}, {'b', "bbb"}, {'d', "ddd"}, {'c', "ee"}, {'e', "c"}}));
     CHECK(!order.is_decided());
     CHECK(order.at_most == ComplexityClass::n_log_n);
 }
 
 TEST_CASE("the class agrees with the numbers of factors of random systems") {
     CHECK(rc::check([] {
-        const auto written = *rc::gen::oneOf(any_growing_d0l(), any_growing_d0l(), oracle::any_d0l());
+        const auto written =
+            *rc::gen::oneOf(any_growing_d0l(), any_growing_d0l(), oracle::any_d0l());
         const D0L system = oracle::d0l_of(written);
         const ComplexityOrder order = complexity_order(system);
         RC_ASSERT(!order.because.empty());
@@ -81,6 +82,7 @@ TEST_CASE("the class agrees with the numbers of factors of random systems") {
             const auto more = factor_complexity(system, 160);
             RC_ASSERT(more[160] == more[159]);
         }
-        if (order.at_least == ComplexityClass::quadratic) RC_ASSERT(factor_complexity(system, 144)[144] > 3 * complexity[40]);
+        if (order.at_least == ComplexityClass::quadratic)
+            RC_ASSERT(factor_complexity(system, 144)[144] > 3 * complexity[40]);
     }));
 }

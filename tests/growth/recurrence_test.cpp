@@ -1,10 +1,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "growth/annihilator.hpp"
 #include "growth/counted.hpp"
-#include "growth/recurrence.hpp"
-#include "growth/residues.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -46,7 +44,8 @@ TEST_CASE("the same for systems of many letters") {
         const D0L system = any_wide_system(*rc::gen::inRange<std::size_t>(20, 60));
         const Recurrence found = shortest_recurrence(system);
         RC_ASSERT(found.values(200) == counted_lengths(system, 200));
-        RC_ASSERT(found.holds_from() == hankel_rank(found.values(2 * system.letters.size()), system.letters.size()));
+        RC_ASSERT(found.holds_from() ==
+                  hankel_rank(found.values(2 * system.letters.size()), system.letters.size()));
     }));
 }
 
@@ -68,7 +67,8 @@ TEST_CASE("the quotient of the generating function gives the lengths and is in l
         const std::vector<Integer> counted = counted_lengths(system, 60);
         std::vector<Integer> product = (Polynomial(counted) * found.denominator).coefficients();
         product.resize(60);
-        for (std::size_t n = 0; n < 60; ++n) RC_ASSERT(product[n] == found.numerator.coefficient(n));
+        for (std::size_t n = 0; n < 60; ++n)
+            RC_ASSERT(product[n] == found.numerator.coefficient(n));
     }));
 }
 
@@ -119,6 +119,7 @@ TEST_CASE("primes and inverses") {
     CHECK(prime_below(100) == 97);
     CHECK(prime_below(4) == 3);
     const PrimeField field(prime_below(std::uint64_t{1} << 61));
-    for (const Residue x : {Residue{1}, Residue{2}, Residue{12345678901234567}}) CHECK(field.multiply(x, field.inverse(x)) == 1);
+    for (const Residue x : {Residue{1}, Residue{2}, Residue{12345678901234567}})
+        CHECK(field.multiply(x, field.inverse(x)) == 1);
     CHECK(field.residue(Integer(-1)) == field.prime() - 1);
 }

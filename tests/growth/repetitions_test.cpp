@@ -2,7 +2,7 @@
 #include <rapidcheck.h>
 
 #include "growth/expanded.hpp"
-#include "growth/repetitions.hpp"
+#include "growth/growth.hpp"
 
 using namespace algae;
 
@@ -10,7 +10,8 @@ namespace {
 
 std::vector<std::string> repeated_words(const D0L& system) {
     std::vector<std::string> words;
-    for (const auto& repetition : infinite_repetitions(system)) words.push_back(spell(*system.alphabet, repetition.word));
+    for (const auto& repetition : infinite_repetitions(system))
+        words.push_back(spell(*system.alphabet, repetition.word));
     return words;
 }
 using Texts = std::vector<std::string>;
@@ -18,15 +19,18 @@ using Texts = std::vector<std::string>;
 }  // namespace
 
 TEST_CASE("words without endless repetitions") {
-    CHECK(repeated_words(d0l("a", {{'a', "ab"}, {'b', "a"}})).empty());   // no fourth powers
-    CHECK(repeated_words(d0l("a", {{'a', "ab"}, {'b', "ba"}})).empty());  // no cubes but of overlaps
+    CHECK(repeated_words(d0l("a", {{'a', "ab"}, {'b', "a"}})).empty());  // no fourth powers
+    CHECK(
+        repeated_words(d0l("a", {{'a', "ab"}, {'b', "ba"}})).empty());  // no cubes but of overlaps
     CHECK(repeated_words(d0l("a", {{'a', "abc"}, {'b', "ac"}, {'c', "b"}})).empty());  // no squares
     CHECK(repeated_words(d0l("a", {{'a', "b"}, {'b', "a"}})).empty());
 }
 
 TEST_CASE("repetitions of growing letters, and of others") {
     CHECK(repeated_words(d0l("a", {{'a', "aba"}, {'b', "bbb"}})) == Texts{"b"});
-    CHECK(repeated_words(d0l("ac", {{'a', "aba"}, {'b', "aba"}, {'c', "cd"}, {'d', "e"}, {'e', "d"}})) == Texts{"de", "aab"});
+    CHECK(repeated_words(
+              d0l("ac", {{'a', "aba"}, {'b', "aba"}, {'c', "cd"}, {'d', "e"}, {'e', "d"}})) ==
+          Texts{"de", "aab"});
     CHECK(repeated_words(d0l("a", {{'a', "abab"}, {'b', ""}})) == Texts{"ab"});
     CHECK(repeated_words(d0l("a", {{'a', "abc"}, {'b', "bb"}, {'c', "ccc"}})) == Texts{"b", "c"});
 }
@@ -59,9 +63,11 @@ TEST_CASE("endless repetitions are seen in the words, and high powers are among 
         for (std::size_t length = 1; length <= 3; ++length)
             for (const std::string& word : factors_of(words, length)) {
                 if (!occurs(repeated(word, 120), words)) continue;
-                const bool known = std::any_of(repetitions.begin(), repetitions.end(), [&](const std::string& other) {
-                    return repeated(other, 3 * length + 3).find(repeated(word, 3)) != std::string::npos;
-                });
+                const bool known = std::any_of(
+                    repetitions.begin(), repetitions.end(), [&](const std::string& other) {
+                        return repeated(other, 3 * length + 3).find(repeated(word, 3)) !=
+                               std::string::npos;
+                    });
                 RC_ASSERT(known);
             }
     }));
@@ -69,7 +75,8 @@ TEST_CASE("endless repetitions are seen in the words, and high powers are among 
 
 TEST_CASE("roots, conjugates and factors of powers") {
     CHECK(rc::check([] {
-        const auto z = *rc::gen::nonEmpty(rc::gen::resize(6, rc::gen::container<Word>(rc::gen::inRange<Symbol>(0, 2))));
+        const auto z = *rc::gen::nonEmpty(
+            rc::gen::resize(6, rc::gen::container<Word>(rc::gen::inRange<Symbol>(0, 2))));
         const auto times = *rc::gen::inRange<std::size_t>(1, 4);
         Word power;
         for (std::size_t i = 0; i < times; ++i) power.insert(power.end(), z.begin(), z.end());

@@ -5,12 +5,12 @@
 #include <string_view>
 #include <vector>
 
-#include "notation/expression_grammar.hpp"
+#include "notation/notation.hpp"
 
 namespace algae::examples {
 
 using namespace std::string_literals;
 
-inline Expression parsed(std::string_view text) { return parse_expression(text, Source(text, "")); }
+inline Expression parsed(std::string_view text) { return read_expression(text); }
 
 }  // namespace algae::examples

@@ -15,11 +15,13 @@ inline fs::path root() { return ALGAE_SOURCE_DIR; }
 
 /// The files under a folder of the repository with one of these endings, in order of their paths,
 /// relative to the root.
-inline std::vector<fs::path> files(const std::string& folder, const std::vector<std::string>& endings) {
+inline std::vector<fs::path> files(const std::string& folder,
+                                   const std::vector<std::string>& endings) {
     std::vector<fs::path> found;
     if (!fs::is_directory(root() / folder)) return found;
     for (const auto& entry : fs::recursive_directory_iterator(root() / folder))
-        if (entry.is_regular_file() && std::ranges::count(endings, entry.path().extension().string()))
+        if (entry.is_regular_file() &&
+            std::ranges::count(endings, entry.path().extension().string()))
             found.push_back(entry.path().lexically_relative(root()));
     std::ranges::sort(found);
     return found;

@@ -10,9 +10,12 @@ namespace {
 
 /// Every text of the repository that people wrote, but this file.
 std::vector<fs::path> texts() {
-    std::vector<fs::path> all = {"CMakeLists.txt", "CMakePresets.json", "README.md", "TOUR.md", "CONTRIBUTING.md", "CHANGELOG.md", "CITATION.cff"};
-    for (const char* folder : {"src", "tests", "cmake", "figures", "theory", "lessons", "paper", "tools", "docs"})
-        for (const fs::path& file : files(folder, {"", ".hpp", ".cpp", ".cmake", ".awk", ".in", ".md", ".txt", ".lsys", ".claim", ".py", ".sh"}))
+    std::vector<fs::path> all = {"CMakeLists.txt",  "CMakePresets.json", "README.md",   "TOUR.md",
+                                 "CONTRIBUTING.md", "CHANGELOG.md",      "CITATION.cff"};
+    for (const char* folder :
+         {"src", "tests", "cmake", "figures", "theory", "lessons", "paper", "tools", "docs"})
+        for (const fs::path& file : files(folder, {"", ".hpp", ".cpp", ".cmake", ".awk", ".in",
+                                                   ".md", ".txt", ".lsys", ".claim", ".py", ".sh"}))
             if (file.filename() != "prose_test.cpp") all.push_back(file);
     return all;
 }
@@ -36,25 +39,30 @@ TEST_CASE("nothing is left for later") {
 }
 
 TEST_CASE("no path belongs to one machine") {
-    none_says(texts(), std::regex(R"((^|[\s"'=(])/(home|work|Users|root|opt|mnt)/)"), "a path of one machine");
+    none_says(texts(), std::regex(R"((^|[\s"'=(])/(home|work|Users|root|opt|mnt)/)"),
+              "a path of one machine");
 }
 
 TEST_CASE("only the command line prints or exits") {
     std::vector<fs::path> library;
     for (const fs::path& file : files("src", {".hpp", ".cpp"}))
-        if (!file.string().starts_with("src/cli/")) library.push_back(file);
-    none_says(library, std::regex(R"(std::(cout|cerr|clog|exit|abort|quick_exit)\b|\b(f?printf|puts|fmt::print|_exit)\()"),
-              "the library returns or throws");
+        if (!file.string().starts_with("src/command/")) library.push_back(file);
+    none_says(
+        library,
+        std::regex(
+            R"(std::(cout|cerr|clog|exit|abort|quick_exit)\b|\b(f?printf|puts|fmt::print|_exit)\()"),
+        "the library returns or throws");
 }
 
 TEST_CASE("a message of the library names no option of the command") {
     for (const fs::path& file : files("src", {".hpp", ".cpp"})) {
-        if (file.string().starts_with("src/cli/")) continue;
+        if (file.string().starts_with("src/command/")) continue;
         std::size_t number = 0;
         for (const std::string& line : lines(file)) {
             ++number;
             // The page of a lesson shows whole commands.
-            if (std::regex_search(line, std::regex(R"--("[^"]*--[a-z][^"]*")--")) && line.find("`algae ") == std::string::npos)
+            if (std::regex_search(line, std::regex(R"--("[^"]*--[a-z][^"]*")--")) &&
+                line.find("`algae ") == std::string::npos)
                 FAIL_CHECK(file.string() << ":" << number << ": an option; the command adds it");
         }
     }
@@ -62,7 +70,8 @@ TEST_CASE("a message of the library names no option of the command") {
 
 TEST_CASE("a stop is let through where errors are caught, as it is none") {
     // No ladder of `throw;` stands before an Error: stops are let through by themselves.
-    const std::regex ladder(R"(catch \(const (Stopped|BoundReached|Interrupted)&\) \{\s*throw;\s*\} catch \(const Error)");
+    const std::regex ladder(
+        R"(catch \(const (Stopped|BoundReached|Interrupted)&\) \{\s*throw;\s*\} catch \(const Error)");
     for (const fs::path& file : files("src", {".hpp", ".cpp"})) {
         std::string text;
         for (const std::string& line : lines(file)) text += line + '\n';
@@ -84,7 +93,7 @@ TEST_CASE("a property that does not hold fails its test") {
     }
 }
 
-TEST_CASE("every header is included once and every file has one notion") {
+TEST_CASE("every header is included once and every file is named for its subject") {
     for (const fs::path& file : files("src", {".hpp"})) {
         INFO(file.string());
         const auto text = lines(file);

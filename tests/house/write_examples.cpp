@@ -63,7 +63,8 @@ int main(int count, char** arguments) {
         << "namespace algae::examples {\n";
     for (const auto& [header, line, expression] : examples)
         out << "\nTEST_CASE(\"" << header << ':' << line << "\") {\n"
-            << "#line " << line << " \"" << root << '/' << header << "\"\n    CHECK((" << expression << "));\n}\n";
+            << "#line " << line << " \"" << root << '/' << header << "\"\n    CHECK((" << expression
+            << "));\n}\n";
     out << "\n}  // namespace algae::examples\n";
     return out.flush() ? 0 : 1;
 }

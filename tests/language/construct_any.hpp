@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "oracle/table_words.hpp"
-#include "system/et0l.hpp"
+#include "system/system.hpp"
 
 namespace algae::construct_tests {
 

@@ -1,10 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/construct_any.hpp"
-#include "language/construct_power.hpp"
-#include "language/construct_reversal.hpp"
-#include "language/construct_two_tables.hpp"
+#include "language/detail/construct.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;

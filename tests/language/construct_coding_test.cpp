@@ -1,8 +1,8 @@
-#include "language/construct_coding.hpp"
+#include "language/detail/construct.hpp"
 
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/construct_any.hpp"
 
 using namespace algae;

@@ -1,8 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/construct_any.hpp"
-#include "language/construct_gsm.hpp"
+#include "language/detail/construct.hpp"
 #include "language/regular_any.hpp"
 
 using namespace algae;

@@ -1,9 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/construct_any.hpp"
-#include "language/construct_image.hpp"
-#include "language/construct_propagating.hpp"
+#include "language/detail/construct.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;

@@ -1,10 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/construct_any.hpp"
-#include "language/construct_e0l.hpp"
-#include "language/construct_synchronised.hpp"
-#include "language/construct_tables.hpp"
+#include "language/detail/construct.hpp"
 
 using namespace algae;
 using namespace algae::construct_tests;

@@ -1,9 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/construct_any.hpp"
-#include "language/construct_inverse_image.hpp"
-#include "language/construct_substitution.hpp"
+#include "language/detail/construct.hpp"
 
 using namespace algae;
 using namespace algae::construct_tests;

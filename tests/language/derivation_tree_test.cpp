@@ -1,11 +1,11 @@
-#include "language/derivation_tree.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <set>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;

@@ -1,12 +1,12 @@
-#include "language/equivalence_language.hpp"
+#include "language/detail/equality.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <set>
 
-#include "base/error.hpp"
-#include "language/sequence_pair.hpp"
+#include "exact/exact.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;

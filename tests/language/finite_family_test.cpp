@@ -1,4 +1,4 @@
-#include "language/finite_family.hpp"
+#include "language/detail/finite_family.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -9,7 +9,7 @@
 #include <random>
 
 #include "oracle/finite_systems.hpp"
-#include "verify/finite_check.hpp"
+#include "verify/verify.hpp"
 
 using namespace algae;
 using oracle::FiniteSystems;

@@ -1,4 +1,4 @@
-#include "language/finite_proof.hpp"
+#include "language/detail/finite_family.hpp"
 
 #include <doctest/doctest.h>
 

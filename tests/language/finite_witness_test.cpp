@@ -1,11 +1,9 @@
-#include "language/finite_witness.hpp"
+#include "language/detail/finite_family.hpp"
 
 #include <doctest/doctest.h>
 
-#include "fold/choices.hpp"
-#include "language/finite_family.hpp"
 #include "oracle/finite_systems.hpp"
-#include "system/classes.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 

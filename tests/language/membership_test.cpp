@@ -1,13 +1,13 @@
-#include "language/membership.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <chrono>
 
-#include "base/error.hpp"
-#include "fold/choices.hpp"
+#include "exact/exact.hpp"
 #include "oracle/random_systems.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 
@@ -25,16 +25,20 @@ std::vector<std::string> all_texts(const std::string& letters, std::size_t longe
 Word word_of(const OL& system, const std::string& text) {
     Word word;
     for (const char letter : text)
-        word.push_back(system.alphabet->find(std::string(1, letter)).value_or(static_cast<Symbol>(system.alphabet->size())));
+        word.push_back(system.alphabet->find(std::string(1, letter))
+                           .value_or(static_cast<Symbol>(system.alphabet->size())));
     return word;
 }
 
-Membership asked(const OL& system, const std::string& text) { return membership(system, word_of(system, text)); }
+Membership asked(const OL& system, const std::string& text) {
+    return membership(system, word_of(system, text));
+}
 
 /// A derivation of the word by nothing but the rules.
 bool derives(const OL& system, const Word& word, std::uint64_t step) {
     const Derivation found = derivation(system, word, step);
-    return is_derivation(system, found) && found.words.back() == word && found.choices.size() == step;
+    return is_derivation(system, found) && found.words.back() == word &&
+           found.choices.size() == step;
 }
 
 using Reason = Membership::Reason;
@@ -50,7 +54,8 @@ TEST_CASE("membership agrees with the list of all short words, and every yes has
             for (const std::string& text : all_texts("abc", 4)) {
                 const Word word = word_of(system, text);
                 const Membership found = membership(system, word);
-                RC_ASSERT(found.member == (std::find(listed.begin(), listed.end(), word) != listed.end()));
+                RC_ASSERT(found.member ==
+                          (std::find(listed.begin(), listed.end(), word) != listed.end()));
                 RC_ASSERT(found.member == (found.reason == Reason::derived));
                 if (found.member) RC_ASSERT(derives(system, word, found.step));
             }
@@ -83,7 +88,8 @@ TEST_CASE("without erasing, what is not reached through words of the same length
         const auto written = *oracle::any_0l(2, false);
         const OL system = oracle::ol_of(written);
         const auto reached = oracle::words_up_to(written, 4, 4);
-        for (const std::string& text : all_texts("abc", 4)) RC_ASSERT(asked(system, text).member == reached.contains(text));
+        for (const std::string& text : all_texts("abc", 4))
+            RC_ASSERT(asked(system, text).member == reached.contains(text));
     });
     CHECK(holds);
 }
@@ -101,7 +107,8 @@ TEST_CASE("D0L systems, erasing or not, against rewriting") {
             if (before.insert(text).second) RC_ASSERT(found.step == n);
             RC_ASSERT(derives(system, word_of(system, text), found.step));
             const std::string other = text + "a";
-            if (asked(system, other).member) RC_ASSERT(derives(system, word_of(system, other), asked(system, other).step));
+            if (asked(system, other).member)
+                RC_ASSERT(derives(system, word_of(system, other), asked(system, other).step));
         }
     });
     CHECK(holds);
@@ -150,8 +157,10 @@ TEST_CASE("a word that appears only after all cycles have met") {
 
 TEST_CASE("a derivation is refused for a generation that does not have the word") {
     const OL system = ol("a", {{'a', "a"}, {'a', "aa"}});
-    CHECK_THROWS_WITH_AS(derivation(system, {0, 0, 0}, 1), "the word is not in generation 1", Error);
-    CHECK_THROWS_WITH_AS(derivation(ol("a", {{'a', "aa"}}), {0, 0}, 2), "the word is not in generation 2", Error);
+    CHECK_THROWS_WITH_AS(derivation(system, {0, 0, 0}, 1), "the word is not in generation 1",
+                         Error);
+    CHECK_THROWS_WITH_AS(derivation(ol("a", {{'a', "aa"}}), {0, 0}, 2),
+                         "the word is not in generation 2", Error);
     CHECK_THROWS_WITH_AS(derivation(system, {7}, 1), "the word is not in generation 1", Error);
 }
 
@@ -175,7 +184,8 @@ TEST_CASE("a derivation that was tampered with is none") {
 TEST_CASE("tables that do not fit the memory allowed are refused") {
     Budget budget;
     budget.memory = 1000;
-    CHECK_THROWS_AS(membership(ol("a", {{'a', "a"}, {'a', "aa"}}), Word(200, 0), budget), BoundReached);
+    CHECK_THROWS_AS(membership(ol("a", {{'a', "a"}, {'a', "aa"}}), Word(200, 0), budget),
+                    BoundReached);
 }
 
 TEST_CASE("long words are decided in time") {

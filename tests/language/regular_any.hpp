@@ -6,7 +6,7 @@
 #include <set>
 #include <string>
 
-#include "language/regular_language.hpp"
+#include "language/detail/regular.hpp"
 
 namespace algae::regular_tests {
 
@@ -55,9 +55,11 @@ inline Listed any_listed(int depth) {
     const int kind = depth == 0 ? 0 : *rc::gen::inRange(0, 6);
     if (kind == 0) {
         const auto word = rc::gen::mapcat(rc::gen::inRange(0, 4), [](int size) {
-            return rc::gen::container<Word>(static_cast<std::size_t>(size), rc::gen::element(Symbol{0}, Symbol{1}));
+            return rc::gen::container<Word>(static_cast<std::size_t>(size),
+                                            rc::gen::element(Symbol{0}, Symbol{1}));
         });
-        const auto words = *rc::gen::container<std::vector<Word>>(static_cast<std::size_t>(*rc::gen::inRange(0, 4)), word);
+        const auto words = *rc::gen::container<std::vector<Word>>(
+            static_cast<std::size_t>(*rc::gen::inRange(0, 4)), word);
         return {finite_set(words), {words.begin(), words.end()}};
     }
     const Listed left = any_listed(depth - 1);
@@ -69,7 +71,8 @@ inline Listed any_listed(int depth) {
     }
     const Listed right = any_listed(depth - 1);
     std::set<Word> words = left.words;
-    if (kind == 3) return {concatenated(left.language, right.language), products(left.words, right.words)};
+    if (kind == 3)
+        return {concatenated(left.language, right.language), products(left.words, right.words)};
     if (kind == 4) {
         words.insert(right.words.begin(), right.words.end());
         return {united(left.language, right.language), words};

@@ -1,10 +1,10 @@
-#include "language/regular_language.hpp"
+#include "language/detail/regular.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/regular_any.hpp"
 
 using namespace algae;
@@ -18,7 +18,8 @@ bool no_two_states_are_equivalent(const Dfa& automaton) {
     const std::size_t n = automaton.states();
     std::vector<std::vector<char>> differ(n, std::vector<char>(n, 0));
     for (std::size_t s = 0; s < n; ++s)
-        for (std::size_t t = 0; t < n; ++t) differ[s][t] = automaton.accepting[s] != automaton.accepting[t];
+        for (std::size_t t = 0; t < n; ++t)
+            differ[s][t] = automaton.accepting[s] != automaton.accepting[t];
     for (std::size_t round = 0; round < n; ++round)
         for (std::size_t s = 0; s < n; ++s)
             for (std::size_t t = 0; t < n; ++t)
@@ -36,7 +37,8 @@ Dfa any_dfa() {
     const auto letters = *rc::gen::inRange<std::size_t>(1, 3);
     return {letters, *rc::gen::inRange<std::size_t>(0, states),
             *rc::gen::container<std::vector<char>>(states, rc::gen::element<char>(0, 1)),
-            *rc::gen::container<std::vector<std::size_t>>(states * letters, rc::gen::inRange<std::size_t>(0, states))};
+            *rc::gen::container<std::vector<std::size_t>>(
+                states * letters, rc::gen::inRange<std::size_t>(0, states))};
 }
 
 }  // namespace
@@ -46,12 +48,12 @@ TEST_CASE("every operation gives the words that listing them gives") {
         const Listed left = any_listed(2), right = any_listed(2);
         RC_ASSERT(contained(left.language) == left.words);
         std::set<Word> both;
-        std::set_intersection(left.words.begin(), left.words.end(), right.words.begin(), right.words.end(),
-                              std::inserter(both, both.end()));
+        std::set_intersection(left.words.begin(), left.words.end(), right.words.begin(),
+                              right.words.end(), std::inserter(both, both.end()));
         RC_ASSERT(contained(intersected(left.language, right.language)) == both);
         std::set<Word> one;
-        std::set_symmetric_difference(left.words.begin(), left.words.end(), right.words.begin(), right.words.end(),
-                                      std::inserter(one, one.end()));
+        std::set_symmetric_difference(left.words.begin(), left.words.end(), right.words.begin(),
+                                      right.words.end(), std::inserter(one, one.end()));
         RC_ASSERT(contained(symmetric_difference(left.language, right.language)) == one);
         std::set<Word> others = all_short_words();
         std::erase_if(others, [&](const Word& word) { return left.words.contains(word); });
@@ -65,7 +67,8 @@ TEST_CASE("every operation gives the words that listing them gives") {
 
 TEST_CASE("equal languages have equal automata, however they were made") {
     const bool holds = rc::check("laws", [] {
-        const auto a = any_listed(2).language, b = any_listed(2).language, c = any_listed(1).language;
+        const auto a = any_listed(2).language, b = any_listed(2).language,
+                   c = any_listed(1).language;
         RC_ASSERT(united(a, b) == united(b, a));
         RC_ASSERT(reversed(reversed(a)) == a);
         RC_ASSERT(reversed(concatenated(a, b)) == concatenated(reversed(b), reversed(a)));
@@ -89,7 +92,8 @@ TEST_CASE("a minimal automaton accepts the same words and no two of its states a
         RC_ASSERT(no_two_states_are_equivalent(found));
         RC_ASSERT(minimal(found) == found);
         RC_ASSERT(found.states() <= automaton.states());
-        for (const Word& word : all_short_words()) RC_ASSERT(found.accepts(word) == automaton.accepts(word));
+        for (const Word& word : all_short_words())
+            RC_ASSERT(found.accepts(word) == automaton.accepts(word));
         // Brzozowski 1963: backwards, made deterministic, and once more.
         const Dfa twice = determinised(reversed(as_nfa(determinised(reversed(as_nfa(automaton))))));
         RC_ASSERT(minimal(twice) == found);

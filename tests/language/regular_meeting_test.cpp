@@ -1,9 +1,10 @@
-#include "language/regular_meeting.hpp"
+#include "language/detail/letters.hpp"
+#include "language/detail/regular.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "language/regular_any.hpp"
 #include "oracle/random_systems.hpp"
 
@@ -13,7 +14,8 @@ namespace {
 
 Word word_of(const OL& system, const std::string& text) {
     Word word;
-    for (const char letter : text) word.push_back(system.alphabet->find(std::string(1, letter)).value());
+    for (const char letter : text)
+        word.push_back(system.alphabet->find(std::string(1, letter)).value());
     return word;
 }
 
@@ -42,7 +44,8 @@ TEST_CASE("a first meeting is where trying every choice finds it, with a shortes
                 if (words.size() > 300) break;
                 std::optional<std::size_t> shortest;
                 for (const std::string& text : words)
-                    if (language.contains(word_of(system, text))) shortest = std::min(shortest.value_or(text.size()), text.size());
+                    if (language.contains(word_of(system, text)))
+                        shortest = std::min(shortest.value_or(text.size()), text.size());
                 if (!shortest) RC_ASSERT(!found.derivation || found.step > n);
                 if (shortest) {
                     RC_ASSERT(found.derivation.has_value());
@@ -88,7 +91,8 @@ TEST_CASE("inclusion both ways where the language is finite or fills a regular o
     REQUIRE(even.derivation);
     CHECK(even.step == 0);
     const OL powers = ol("a", {{'a', "aa"}});
-    const Meeting long_word = first_meeting(powers, concatenated(finite_set({Word(100, 0)}), all_words({0})));
+    const Meeting long_word =
+        first_meeting(powers, concatenated(finite_set({Word(100, 0)}), all_words({0})));
     REQUIRE(long_word.derivation);
     CHECK(long_word.derivation->words.back().size() == 128);
     CHECK_FALSE(first_meeting(powers, plus(finite_set({{0, 0, 0}}))).derivation);
@@ -99,7 +103,8 @@ TEST_CASE("letters that must die do so at once, so a late meeting has short word
     // A takes 25 steps to become Z; meanwhile each a could double.
     std::vector<std::pair<char, std::string>> rules{{'a', "aa"}, {'a', "a"}, {'a', ""}};
     const std::string chain = "ABCDEFGHIJKLMNOPQRSTUVWXYZ";
-    for (std::size_t i = 0; i + 1 < chain.size(); ++i) rules.emplace_back(chain[i], std::string{chain[i + 1]});
+    for (std::size_t i = 0; i + 1 < chain.size(); ++i)
+        rules.emplace_back(chain[i], std::string{chain[i + 1]});
     const OL system = ol("aA", rules);
     const Meeting found = first_meeting(system, finite_set({{*system.alphabet->find("Z")}}));
     REQUIRE(found.derivation);
@@ -112,5 +117,7 @@ TEST_CASE("a word too long to be written out is refused with its generation") {
     Budget budget;
     budget.letters = 1000;
     const OL powers = ol("a", {{'a', "aa"}});
-    CHECK_THROWS_AS(first_meeting(powers, concatenated(finite_set({Word(1100, 0)}), all_words({0})), budget), BoundReached);
+    CHECK_THROWS_AS(
+        first_meeting(powers, concatenated(finite_set({Word(1100, 0)}), all_words({0})), budget),
+        BoundReached);
 }

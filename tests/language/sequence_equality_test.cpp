@@ -1,4 +1,4 @@
-#include "language/sequence_equality.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,7 +6,7 @@
 #include <map>
 #include <set>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;

@@ -1,13 +1,10 @@
-#include "language/tables_finiteness.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
-#include "language/finiteness.hpp"
-#include "language/regular_words.hpp"
-#include "language/tables_membership.hpp"
-#include "language/tables_words.hpp"
+#include "exact/exact.hpp"
+#include "language/detail/regular.hpp"
 #include "oracle/random_tables.hpp"
 
 using namespace algae;
@@ -74,8 +71,7 @@ TEST_CASE(
                 ++infinite;
                 RC_ASSERT(is_proof(system, *found.endless));
                 for (std::size_t n = 0; n <= 6; ++n)
-                    RC_ASSERT(longest_after_rounds(written, *found.endless, n).value_or(0) >=
-                              n);
+                    RC_ASSERT(longest_after_rounds(written, *found.endless, n).value_or(0) >= n);
                 return;
             }
             ++finite;

@@ -1,10 +1,11 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
+#include "language/detail/letters.hpp"
+#include "language/detail/regular.hpp"
+#include "language/language.hpp"
 #include "language/regular_any.hpp"
-#include "language/regular_meeting.hpp"
-#include "language/tables_membership.hpp"
 #include "oracle/random_tables.hpp"
 
 using namespace algae;

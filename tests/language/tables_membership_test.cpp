@@ -1,9 +1,9 @@
-#include "language/tables_membership.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "oracle/random_tables.hpp"
 
 using namespace algae;

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "algebra/semiring.hpp"
+#include "exact/exact.hpp"
 
 namespace algae::laws {
 

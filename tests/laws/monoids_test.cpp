@@ -1,11 +1,9 @@
 // The laws of every monoid in src, on random elements. What each models is checked while compiling.
-#include "algebra/sums.hpp"
+#include "exact/exact.hpp"
 #include "laws/check_laws.hpp"
-#include "turtle/lattice_motions.hpp"
-#include "turtle/pieces.hpp"
-#include "word/hom.hpp"
-#include "word/spelling.hpp"
-#include "word/word_sets.hpp"
+#include "turtle/detail/plane_figure.hpp"
+#include "turtle/turtle.hpp"
+#include "word/word.hpp"
 
 using namespace algae;
 using namespace algae::laws;
@@ -24,15 +22,20 @@ namespace {
 class Dice {
 public:
     long from_to(long least, long most) {
-        return least + static_cast<long>(generator_() % static_cast<std::uint64_t>(most - least + 1));
+        return least +
+               static_cast<long>(generator_() % static_cast<std::uint64_t>(most - least + 1));
     }
     /// Also numbers beyond 64 bits, and close to where machine numbers end.
     Integer integer() {
         switch (from_to(0, 3)) {
-            case 0: return from_to(-5, 5);
-            case 1: return power(Integer(2), 62) + from_to(-2, 2);
-            case 2: return Integer(from_to(-5, 5)) * power(Integer(10), 30);
-            default: return -power(Integer(2), 62) + from_to(-2, 2);
+            case 0:
+                return from_to(-5, 5);
+            case 1:
+                return power(Integer(2), 62) + from_to(-2, 2);
+            case 2:
+                return Integer(from_to(-5, 5)) * power(Integer(10), 30);
+            default:
+                return -power(Integer(2), 62) + from_to(-2, 2);
         }
     }
     Word word(long letters, long most) {
@@ -52,8 +55,9 @@ bool near(std::complex<double> x, std::complex<double> y) {
 
 /// All of a piece but its disc, which depends on the order in which discs were joined.
 bool same_motion(const Pieces::value_type& x, const Pieces::value_type& y) {
-    return near(x.move, y.move) && x.turn == y.turn && near(x.size, y.size) && near(x.width, y.width) &&
-        near(x.colours, y.colours) && near(x.letters, y.letters) && x.draws() == y.draws();
+    return near(x.move, y.move) && x.turn == y.turn && near(x.size, y.size) &&
+           near(x.width, y.width) && near(x.colours, y.colours) && near(x.letters, y.letters) &&
+           x.draws() == y.draws();
 }
 
 Compass compass_of(const char* degrees) {
@@ -95,9 +99,9 @@ TEST_CASE("bracket balances are a monoid, and say what a scan of the word says")
     const auto of = [&](const Word& word) {  // 0 is a letter, 1 opens, 2 closes
         auto value = balances.one();
         for (const Symbol a : word)
-            balances.append(value, a == 1 ? BracketBalance::value_type{1, 0}
-                                 : a == 2 ? BracketBalance::value_type{-1, -1}
-                                          : balances.one());
+            balances.append(value, a == 1   ? BracketBalance::value_type{1, 0}
+                                   : a == 2 ? BracketBalance::value_type{-1, -1}
+                                            : balances.one());
         return value;
     };
     check_monoid_laws(balances, [&] { return of(dice.word(3, 6)); });
@@ -114,8 +118,9 @@ TEST_CASE("bracket balances are a monoid, and say what a scan of the word says")
 
 TEST_CASE("spellings are a monoid, with names that need blanks and names that do not") {
     Dice dice;
-    for (const std::vector<std::string>& names :
-         {std::vector<std::string>{"a", "b", "c"}, {"X_1", "2", "_", "X"}, {"wall", "w", "a", "l", "?E"}}) {
+    for (const std::vector<std::string>& names : {std::vector<std::string>{"a", "b", "c"},
+                                                  {"X_1", "2", "_", "X"},
+                                                  {"wall", "w", "a", "l", "?E"}}) {
         Alphabet alphabet;
         for (const std::string& name : names) alphabet.symbol(name);
         const Spellings spellings(alphabet);
@@ -131,7 +136,8 @@ TEST_CASE("spellings are a monoid, with names that need blanks and names that do
 TEST_CASE("sets of words are a semiring, cut at a length or not") {
     Dice dice;
     const Budget budget;
-    for (const std::size_t longest : {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{1000}}) {
+    for (const std::size_t longest :
+         {std::size_t{0}, std::size_t{1}, std::size_t{3}, std::size_t{1000}}) {
         const WordSets sets(budget, longest);
         check_semiring_laws(sets, [&] {
             auto set = sets.zero();
@@ -158,13 +164,15 @@ TEST_CASE("lattice motions are a monoid with branches, for every kind of order")
                 auto next = what == 0   ? motions.turned(dice.from_to(-order, order))
                             : what == 1 ? motions.step(false)
                                         : motions.step(true);
-                if (what == 3 && !some.empty()) next = motions.branch(some[static_cast<std::size_t>(i) / 2]);
+                if (what == 3 && !some.empty())
+                    next = motions.branch(some[static_cast<std::size_t>(i) / 2]);
                 motions.append(value, next);
             }
             some.push_back(value);
         }
         const auto any = [&] { return some[static_cast<std::size_t>(dice.from_to(0, 39))]; };
-        if (order == 72) {  // the same laws on fewer elements: each has 72 reaches in a ring of degree 24
+        if (order ==
+            72) {  // the same laws on fewer elements: each has 72 reaches in a ring of degree 24
             for (int i = 0; i < 40; ++i) {
                 auto left = any(), middle = any(), right = any();
                 auto late = middle;
@@ -182,7 +190,8 @@ TEST_CASE("lattice motions are a monoid with branches, for every kind of order")
     }
 }
 
-TEST_CASE("pieces are a monoid with branches up to rounding, and their discs hold their parts' discs") {
+TEST_CASE(
+    "pieces are a monoid with branches up to rounding, and their discs hold their parts' discs") {
     Dice dice;
     for (const char* degrees : {"90", "36", "25.7", "137.5"}) {
         const Compass compass = compass_of(degrees);
@@ -192,10 +201,22 @@ TEST_CASE("pieces are a monoid with branches up to rounding, and their discs hol
             for (long k = dice.from_to(0, 5); k > 0; --k) {
                 auto next = pieces.one();
                 switch (dice.from_to(0, 4)) {
-                    case 0: next.turn = compass.normal(dice.from_to(-3, 3) * compass.turn()); break;
-                    case 1: next.move = 1; break;
-                    case 2: next.size = 0.75; next.width = 0.5; next.colours = 1; break;
-                    default: next.move = 1; next.centre = 0.5; next.radius = 0.5; break;
+                    case 0:
+                        next.turn = compass.normal(dice.from_to(-3, 3) * compass.turn());
+                        break;
+                    case 1:
+                        next.move = 1;
+                        break;
+                    case 2:
+                        next.size = 0.75;
+                        next.width = 0.5;
+                        next.colours = 1;
+                        break;
+                    default:
+                        next.move = 1;
+                        next.centre = 0.5;
+                        next.radius = 0.5;
+                        break;
                 }
                 next.letters = 1;
                 pieces.append(value, next);
@@ -210,7 +231,8 @@ TEST_CASE("pieces are a monoid with branches up to rounding, and their discs hol
             pieces.append(both, y);
             if (x.draws()) CHECK(std::abs(both.centre - x.centre) + x.radius <= both.radius + 1e-9);
             const auto moved = x.move + x.size * compass.direction(x.turn) * y.centre;
-            if (y.draws()) CHECK(std::abs(both.centre - moved) + x.size * y.radius <= both.radius + 1e-9);
+            if (y.draws())
+                CHECK(std::abs(both.centre - moved) + x.size * y.radius <= both.radius + 1e-9);
         }
     }
 }

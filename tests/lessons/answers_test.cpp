@@ -3,13 +3,10 @@
 #include <filesystem>
 #include <map>
 
-#include "base/error.hpp"
-#include "cli/run.hpp"
-#include "lesson/check_exercise.hpp"
-#include "lesson/lessons.hpp"
-#include "lesson/mark.hpp"
-#include "notation/gallery.hpp"
-#include "notation/read.hpp"
+#include "command/run.hpp"
+#include "exact/exact.hpp"
+#include "lesson/lesson.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 namespace fs = std::filesystem;

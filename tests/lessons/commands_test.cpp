@@ -5,8 +5,8 @@
 #include <fstream>
 #include <vector>
 
-#include "cli/run.hpp"
-#include "lesson/lessons.hpp"
+#include "command/run.hpp"
+#include "lesson/lesson.hpp"
 #include "lessons/markdown.hpp"
 
 using namespace algae;
@@ -37,7 +37,7 @@ void check_page(std::string_view text, const Scratch& folder) {
     for (const Block& block : blocks(text)) {
         if (!block.name.empty()) folder.file(block.name, joined(block.lines));
         if (block.kind != "console") continue;
-        for (const Command& command : commands(block)) {
+        for (const auto& command : commands(block)) {
             CAPTURE(command.line);
             REQUIRE(command.line.starts_with("algae "));
             const Run found = run_in(folder, command.line);

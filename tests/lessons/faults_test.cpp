@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "cli/run.hpp"
+#include "command/run.hpp"
 
 namespace {
 

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "cli/run.hpp"
+#include "command/run.hpp"
 
 using nlohmann::json;
 

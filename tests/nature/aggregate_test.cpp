@@ -8,13 +8,9 @@
 #include <set>
 #include <vector>
 
-#include "base/error.hpp"
-#include "nature/aggregates.hpp"
-#include "nature/circle_return.hpp"
-#include "nature/free_aggregate.hpp"
-#include "nature/gaussian.hpp"
-#include "nature/grid_aggregate.hpp"
-#include "nature/occupancy.hpp"
+#include "exact/exact.hpp"
+#include "nature/detail/aggregates.hpp"
+#include "nature/detail/random.hpp"
 
 using namespace algae;
 

@@ -1,15 +1,14 @@
-#include "nature/cells.hpp"
+#include "nature/detail/cells.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
-#include "fold/interaction.hpp"
-#include "nature/cellular_automaton.hpp"
-#include "exchange/system_of_cells.hpp"
-#include "notation/relative_reader.hpp"
+#include "exact/exact.hpp"
+#include "exchange/exchange.hpp"
+#include "nature/nature.hpp"
+#include "notation/notation.hpp"
 #include "oracle/cells.hpp"
-#include "system/il.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 

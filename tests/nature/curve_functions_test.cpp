@@ -1,4 +1,4 @@
-#include "nature/curve_functions.hpp"
+#include "nature/nature.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,14 +8,11 @@
 #include <map>
 #include <set>
 
-#include "dimension/exact_dimension.hpp"
-#include "dimension/recurrent_set.hpp"
-#include "nature/attractor.hpp"
-#include "nature/similarity_dimension.hpp"
-#include "exchange/conversion.hpp"
-#include "notation/ifs_file.hpp"
-#include "notation/read.hpp"
-#include "turtle/figure.hpp"
+#include "dimension/dimension.hpp"
+#include "exchange/exchange.hpp"
+#include "nature/detail/iterated_functions.hpp"
+#include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 

@@ -4,14 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "dimension/box_counts.hpp"
-#include "dimension/divider.hpp"
-#include "dimension/fit.hpp"
-#include "dimension/mass.hpp"
-#include "dimension/points.hpp"
-#include "nature/aggregates.hpp"
-#include "nature/terrain.hpp"
-#include "nature/weierstrass.hpp"
+#include "dimension/dimension.hpp"
+#include "nature/detail/aggregates.hpp"
+#include "nature/detail/height_field.hpp"
+#include "nature/nature.hpp"
 
 using namespace algae;
 

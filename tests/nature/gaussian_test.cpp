@@ -1,4 +1,4 @@
-#include "nature/gaussian.hpp"
+#include "nature/detail/random.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -1,4 +1,4 @@
-#include "nature/height_field.hpp"
+#include "nature/detail/height_field.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -7,9 +7,8 @@
 #include <complex>
 #include <numbers>
 
-#include "base/error.hpp"
-#include "nature/contour.hpp"
-#include "nature/fourier.hpp"
+#include "exact/exact.hpp"
+#include "nature/detail/random.hpp"
 
 using namespace algae;
 

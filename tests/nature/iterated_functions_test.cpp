@@ -1,4 +1,4 @@
-#include "nature/iterated_functions.hpp"
+#include "nature/nature.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,12 +6,9 @@
 #include <cmath>
 #include <map>
 
-#include "base/error.hpp"
-#include "nature/attractor.hpp"
-#include "nature/chaos_game.hpp"
-#include "nature/copies.hpp"
-#include "nature/similarity_dimension.hpp"
-#include "notation/ifs_file.hpp"
+#include "exact/exact.hpp"
+#include "nature/detail/iterated_functions.hpp"
+#include "notation/notation.hpp"
 #include "oracle/addresses.hpp"
 
 using namespace algae;

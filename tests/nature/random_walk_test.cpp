@@ -1,11 +1,11 @@
-#include "nature/random_walk.hpp"
+#include "nature/detail/random.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

@@ -1,4 +1,4 @@
-#include "nature/square_exit.hpp"
+#include "nature/detail/aggregates.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <map>
 #include <vector>
 
-#include "base/error.hpp"
-#include "rewrite/draws.hpp"
+#include "exact/exact.hpp"
+#include "rewrite/rewrite.hpp"
 
 using namespace algae;
 

@@ -2,10 +2,8 @@
 
 #include <string>
 
-#include "base/error.hpp"
-#include "notation/gallery.hpp"
-#include "notation/read.hpp"
-#include "notation/read_claim.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 
 /// The systems that the tests of claims open by name: those of the gallery.
 inline algae::LSystem gallery_system(const std::string& name) {

@@ -3,10 +3,10 @@
 
 #include <string>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 #include "notation/random_text.hpp"
-#include "notation/read.hpp"
-#include "system/expression.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 

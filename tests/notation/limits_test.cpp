@@ -3,11 +3,9 @@
 
 #include <string>
 
-#include "base/error.hpp"
-#include "notation/format.hpp"
-#include "notation/print.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 #include "notation/random_text.hpp"
-#include "notation/read.hpp"
 
 using namespace algae;
 

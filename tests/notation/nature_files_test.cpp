@@ -2,11 +2,9 @@
 
 #include <string>
 
-#include "base/error.hpp"
-#include "nature/aggregates.hpp"
-#include "nature/particle_show.hpp"
-#include "nature/terrain.hpp"
-#include "notation/relative_reader.hpp"
+#include "exact/exact.hpp"
+#include "nature/nature.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 

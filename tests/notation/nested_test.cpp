@@ -1,12 +1,8 @@
 #include <doctest/doctest.h>
 
-#include "notation/format.hpp"
-#include "notation/print.hpp"
-#include "notation/read.hpp"
+#include "notation/notation.hpp"
 #include "said.hpp"
-#include "system/classes.hpp"
-#include "system/d0l.hpp"
-#include "system/il.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 

@@ -6,10 +6,9 @@
 #include <sstream>
 #include <string>
 
-#include "base/error.hpp"
-#include "notation/print.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 #include "notation/random_text.hpp"
-#include "notation/read.hpp"
 
 using namespace algae;
 

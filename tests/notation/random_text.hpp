@@ -121,7 +121,8 @@ inline std::string successor(const Options& options, const Strings& names) {
     const int kind = below(12);
     const std::string parts = "{ F wall+ X_1 G }";
     if (kind == 0)
-        return (chance(50) ? "div(Y, " : "div(ZX, 1r, 3 : ") + expression(names) + ", (" + expression(names) + ") r, 2r)" + parts;
+        return (chance(50) ? "div(Y, " : "div(ZX, 1r, 3 : ") + expression(names) + ", (" +
+               expression(names) + ") r, 2r)" + parts;
     if (kind == 1) return "repeat(X, " + expression(names) + ")" + parts;
     if (kind == 2 && names.empty()) return "I( B )";
     return word(options, names, true);
@@ -160,8 +161,10 @@ inline std::string system() {
     if (chance(20)) out += "environment ?P position\n";
     if (chance(20)) out += "turn clockwise\ngeneration 3..7\nseed 2..5\n";
     if (chance(20)) out += "stamp G circle; plot F G ; stamp T_1 triangle\n";
-    if (chance(20)) out += "camera 30 (1+1) perspective\nlight 3 -90; fog 1/2 ; tropism 0 (1 < 2) -.5\n";
-    if (chance(20)) out += "susceptibility 2^-2; solid F_l _typeCone _height; solid B_2 sphere colour\n";
+    if (chance(20))
+        out += "camera 30 (1+1) perspective\nlight 3 -90; fog 1/2 ; tropism 0 (1 < 2) -.5\n";
+    if (chance(20))
+        out += "susceptibility 2^-2; solid F_l _typeCone _height; solid B_2 sphere colour\n";
     if (chance(20)) out += "surface ~ petal ; surface D polygon (0,0,0)(1,0,0) ( 0 , 1+1,(2)) \n";
     if (chance(20)) out += "expect length 3: 148\nexpect end 2: 1/2 0\n";
     const bool tables = chance(20);
@@ -176,8 +179,7 @@ inline std::string system() {
     }
     if (!opened.empty() && chance(50)) {
         out += "schedule";
-        for (int i = 1 + below(6); i > 0; --i)
-            out += ' ' + one_of(opened);
+        for (int i = 1 + below(6); i > 0; --i) out += ' ' + one_of(opened);
         out += '\n';
     }
     out += "axiom ε" + word(options, options.constants, true) + '\n';

@@ -218,24 +218,26 @@ TEST_CASE("shape rules") {
 }
 
 TEST_CASE("shape rules along several axes") {
-    CHECK(findings("axiom a\na -> div(XX, 3 : 2){ B }\na -> div(XZ, 3, 2){ B }\na -> repeat(XZ, 1){ B }\n"
-                   "a -> div(X, 3 : 2){ B }\na -> div(, 3){ B }\na -> div(X, 3 : ){ B }") ==
-          "x.lsys:2:10: error: expected different axes, found 'XX'\n"
-          "  a -> div(XX, 3 : 2){ B }\n"
-          "           ^\n"
-          "x.lsys:3:6: error: expected sizes for each of 2 axes, with ':' between, found 1\n"
-          "  a -> div(XZ, 3, 2){ B }\n"
-          "       ^\n"
-          "x.lsys:4:13: error: expected one axis of repeat, found 'XZ'\n"
-          "  a -> repeat(XZ, 1){ B }\n"
-          "              ^\n"
-          "x.lsys:5:6: error: expected sizes for one axis, found 2 lists with ':' between\n"
-          "  a -> div(X, 3 : 2){ B }\n"
-          "       ^\n"
-          "x.lsys:6:10: error: expected an axis, X, Y or Z, found ','\n"
-          "  a -> div(, 3){ B }\n"
-          "           ^\n"
-          "x.lsys:7:17: error: expected a number or a name, found ')'\n"
-          "  a -> div(X, 3 : ){ B }\n"
-          "                  ^");
+    CHECK(
+        findings(
+            "axiom a\na -> div(XX, 3 : 2){ B }\na -> div(XZ, 3, 2){ B }\na -> repeat(XZ, 1){ B }\n"
+            "a -> div(X, 3 : 2){ B }\na -> div(, 3){ B }\na -> div(X, 3 : ){ B }") ==
+        "x.lsys:2:10: error: expected different axes, found 'XX'\n"
+        "  a -> div(XX, 3 : 2){ B }\n"
+        "           ^\n"
+        "x.lsys:3:6: error: expected sizes for each of 2 axes, with ':' between, found 1\n"
+        "  a -> div(XZ, 3, 2){ B }\n"
+        "       ^\n"
+        "x.lsys:4:13: error: expected one axis of repeat, found 'XZ'\n"
+        "  a -> repeat(XZ, 1){ B }\n"
+        "              ^\n"
+        "x.lsys:5:6: error: expected sizes for one axis, found 2 lists with ':' between\n"
+        "  a -> div(X, 3 : 2){ B }\n"
+        "       ^\n"
+        "x.lsys:6:10: error: expected an axis, X, Y or Z, found ','\n"
+        "  a -> div(, 3){ B }\n"
+        "           ^\n"
+        "x.lsys:7:17: error: expected a number or a name, found ')'\n"
+        "  a -> div(X, 3 : ){ B }\n"
+        "                  ^");
 }

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "base/error.hpp"
-#include "notation/read.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 
 /// What is said about a text, or "" if nothing is wrong with it.
 inline std::string findings(const std::string& text) {

@@ -3,9 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "notation/format.hpp"
-#include "notation/print.hpp"
-#include "notation/read.hpp"
+#include "notation/notation.hpp"
 #include "notation/said.hpp"
 
 using namespace algae;

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "base/error.hpp"
-#include "notation/print.hpp"
-#include "notation/read.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 
 using namespace algae;
 

@@ -121,7 +121,8 @@ private:
     Found of_words(const Words& words, const Morphism& morphism) const {
         Words found;
         for (const Word& word : words)
-            if (const auto image = mapped(word, morphism); image && image->size() <= longest_) found.insert(*image);
+            if (const auto image = mapped(word, morphism); image && image->size() <= longest_)
+                found.insert(*image);
         return found;
     }
 
@@ -134,7 +135,8 @@ private:
     }
 
     static bool erases(const Morphism& morphism) {
-        return std::any_of(morphism.begin(), morphism.end(), [](const auto& entry) { return entry.second.empty(); });
+        return std::any_of(morphism.begin(), morphism.end(),
+                           [](const auto& entry) { return entry.second.empty(); });
     }
 
     /// What is no sum of images of the parts: from sets of words as they are.
@@ -180,7 +182,8 @@ void add_derived(const ET0L& system, std::set<Symbol>& letters) {
         before = seen.size();
         for (const Symbol a : std::set<Symbol>(seen))
             for (const Table& table : system.tables)
-                for (const Word& successor : table[a]) seen.insert(successor.begin(), successor.end());
+                for (const Word& successor : table[a])
+                    seen.insert(successor.begin(), successor.end());
     }
     for (const Symbol a : seen)
         if (system.terminal[a]) letters.insert(a);
@@ -193,7 +196,8 @@ void add_letters(const LanguageTree& tree, std::set<Symbol>& letters) {
         letters.insert(a);
         letters.insert(image.begin(), image.end());
     }
-    if (tree.kind == Kind::generated && tree.system->tables) add_derived(*tree.system->tables, letters);
+    if (tree.kind == Kind::generated && tree.system->tables)
+        add_derived(*tree.system->tables, letters);
     for (const Language& part : tree.parts) add_letters(*part, letters);
 }
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "system/lsystem.hpp"
+#include "system/system.hpp"
 
 namespace algae::oracle {
 

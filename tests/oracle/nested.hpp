@@ -5,7 +5,7 @@
 #include <optional>
 #include <string>
 
-#include "system/lsystem.hpp"
+#include "system/system.hpp"
 
 namespace algae::oracle {
 

@@ -12,13 +12,15 @@ namespace algae::oracle {
 /// A word of up to `most` of these letters.
 inline rc::Gen<std::string> any_word(const std::string& letters, int most) {
     return rc::gen::mapcat(rc::gen::inRange(0, most + 1), [letters](int size) {
-        return rc::gen::container<std::string>(static_cast<std::size_t>(size), rc::gen::elementOf(letters));
+        return rc::gen::container<std::string>(static_cast<std::size_t>(size),
+                                               rc::gen::elementOf(letters));
     });
 }
 
 /// The same with at least one letter.
 inline rc::Gen<std::string> any_nonempty_word(const std::string& letters, int most) {
-    return rc::gen::suchThat(any_word(letters, most), [](const std::string& word) { return !word.empty(); });
+    return rc::gen::suchThat(any_word(letters, most),
+                             [](const std::string& word) { return !word.empty(); });
 }
 
 /// The word with brackets added or left out so that they match.
@@ -41,7 +43,13 @@ inline rc::Gen<WrittenSystem> any_d0l() {
     return rc::gen::apply(
         [](std::string axiom, std::string a, std::string b, std::string d, bool unreachable) {
             WrittenSystem system{std::move(axiom),
-                                 {{'a', {a}}, {'b', {b}}, {'d', {d}}, {'p', {"q"}}, {'q', {"p"}}, {'m', {""}}, {'k', {"m"}}}};
+                                 {{'a', {a}},
+                                  {'b', {b}},
+                                  {'d', {d}},
+                                  {'p', {"q"}},
+                                  {'q', {"p"}},
+                                  {'m', {""}},
+                                  {'k', {"m"}}}};
             if (unreachable) system.successors['z'] = {"zz"};
             return system;
         },
@@ -53,7 +61,8 @@ inline rc::Gen<WrittenSystem> any_d0l() {
 inline rc::Gen<WrittenSystem> any_propagating_d0l() {
     return rc::gen::apply(
         [](std::string axiom, std::string a, std::string b) {
-            return WrittenSystem{std::move(axiom), {{'a', {a}}, {'b', {b}}, {'p', {"q"}}, {'q', {"p"}}}};
+            return WrittenSystem{std::move(axiom),
+                                 {{'a', {a}}, {'b', {b}}, {'p', {"q"}}, {'q', {"p"}}}};
         },
         any_nonempty_word("abcpq", 3), any_nonempty_word("abcpq", 4), any_nonempty_word("abcp", 2));
 }
@@ -64,7 +73,8 @@ inline rc::Gen<WrittenSystem> any_0l(int longest, bool erasing) {
     const auto words = [=](int most) {
         const auto word = erasing ? any_word("abc", longest) : any_nonempty_word("abc", longest);
         return rc::gen::mapcat(rc::gen::inRange(1, most + 1), [word](int count) {
-            return rc::gen::container<std::vector<std::string>>(static_cast<std::size_t>(count), word);
+            return rc::gen::container<std::vector<std::string>>(static_cast<std::size_t>(count),
+                                                                word);
         });
     };
     return rc::gen::apply(
@@ -80,8 +90,9 @@ inline rc::Gen<WrittenSystem> any_bracketed(const std::string& also = "") {
     const std::string letters = "FFXY+-[]fG|" + also;
     return rc::gen::apply(
         [](std::string axiom, std::string f, std::string x, std::string y) {
-            return WrittenSystem{balanced("F" + axiom),
-                                 {{'F', {balanced(f)}}, {'X', {balanced(x)}}, {'Y', {balanced(y)}}}};
+            return WrittenSystem{
+                balanced("F" + axiom),
+                {{'F', {balanced(f)}}, {'X', {balanced(x)}}, {'Y', {balanced(y)}}}};
         },
         any_word(letters, 4), any_word(letters, 5), any_word(letters, 6), any_word(letters, 3));
 }

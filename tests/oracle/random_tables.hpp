@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "oracle/random_systems.hpp"
-#include "system/et0l.hpp"
+#include "system/system.hpp"
 
 namespace algae::oracle {
 

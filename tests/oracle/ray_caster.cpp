@@ -23,8 +23,10 @@ Triple times(const Matrix& m, const Triple& v) {
 /// World to picture: x to the right, y upward, z towards the eye.
 Triple turned(const Eye& eye, const Triple& v) {
     const double a = (eye.azimuth + 90) * degree, e = eye.elevation * degree;
-    const Matrix about_z{{{std::cos(a), std::sin(a), 0}, {-std::sin(a), std::cos(a), 0}, {0, 0, 1}}};
-    const Matrix about_x{{{1, 0, 0}, {0, std::sin(e), std::cos(e)}, {0, -std::cos(e), std::sin(e)}}};
+    const Matrix about_z{
+        {{std::cos(a), std::sin(a), 0}, {-std::sin(a), std::cos(a), 0}, {0, 0, 1}}};
+    const Matrix about_x{
+        {{1, 0, 0}, {0, std::sin(e), std::cos(e)}, {0, -std::cos(e), std::sin(e)}}};
     return times(about_x, times(about_z, v));
 }
 
@@ -65,7 +67,8 @@ double meets_box(const Body& box, const Triple& from, const Triple& way) {
 
 double meets_ball(const Body& ball, const Triple& from, const Triple& way) {
     const Triple off = minus(from, ball.low);
-    const double a = product(way, way), b = product(way, off), c = product(off, off) - ball.radius * ball.radius;
+    const double a = product(way, way), b = product(way, off),
+                 c = product(off, off) - ball.radius * ball.radius;
     const double inside = b * b - a * c;
     return inside < 0 ? never : (-b - std::sqrt(inside)) / a;
 }
@@ -78,7 +81,8 @@ double meets_rod(const Body& rod, const Triple& from, const Triple& way) {
         const Triple at{off[0] + t * way[0], off[1] + t * way[1], off[2] + t * way[2]};
         const double along = product(at, axis) / square;
         const double aside = product(at, at) - along * along * square;
-        if (along >= -1e-9 && along <= 1 + 1e-9 && aside <= rod.radius * rod.radius * (1 + 1e-6)) best = std::min(best, t);
+        if (along >= -1e-9 && along <= 1 + 1e-9 && aside <= rod.radius * rod.radius * (1 + 1e-6))
+            best = std::min(best, t);
     };
     const double wa = product(way, axis), oa = product(off, axis);
     const double a = product(way, way) - wa * wa / square, b = product(way, off) - wa * oa / square;
@@ -94,7 +98,8 @@ double meets_rod(const Body& rod, const Triple& from, const Triple& way) {
 
 }  // namespace
 
-std::optional<std::size_t> first_met(const std::vector<Body>& bodies, const Eye& eye, double x, double y) {
+std::optional<std::size_t> first_met(const std::vector<Body>& bodies, const Eye& eye, double x,
+                                     double y) {
     const Triple middle = turned(eye, eye.middle);
     Triple from = turned_back(eye, {x, y, middle[2] + 1000}), way = turned_back(eye, {0, 0, -1});
     if (eye.opening > 0) {

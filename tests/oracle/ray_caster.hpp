@@ -25,7 +25,8 @@ struct Eye {
 
 /// The body that is met first by the line of sight through a point of the picture; nothing if none is.
 /// One body after the other, each solved for by itself.
-std::optional<std::size_t> first_met(const std::vector<Body>& bodies, const Eye& eye, double x, double y);
+std::optional<std::size_t> first_met(const std::vector<Body>& bodies, const Eye& eye, double x,
+                                     double y);
 
 /// Where a point is seen, by plain rotation matrices: first about z, then about x, then divided by
 /// the distance.

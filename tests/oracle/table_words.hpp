@@ -6,7 +6,7 @@
 #include <set>
 #include <vector>
 
-#include "system/et0l.hpp"
+#include "system/system.hpp"
 
 namespace algae::oracle {
 

@@ -6,8 +6,8 @@
 #include <utility>
 #include <vector>
 
-#include "exact/rational.hpp"
-#include "turtle/canvas.hpp"
+#include "exact/exact.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae::oracle {
 

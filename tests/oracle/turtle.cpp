@@ -72,7 +72,8 @@ std::ostream& operator<<(std::ostream& out, const TurtleSettings& settings) {
 Settings settings_of(const TurtleSettings& written) {
     Settings settings;
     settings.angle = quantity_of(written.angle);
-    settings.start = Settings::Start{quantity_of(written.x), quantity_of(written.y), quantity_of(written.heading)};
+    settings.start = Settings::Start{quantity_of(written.x), quantity_of(written.y),
+                                     quantity_of(written.heading)};
     settings.spin = quantity_of(written.spin);
     settings.step = quantity_of(written.step);
     settings.shrink = quantity_of(written.shrink);
@@ -84,13 +85,15 @@ Settings settings_of(const TurtleSettings& written) {
 
 Drawing drawing_of(const std::string& word, const TurtleSettings& settings, unsigned n) {
     // One unit of heading is a degree divided by the product of all denominators.
-    const long parts = std::lcm(4L, std::lcm(settings.angle.denominator,
-                                             std::lcm(settings.heading.denominator, settings.spin.denominator)));
+    const long parts =
+        std::lcm(4L, std::lcm(settings.angle.denominator,
+                              std::lcm(settings.heading.denominator, settings.spin.denominator)));
     const auto units = [&](const Fraction& degrees) {
         return degrees.numerator * (parts / degrees.denominator);
     };
     long full = 360 * parts;
-    long turn = units(settings.angle), start = units(settings.heading) + units(settings.spin) * static_cast<long>(n);
+    long turn = units(settings.angle),
+         start = units(settings.heading) + units(settings.spin) * static_cast<long>(n);
     const long common = std::gcd(std::gcd(full / 4, turn), start);
     full /= common;
     turn /= common;
@@ -109,11 +112,14 @@ Drawing drawing_of(const std::string& word, const TurtleSettings& settings, unsi
     std::vector<State> saved;
     std::vector<std::vector<Spot>> open;
     const auto go = [&] {
-        const Real radians = 2 * std::numbers::pi_v<Real> * static_cast<Real>(turtle.heading) / static_cast<Real>(full);
+        const Real radians = 2 * std::numbers::pi_v<Real> * static_cast<Real>(turtle.heading) /
+                             static_cast<Real>(full);
         turtle.at += unit * turtle.size * Spot(std::cos(radians), std::sin(radians));
         ++turtle.exact[static_cast<std::size_t>(turtle.heading)];
     };
-    const auto turn_by = [&](long by) { turtle.heading = (((turtle.heading + by) % full) + full) % full; };
+    const auto turn_by = [&](long by) {
+        turtle.heading = (((turtle.heading + by) % full) + full) % full;
+    };
     const auto draw = [&] {
         Stroke stroke{turtle.at, {}, turtle.width, turtle.colour};
         drawing.points.push_back(turtle.at);
@@ -128,13 +134,29 @@ Drawing drawing_of(const std::string& word, const TurtleSettings& settings, unsi
         if (!open.empty()) open.back().push_back(turtle.at);
     };
     for (std::size_t i = 0; i < word.size(); ++i) switch (word[i]) {
-            case 'F': draw(); corner(); break;
-            case 'G': draw(); break;
-            case 'f': go(); corner(); break;
-            case '+': turn_by(turn); break;
-            case '-': turn_by(-turn); break;
-            case '|': turn_by(full / 2); break;
-            case '[': saved.push_back(turtle); break;
+            case 'F':
+                draw();
+                corner();
+                break;
+            case 'G':
+                draw();
+                break;
+            case 'f':
+                go();
+                corner();
+                break;
+            case '+':
+                turn_by(turn);
+                break;
+            case '-':
+                turn_by(-turn);
+                break;
+            case '|':
+                turn_by(full / 2);
+                break;
+            case '[':
+                saved.push_back(turtle);
+                break;
             case ']':
                 turtle = saved.back();
                 saved.pop_back();
@@ -143,17 +165,26 @@ Drawing drawing_of(const std::string& word, const TurtleSettings& settings, unsi
                 open.emplace_back();
                 corner();
                 break;
-            case '.': corner(); break;
+            case '.':
+                corner();
+                break;
             case '}':
                 if (open.back().size() > 2) {
-                    drawing.points.insert(drawing.points.end(), open.back().begin(), open.back().end());
+                    drawing.points.insert(drawing.points.end(), open.back().begin(),
+                                          open.back().end());
                     drawing.polygons.push_back(open.back());
                 }
                 open.pop_back();
                 break;
-            case '*': turtle.size *= settings.scale ? settings.scale->value() : 1; break;
-            case '!': turtle.width *= settings.narrow ? settings.narrow->value() : 1; break;
-            case '\'': ++turtle.colour; break;
+            case '*':
+                turtle.size *= settings.scale ? settings.scale->value() : 1;
+                break;
+            case '!':
+                turtle.width *= settings.narrow ? settings.narrow->value() : 1;
+                break;
+            case '\'':
+                ++turtle.colour;
+                break;
             case '%': {  // to just before the bracket that closes this branch, or to the end
                 long depth = 0;
                 while (i + 1 < word.size() && !(word[i + 1] == ']' && depth == 0)) {
@@ -162,7 +193,8 @@ Drawing drawing_of(const std::string& word, const TurtleSettings& settings, unsi
                 }
                 break;
             }
-            default: break;
+            default:
+                break;
         }
     drawing.end = turtle.at;
     drawing.exact_end = turtle.exact;

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "system/settings.hpp"
+#include "system/system.hpp"
 
 namespace algae::oracle {
 
@@ -48,7 +48,7 @@ struct Drawing {
     std::vector<Stroke> strokes;
     std::vector<std::vector<Spot>> polygons;
     std::vector<Polynomial> touched;  // both ends of every stroke, in steps over a root of unity
-    std::vector<Spot> points;        // the same places and the corners of polygons
+    std::vector<Spot> points;         // the same places and the corners of polygons
     Spot end;
     Polynomial exact_end;  // without start, step and shrink; of the order below
     long order = 1;

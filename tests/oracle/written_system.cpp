@@ -21,7 +21,8 @@ std::string one_step(const WrittenSystem& system, const std::string& word) {
 }
 
 /// All words that one step may make of `word`, none longer than `longest`.
-std::set<std::string> all_steps(const WrittenSystem& system, const std::string& word, std::size_t longest) {
+std::set<std::string> all_steps(const WrittenSystem& system, const std::string& word,
+                                std::size_t longest) {
     std::set<std::string> found{""};
     for (const char letter : word) {
         std::set<std::string> longer;
@@ -76,13 +77,15 @@ std::set<std::string> words_of_generation(const WrittenSystem& system, unsigned 
     std::set<std::string> words{system.axiom};
     while (n-- > 0) {
         std::set<std::string> next;
-        for (const std::string& word : words) next.merge(all_steps(system, word, std::string::npos));
+        for (const std::string& word : words)
+            next.merge(all_steps(system, word, std::string::npos));
         words = std::move(next);
     }
     return words;
 }
 
-std::set<std::string> words_up_to(const WrittenSystem& system, std::size_t longest, std::size_t on_the_way) {
+std::set<std::string> words_up_to(const WrittenSystem& system, std::size_t longest,
+                                  std::size_t on_the_way) {
     std::set<std::string> seen{system.axiom};
     std::vector<std::string> waiting{system.axiom};
     while (!waiting.empty()) {
@@ -100,7 +103,8 @@ LSystem lsystem_of(const WrittenSystem& written) {
     system.name = "written";
     const auto word = [&](const std::string& text) {
         Word letters;
-        for (const char letter : text) letters.push_back(system.alphabet.symbol(std::string(1, letter)));
+        for (const char letter : text)
+            letters.push_back(system.alphabet.symbol(std::string(1, letter)));
         return letters;
     };
     system.axiom.letters = word(written.axiom);
@@ -144,7 +148,8 @@ std::vector<std::string> names_in(const std::string& text, const std::set<std::s
         return i < text.size() && std::isdigit(static_cast<unsigned char>(text[i])) != 0;
     };
     const auto is_letter_at = [&](std::size_t i) {
-        return i < text.size() && (std::isalpha(static_cast<unsigned char>(text[i])) != 0 || text[i] < 0);
+        return i < text.size() &&
+               (std::isalpha(static_cast<unsigned char>(text[i])) != 0 || text[i] < 0);
     };
     std::vector<std::string> names;
     for (std::size_t i = 0; i < text.size();) {

@@ -10,9 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "system/d0l.hpp"
-#include "system/lsystem.hpp"
-#include "system/ol.hpp"
+#include "system/system.hpp"
 
 namespace algae::oracle {
 
@@ -37,7 +35,8 @@ unsigned last_generation_within(const WrittenSystem& system, std::size_t letters
 std::set<std::string> words_of_generation(const WrittenSystem& system, unsigned n);
 
 /// The words of at most `longest` letters that are reached by words of at most `on_the_way`.
-std::set<std::string> words_up_to(const WrittenSystem& system, std::size_t longest, std::size_t on_the_way);
+std::set<std::string> words_up_to(const WrittenSystem& system, std::size_t longest,
+                                  std::size_t on_the_way);
 
 /// The same system in the types of the library.
 LSystem lsystem_of(const WrittenSystem& system);

@@ -1,4 +1,4 @@
-#include "render/animation.hpp"
+#include "render/render.hpp"
 
 #include <doctest/doctest.h>
 
@@ -6,8 +6,8 @@
 #include <set>
 #include <sstream>
 
-#include "base/error.hpp"
-#include "render/colour_table.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/colour_table.hpp"
 #include "render/figures.hpp"
 #include "render/frames.hpp"
 #include "render/pixels.hpp"

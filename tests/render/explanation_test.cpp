@@ -2,13 +2,12 @@
 
 #include <sstream>
 
-#include "base/error.hpp"
-#include "notation/read.hpp"
-#include "render/explanation_page.hpp"
-#include "render/explanation_table.hpp"
-#include "render/label_places.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
+#include "render/detail/layout.hpp"
 #include "render/pixels.hpp"
-#include "turtle/derived_modules.hpp"
+#include "render/render.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 

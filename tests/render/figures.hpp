@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-#include "turtle/figure.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae::test {
 

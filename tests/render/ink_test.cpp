@@ -1,11 +1,11 @@
-#include "render/ink.hpp"
+#include "render/render.hpp"
 
 #include <cairo/cairo.h>
 #include <doctest/doctest.h>
 
 #include <set>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 

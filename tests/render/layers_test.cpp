@@ -1,14 +1,13 @@
-#include "render/layers.hpp"
+#include "render/render.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <sstream>
 
-#include "base/error.hpp"
-#include "render/annotations.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/drawing.hpp"
 #include "render/figures.hpp"
-#include "render/picture.hpp"
 #include "render/pixels.hpp"
 
 using namespace algae;

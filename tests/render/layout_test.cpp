@@ -1,4 +1,4 @@
-#include "render/layout.hpp"
+#include "render/detail/layout.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

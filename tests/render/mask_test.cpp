@@ -1,4 +1,4 @@
-#include "render/mask.hpp"
+#include "render/detail/mask.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -7,10 +7,10 @@
 #include <limits>
 #include <sstream>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "render/figures.hpp"
-#include "render/picture.hpp"
 #include "render/pixels.hpp"
+#include "render/render.hpp"
 
 using namespace algae;
 using namespace algae::test;

@@ -1,4 +1,4 @@
-#include "render/mesh_output.hpp"
+#include "render/render.hpp"
 
 #include <assimp/scene.h>
 #include <doctest/doctest.h>
@@ -10,10 +10,10 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "base/error.hpp"
-#include "cli/run.hpp"
-#include "render/scene_graph.hpp"
-#include "space/any_scene.hpp"
+#include "command/run.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/scene_graph.hpp"
+#include "turtle/any_scene.hpp"
 
 using namespace algae;
 

@@ -1,4 +1,4 @@
-#include "render/output.hpp"
+#include "render/render.hpp"
 
 #include <doctest/doctest.h>
 #include <sys/stat.h>
@@ -9,8 +9,8 @@
 #include <sstream>
 #include <string>
 
-#include "base/error.hpp"
-#include "render/steady.hpp"
+#include "exact/exact.hpp"
+#include "render/detail/document.hpp"
 
 using namespace algae;
 namespace files = std::filesystem;

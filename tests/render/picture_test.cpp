@@ -1,4 +1,4 @@
-#include "render/picture.hpp"
+#include "render/render.hpp"
 
 #include <doctest/doctest.h>
 #include <unistd.h>
@@ -15,7 +15,7 @@
 #include <thread>
 #include <vector>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "render/figures.hpp"
 #include "render/pixels.hpp"
 
@@ -429,10 +429,9 @@ TEST_CASE("memory, time and interruption bound the work") {
     Budget budget;
     budget.memory = 1 << 20;
     std::ostringstream out;
-    CHECK_THROWS_WITH_AS(
-        draw_picture(plate(figure), out, PictureFormat::png, options, budget),
-        "a picture of 2000 x 1337 pixels would take more than the 1 MiB allowed",
-        BoundReached);
+    CHECK_THROWS_WITH_AS(draw_picture(plate(figure), out, PictureFormat::png, options, budget),
+                         "a picture of 2000 x 1337 pixels would take more than the 1 MiB allowed",
+                         BoundReached);
     budget = {};
     budget.deadline = std::chrono::steady_clock::now() - std::chrono::seconds(1);
     CHECK_THROWS_AS(draw_picture(plate(figure), out, PictureFormat::png, options, budget),

@@ -1,4 +1,4 @@
-#include "render/tree.hpp"
+#include "render/render.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -7,13 +7,12 @@
 #include <set>
 #include <sstream>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
+#include "language/language.hpp"
 #include "oracle/random_systems.hpp"
+#include "render/detail/graph.hpp"
 #include "render/dot_reader.hpp"
-#include "render/graph_families.hpp"
-#include "render/graph_growth.hpp"
 #include "render/pixels.hpp"
-#include "render/tree_layout.hpp"
 
 using namespace algae;
 

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <array>
 
-#include "fold/interaction.hpp"
 #include "oracle/modules.hpp"
 #include "oracle/random_systems.hpp"
 #include "rewrite/words.hpp"
+#include "system/system.hpp"
 
 using namespace algae;
 

@@ -1,11 +1,10 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "notation/format.hpp"
-#include "notation/print.hpp"
+#include "notation/notation.hpp"
 #include "oracle/nested.hpp"
-#include "rewrite/expectation.hpp"
-#include "rewrite/inner_systems.hpp"
+#include "rewrite/detail/inner_systems.hpp"
+#include "rewrite/rewrite.hpp"
 #include "rewrite/words.hpp"
 
 using namespace algae;

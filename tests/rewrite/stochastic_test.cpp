@@ -5,7 +5,7 @@
 #include <map>
 
 #include "oracle/random_systems.hpp"
-#include "rewrite/expectation.hpp"
+#include "rewrite/rewrite.hpp"
 #include "rewrite/words.hpp"
 
 using namespace algae;

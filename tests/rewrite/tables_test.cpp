@@ -5,7 +5,7 @@
 #include <set>
 
 #include "oracle/random_tables.hpp"
-#include "rewrite/terminal_words.hpp"
+#include "rewrite/rewrite.hpp"
 #include "rewrite/words.hpp"
 
 using namespace algae;
@@ -100,7 +100,8 @@ TEST_CASE("the language of a system does not depend on its schedule") {
     const auto language = [](const std::string& text) {
         const ET0L system = *as_et0l(read_lsystem(text, "t.lsys"));
         std::set<std::string> words;
-        for (const Word& word : terminal_words(system, 4)) words.insert(spell(*system.alphabet, word));
+        for (const Word& word : terminal_words(system, 4))
+            words.insert(spell(*system.alphabet, word));
         return words;
     };
     CHECK(language(two_tables) == language(two_tables + "; schedule dark"));

@@ -3,9 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "notation/read.hpp"
-#include "rewrite/module_text.hpp"
-#include "rewrite/rewriting.hpp"
+#include "notation/notation.hpp"
+#include "rewrite/rewrite.hpp"
 
 namespace algae {
 

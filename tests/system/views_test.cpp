@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;
@@ -40,29 +40,37 @@ TEST_CASE("every construct beyond 0L is named with its place") {
         spoil(system, system.rules[1]);
         return why_not_ol(system);
     };
-    CHECK(spoiled([](LSystem&, Production& rule) { rule.left = {{0, {}}}; }) ==
-          "not an 0L system: the rule at x.lsys:3:1 has a context");
-    CHECK(spoiled([](LSystem&, Production& rule) { rule.right = {{0, {}}}; }) ==
-          "not an 0L system: the rule at x.lsys:3:1 has a context");
-    CHECK(spoiled([](LSystem&, Production& rule) { rule.elsewhere = {{0, {}}}; }) ==
-          "not an 0L system: the rule at x.lsys:3:1 has a context condition");
+    CHECK(spoiled([](LSystem&, Production& rule) {
+              rule.left = {{0, {}}};
+          }) == "not an 0L system: the rule at x.lsys:3:1 has a context");
+    CHECK(spoiled([](LSystem&, Production& rule) {
+              rule.right = {{0, {}}};
+          }) == "not an 0L system: the rule at x.lsys:3:1 has a context");
+    CHECK(spoiled([](LSystem&, Production& rule) {
+              rule.elsewhere = {{0, {}}};
+          }) == "not an 0L system: the rule at x.lsys:3:1 has a context condition");
     CHECK(spoiled([](LSystem&, Production& rule) { rule.condition = Expression{}; }) ==
           "not an 0L system: the rule at x.lsys:3:1 has a condition");
     CHECK(spoiled([](LSystem&, Production& rule) { rule.predecessor.parameters = {"x"}; }) ==
           "not an 0L system: the rule at x.lsys:3:1 has parameters");
-    CHECK(spoiled([](LSystem&, Production& rule) { rule.successor.arguments[0] = {Expression{}}; }) ==
-          "not an 0L system: the rule at x.lsys:3:1 has parameters");
+    CHECK(spoiled([](LSystem&, Production& rule) {
+              rule.successor.arguments[0] = {Expression{}};
+          }) == "not an 0L system: the rule at x.lsys:3:1 has parameters");
     CHECK(spoiled([](LSystem&, Production& rule) { rule.shape = ShapeSuccessor{}; }) ==
           "not an 0L system: the rule at x.lsys:3:1 is a shape rule");
     CHECK(spoiled([](LSystem&, Production& rule) { rule.probability = Rational(1, 2); }) ==
           "not an 0L system: the rule at x.lsys:3:1 has a probability");
     CHECK(spoiled([](LSystem&, Production& rule) { rule.probability = Rational(1); }).empty());
-    CHECK(spoiled([](LSystem& system, Production&) { system.tables = {"light"}; }) == "not an 0L system: it has tables");
-    CHECK(spoiled([](LSystem& system, Production&) { system.terminals = {0}; }) == "not an 0L system: it has terminals");
-    CHECK(spoiled([](LSystem& system, Production&) { system.axiom.arguments[0] = {Expression{}}; }) ==
-          "not an 0L system: the axiom has parameters");
-    CHECK(spoiled([](LSystem& system, Production&) { system.axiom.letters.push_back(system.alphabet.symbol("?E")); }) ==
-          "not an 0L system: the axiom has a communication module");
+    CHECK(spoiled([](LSystem& system, Production&) { system.tables = {"light"}; }) ==
+          "not an 0L system: it has tables");
+    CHECK(spoiled([](LSystem& system, Production&) { system.terminals = {0}; }) ==
+          "not an 0L system: it has terminals");
+    CHECK(spoiled([](LSystem& system, Production&) {
+              system.axiom.arguments[0] = {Expression{}};
+          }) == "not an 0L system: the axiom has parameters");
+    CHECK(spoiled([](LSystem& system, Production&) {
+              system.axiom.letters.push_back(system.alphabet.symbol("?E"));
+          }) == "not an 0L system: the axiom has a communication module");
 }
 
 TEST_CASE("a refused D0L view gives the same reason") {
@@ -79,7 +87,8 @@ TEST_CASE("only accessible letters count") {
     CHECK(!is_propagating(ol("a", {{'a', "a"}, {'a', ""}})));
 }
 
-TEST_CASE("the accessible letters are those of the words of as many generations as there are letters") {
+TEST_CASE(
+    "the accessible letters are those of the words of as many generations as there are letters") {
     const bool holds = rc::check("accessible letters", [] {
         const auto written = *oracle::any_d0l();
         std::set<std::string> met;
@@ -89,7 +98,8 @@ TEST_CASE("the accessible letters are those of the words of as many generations 
             for (const char letter : now) {
                 met.insert(std::string(1, letter));
                 const auto found = written.successors.find(letter);
-                if (found != written.successors.end()) next.insert(found->second[0].begin(), found->second[0].end());
+                if (found != written.successors.end())
+                    next.insert(found->second[0].begin(), found->second[0].end());
             }
             now = next;
         }

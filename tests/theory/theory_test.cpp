@@ -9,13 +9,9 @@
 #include <set>
 #include <sstream>
 
-#include "claim/check.hpp"
-#include "claim/closure_table.hpp"
-#include "notation/gallery.hpp"
-#include "notation/read.hpp"
-#include "notation/read_claim.hpp"
-#include "verify/certificate.hpp"
-#include "verify/check_certificate.hpp"
+#include "language/language.hpp"
+#include "notation/notation.hpp"
+#include "verify/verify.hpp"
 
 using namespace algae;
 

@@ -1,10 +1,10 @@
-#include "turtle/commands.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 
 #include <numeric>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 
@@ -34,14 +34,16 @@ TEST_CASE("every symbol of a turtle in the plane has its command") {
     Drawn drawn;
     drawn.system.settings.scale = drawn.system.settings.narrow = quantity(Rational(1, 2));
     const std::pair<const char*, Command> commands[] = {
-        {"F", Command::draw},         {"F_l", Command::draw},          {"G", Command::draw_unmarked},
-        {"f", Command::move},         {"f_1", Command::move},          {"+", Command::left},
-        {"-", Command::right},        {"|", Command::back},            {"[", Command::push},
-        {"]", Command::pop},          {"{", Command::open_polygon},    {"}", Command::close_polygon},
-        {".", Command::vertex},       {"*", Command::scale},           {"!", Command::narrow},
-        {"'", Command::next_colour},  {"%", Command::cut}};
-    for (const auto& [name, command] : commands) CHECK_MESSAGE(drawn.of(name) == std::vector{command}, name);
-    for (const char* name : {"X", "G_1", "A", "α", "Fx", "~"}) CHECK_MESSAGE(drawn.of(name).empty(), name);
+        {"F", Command::draw},        {"F_l", Command::draw},       {"G", Command::draw_unmarked},
+        {"f", Command::move},        {"f_1", Command::move},       {"+", Command::left},
+        {"-", Command::right},       {"|", Command::back},         {"[", Command::push},
+        {"]", Command::pop},         {"{", Command::open_polygon}, {"}", Command::close_polygon},
+        {".", Command::vertex},      {"*", Command::scale},        {"!", Command::narrow},
+        {"'", Command::next_colour}, {"%", Command::cut}};
+    for (const auto& [name, command] : commands)
+        CHECK_MESSAGE(drawn.of(name) == std::vector{command}, name);
+    for (const char* name : {"X", "G_1", "A", "α", "Fx", "~"})
+        CHECK_MESSAGE(drawn.of(name).empty(), name);
 }
 
 TEST_CASE("* and ! mean nothing where the file does not say what they do") {
@@ -68,11 +70,13 @@ TEST_CASE("interpretations are applied until none applies") {
 TEST_CASE("an interpretation that goes round in circles is refused") {
     Drawn drawn;
     drawn.interpret("A", {"F", "A"});
-    CHECK_THROWS_WITH_AS(drawn.of("A"), "x.lsys:1:1: the interpretation of A goes round in circles", Error);
+    CHECK_THROWS_WITH_AS(drawn.of("A"), "x.lsys:1:1: the interpretation of A goes round in circles",
+                         Error);
     Drawn two;
     two.interpret("A", {"B"});
     two.interpret("B", {"A"});
-    CHECK_THROWS_WITH_AS(two.of("A"), "x.lsys:2:1: the interpretation of B goes round in circles", Error);
+    CHECK_THROWS_WITH_AS(two.of("A"), "x.lsys:2:1: the interpretation of B goes round in circles",
+                         Error);
     CHECK(two.of("F") == std::vector{Command::draw});
 }
 
@@ -88,26 +92,31 @@ TEST_CASE("interpretations that double again and again are refused or harmless, 
     };
     CHECK(doubling("Y").of("X_0").empty());
     CHECK_THROWS_WITH_AS(doubling("F").of("X_0"),
-                         "x.lsys:44:1: the interpretation of X_43 has more than 100000 commands", Error);
+                         "x.lsys:44:1: the interpretation of X_43 has more than 100000 commands",
+                         Error);
 }
 
 TEST_CASE("a long chain of interpretations needs no deep stack") {
     Drawn drawn;
-    for (int i = 0; i < 100'000; ++i) drawn.interpret("X_" + std::to_string(i), {"X_" + std::to_string(i + 1)});
+    for (int i = 0; i < 100'000; ++i)
+        drawn.interpret("X_" + std::to_string(i), {"X_" + std::to_string(i + 1)});
     drawn.interpret("X_100000", {"F"});
     CHECK(drawn.of("X_0") == std::vector{Command::draw});
 }
 
-TEST_CASE("two interpretations of a symbol, and interpretations with more than a word, are refused") {
+TEST_CASE(
+    "two interpretations of a symbol, and interpretations with more than a word, are refused") {
     Drawn drawn;
     drawn.interpret("A", {"F"});
     drawn.interpret("A", {"f"});
-    CHECK_THROWS_WITH_AS(drawn.of("A"), "x.lsys:2:1: A has two interpretations, expected one", Error);
+    CHECK_THROWS_WITH_AS(drawn.of("A"), "x.lsys:2:1: A has two interpretations, expected one",
+                         Error);
     Drawn context;
     context.interpret("A", {"F"});
     context.system.interpretation[0].left = {{0, {}}};
     CHECK_THROWS_WITH_AS(context.of("A"),
-                         "x.lsys:1:1: the interpretation of A is not a plain rule: drawing needs one without context, "
+                         "x.lsys:1:1: the interpretation of A is not a plain rule: drawing needs "
+                         "one without context, "
                          "condition, probability or parameters",
                          Error);
 }
@@ -117,8 +126,10 @@ TEST_CASE("symbols of a turtle in space are refused by name") {
         Drawn drawn;
         drawn.system.name = "bush";
         CHECK_THROWS_WITH_AS(drawn.of(name),
-                             ("the symbol " + std::string(name) + " leaves the plane: bush is a figure in space, expected "
-                              "one in the plane").c_str(),
+                             ("the symbol " + std::string(name) +
+                              " leaves the plane: bush is a figure in space, expected "
+                              "one in the plane")
+                                 .c_str(),
                              Error);
     }
 }

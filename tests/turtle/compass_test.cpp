@@ -1,4 +1,4 @@
-#include "turtle/compass.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -9,11 +9,12 @@ using namespace algae;
 
 namespace {
 
-Compass compass(const char* angle, const char* heading = "0", const char* spin = "0", std::uint64_t n = 0,
-                bool clockwise = false) {
+Compass compass(const char* angle, const char* heading = "0", const char* spin = "0",
+                std::uint64_t n = 0, bool clockwise = false) {
     Settings settings;
     settings.angle = quantity(Rational(angle));
-    settings.start = Settings::Start{quantity(Rational(0)), quantity(Rational(0)), quantity(Rational(heading))};
+    settings.start =
+        Settings::Start{quantity(Rational(0)), quantity(Rational(0)), quantity(Rational(heading))};
     settings.spin = quantity(Rational(spin));
     settings.clockwise = clockwise;
     return Compass(settings, n);
@@ -30,7 +31,7 @@ Compass irrational(double angle) {
 /// Where + leads to from the start, in degrees.
 double degrees(const Compass& compass, Compass::Heading turns) {
     return 360.0 * static_cast<double>(compass.normal(compass.start() + turns * compass.turn())) /
-        static_cast<double>(compass.order());
+           static_cast<double>(compass.order());
 }
 
 }  // namespace
@@ -80,9 +81,11 @@ TEST_CASE("directions on the axes and diagonals are exact, opposite ones exactly
         for (Compass::Heading h = 0; h < c.order(); ++h) {
             const auto direction = c.direction(h);
             CHECK(c.direction(h + c.half()) == -direction);
-            const long double radians =
-                2 * std::numbers::pi_v<long double> * static_cast<long double>(h) / static_cast<long double>(c.order());
-            CHECK(std::abs(std::complex<long double>(direction) - std::polar(1.0L, radians)) < 4e-16L);
+            const long double radians = 2 * std::numbers::pi_v<long double> *
+                                        static_cast<long double>(h) /
+                                        static_cast<long double>(c.order());
+            CHECK(std::abs(std::complex<long double>(direction) - std::polar(1.0L, radians)) <
+                  4e-16L);
         }
     }
     CHECK(compass("45").direction(1).real() == compass("45").direction(1).imag());

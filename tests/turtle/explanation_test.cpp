@@ -1,12 +1,11 @@
-#include "turtle/explanation.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
-#include "notation/read.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
 #include "turtle/any_turtle.hpp"
-#include "turtle/derived_modules.hpp"
 #include "turtle/recording.hpp"
 
 using namespace algae;

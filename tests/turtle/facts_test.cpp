@@ -1,7 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
 
@@ -11,8 +11,8 @@ using oracle::Real;
 namespace {
 
 /// A coordinate against the oracle's: the number, and whether it is rational and which.
-void check_coordinate(const Coordinate& found, Real expected, std::optional<long> twice, const Rational& factor,
-                      const Rational& offset) {
+void check_coordinate(const Coordinate& found, Real expected, std::optional<long> twice,
+                      const Rational& factor, const Rational& offset) {
     RC_ASSERT(near(static_cast<Real>(found.value()), expected));
     RC_ASSERT(found.rational().has_value() == twice.has_value());
     if (twice) RC_ASSERT(*found.rational() == Rational(Integer(*twice), 2) * factor + offset);
@@ -22,7 +22,8 @@ Rational rational(const oracle::Fraction& fraction) {
     return Rational(Integer(fraction.numerator), Integer(fraction.denominator));
 }
 
-void check_facts(const oracle::WrittenSystem& written, const oracle::TurtleSettings& settings, unsigned n) {
+void check_facts(const oracle::WrittenSystem& written, const oracle::TurtleSettings& settings,
+                 unsigned n) {
     const auto drawing = oracle::drawing_of(oracle::rewritten(written, n), settings, n);
     const auto figure = algae::figure(drawn_system(written, settings), n, Budget());
     const Facts& facts = figure->facts();
@@ -54,16 +55,18 @@ void check_facts(const oracle::WrittenSystem& written, const oracle::TurtleSetti
     Rational unit = rational(settings.step);
     for (unsigned k = 0; k < n; ++k) unit *= rational(settings.shrink);
     const long m = drawing.order;
-    check_coordinate(facts.end[0], drawing.end.real(), oracle::twice_real_part(drawing.exact_end, m), unit,
-                     rational(settings.x));
-    check_coordinate(facts.end[1], drawing.end.imag(), oracle::twice_imaginary_part(drawing.exact_end, m), unit,
+    check_coordinate(facts.end[0], drawing.end.real(),
+                     oracle::twice_real_part(drawing.exact_end, m), unit, rational(settings.x));
+    check_coordinate(facts.end[1], drawing.end.imag(),
+                     oracle::twice_imaginary_part(drawing.exact_end, m), unit,
                      rational(settings.y));
     if (drawing.touched.empty()) return;
     std::size_t highest = 0;
     for (std::size_t i = 1; i < drawing.points.size(); ++i)
         if (drawing.points[i].imag() > drawing.points[highest].imag()) highest = i;
     check_coordinate(facts.high[1], drawing.points[highest].imag(),
-                     oracle::twice_imaginary_part(drawing.touched[highest], m), unit, rational(settings.y));
+                     oracle::twice_imaginary_part(drawing.touched[highest], m), unit,
+                     rational(settings.y));
 }
 
 }  // namespace
@@ -153,7 +156,8 @@ TEST_CASE("a bracket that is interpreted is not a branch") {
     const auto interpret = [&](const char* symbol, const char* successor) {
         Production rule;
         rule.predecessor.symbol = system.alphabet.symbol(symbol);
-        for (const char* c = successor; *c; ++c) rule.successor.letters.push_back(system.alphabet.symbol(std::string(1, *c)));
+        for (const char* c = successor; *c; ++c)
+            rule.successor.letters.push_back(system.alphabet.symbol(std::string(1, *c)));
         system.interpretation.push_back(rule);
     };
     interpret("[", "F");
@@ -165,7 +169,8 @@ TEST_CASE("a bracket that is interpreted is not a branch") {
 }
 
 TEST_CASE("brackets that fall apart while deriving are an error with generation and letter") {
-    const auto complaint = [](const oracle::WrittenSystem& written, std::uint64_t n) -> std::string {
+    const auto complaint = [](const oracle::WrittenSystem& written,
+                              std::uint64_t n) -> std::string {
         try {
             figure(drawn_system(written, {}), n, Budget());
         } catch (const Error& error) {
@@ -174,7 +179,8 @@ TEST_CASE("brackets that fall apart while deriving are an error with generation 
         return "";
     };
     CHECK(complaint({"F[F]F", {{'[', {""}}}}, 0) == "");
-    CHECK(complaint({"F[F]F", {{'[', {""}}}}, 1) == "generation 1 of written, position 2: unmatched ']'");
+    CHECK(complaint({"F[F]F", {{'[', {""}}}}, 1) ==
+          "generation 1 of written, position 2: unmatched ']'");
     CHECK(complaint({"F[F]F", {{']', {""}}}}, 2) == "generation 2 of written: '[' is never closed");
     CHECK(complaint({"F}", {}}, 0) == "generation 0 of written, position 1: unmatched '}'");
     CHECK(complaint({"{F", {}}, 0) == "generation 0 of written: '{' is never closed");
@@ -184,7 +190,8 @@ TEST_CASE("a word of a system with choices is drawn as its generation is") {
     oracle::TurtleSettings settings;
     settings.shrink = {1, 2};
     LSystem system = drawn_system({"F", {{'F', {"F+F", "FF"}}}}, settings);
-    CHECK_THROWS_WITH_AS(figure(system, 1, Budget()), "cannot draw written: not a D0L system: F has 2 rules", Error);
+    CHECK_THROWS_WITH_AS(figure(system, 1, Budget()),
+                         "cannot draw written: not a D0L system: F has 2 rules", Error);
     const Symbol draw = *system.alphabet.find("F");
     const auto figure = algae::figure(system, Word{draw, draw}, 1, Budget());
     CHECK(figure->segments() == 2);

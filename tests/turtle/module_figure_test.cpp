@@ -1,14 +1,14 @@
-#include "turtle/module_figure.hpp"
+#include "turtle/detail/plane_figure.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "base/error.hpp"
-#include "notation/read.hpp"
-#include "rewrite/rewriting.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
+#include "rewrite/rewrite.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
-#include "turtle/trace.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 
@@ -17,8 +17,7 @@ namespace {
 /// A generation of a D0L system by the walker of modules, whatever `figure` would choose.
 std::unique_ptr<Figure> by_modules(const LSystem& system, std::uint64_t n) {
     const Rewriting rewriting(system);
-    return std::make_unique<ModuleFigure>(system, rewriting.rules().kinds, derive(rewriting, n), n,
-                                          1, Budget());
+    return module_figure(system, rewriting.rules().kinds, derive(rewriting, n), n, 1, Budget());
 }
 
 Recording drawn(const Figure& figure, bool wanting = false) {

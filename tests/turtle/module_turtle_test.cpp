@@ -1,4 +1,4 @@
-#include "turtle/module_turtle.hpp"
+#include "turtle/detail/module_turtle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,9 +7,9 @@
 #include <set>
 #include <string>
 
-#include "base/error.hpp"
-#include "notation/read.hpp"
-#include "rewrite/rewriting.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
+#include "rewrite/rewrite.hpp"
 
 using namespace algae;
 

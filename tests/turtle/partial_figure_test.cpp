@@ -1,10 +1,10 @@
-#include "turtle/partial_figure.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 
 #include <algorithm>
 
-#include "notation/read.hpp"
+#include "notation/notation.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
 

@@ -1,4 +1,4 @@
-#include "turtle/pose.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "oracle/turtle.hpp"
-#include "turtle/canvas.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae {
 
@@ -50,7 +50,11 @@ private:
     bool down_ = false;
 };
 
-inline bool near(oracle::Real x, oracle::Real y) { return std::abs(x - y) <= 1e-9L * (1 + std::abs(x)); }
-inline bool near(oracle::Spot x, oracle::Spot y) { return std::abs(x - y) <= 1e-9L * (1 + std::abs(x)); }
+inline bool near(oracle::Real x, oracle::Real y) {
+    return std::abs(x - y) <= 1e-9L * (1 + std::abs(x));
+}
+inline bool near(oracle::Spot x, oracle::Spot y) {
+    return std::abs(x - y) <= 1e-9L * (1 + std::abs(x));
+}
 
 }  // namespace algae

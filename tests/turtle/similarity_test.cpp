@@ -1,8 +1,7 @@
 #include <doctest/doctest.h>
 
-#include "notation/read.hpp"
-#include "turtle/similarity.hpp"
-#include "turtle/trace.hpp"
+#include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 

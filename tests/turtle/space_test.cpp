@@ -7,9 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "notation/read.hpp"
-#include "rewrite/rewriting.hpp"
-#include "turtle/module_turtle.hpp"
+#include "notation/notation.hpp"
+#include "rewrite/rewrite.hpp"
+#include "turtle/detail/module_turtle.hpp"
 
 using namespace algae;
 

@@ -3,13 +3,13 @@
 
 #include <algorithm>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
 
 using namespace algae;
-using oracle::Spot;
 using oracle::Real;
+using oracle::Spot;
 
 namespace {
 
@@ -22,7 +22,8 @@ Recording drawn(const LSystem& system, std::uint64_t n, double resolution) {
 /// The distance of a point from the nearest stroke.
 Real distance(Spot point, const std::vector<oracle::Stroke>& strokes) {
     Real least = std::numeric_limits<Real>::infinity();
-    for (const auto& stroke : strokes) least = std::min(least, oracle::distance(point, stroke.from, stroke.to));
+    for (const auto& stroke : strokes)
+        least = std::min(least, oracle::distance(point, stroke.from, stroke.to));
     return least;
 }
 
@@ -36,11 +37,13 @@ Real farthest(const std::vector<oracle::Stroke>& some, const std::vector<oracle:
 }
 
 /// Whether the drawing with a resolution lies within it of the true one, and the other way.
-bool is_close(const oracle::WrittenSystem& written, const oracle::TurtleSettings& settings, unsigned n,
-              double resolution) {
+bool is_close(const oracle::WrittenSystem& written, const oracle::TurtleSettings& settings,
+              unsigned n, double resolution) {
     const auto truth = oracle::drawing_of(oracle::rewritten(written, n), settings, n).strokes;
     const Recording canvas = drawn(drawn_system(written, settings), n, resolution);
-    if (canvas.lost || canvas.strokes.size() > truth.size() || canvas.strokes.empty() != truth.empty()) return false;
+    if (canvas.lost || canvas.strokes.size() > truth.size() ||
+        canvas.strokes.empty() != truth.empty())
+        return false;
     // Parts are remembered on a grid of a thousandth of the resolution.
     const Real bound = resolution * 1.002L + 1e-9L;
     return farthest(truth, canvas.strokes) <= bound && farthest(canvas.strokes, truth) <= bound;
@@ -72,11 +75,13 @@ TEST_CASE("strokes are those of walking letter by letter, one by one, with width
 TEST_CASE("polygons have the corners that the turtle visits, branches included") {
     const bool holds = rc::check("polygons", [] {
         const auto inside = oracle::balanced(*oracle::any_word("FfG.+-[]FX", 8));
-        const oracle::WrittenSystem written{"F{" + inside + "}F", {{'F', {*oracle::any_word("F+f", 2)}}, {'X', {"X{F+F+FX}"}}}};
+        const oracle::WrittenSystem written{
+            "F{" + inside + "}F", {{'F', {*oracle::any_word("F+f", 2)}}, {'X', {"X{F+F+FX}"}}}};
         const auto settings = *any_turtle();
         const unsigned n = oracle::last_generation_within(written, 300, 3);
         const auto truth = oracle::drawing_of(oracle::rewritten(written, n), settings, n);
-        const Recording canvas = drawn(drawn_system(written, settings), n, *rc::gen::element(0.0, 0.5));
+        const Recording canvas =
+            drawn(drawn_system(written, settings), n, *rc::gen::element(0.0, 0.5));
         RC_ASSERT(canvas.polygons.size() == truth.polygons.size());
         for (std::size_t i = 0; i < truth.polygons.size(); ++i) {
             RC_ASSERT(canvas.polygons[i].size() == truth.polygons[i].size());
@@ -111,7 +116,9 @@ TEST_CASE("with a resolution nothing is drawn, and nothing left out, farther off
         const unsigned n = oracle::last_generation_within(written, 250, 5);
         Real unit = settings.step.value();
         for (unsigned k = 0; k < n; ++k) unit *= settings.shrink.value();
-        RC_ASSERT(is_close(written, settings, n, static_cast<double>(unit) * *rc::gen::element(0.3, 1.0, 2.5, 7.0, 20.0)));
+        RC_ASSERT(
+            is_close(written, settings, n,
+                     static_cast<double>(unit) * *rc::gen::element(0.3, 1.0, 2.5, 7.0, 20.0)));
     });
     CHECK(holds);
 }
@@ -119,7 +126,8 @@ TEST_CASE("with a resolution nothing is drawn, and nothing left out, farther off
 TEST_CASE("the same for curves that run over themselves, plants, and steps without a line") {
     const oracle::WrittenSystem overlapping{"F", {{'F', {"FF-F-F-F-F-F+F"}}}};
     const oracle::WrittenSystem plant{"X", {{'X', {"F-[[X]+X]+F[+FX]-X"}}, {'F', {"FF"}}}};
-    const oracle::WrittenSystem islands{"F+F+F+F", {{'F', {"F+f-FF+F+FF+Ff+FF-f+FF-F-FF-Ff-FFF"}}, {'f', {"ffffff"}}}};
+    const oracle::WrittenSystem islands{
+        "F+F+F+F", {{'F', {"F+f-FF+F+FF+Ff+FF-f+FF-F-FF-Ff-FFF"}}, {'f', {"ffffff"}}}};
     oracle::TurtleSettings plain, leaning;
     leaning.angle = {45, 2};
     leaning.heading = {90, 1};
@@ -141,7 +149,8 @@ TEST_CASE("the work for a resolution is bounded by the figure, not by the word")
     public:
         std::uint64_t lines = 0;
     };
-    const auto dragon = figure(drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {}), 30, Budget());
+    const auto dragon =
+        figure(drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {}), 30, Budget());
     const double size = std::max(dragon->box().breadth(), dragon->box().height());
     Counter fine, coarse;
     dragon->draw(fine, size / 100, Budget());
@@ -155,19 +164,22 @@ TEST_CASE("drawing stops when it is told to") {
     std::atomic<bool> stop = false;
     Budget budget;
     budget.stop = &stop;
-    const auto dragon = figure(drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {}), 40, budget);
+    const auto dragon =
+        figure(drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {}), 40, budget);
     stop = true;
     Recording canvas;
     CHECK_THROWS_AS(dragon->draw(canvas, 0, budget), Interrupted);
 }
 
 TEST_CASE("a figure draws the same as often as one likes") {
-    const auto plant = figure(drawn_system({"X", {{'X', {"F[+X]F[-X]+X"}}, {'F', {"FF"}}}}, {}), 4, Budget());
+    const auto plant =
+        figure(drawn_system({"X", {{'X', {"F[+X]F[-X]+X"}}, {'F', {"FF"}}}}, {}), 4, Budget());
     Recording first, second;
     plant->draw(first, 1, Budget());
     plant->draw(second, 1, Budget());
     REQUIRE(first.strokes.size() == second.strokes.size());
-    for (std::size_t i = 0; i < first.strokes.size(); ++i) CHECK(first.strokes[i].to == second.strokes[i].to);
+    for (std::size_t i = 0; i < first.strokes.size(); ++i)
+        CHECK(first.strokes[i].to == second.strokes[i].to);
 }
 
 TEST_CASE("blocks draw what single letters draw, stroke for stroke and digit for digit") {
@@ -184,6 +196,7 @@ TEST_CASE("blocks draw what single letters draw, stroke for stroke and digit for
         RC_ASSERT(blocks.moves == letters.moves);
         RC_ASSERT(blocks.strokes.size() == letters.strokes.size());
         for (std::size_t i = 0; i < blocks.strokes.size(); ++i)
-            RC_ASSERT((blocks.strokes[i].from == letters.strokes[i].from && blocks.strokes[i].to == letters.strokes[i].to));
+            RC_ASSERT((blocks.strokes[i].from == letters.strokes[i].from &&
+                       blocks.strokes[i].to == letters.strokes[i].to));
     }));
 }

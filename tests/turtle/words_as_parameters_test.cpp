@@ -2,10 +2,10 @@
 
 #include <string>
 
-#include "base/error.hpp"
-#include "notation/read.hpp"
-#include "rewrite/rewriting.hpp"
-#include "turtle/module_turtle.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
+#include "rewrite/rewrite.hpp"
+#include "turtle/detail/module_turtle.hpp"
 
 using namespace algae;
 

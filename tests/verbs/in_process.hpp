@@ -11,8 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "cli/command.hpp"
-#include "cli/ending.hpp"
+#include "command/detail/verb.hpp"
 
 namespace in_process {
 
@@ -47,10 +46,11 @@ private:
 
 /// What `algae ARGUMENTS` does, by the same functions, but in this process.
 inline Ran run(const std::vector<std::string>& arguments, const std::filesystem::path& folder) {
-    CLI::App app;
-    algae::cli::Verbs verbs{app, {}};
-    algae::cli::add_verbs(verbs);
-    app.parse(std::vector<std::string>(arguments.rbegin(), arguments.rend()));
+    std::vector<std::string> words{"algae"};
+    words.insert(words.end(), arguments.begin(), arguments.end());
+    std::vector<char*> pointers;
+    for (std::string& word : words) pointers.push_back(word.data());
+    pointers.push_back(nullptr);
     const auto flush = [] {
         std::cout.flush();
         std::fflush(stdout);
@@ -59,7 +59,7 @@ inline Ran run(const std::vector<std::string>& arguments, const std::filesystem:
     flush();
     Captured out(STDOUT_FILENO, folder / "printed"), err(STDERR_FILENO, folder / "said");
     Ran ran;
-    ran.status = algae::cli::run(verbs.chosen);
+    ran.status = algae::command::run_command(static_cast<int>(words.size()), pointers.data());
     flush();
     ran.out = out.text();
     ran.err = err.text();

@@ -6,8 +6,8 @@
 #include <optional>
 #include <set>
 
-#include "base/error.hpp"
-#include "cli/ending.hpp"
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
 #include "verbs/in_process.hpp"
 
 namespace {
@@ -24,9 +24,9 @@ public:
     enum class By { nothing, interrupt, time, deadline };
 
     Stopping(By by, std::uint64_t at) : by_(by), at_(at), called_([this] { check(); }) {
-        cli::at_check = &called_;
+        command::at_check = &called_;
     }
-    ~Stopping() { cli::at_check = nullptr; }
+    ~Stopping() { command::at_check = nullptr; }
     std::uint64_t checks() const { return checks_; }
 
 private:
@@ -270,11 +270,10 @@ std::vector<std::uint64_t> spread(std::uint64_t last, std::uint64_t most) {
 }  // namespace
 
 TEST_CASE("every verb is stopped somewhere") {
-    CLI::App app;
-    cli::Verbs verbs{app, {}};
-    cli::add_verbs(verbs);
+    command::Verbs verbs;
+    command::add_verbs(verbs);
     std::set<std::string> known, tried;
-    for (const CLI::App* verb : app.get_subcommands({})) known.insert(verb->get_name());
+    for (const command::Verb& verb : verbs.all) known.insert(verb.name);
     for (const Case& one : cases()) tried.insert(one.verb);
     CHECK(known == tried);
 }
@@ -301,7 +300,7 @@ TEST_CASE("work that is stopped at any check gives the whole answer or none") {
                 return done;
             }();
             CAPTURE(whole.first.err);
-            REQUIRE(whole.first.status != cli::bad_input);
+            REQUIRE(whole.first.status != command::bad_input);
             checks_of_verb += checks;
             for (const std::uint64_t k : spread(checks, is_slow ? few : everywhere))
                 for (const By by : {By::interrupt, k % 2 ? By::time : By::deadline}) {
@@ -319,11 +318,11 @@ TEST_CASE("work that is stopped at any check gives the whole answer or none") {
                         CHECK(ran == whole.first);
                         CHECK(written == whole.second);
                     } else if (by == By::interrupt) {
-                        CHECK(ran.status == cli::interrupted);
+                        CHECK(ran.status == command::interrupted);
                         CHECK(ran.err.ends_with("algae: interrupted\n"));
                         CHECK(whole.first.out.starts_with(ran.out));
                     } else {
-                        CHECK(ran.status == cli::undecided);
+                        CHECK(ran.status == command::undecided);
                         CHECK((ran.out + ran.err).find(over) != std::string::npos);
                     }
                 }

@@ -1,7 +1,7 @@
 // Certificates about systems whose words are derived module by module.
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "verify/samples.hpp"
 
 using namespace samples;

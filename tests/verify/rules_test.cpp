@@ -1,6 +1,6 @@
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "verify/samples.hpp"
 
 using namespace samples;
@@ -11,7 +11,8 @@ TEST_CASE("sound proofs of every kind are checked") {
         INFO(sample.statement << " " << sample.verdict << " " << sample.proof);
         const auto found = check(certificate(sample));
         REQUIRE(found.size() == 1);
-        CHECK_MESSAGE(found[0].outcome == Outcome::checked, found[0].path << ": " << found[0].reason);
+        CHECK_MESSAGE(found[0].outcome == Outcome::checked,
+                      found[0].path << ": " << found[0].reason);
     }
 }
 
@@ -44,8 +45,9 @@ TEST_CASE("a wrong proof is named with its path, line and reason") {
 }
 
 TEST_CASE("cited and undecided statements are told apart, constructions are not checked") {
-    Json all = certificate(Json::parse(R"({"is": "CF", "language": {"generated": "G"}})"), "proved",
-                           Json::parse(R"({"by": "construction", "system": {"axiom": "a", "tables": [{}]}})"));
+    Json all = certificate(
+        Json::parse(R"({"is": "CF", "language": {"generated": "G"}})"), "proved",
+        Json::parse(R"({"by": "construction", "system": {"axiom": "a", "tables": [{}]}})"));
     Json cited = all["statements"][0];
     cited.erase("proof");
     cited["verdict"] = "cited";
@@ -74,7 +76,8 @@ TEST_CASE("what is no certificate is refused with the place") {
     };
     Json bad = good;
     bad["statements"][0]["statement"]["member"] = "a c";
-    CHECK(error(bad).ends_with(": statements[0].statement.member: 'c' is no letter of the alphabet"));
+    CHECK(
+        error(bad).ends_with(": statements[0].statement.member: 'c' is no letter of the alphabet"));
     bad = good;
     bad["statements"][0]["statement"]["member"] = "a  a";
     CHECK(error(bad).ends_with("'' is no letter of the alphabet"));
@@ -90,7 +93,8 @@ TEST_CASE("what is no certificate is refused with the place") {
     bad = good;
     bad["alphabet"] = {"a", 7};
     CHECK(error(bad).ends_with(": alphabet[1]: expected a string, found a number"));
-    CHECK_THROWS_WITH_AS(algae::verify::read_certificate("{\"a\": 1,\n\"a\": 2}", "y"), "y:2: the field 'a' stands here twice", algae::Error);
+    CHECK_THROWS_WITH_AS(algae::verify::read_certificate("{\"a\": 1,\n\"a\": 2}", "y"),
+                         "y:2: the field 'a' stands here twice", algae::Error);
     CHECK_THROWS_AS(algae::verify::read_certificate("", "y"), algae::Error);
     CHECK_THROWS_AS(algae::verify::read_certificate("{} {}", "y"), algae::Error);
     CHECK_THROWS_AS(algae::verify::read_certificate("[1e999]", "y"), algae::Error);
@@ -98,20 +102,30 @@ TEST_CASE("what is no certificate is refused with the place") {
 }
 
 TEST_CASE("nothing deep, large or long crashes or hangs") {
-    CHECK_THROWS_AS(algae::verify::read_certificate(std::string(1'000'000, '['), "y"), algae::BoundReached);
+    CHECK_THROWS_AS(algae::verify::read_certificate(std::string(1'000'000, '['), "y"),
+                    algae::BoundReached);
     Json language = Json::parse(R"({"words": ["a"]})");
     for (int i = 0; i < 400; ++i) language = Json{{"star", language}};
     const auto with = [&](const char* statement, const char* verdict, const char* proof) {
         Json made = certificate(Json::parse(statement), verdict, Json::parse(proof));
         return check(made)[0].outcome;
     };
-    Json deep = certificate(Json{{"member", "a"}, {"language", language}}, "proved", Json{{"by", "membership"}});
+    Json deep = certificate(Json{{"member", "a"}, {"language", language}}, "proved",
+                            Json{{"by", "membership"}});
     CHECK(check(deep)[0].outcome == Outcome::checked);
-    CHECK(with(R"({"derives": "a", "system": "W", "steps": "99999999999999999999999999"})", "refuted", R"({"by": "exhausted"})") == Outcome::checked);
-    CHECK(with(R"({"is": "finite", "language": {"generated": "W"}})", "proved", R"({"by": "values"})") == Outcome::not_checked);
-    CHECK(with(R"({"equal sequences": ["F", "W"]})", "refuted", R"({"by": "generation", "generation": "99999999999999999999"})") == Outcome::not_checked);
-    CHECK(with(R"({"equal sequences": ["F", "W"]})", "refuted", R"({"by": "generation", "generation": 30, "position": "1073741823"})") == Outcome::checked);
-    CHECK(with(R"({"growth": "W", "equals": "9^9^9^9^9"})", "refuted", R"({"by": "generation", "generation": 3})") == Outcome::not_checked);
+    CHECK(with(R"({"derives": "a", "system": "W", "steps": "99999999999999999999999999"})",
+               "refuted", R"({"by": "exhausted"})") == Outcome::checked);
+    CHECK(with(R"({"is": "finite", "language": {"generated": "W"}})", "proved",
+               R"({"by": "values"})") == Outcome::not_checked);
+    CHECK(with(R"({"equal sequences": ["F", "W"]})", "refuted",
+               R"({"by": "generation", "generation": "99999999999999999999"})") ==
+          Outcome::not_checked);
+    CHECK(with(R"({"equal sequences": ["F", "W"]})", "refuted",
+               R"({"by": "generation", "generation": 30, "position": "1073741823"})") ==
+          Outcome::checked);
+    CHECK(with(R"({"growth": "W", "equals": "9^9^9^9^9"})", "refuted",
+               R"({"by": "generation", "generation": 3})") == Outcome::not_checked);
     CHECK(with(R"({"equal": [{"generated": "W"}, {"generated": "W"}]})", "proved",
-               R"({"by": "sections", "words": [[40, 40]], "sections": []})") == Outcome::not_checked);
+               R"({"by": "sections", "words": [[40, 40]], "sections": []})") ==
+          Outcome::not_checked);
 }

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "verify/check_certificate.hpp"
+#include "verify/verify.hpp"
 
 namespace samples {
 
@@ -42,15 +42,19 @@ inline const std::vector<Sample>& sound() {
     static const std::vector<Sample> all = {
         {R"({"member": "a a", "language": {"generated": "G"}})", "proved",
          R"({"by": "membership", "derivation": {"words": ["a", "a a"]}})"},
-        {R"({"member": "a b", "language": {"generated": "G"}})", "refuted", R"({"by": "membership"})"},
+        {R"({"member": "a b", "language": {"generated": "G"}})", "refuted",
+         R"({"by": "membership"})"},
         {R"({"member": "b b", "language": {"generated": "T"}})", "proved",
          R"({"by": "membership", "derivation": {"words": ["a", "a a", "b b"], "tables": [0, 1]}})"},
-        {R"({"member": "b b b", "language": {"generated": "T"}})", "refuted", R"({"by": "membership"})"},
-        {R"({"member": "a a", "language": {"generated": "E"}})", "proved", R"({"by": "membership"})"},
-        {R"({"not": {"member": "a b", "language": {"generated": "E"}}})", "proved", R"({"by": "membership"})"},
+        {R"({"member": "b b b", "language": {"generated": "T"}})", "refuted",
+         R"({"by": "membership"})"},
+        {R"({"member": "a a", "language": {"generated": "E"}})", "proved",
+         R"({"by": "membership"})"},
+        {R"({"not": {"member": "a b", "language": {"generated": "E"}}})", "proved",
+         R"({"by": "membership"})"},
         {R"({"member": "b", "language": {"generated": "C"}})", "proved", R"({"by": "membership"})"},
-        {R"({"member": "b b", "language": {"image": {"generated": "G"}, "morphism": {"a": "b"}}})", "proved",
-         R"({"by": "membership", "preimage": "a a"})"},
+        {R"({"member": "b b", "language": {"image": {"generated": "G"}, "morphism": {"a": "b"}}})",
+         "proved", R"({"by": "membership", "preimage": "a a"})"},
         {R"({"member": "b b", "language": {"concatenation": [{"reversal": {"generated": "F"}}, {"star": {"words": ["a"]}}]}})",
          "refuted", R"({"by": "membership"})"},
         {R"({"is": "0L", "language": {"words": ["", "a", "a a"]}})", "proved",
@@ -60,7 +64,8 @@ inline const std::vector<Sample>& sound() {
         {R"({"is": "0L", "language": {"plus": {"words": ["a"]}}})", "proved",
          R"({"by": "equal", "system": {"axiom": "a", "tables": [{"a": ["a", "a a"]}]}, "proof": {"by": "both", "proofs": [{"by": "relations"}, {"by": "induction", "base": ["a"]}]}})"},
         {R"({"is": "E0L", "language": {"words": ["a", "b"]}})", "proved", R"({"by": "finite"})"},
-        {R"({"is": "REG", "language": {"star": {"words": ["a b"]}}})", "proved", R"({"by": "regular"})"},
+        {R"({"is": "REG", "language": {"star": {"words": ["a b"]}}})", "proved",
+         R"({"by": "regular"})"},
         {R"({"is": "0L", "language": {"reversal": {"generated": "G"}}})", "proved",
          R"({"by": "reversal", "proof": {"by": "form"}})"},
         {R"({"is": "CF", "language": {"generated": "W"}})", "refuted", R"({"by": "sparse"})"},
@@ -68,12 +73,17 @@ inline const std::vector<Sample>& sound() {
          R"({"by": "cases", "obstruction": {"root": {"excluded": [
            {"letter": "a", "image": "", "word": "a"}, {"letter": "a", "image": "a a", "word": "a a"}],
            "end": "sources", "sources": [["a"], ["a a"]]}}})"},
-        {R"({"is": "PT0L", "language": {"star": {"words": ["a"]}}})", "refuted", R"({"by": "empty word"})"},
+        {R"({"is": "PT0L", "language": {"star": {"words": ["a"]}}})", "refuted",
+         R"({"by": "empty word"})"},
         {R"({"is": "finite", "language": {"generated": "S"}})", "proved", R"({"by": "values"})"},
-        {R"({"is": "finite", "language": {"complement": {"words": ["a"]}, "letters": "a"}})", "refuted", R"({"by": "values"})"},
-        {R"({"is": "empty", "language": {"intersection": [{"words": ["a"]}, {"generated": "P"}]}})", "proved", R"({"by": "values"})"},
-        {R"({"is": "empty", "language": {"intersection": [{"generated": "P"}, {"star": {"words": ["b"]}}]}})", "proved", R"({"by": "relations"})"},
-        {R"({"is": "empty", "language": {"generated": "E"}})", "refuted", R"({"by": "word", "word": "a a a"})"},
+        {R"({"is": "finite", "language": {"complement": {"words": ["a"]}, "letters": "a"}})",
+         "refuted", R"({"by": "values"})"},
+        {R"({"is": "empty", "language": {"intersection": [{"words": ["a"]}, {"generated": "P"}]}})",
+         "proved", R"({"by": "values"})"},
+        {R"({"is": "empty", "language": {"intersection": [{"generated": "P"}, {"star": {"words": ["b"]}}]}})",
+         "proved", R"({"by": "relations"})"},
+        {R"({"is": "empty", "language": {"generated": "E"}})", "refuted",
+         R"({"by": "word", "word": "a a a"})"},
         {R"({"size": 2, "language": {"generated": "S"}})", "proved", R"({"by": "values"})"},
         {R"({"size": "3", "language": {"generated": "S"}})", "refuted", R"({"by": "values"})"},
         {R"({"size": 2, "language": {"generated": "P"}})", "refuted",
@@ -85,36 +95,49 @@ inline const std::vector<Sample>& sound() {
              "round": [{"table": 0, "letter": "a", "successor": "a a", "place": 0}],
              "beside": [{"table": 0, "letter": "a", "successor": "a a", "place": 1}],
              "kept": [{"table": 0, "letter": "a", "successor": "a a", "place": 0}], "after": []})"},
-        {R"({"is": "finite", "language": {"concatenation": [{"words": ["a"]}, {"star": {"words": ["a b"]}}]}})", "refuted",
+        {R"({"is": "finite", "language": {"concatenation": [{"words": ["a"]}, {"star": {"words": ["a b"]}}]}})",
+         "refuted",
          R"({"by": "part", "index": 1, "proof": {"by": "pumping", "prefix": "", "middle": "a b", "suffix": "a b"}})"},
-        {R"({"equal": [{"words": ["a", "b"]}, {"generated": "S"}]})", "proved", R"({"by": "values"})"},
-        {R"({"equal": [{"star": {"words": ["a", "b"]}}, {"complement": {"words": []}, "letters": "a b"}]})", "proved", R"({"by": "derivatives"})"},
-        {R"({"included": [{"image": {"star": {"words": ["a b"]}}, "morphism": {"a": "b", "b": ""}}, {"star": {"words": ["b"]}}]})", "proved",
-         R"({"by": "derivatives"})"},
-        {R"({"equal": [{"generated": "F"}, {"generated": "H"}]})", "proved", R"({"by": "identical"})"},
+        {R"({"equal": [{"words": ["a", "b"]}, {"generated": "S"}]})", "proved",
+         R"({"by": "values"})"},
+        {R"({"equal": [{"star": {"words": ["a", "b"]}}, {"complement": {"words": []}, "letters": "a b"}]})",
+         "proved", R"({"by": "derivatives"})"},
+        {R"({"included": [{"image": {"star": {"words": ["a b"]}}, "morphism": {"a": "b", "b": ""}}, {"star": {"words": ["b"]}}]})",
+         "proved", R"({"by": "derivatives"})"},
+        {R"({"equal": [{"generated": "F"}, {"generated": "H"}]})", "proved",
+         R"({"by": "identical"})"},
         {R"({"equal": [{"generated": "F"}, {"generated": "H"}]})", "proved",
          R"({"by": "sequences", "proof": {"by": "balance", "bound": 0, "states": [{"ahead": "left", "word": ""}]}})"},
-        {R"({"equal": [{"generated": "P"}, {"union": [{"words": ["a"]}, {"generated": "Q"}]}]})", "refuted", R"({"by": "word", "word": "a b"})"},
-        {R"({"included": [{"generated": "E"}, {"plus": {"words": ["a"]}}]})", "proved", R"({"by": "relations"})"},
-        {R"({"included": [{"generated": "G"}, {"generated": "W"}]})", "refuted", R"({"by": "word", "word": "a a a"})"},
-        {R"({"derives": "a b a", "system": "F"})", "proved", R"({"by": "derivation", "words": ["a", "a b", "a b a"]})"},
+        {R"({"equal": [{"generated": "P"}, {"union": [{"words": ["a"]}, {"generated": "Q"}]}]})",
+         "refuted", R"({"by": "word", "word": "a b"})"},
+        {R"({"included": [{"generated": "E"}, {"plus": {"words": ["a"]}}]})", "proved",
+         R"({"by": "relations"})"},
+        {R"({"included": [{"generated": "G"}, {"generated": "W"}]})", "refuted",
+         R"({"by": "word", "word": "a a a"})"},
+        {R"({"derives": "a b a", "system": "F"})", "proved",
+         R"({"by": "derivation", "words": ["a", "a b", "a b a"]})"},
         {R"({"derives": "b b", "system": "T", "from": "a a", "steps": 1})", "proved",
          R"({"by": "derivation", "words": ["a a", "b b"], "tables": [1]})"},
-        {R"({"derives": "b", "system": "S", "steps": 1000000})", "refuted", R"({"by": "exhausted"})"},
+        {R"({"derives": "b", "system": "S", "steps": 1000000})", "refuted",
+         R"({"by": "exhausted"})"},
         {R"({"derives": "b a", "system": "G"})", "refuted", R"({"by": "exhausted"})"},
         {R"({"derives": "a b", "system": "C", "steps": 2})", "refuted", R"({"by": "exhausted"})"},
         {R"({"equal sequences": ["U", "V"]})", "proved",
          R"({"by": "balance", "bound": 1, "states": [{"ahead": "left", "word": ""}, {"ahead": "right", "word": "a"}], "accepts": {"steps": 2, "earlier": 1}})"},
         {R"({"equal sequences": ["S", "S"]})", "proved", R"({"by": "lengths"})"},
-        {R"({"equal sequences": ["X", "Y"]})", "refuted", R"({"by": "generation", "generation": 3, "position": "36"})"},
-        {R"({"equal sequences": ["F", "W"]})", "refuted", R"({"by": "generation", "generation": 1, "position": 1})"},
+        {R"({"equal sequences": ["X", "Y"]})", "refuted",
+         R"({"by": "generation", "generation": 3, "position": "36"})"},
+        {R"({"equal sequences": ["F", "W"]})", "refuted",
+         R"({"by": "generation", "generation": 1, "position": 1})"},
         {R"({"equal growth": ["F", "H"]})", "proved", R"({"by": "terms"})"},
         {R"({"equal growth": ["F", "W"]})", "refuted", R"({"by": "generation", "generation": 2})"},
         {R"({"growth": "P", "equals": "n+2"})", "proved",
          R"({"by": "terms", "terms": [{"coefficient": "2", "power": 0, "base": "1"}, {"coefficient": "1", "power": 1, "base": "1"}]})"},
         {R"({"growth": "W", "equals": "2^(n-1)*2"})", "proved", R"({"by": "terms"})"},
-        {R"({"growth": "F", "equals": "n+1"})", "refuted", R"({"by": "generation", "generation": 3})"},
-        {R"({"growth": "P", "class": "polynomial", "degree": 1})", "proved", R"({"by": "components"})"},
+        {R"({"growth": "F", "equals": "n+1"})", "refuted",
+         R"({"by": "generation", "generation": 3})"},
+        {R"({"growth": "P", "class": "polynomial", "degree": 1})", "proved",
+         R"({"by": "components"})"},
         {R"({"growth": "W", "class": "exponential"})", "proved", R"({"by": "components"})"},
         {R"({"growth": "S", "class": "polynomial"})", "refuted", R"({"by": "components"})"},
         {R"({"equal": [{"generated": "P"}, {"generated": "P"}]})", "proved",
@@ -126,8 +149,14 @@ inline const std::vector<Sample>& sound() {
 
 /// A certificate with one statement.
 inline Json certificate(const Json& statement, const Json& verdict, const Json& proof) {
-    return {{"format", "algae certificate 1"}, {"claim", "a sample"}, {"alphabet", {"a", "b"}}, {"systems", systems()},
-            {"statements", Json::array({{{"text", "as it is"}, {"statement", statement}, {"verdict", verdict}, {"proof", proof}}})}};
+    return {{"format", "algae certificate 1"},
+            {"claim", "a sample"},
+            {"alphabet", {"a", "b"}},
+            {"systems", systems()},
+            {"statements", Json::array({{{"text", "as it is"},
+                                         {"statement", statement},
+                                         {"verdict", verdict},
+                                         {"proof", proof}}})}};
 }
 
 inline Json certificate(const Sample& sample) {
@@ -143,8 +172,10 @@ inline algae::Budget small_budget() {
     return budget;
 }
 
-inline std::vector<algae::verify::Finding> check(const Json& certificate, const algae::Budget& budget = small_budget()) {
-    return algae::verify::check_certificate(*algae::verify::read_certificate(certificate.dump(1), "x.json"), budget);
+inline std::vector<algae::verify::Finding> check(const Json& certificate,
+                                                 const algae::Budget& budget = small_budget()) {
+    return algae::verify::check_certificate(
+        *algae::verify::read_certificate(certificate.dump(1), "x.json"), budget);
 }
 
 }  // namespace samples

@@ -3,7 +3,7 @@
 #include <atomic>
 #include <chrono>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "verify/samples.hpp"
 
 using namespace samples;

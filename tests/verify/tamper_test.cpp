@@ -9,7 +9,7 @@
 #include <optional>
 #include <set>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "oracle/finite_systems.hpp"
 #include "verify/samples.hpp"
 
@@ -37,12 +37,15 @@ Words one_step(const Json& system, const std::string& word) {
         for (std::size_t i = 0; i < word.size(); ++i) {
             std::string before, after;
             for (std::size_t k = 0; k < word.size(); ++k)
-                if (k != i && ignored.find(word[k]) == std::string::npos) (k < i ? before : after) += word[k];
+                if (k != i && ignored.find(word[k]) == std::string::npos)
+                    (k < i ? before : after) += word[k];
             std::optional<std::string> best;
             std::size_t size = 0;
             for (const Json& rule : system["rules"]) {
                 const std::string left = plain(rule["left"]), right = plain(rule["right"]);
-                if (plain(rule["letter"]) != std::string(1, word[i]) || !before.ends_with(left) || !after.starts_with(right)) continue;
+                if (plain(rule["letter"]) != std::string(1, word[i]) || !before.ends_with(left) ||
+                    !after.starts_with(right))
+                    continue;
                 if (best && left.size() + right.size() <= size) continue;
                 size = left.size() + right.size();
                 best = plain(rule["successor"]);
@@ -61,7 +64,8 @@ Words one_step(const Json& system, const std::string& word) {
                     for (const Json& image : table[name]) longer.insert(start + plain(image));
                 else
                     longer.insert(start + name);
-            std::erase_if(longer, [](const std::string& each) { return each.size() > longest_form; });
+            std::erase_if(longer,
+                          [](const std::string& each) { return each.size() > longest_form; });
             built = std::move(longer);
         }
         results.merge(built);
@@ -108,7 +112,9 @@ Words words(const Json& language, const Json& systems, std::size_t most) {
         const Json& system = systems[language["generated"].get<std::string>()];
         all = forms(system, plain(system["axiom"]));
         if (system.contains("terminals"))
-            std::erase_if(all, [&](const std::string& word) { return word.find_first_not_of(plain(system["terminals"])) != std::string::npos; });
+            std::erase_if(all, [&](const std::string& word) {
+                return word.find_first_not_of(plain(system["terminals"])) != std::string::npos;
+            });
     } else if (language.contains("union")) {
         all = of(language["union"][0], most);
         all.merge(of(language["union"][1], most));
@@ -120,9 +126,11 @@ Words words(const Json& language, const Json& systems, std::size_t most) {
         std::erase_if(all, [&](const std::string& word) { return other.contains(word) != both; });
     } else if (language.contains("concatenation")) {
         for (const std::string& left : of(language["concatenation"][0], most))
-            for (const std::string& right : of(language["concatenation"][1], most)) all.insert(left + right);
+            for (const std::string& right : of(language["concatenation"][1], most))
+                all.insert(left + right);
     } else if (language.contains("star") || language.contains("plus")) {
-        const Words part = of(language.contains("star") ? language["star"] : language["plus"], most);
+        const Words part =
+            of(language.contains("star") ? language["star"] : language["plus"], most);
         Words last = part;
         all = part;
         for (std::size_t n = 0; n < most; ++n) {
@@ -135,7 +143,8 @@ Words words(const Json& language, const Json& systems, std::size_t most) {
         }
         if (language.contains("star")) all.insert("");
     } else if (language.contains("reversal")) {
-        for (const std::string& word : of(language["reversal"], most)) all.emplace(word.rbegin(), word.rend());
+        for (const std::string& word : of(language["reversal"], most))
+            all.emplace(word.rbegin(), word.rend());
     } else if (language.contains("complement")) {
         const Words part = of(language["complement"], most);
         for (const std::string& word : all_words(plain(language["letters"]), most))
@@ -182,11 +191,15 @@ std::optional<bool> truth(const Json& statement, const Json& systems) {
         const auto opposite = truth(statement["not"], systems);
         return opposite ? std::optional(!*opposite) : std::nullopt;
     }
-    const auto of = [&](const Json& language, std::size_t most = longest) { return words(language, systems, most); };
-    if (statement.contains("member")) return of(statement["language"]).contains(plain(statement["member"]));
+    const auto of = [&](const Json& language, std::size_t most = longest) {
+        return words(language, systems, most);
+    };
+    if (statement.contains("member"))
+        return of(statement["language"]).contains(plain(statement["member"]));
     if (statement.contains("size")) {
         const Json& size = statement["size"];
-        return std::to_string(of(statement["language"], 2 * longest).size()) == (size.is_string() ? size.get<std::string>() : size.dump());
+        return std::to_string(of(statement["language"], 2 * longest).size()) ==
+               (size.is_string() ? size.get<std::string>() : size.dump());
     }
     if (statement.contains("equal")) return of(statement["equal"][0]) == of(statement["equal"][1]);
     if (statement.contains("included")) {
@@ -195,10 +208,14 @@ std::optional<bool> truth(const Json& statement, const Json& systems) {
     }
     if (statement.contains("derives")) {
         const Json& system = systems[statement["system"].get<std::string>()];
-        const std::string from = plain(statement.contains("from") ? statement["from"] : system["axiom"]), to = plain(statement["derives"]);
+        const std::string from = plain(statement.contains("from") ? statement["from"]
+                                                                  : system["axiom"]),
+                          to = plain(statement["derives"]);
         if (!statement.contains("steps")) return forms(system, from).contains(to);
         Words now{from};
-        std::uint64_t steps = statement["steps"].is_string() ? std::stoull(statement["steps"].get<std::string>()) : statement["steps"].get<std::uint64_t>();
+        std::uint64_t steps = statement["steps"].is_string()
+                                  ? std::stoull(statement["steps"].get<std::string>())
+                                  : statement["steps"].get<std::uint64_t>();
         if (steps > 20) steps = 20 + steps % 2;  // what repeats here repeats with period 1 or 2
         for (; steps > 0; --steps) {
             Words next;
@@ -211,21 +228,29 @@ std::optional<bool> truth(const Json& statement, const Json& systems) {
     if (statement.contains("equal sequences") || statement.contains("equal growth")) {
         const bool letters = statement.contains("equal sequences");
         const Json& names = statement[letters ? "equal sequences" : "equal growth"];
-        const auto left = sequence(systems[names[0].get<std::string>()], 10), right = sequence(systems[names[1].get<std::string>()], 10);
+        const auto left = sequence(systems[names[0].get<std::string>()], 10),
+                   right = sequence(systems[names[1].get<std::string>()], 10);
         for (std::size_t n = 0; n < std::min(left.size(), right.size()); ++n)
             if (letters ? left[n] != right[n] : left[n].size() != right[n].size()) return false;
         return true;
     }
     if (statement.contains("class")) {
         const auto all = sequence(systems[statement["growth"].get<std::string>()], 11);
-        const auto size = [&](std::size_t n) { return static_cast<double>(all[std::min(n, all.size() - 1)].size()); };
+        const auto size = [&](std::size_t n) {
+            return static_cast<double>(all[std::min(n, all.size() - 1)].size());
+        };
         const bool fast = all.size() < 11 || size(10) > 20, still = size(10) == size(8);
-        const std::string found = size(10) == 0 ? "zero" : fast ? "exponential" : still ? "bounded" : "polynomial";
-        const bool degree = !statement.contains("degree") || statement["degree"] == 1 || statement["degree"] == "1";
+        const std::string found = size(10) == 0 ? "zero"
+                                  : fast        ? "exponential"
+                                  : still       ? "bounded"
+                                                : "polynomial";
+        const bool degree =
+            !statement.contains("degree") || statement["degree"] == 1 || statement["degree"] == "1";
         return found == statement["class"] && degree;
     }
     if (statement["is"] == "empty") return of(statement["language"]).empty();
-    if (statement["is"] == "finite") return of(statement["language"]) == of(statement["language"], 2 * longest);
+    if (statement["is"] == "finite")
+        return of(statement["language"]) == of(statement["language"], 2 * longest);
     return std::nullopt;
 }
 
@@ -235,7 +260,8 @@ bool is_of(const Json& family, const Words& language) {
     const std::string name = family.get<std::string>();
     if (!all.contains(name)) {
         const bool tables = name.find('T') != std::string::npos;
-        const algae::oracle::FiniteSystems systems(2, 2, name.find('P') != std::string::npos, name.find('D') != std::string::npos);
+        const algae::oracle::FiniteSystems systems(2, 2, name.find('P') != std::string::npos,
+                                                   name.find('D') != std::string::npos);
         all[name] = tables ? systems.with_tables() : systems.without_tables();
     }
     const auto universe = algae::oracle::FiniteSystems::words(2, 2);
@@ -253,13 +279,17 @@ bool can_be_true(const Json& certificate) {
     bool holds = entry["verdict"] == "proved";
     for (; statement.contains("not"); holds = !holds) statement = Json(statement["not"]);
     if (statement.contains("is") && statement["is"] != "finite" && statement["is"] != "empty") {
-        static const std::set<std::string> decided = {"0L", "P0L", "D0L", "PD0L", "T0L", "PT0L", "DT0L", "PDT0L"};
+        static const std::set<std::string> decided = {"0L",  "P0L",  "D0L",  "PD0L",
+                                                      "T0L", "PT0L", "DT0L", "PDT0L"};
         const Words all = words(statement["language"], systems, 2 * longest);
-        const bool is_short = std::all_of(all.begin(), all.end(), [](const std::string& word) { return word.size() <= 2; });
-        if (!decided.contains(statement["is"].get<std::string>())) return holds || !is_short;  // all finite ones are, but {ε}
+        const bool is_short = std::all_of(all.begin(), all.end(),
+                                          [](const std::string& word) { return word.size() <= 2; });
+        if (!decided.contains(statement["is"].get<std::string>()))
+            return holds || !is_short;  // all finite ones are, but {ε}
         return !is_short || is_of(statement["is"], all) == holds;
     }
-    if (statement.contains("growth") && statement.contains("equals")) return true;  // see the test of formulas
+    if (statement.contains("growth") && statement.contains("equals"))
+        return true;  // see the test of formulas
     const auto found = truth(statement, systems);
     return !found || *found == holds;
 }
@@ -273,7 +303,8 @@ algae::Budget short_budget() {
 }
 
 /// Calls visit for every value in the JSON, with its pointer.
-void each_value(const Json& value, const Json::json_pointer& at, const std::function<void(const Json::json_pointer&)>& visit) {
+void each_value(const Json& value, const Json::json_pointer& at,
+                const std::function<void(const Json::json_pointer&)>& visit) {
     visit(at);
     if (value.is_object())
         for (const auto& [key, part] : value.items()) each_value(part, at / key, visit);
@@ -285,10 +316,56 @@ void each_value(const Json& value, const Json::json_pointer& at, const std::func
 std::vector<Json> others(const Json& value) {
     if (value.is_number()) return {0, 1, 2, 3, 5, -1, 1.5, "7", true, nullptr};
     if (value.is_string())
-        return {"", "a", "b", "a a", "a b", "b a", "0L", "P0L", "D0L", "PD0L", "PDT0L", "finite", "empty", "REG", "CF", "E0L",
-                "left", "right", "sources", "needed", "no image", "values", "identical", "form", "terms", "word", "lengths",
-                "exhausted", "membership", "derivatives", "relations", "proved", "refuted", "polynomial", "bounded",
-                "exponential", "F", "G", "S", "W", "P", "E", "T", "2^n", "n+2", "0", "3", 4, Json::array(), Json::object()};
+        return {"",
+                "a",
+                "b",
+                "a a",
+                "a b",
+                "b a",
+                "0L",
+                "P0L",
+                "D0L",
+                "PD0L",
+                "PDT0L",
+                "finite",
+                "empty",
+                "REG",
+                "CF",
+                "E0L",
+                "left",
+                "right",
+                "sources",
+                "needed",
+                "no image",
+                "values",
+                "identical",
+                "form",
+                "terms",
+                "word",
+                "lengths",
+                "exhausted",
+                "membership",
+                "derivatives",
+                "relations",
+                "proved",
+                "refuted",
+                "polynomial",
+                "bounded",
+                "exponential",
+                "F",
+                "G",
+                "S",
+                "W",
+                "P",
+                "E",
+                "T",
+                "2^n",
+                "n+2",
+                "0",
+                "3",
+                4,
+                Json::array(),
+                Json::object()};
     if (value.is_array()) {
         std::vector<Json> all{Json::array(), "a"};
         for (std::size_t i = 0; i < value.size(); ++i) {
@@ -303,7 +380,8 @@ std::vector<Json> others(const Json& value) {
         all.push_back(turned);
         return all;
     }
-    std::vector<Json> all{Json::object(), "a", Json{{"words", Json::array({"a"})}}, Json{{"generated", "G"}}, Json{{"not", value}}};
+    std::vector<Json> all{Json::object(), "a", Json{{"words", Json::array({"a"})}},
+                          Json{{"generated", "G"}}, Json{{"not", value}}};
     for (const auto& [key, part] : value.items()) {
         Json without = value, more = value;
         without.erase(key);
@@ -328,7 +406,9 @@ TEST_CASE("no changed certificate passes for something false") {
     for (const Sample& sample : sound()) {
         Json good = certificate(sample);
         for (const char* name : {"C", "E", "H", "Q", "T", "U", "V", "X", "Y"})
-            if (std::string(sample.statement).find('"' + std::string(name) + '"') == std::string::npos) good["systems"].erase(name);
+            if (std::string(sample.statement).find('"' + std::string(name) + '"') ==
+                std::string::npos)
+                good["systems"].erase(name);
         // The whole statement, and those systems that it names.
         std::vector<Json::json_pointer> places;
         const auto note = [&](const Json::json_pointer& at) { places.push_back(at); };
@@ -352,7 +432,8 @@ TEST_CASE("no changed certificate passes for something false") {
                 }
                 ++passed;
                 if (!can_be_true(bad))
-                    FAIL_CHECK(std::string(place.to_string() + " := " + other.dump() + " passes: " + bad["statements"].dump()));
+                    FAIL_CHECK(std::string(place.to_string() + " := " + other.dump() +
+                                           " passes: " + bad["statements"].dump()));
             }
     }
     CHECK(changed > 10'000);
@@ -360,9 +441,11 @@ TEST_CASE("no changed certificate passes for something false") {
 }
 
 TEST_CASE("only formulas that give the lengths pass") {
-    for (const char* formula : {"n+2", "(n^2+3*n+2)/(n+1)", "n", "2+n*1^n", "n+2+0^n", "2^n", "-(-n-2)", "n+3", "2^n+2"}) {
+    for (const char* formula : {"n+2", "(n^2+3*n+2)/(n+1)", "n", "2+n*1^n", "n+2+0^n", "2^n",
+                                "-(-n-2)", "n+3", "2^n+2"}) {
         INFO(formula);
-        const Json made = certificate(Json{{"growth", "P"}, {"equals", formula}}, "proved", Json{{"by", "terms"}});
+        const Json made = certificate(Json{{"growth", "P"}, {"equals", formula}}, "proved",
+                                      Json{{"by", "terms"}});
         const std::string text = formula;
         const bool right = text == "n+2" || text == "2+n*1^n" || text == "-(-n-2)";
         CHECK((check(made)[0].outcome == Outcome::checked) == right);

@@ -1,4 +1,4 @@
-#include "word/alphabet.hpp"
+#include "word/word.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -6,8 +6,6 @@
 #include <set>
 
 #include "oracle/random_systems.hpp"
-#include "word/hom.hpp"
-#include "word/spelling.hpp"
 
 using namespace algae;
 
@@ -30,7 +28,8 @@ TEST_CASE("ranks follow the code points of names") {
 }
 
 TEST_CASE("short names are one character, or a letter with a subscript of one letter or digits") {
-    for (const char* name : {"a", "α", "+", "F_l", "X_12", "a_β", "?E", "?E_1"}) CHECK_MESSAGE(is_short_name(name), name);
+    for (const char* name : {"a", "α", "+", "F_l", "X_12", "a_β", "?E", "?E_1"})
+        CHECK_MESSAGE(is_short_name(name), name);
     for (const char* name : {"", "ab", "wall", "F_", "F_ab", "F_1a", "αβ", "?wall"})
         CHECK_MESSAGE(!is_short_name(name), name);
 }
@@ -52,7 +51,8 @@ TEST_CASE("words are spelled with blanks only where they are needed") {
 
 TEST_CASE("a long name has blanks around it") {
     Alphabet alphabet;
-    const Word word{alphabet.symbol("wall"), alphabet.symbol("F"), alphabet.symbol("wall"), alphabet.symbol("wall")};
+    const Word word{alphabet.symbol("wall"), alphabet.symbol("F"), alphabet.symbol("wall"),
+                    alphabet.symbol("wall")};
     CHECK(spell(alphabet, word) == "wall F wall wall");
 }
 
@@ -67,8 +67,9 @@ TEST_CASE("short names that together look like a declared name are kept apart") 
 
 TEST_CASE("what is spelled is read back, and the monoid of spellings spells the same") {
     const bool holds = rc::check("texts are unambiguous", [] {
-        static const std::vector<std::string> pool{"a",  "b",   "X",  "X_1", "X_12", "X_a", "1",    "2",   "_", "F_l", "+",
-                                                   "ab", "aba", "ba", "αβ",  "α",    "β",   "b_1a", "X_1a", "-", "β_2"};
+        static const std::vector<std::string> pool{"a",  "b", "X",   "X_1",  "X_12", "X_a", "1",
+                                                   "2",  "_", "F_l", "+",    "ab",   "aba", "ba",
+                                                   "αβ", "α", "β",   "b_1a", "X_1a", "-",   "β_2"};
         const auto names = *rc::gen::unique<std::vector<std::string>>(rc::gen::elementOf(pool));
         RC_PRE(!names.empty());
         Alphabet alphabet;
@@ -77,7 +78,8 @@ TEST_CASE("what is spelled is read back, and the monoid of spellings spells the 
             alphabet.symbol(name);
             if (!is_short_name(name)) declared.insert(name);
         }
-        const auto word = *rc::gen::container<Word>(rc::gen::inRange<Symbol>(0, static_cast<Symbol>(names.size())));
+        const auto word = *rc::gen::container<Word>(
+            rc::gen::inRange<Symbol>(0, static_cast<Symbol>(names.size())));
         std::vector<std::string> written;
         for (const Symbol a : word) written.push_back(alphabet.name(a));
         if (word.empty()) {

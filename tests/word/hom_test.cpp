@@ -1,10 +1,9 @@
-#include "word/hom.hpp"
+#include "word/word.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
-#include "algebra/sums.hpp"
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 #include "oracle/random_systems.hpp"
 
 using namespace algae;

@@ -1,8 +1,8 @@
-#include "word/word_sets.hpp"
+#include "word/word.hpp"
 
 #include <doctest/doctest.h>
 
-#include "base/error.hpp"
+#include "exact/exact.hpp"
 
 using namespace algae;
 
@@ -30,6 +30,7 @@ TEST_CASE("a set that takes more than the memory allowed is refused") {
         [&] {
             for (int i = 0; i < 20; ++i) sets.append(set, {{0}, {1}});
         }(),
-        "the set of words, one of those for each letter, would take more than an eighth of the 1 MiB allowed",
+        "the set of words, one of those for each letter, would take more than an eighth of the 1 "
+        "MiB allowed",
         BoundReached);
 }

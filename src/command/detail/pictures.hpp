@@ -1,0 +1,120 @@
+#pragma once
+
+#include <cstdint>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "command/detail/output.hpp"
+#include "command/detail/verb.hpp"
+#include "nature/nature.hpp"
+#include "render/render.hpp"
+#include "system/system.hpp"
+#include "turtle/turtle.hpp"
+
+namespace algae::command {
+
+/// What --format takes, for types of options.
+inline constexpr const char* picture_formats = "svg|pdf|png|ps|eps|gif|webp";
+inline constexpr const char* mesh_formats = "glb|obj|ply|stl|x3d|wrl|vrml1";
+
+/// The format of a picture by the end of this name. Throws Error, listing what else may be drawn.
+PictureFormat picture_of(const std::string& named);
+
+/// The name whose end says the format: that of the output unless --format says it. Throws Error if
+/// nothing does.
+std::string named_format(const std::string& output, const std::string& format);
+
+/// Throws Error if an option is given that a file of a figure in space has no place for.
+void refuse_on_mesh(const std::vector<std::pair<const char*, bool>>& given, MeshFormat format);
+
+/// Calls `draw` with standard output if the path is `-`, otherwise with the path.
+template <class Draw>
+auto drawn_to(const std::string& output, const Draw& draw) {
+    return output == "-" ? draw(std::cout) : draw(output);
+}
+
+/// What `draw` takes for figures in space.
+struct SpaceOptions {
+    std::optional<Camera> camera;
+    std::optional<Light> light;
+    std::optional<double> fog;
+
+    void add_to(Verb& verb);
+    /// Throws Error if an option is given that only figures in space have.
+    void check_unused(const std::string& name) const;
+};
+
+/// How the scenes of a system are looked at: as the options say, and where they do not, its file.
+/// `background` is that of the picture.
+ViewChoices view_choices(const SpaceOptions& options, const LSystem& system,
+                         const std::optional<std::string>& background);
+
+/// A reader: a label as --label says it, "TEXT@x,y" or "TEXT@x,y,z".
+PointLabel point_label(const std::string& option, const std::string& text);
+
+/// One word of a system, ready to be drawn.
+struct FigurePlate {
+    std::uint64_t generation = 0;
+    std::optional<std::uint64_t> seed;
+    std::unique_ptr<Figure> figure;
+    std::string name, caption;
+};
+
+/// What of a system with choices a picture shows, where it is not the file that says it.
+struct PlateChoices {
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;  // a word for each
+    std::vector<std::size_t> tables;                               // one for each step
+    std::string environment;                                       // the program of --environment
+    SpaceOptions space;                                            // for figures in space
+    std::optional<std::string> background;                         // of the picture
+    std::vector<std::string> colours;                              // instead of those of the file
+};
+
+/// The words of a system that a picture shows: its generations, each for every seed.
+class FigurePlates {
+public:
+    /// Throws Error if the system leaves a choice and neither `choices` nor the file says which.
+    FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::uint64_t> generations,
+                 const PlateChoices& choices, const Budget& budget);
+
+    /// The same caption under every generation.
+    void caption(const std::string& text);
+    /// Title, generation, angle, and the seed if there are several: "Koch curve, n = 3, 60°".
+    void caption_with_facts();
+
+    std::vector<Plate> plates() const;
+    std::vector<FigurePlate> figures;
+
+private:
+    std::string title_, angle_;
+    bool many_seeds_ = false;
+};
+
+/// The generations that a file says its figure shows; Throws Error if it says none.
+std::pair<std::uint64_t, std::uint64_t> shown_generations(const LSystem& system);
+
+/// Writes a scene, `-` to standard output; the result says what, as JSON.
+Json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,
+                const MeshChoices& choices, const Budget& budget);
+
+/// The scene of a relative. Throws Error if it lies in the plane.
+Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget);
+
+/// Figures of a relative with a caption underneath: the text, or if it is empty what each shows.
+std::vector<Plate> relative_plates(const std::vector<RelativeFigure>& figures, bool captions,
+                                   const std::string& caption);
+
+/// Draws all figures of a relative, several as panels or on pages of a pdf. `-` is standard output.
+Drawn draw_relative(const Relative& relative, const std::string& output, PictureFormat format,
+                    const PictureOptions& picture, bool captions, const std::string& caption,
+                    const Budget& budget);
+
+/// What is known of it and what was drawn, as one JSON object.
+Json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,
+                   const std::string& output, const Budget& budget);
+
+}  // namespace algae::command

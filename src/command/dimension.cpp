@@ -1,0 +1,514 @@
+// `algae dimension`: the fractal dimension of a figure, an image or points, exact where the rules give it.
+//
+// Two answers stand beside each other and are never mixed. The exact one comes from the rules alone
+// (dimension/exact_dimension.hpp) and is a formula with digits that are proved. The measured one is the slope
+// of a line through counts at scales that halve; it has an interval of what is expected and no proof. Without
+// -n a system is measured on the limit of all its generations where the rules lead there, otherwise on the
+// last generation that is not too large. What FILE holds decides which options make sense: images have a
+// threshold, systems a generation, and each refuses those of the others.
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <variant>
+
+#include "command/detail/files.hpp"
+#include "command/detail/output.hpp"
+#include "command/detail/verb.hpp"
+#include "dimension/dimension.hpp"
+#include "exact/exact.hpp"
+#include "nature/nature.hpp"
+#include "notation/notation.hpp"
+#include "render/render.hpp"
+#include "report/report.hpp"
+#include "system/system.hpp"
+
+namespace algae::command {
+
+namespace {
+
+/// A reader: the measure of this name.
+Measure measure_named(const std::string& option, const std::string& text) {
+    for (std::size_t i = 0; i < measure_count; ++i)
+        if (names_of(static_cast<Measure>(i)).name == text) return static_cast<Measure>(i);
+    throw Error(option +
+                ": expected boxes, divider, mass, correlation, information, multifractal or "
+                "lacunarity, found " +
+                text);
+}
+
+// Of the generation measured where none is said; fewer where all of its word must be kept.
+constexpr std::uint64_t usual_segments = 10'000'000, usual_kept_segments = 1'000'000;
+constexpr std::uint64_t usual_letters = 100'000'000;
+constexpr std::uint64_t most_segments = 10'000'000'000;  // a few minutes
+constexpr std::uint64_t last_generation = 100;
+constexpr std::size_t most_scales = 20;
+constexpr std::uint64_t usual_grids = 16;
+
+struct Options {
+    std::string file, plot;
+    std::string generation, seed;  // of a relative the text of a statement, else a number
+    std::optional<double> threshold;
+    std::optional<std::size_t> grids;
+    Measure measure = Measure::boxes;
+    bool points = false, invert = false, json = false, table = false, quick = false;
+    Bounds bounds;
+
+    std::size_t places() const { return grids.value_or(usual_grids); }
+};
+
+/// A reader: over how many places of the grid counts are averaged.
+std::size_t grid_count(const std::string& option, const std::string& text) {
+    const std::uint64_t count = natural(option, text);
+    if (count == 0 || count > 1000) throw Error(option + ": expected 1 to 1000, found " + text);
+    return count;
+}
+
+// Measures other than boxes.
+
+constexpr std::size_t most_cells = 1024;  // a side, for lacunarity of figures
+constexpr double information_order = 1;
+constexpr std::array orders{-5., -4., -3., -2., -1., 0., 1., 2., 3., 4., 5.};
+
+/// The strokes that join points in their order, and the mean distance along them.
+Scaling divider_of(const PointSet& points, const Budget& budget) {
+    if (points.detail > 0 || points.columns != 2)
+        throw Error(
+            "--measure divider walks along strokes: expected a system or points of the "
+            "plane in their order, found " +
+            (points.detail > 0 ? points.part + "s"
+                               : "points with " + std::to_string(points.columns) +
+                                     (points.columns == 1 ? " column" : " columns")));
+    Stroke stroke;
+    double length = 0;
+    for (const auto& point : points.points) {
+        if (!stroke.empty())
+            length += std::hypot(point[0] - stroke.back().x, point[1] - stroke.back().y);
+        stroke.push_back({point[0], point[1]});
+    }
+    return divider({stroke}, length / static_cast<double>(stroke.size()), budget);
+}
+
+/// The order that the verb gives as the estimate of a spectrum.
+const Scaling& of_order_zero(const std::vector<GeneralisedDimension>& spectrum) {
+    return std::find_if(spectrum.begin(), spectrum.end(),
+                        [](const GeneralisedDimension& one) { return one.order == 0; })
+        ->scaling;
+}
+
+/// `generalised` gives the dimensions of some orders; `other` measures the rest by name.
+template <class Generalised, class Other>
+ScalingReport measured_with(Measure measure, std::string what, Generalised generalised,
+                            Other other) {
+    ScalingReport found{std::move(what), measure, {}, {}};
+    if (measure == Measure::information) {
+        found.scaling = generalised(std::span(&information_order, 1))[0].scaling;
+    } else if (measure == Measure::multifractal) {
+        found.spectrum = generalised(std::span<const double>(orders));
+        found.scaling = of_order_zero(found.spectrum);
+    } else {
+        found.scaling = other();
+    }
+    return found;
+}
+
+ScalingReport measured_otherwise(Measure measure, std::string what, const Figure& figure,
+                                 std::size_t grids, const Budget& budget) {
+    return measured_with(
+        measure, std::move(what),
+        [&](std::span<const double> some) {
+            return generalised_dimensions(figure, some, grids, budget);
+        },
+        [&] {
+            if (measure == Measure::divider) return divider(figure, budget);
+            if (measure == Measure::mass) return mass(figure, {}, budget);
+            if (measure == Measure::correlation) return correlation(figure, {}, budget);
+            return lacunarity(drawn_cells(figure, most_cells, budget), budget);
+        });
+}
+
+ScalingReport measured_otherwise(Measure measure, std::string what, const PointSet& points,
+                                 std::size_t grids, const Budget& budget) {
+    return measured_with(
+        measure, std::move(what),
+        [&](std::span<const double> some) {
+            return generalised_dimensions(points, {}, some, grids, budget);
+        },
+        [&] {
+            if (measure == Measure::divider) return divider_of(points, budget);
+            if (measure == Measure::mass) return mass(points, {}, budget);
+            if (measure == Measure::correlation) return correlation(points, {}, budget);
+            return lacunarity(filled_cells(points, budget), budget);
+        });
+}
+
+/// Draws the log-log plot that shows the dimension, in the format that the end of the path says.
+void plot_measured(const ScalingReport& found, const std::string& path, const Budget& budget) {
+    const MeasureNames& measure = names_of(found.measure);
+    draw_scaling_plot({found.what, measure.value, measure.scale, found.scaling}, path, budget);
+}
+
+// A table of many systems.
+
+using Found = ExactDimension::Status;
+
+constexpr std::size_t table_grids = 8;
+constexpr std::uint64_t table_cells = 50'000;  // touched in the finest scale, about
+
+struct Entry {
+    std::string name;
+    LSystem system;
+};
+
+/// All systems of the gallery, or of a folder, in order of their names.
+std::vector<Entry> entries(const std::string& folder, const Budget& budget) {
+    std::vector<Entry> all;
+    if (folder.empty()) {
+        for (const GalleryEntry& entry : gallery())
+            all.push_back(
+                {std::string(entry.name), read_lsystem(entry.text, std::string(entry.name))});
+        return all;
+    }
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored))
+        throw Error(folder + ": expected a folder with .lsys files for --table");
+    std::vector<std::filesystem::path> files;
+    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
+        if (file.is_regular_file() && file.path().extension() == ".lsys")
+            files.push_back(file.path());
+    if (files.empty()) throw Error(folder + ": expected .lsys files in this folder, found none");
+    std::sort(files.begin(), files.end());
+    for (const auto& file : files)
+        all.push_back({file.stem().string(), open_system(file.string(), budget)});
+    return all;
+}
+
+DimensionRow row_of(const Entry& entry, const Options& options, const Budget& budget) {
+    DimensionRow row{entry.name, entry.system.title, {}, {}, {}};
+    try {
+        row.exact = exact_dimension(entry.system, budget);
+    } catch (const BoundReached& bound) {
+        row.exact.status = Found::unfinished;
+        row.exact.conditions.push_back(bound.what());
+    }
+    row.unfinished = row.exact.status == Found::unfinished;
+    if (row.unfinished) row.unmeasured = row.exact.conditions.back();
+    if (row.unfinished || row.exact.status == Found::none || options.quick) return row;
+    if (!row.exact.limit) {
+        row.unmeasured = "the rules do not lead to similar parts of one size";
+        return row;
+    }
+    LimitCounting counting;
+    counting.places = options.grids.value_or(table_grids);
+    counting.most_cells = table_cells;
+    try {
+        row.fit = measure_limit(row.exact, counting, budget).fit;
+        if (!row.fit->estimate) row.unmeasured = row.fit->because;
+    } catch (const BoundReached& bound) {
+        row.unmeasured = bound.what();
+        row.unfinished = is_of_budget(bound.bound());
+    }
+    return row;
+}
+
+int print_table(const Options& options, const Budget& budget) {
+    const std::vector<Entry> all = entries(options.file, budget);
+    std::size_t width = 0;
+    for (const Entry& entry : all) width = std::max(width, entry.name.size());
+    Json array = Json::array();
+    std::string without, unfinished;
+    bool complete = true;
+    if (!options.json) print(dimension_header(width, options.quick));
+    ProgressBar bar("dimension");
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        const DimensionRow row = row_of(all[i], options, budget);
+        complete = complete && !row.unfinished;
+        if (options.json)
+            array.add(to_json(row, options.quick));
+        else if (row.exact.status == Found::none)
+            without += to_line(row, width);
+        else if (row.exact.status == Found::unfinished)
+            unfinished += to_line(row, width);
+        else
+            print(to_line(row, width));
+        bar.report(static_cast<double>(i + 1) / static_cast<double>(all.size()));
+    }
+    if (options.json) print(array.text());
+    if (!without.empty()) print("\nno formula:\n" + without);
+    if (!unfinished.empty()) print("\nunfinished:\n" + unfinished);
+    return complete ? success : undecided;
+}
+
+// One input.
+
+std::size_t scales_down_to(double detail, double whole) {
+    if (!(detail > 0)) return most_scales;
+    return std::clamp(static_cast<std::size_t>(std::max(std::log2(whole / detail), 0.0)) + 1,
+                      std::size_t{1}, most_scales);
+}
+
+/// The generation asked for; else the last one that draws no more than is usual.
+std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& system,
+                                                                const Options& options,
+                                                                const Budget& budget) {
+    FigureChoices choices;
+    if (!options.seed.empty()) {
+        choices.seed = natural("--seed", options.seed);
+        choices.random_tables = true;
+    }
+    if (!options.generation.empty()) {
+        const std::uint64_t n = natural("-n", options.generation);
+        return {n, figure(system, n, budget, choices)};
+    }
+    const View<D0L> rules = as_d0l(system);
+    const Integer most(rules && options.measure == Measure::boxes ? usual_segments
+                                                                  : usual_kept_segments);
+    std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen{0, figure(system, 0, budget, choices)};
+    for (std::uint64_t n = 1; n <= last_generation; ++n) {
+        if (rules && fold(*rules, n, length_lift()) > Integer(usual_letters)) break;
+        auto next = figure(system, n, budget, choices);
+        if (next->segments() > most) break;
+        chosen = {n, std::move(next)};
+    }
+    return chosen;
+}
+
+/// The limit of all generations, from the rules alone.
+DimensionReport measure_limit(const LSystem& system, const ExactDimension& exact,
+                              const Options& options, const Budget& budget) {
+    LimitCounting counting;
+    counting.places = options.places();
+    LimitMeasure measure = measure_limit(exact, counting, budget);
+    DimensionReport found;
+    found.what =
+        (system.title.empty() ? system.name : system.title) + ", the limit of all generations";
+    found.counts = std::move(measure.counts.boxes);
+    found.fit = std::move(measure.fit);
+    return found;
+}
+
+/// A figure that can be gone through, and what it is called.
+struct NamedFigure {
+    std::uint64_t generation = 0;
+    std::unique_ptr<Figure> figure;
+    std::string what;
+};
+
+NamedFigure drawn(const LSystem& system, const Options& options, const Budget& budget) {
+    auto [n, figure] = chosen_figure(system, options, budget);
+    const std::string name = system.title.empty() ? system.name : system.title;
+    if (figure->box().empty)
+        throw Error(name + ", n = " + std::to_string(n) +
+                    ": nothing is drawn, expected something to measure");
+    if (figure->segments() > Integer(most_segments))
+        throw BoundReached(Bound::method, name + ", n = " + std::to_string(n) + ": has " +
+                                              readable(figure->segments()) +
+                                              " segments, of which at most " +
+                                              std::to_string(most_segments) +
+                                              " can be gone through; use a lower -n");
+    std::string what =
+        name + ", n = " + std::to_string(n) + ": " + to_string(figure->segments()) + " segments";
+    return {n, std::move(figure), std::move(what)};
+}
+
+DimensionReport measure(const LSystem& system, const Options& options, const Budget& budget) {
+    const auto [n, figure, what] = drawn(system, options, budget);
+    DimensionReport found;
+    found.generation = n;
+    found.what = what;
+    BoxScales scales = scales_of(figure->box(), 2, 1);
+    scales.count = scales_down_to(figure->facts().step, scales.coarsest);
+    found.counts = box_counts(*figure, scales, even_offsets(options.places()), budget);
+    return found;
+}
+
+DimensionReport measure(const PointSet& points, const std::string& name, const Options& options,
+                        const Budget& budget) {
+    DimensionReport found;
+    found.counts = box_counts(points, scales_down_to(points.detail, longest_side(points)),
+                              options.places(), budget);
+    found.what = name + ": " + std::to_string(found.counts.parts) +
+                 (points.part == "pixel" ? " pixels of ink" : " different points");
+    return found;
+}
+
+/// Whether a text starts with a number, remarks and empty lines apart: then it is no system.
+bool starts_with_number(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t end = std::min(text.find('\n'), text.size());
+        std::string_view line = text.substr(0, end);
+        text.remove_prefix(std::min(end + 1, text.size()));
+        line.remove_prefix(std::min(line.find_first_not_of(" \t\r"), line.size()));
+        if (line.empty() || line.front() == '#') continue;
+        line.remove_prefix(std::min(line.find_first_not_of("+-."), line.size()));
+        return !line.empty() && line.front() >= '0' && line.front() <= '9';
+    }
+    return false;
+}
+
+bool is_named_as_points(std::string_view file) {
+    return file.ends_with(".csv") || file.ends_with(".tsv") || file.ends_with(".xy") ||
+           file.ends_with(".xyz");
+}
+
+DimensionReport measured(const LSystem& system, const Options& options, const Budget& budget) {
+    ExactDimension exact = exact_dimension(system, budget);
+    DimensionReport found;
+    if (options.generation.empty() && exact.limit) {
+        found = measure_limit(system, exact, options, budget);
+    } else {
+        found = measure(system, options, budget);
+        found.fit = fit_dimension(found.counts);
+    }
+    found.exact = std::move(exact);
+    return found;
+}
+
+/// What FILE holds.
+struct Input {
+    std::string name;
+    std::variant<LSystem, PointSet> content;
+};
+
+Input input(const Options& options, const Budget& budget) {
+    const SourceText source = open_text(options.file, budget);
+    const auto refuse = [&](const std::string& option, bool given, const char* what) {
+        if (given) throw Error(option + " is for " + what + ", and " + source.name + " is none");
+    };
+    const bool image = is_png(source.text);
+    refuse("--threshold", !image && options.threshold.has_value(), "images");
+    refuse("--invert", !image && options.invert, "images");
+    if (!image && !options.points && !is_named_as_points(options.file) &&
+        !starts_with_number(source.text))
+        return {source.name, read_lsystem(source.text, source.name)};
+    refuse("-n", !options.generation.empty(), "systems");
+    refuse("--seed", !options.seed.empty(), "systems");
+    InkOptions ink;
+    if (options.threshold) ink.threshold = *options.threshold;
+    ink.invert = options.invert;
+    return {source.name, image ? ink_of(source.text, source.name, ink, budget)
+                               : read_points(source.text, source.name)};
+}
+
+/// The relative in FILE, to be gone through.
+std::unique_ptr<Relative> relative(const Options& options, const Budget& budget) {
+    if (options.points || options.invert || options.threshold)
+        throw Error("--points, --threshold and --invert are for images and points, and " +
+                    options.file + " holds none");
+    return open_relative(
+        options.file, budget,
+        {{"-n", "generation", options.generation}, {"--seed", "seed", options.seed}});
+}
+
+DimensionReport measured_relative(const Options& options, const Budget& budget) {
+    const auto generator = relative(options, budget);
+    const RelativeFigure figure = generator->measured_figure(budget);
+    DimensionReport found;
+    found.exact = generator->exact_dimension(budget);
+    found.what = figure.name;
+    BoxScales scales = scales_of(figure.figure->box(), 2, 1);
+    scales.count = scales_down_to(figure.figure->facts().step, scales.coarsest);
+    found.counts = box_counts(*figure.figure, scales, even_offsets(options.places()), budget);
+    found.fit = fit_dimension(found.counts);
+    return found;
+}
+
+DimensionReport measured(const Options& options, const Budget& budget) {
+    if (is_relative(options.file)) return measured_relative(options, budget);
+    const Input read = input(options, budget);
+    if (const auto* system = std::get_if<LSystem>(&read.content))
+        return measured(*system, options, budget);
+    DimensionReport found = measure(std::get<PointSet>(read.content), read.name, options, budget);
+    found.fit = fit_dimension(found.counts);
+    return found;
+}
+
+/// By the measure of --measure that is not boxes.
+ScalingReport other_measured(const Options& options, const Budget& budget) {
+    if (is_relative(options.file)) {
+        const auto generator = relative(options, budget);
+        const RelativeFigure figure = generator->measured_figure(budget);
+        return measured_otherwise(options.measure, figure.name, *figure.figure, options.places(),
+                                  budget);
+    }
+    const Input read = input(options, budget);
+    if (const auto* points = std::get_if<PointSet>(&read.content))
+        return measured_otherwise(options.measure,
+                                  read.name + ": " + std::to_string(points->points.size()) + " " +
+                                      (points->part == "pixel" ? "pixels of ink" : "points"),
+                                  *points, options.places(), budget);
+    const NamedFigure named = drawn(std::get<LSystem>(read.content), options, budget);
+    return measured_otherwise(options.measure, named.what, *named.figure, options.places(), budget);
+}
+
+int dimension(const Options& options) {
+    const Budget budget = options.bounds.budget();
+    if (options.quick && !options.table) throw Error("--quick is for --table");
+    if (options.table) {
+        if (options.measure != Measure::boxes) throw Error("--table is for --measure boxes");
+        return print_table(options, budget);
+    }
+    if (options.file.empty()) throw Error("dimension: expected FILE, or --table");
+    if (!options.plot.empty()) picture_format(options.plot);  // before the work
+    if (options.measure != Measure::boxes) {
+        const bool plotted = options.measure == Measure::divider ||
+                             options.measure == Measure::mass ||
+                             options.measure == Measure::correlation;
+        if (!options.plot.empty() && !plotted)
+            throw Error("--plot is for --measure boxes, divider, mass and correlation");
+        const ScalingReport found = other_measured(options, budget);
+        if (!options.plot.empty()) plot_measured(found, options.plot, budget);
+        print(options.json ? to_json(found).text() : to_text(found));
+        return found.scaling.estimate ? success : undecided;
+    }
+    const DimensionReport found = measured(options, budget);
+    if (!options.plot.empty())
+        draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
+    print(options.json ? to_json(found).text() : to_text(found));
+    // What the rules say is an answer where no generation was asked about.
+    if (found.exact && found.exact->status == ExactDimension::Status::unfinished) return undecided;
+    const bool exact = found.exact && found.exact->status == ExactDimension::Status::exact;
+    return found.fit.estimate || (exact && !found.generation) ? success : undecided;
+}
+
+}  // namespace
+
+void add_dimension(Verbs& verbs) {
+    auto [verb, options] =
+        verbs.add("dimension", "The fractal dimension of a figure, an image or points",
+                  {"algae dimension koch --plot koch-dimension.svg",
+                   "algae dimension coast.png --threshold 0.4 --json"},
+                  dimension);
+    verb.option("FILE", options.file, file_type,
+                "a system or another generator (a file, - or a name from the gallery), an image "
+                "(png), or points: a line of 1 to 3 numbers for each; with --table a folder");
+    verb.option("-n", options.generation, "N",
+                "the generation (default: the last with at most 10,000,000 segments; 1,000,000 "
+                "where words must be kept, and for measures other than boxes)");
+    verb.option("--measure", options.measure, measure_named,
+                "boxes|divider|mass|correlation|information|multifractal|lacunarity",
+                "boxes (default), divider (lengths by dividers), mass (what lies within discs), "
+                "correlation (pairs of points), information and multifractal (shares of boxes), "
+                "lacunarity (gaps)");
+    verb.option("--plot", options.plot, "FILE",
+                "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps or "
+                ".eps");
+    verb.option("--grids", options.grids, grid_count, "N",
+                "over how many places of the grid counts are averaged (default 16)");
+    verb.flag("--points", options.points,
+              "FILE holds points, whatever its name and first line are");
+    verb.option("--threshold", options.threshold, positive_or_zero, "T",
+                "images: pixels darker than this are ink, 0 to 1 (default 0.5)");
+    verb.flag("--invert", options.invert, "images: lighter pixels are ink");
+    verb.option("--seed", options.seed, "S", "of the word of a system with choices");
+    verb.flag("--table", options.table,
+              "a line for every system of the gallery, or of the folder FILE: the dimension from "
+              "the rules, its boundary, and measured on the limit with 8 grids (or --grids) and "
+              "about 50,000 cells, less exactly than without --table; minutes for the gallery");
+    verb.flag("--quick", options.quick, "with --table: without measuring");
+    verb.json_flag(options.json, "print one JSON object; with --table an array");
+    verb.bounded_by(options.bounds);
+}
+
+}  // namespace algae::command

@@ -1,0 +1,645 @@
+// `algae draw`: the turtle figure of a generation, as a picture, pages, panels, an animation or a file of a
+// figure in space; with --explain or --progressive the turtle at work.
+//
+// The name of the output says the format and the format says what is made of several generations: pages of
+// pdf and ps, frames of gif and webp, and panels where --panels or the file ask for them. What does not go
+// together is refused before anything is drawn. --explain numbers the steps of a short word and shows them in
+// a table or a picture; --progressive draws a word symbol by symbol, several to a frame where there would be
+// too many frames. FILE may hold another generator (a relative): then -n and --seed stand for statements of
+// its file, so these two stay texts until the file is known.
+
+#include <algorithm>
+#include <optional>
+
+#include "command/detail/files.hpp"
+#include "command/detail/output.hpp"
+#include "command/detail/pictures.hpp"
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
+#include "render/render.hpp"
+#include "rewrite/rewrite.hpp"
+#include "turtle/turtle.hpp"
+
+namespace algae::command {
+
+namespace {
+
+constexpr std::uint64_t usual_frames = 240, most_frames = 10'000;
+constexpr double usual_time = 0.8, usual_progress_time = 0.05;  // seconds a frame
+constexpr std::uint64_t most_strokes = 5'000'000;               // of all pages together
+
+struct Options {
+    std::string file, output, format, tables, environment, background, caption;
+    std::string generation,
+        seed;  // of a relative the text of a statement, else a range and a number
+    std::optional<Range> seeds;
+    std::optional<double> width, height, margin, line_width, font_size, frame_time;
+    std::optional<std::uint64_t> columns, loop, max_frames, facets;
+    std::optional<std::vector<std::string>> colours;
+    std::vector<PointLabel> labels;
+    SpaceOptions space;
+    bool scale_bar = false, panels = false, common_scale = false, captions = false;
+    bool progressive = false, explain = false, json = false;
+    Bounds bounds;
+
+    std::vector<StatementOption> statements() const {
+        return {{"-n", "generation", generation}, {"--seed", "seed", seed}};
+    }
+};
+
+/// A reader: how many frames --progressive may make.
+std::uint64_t frame_bound(const std::string& option, const std::string& text) {
+    const std::uint64_t bound = natural(option, text);
+    if (bound < 2 || bound > most_frames)
+        throw Error(option + " must be from 2 to " + std::to_string(most_frames) + ", not " + text);
+    return bound;
+}
+
+/// A reader: the sides of a tube.
+std::uint64_t facet_count(const std::string& option, const std::string& text) {
+    const std::uint64_t facets = natural(option, text);
+    if (facets < 3 || facets > 256)
+        throw Error(option + " " + text + ": expected 3 to 256 sides of a tube");
+    return facets;
+}
+
+PictureOptions picture_options(const Options& options) {
+    PictureOptions picture;
+    picture.width = options.width;
+    picture.height = options.height;
+    if (options.margin) picture.margin = *options.margin;
+    picture.line_width = options.line_width;
+    picture.font_size = options.font_size;
+    picture.columns = options.columns;
+    if (!options.background.empty()) picture.background = options.background;
+    if (options.colours) picture.colours = *options.colours;
+    picture.common_scale = options.common_scale;
+    picture.scale_bar = options.scale_bar;
+    picture.labels = options.labels;
+    return picture;
+}
+
+PlateChoices choices_of(const Options& options, const LSystem& system) {
+    PlateChoices found;
+    if (!options.seed.empty() && options.seeds)
+        throw Error("--seed and --seeds: expected one of them");
+    if (!options.seed.empty()) {
+        const std::uint64_t seed = natural("--seed", options.seed);
+        found.seeds = {seed, seed};
+    }
+    if (options.seeds) found.seeds = {options.seeds->first, options.seeds->last};
+    if (!options.tables.empty()) found.tables = table_sequence(system.tables, options.tables);
+    found.environment = options.environment;
+    found.space = options.space;
+    if (!options.background.empty()) found.background = options.background;
+    if (options.colours) found.colours = *options.colours;
+    return found;
+}
+
+/// `usual`: seconds a frame where the command line does not say.
+AnimationTiming timing_of(const Options& options, double usual) {
+    AnimationTiming timing;
+    timing.frame = options.frame_time.value_or(usual);
+    if (options.loop)
+        timing.plays =
+            static_cast<std::uint32_t>(std::min<std::uint64_t>(*options.loop, UINT32_MAX));
+    return timing;
+}
+
+/// Throws Error if an option is set that makes no sense: `moves` in a file that holds an animation.
+void check_motion(const Options& options, bool moves) {
+    if (options.explain && options.progressive)
+        throw Error("--explain and --progressive: expected one of them");
+    if (options.max_frames && !options.progressive)
+        throw Error("--max-frames: only --progressive has it");
+    const char* const used = options.frame_time ? "--frame-time"
+                             : options.loop     ? "--loop"
+                                                : nullptr;
+    if (used && !moves)
+        throw Error(std::string(used) +
+                    ": only animations have it: expected a file ending in .gif or .webp");
+}
+
+/// The name whose end says the format of an output that must be given.
+std::string needed_format(const Options& options) {
+    if (options.output.empty()) throw Error("--output is required");
+    return named_format(options.output, options.format);
+}
+
+/// The word of a generation with the choices of the command line, or of the file. Throws what
+/// open_modules throws.
+DerivedModules word_to_walk(const LSystem& system, std::uint64_t n, const PlateChoices& choices,
+                            const Budget& budget) {
+    const auto seeds = choices.seeds ? choices.seeds : system.settings.seeds;
+    FigureChoices found;
+    if (seeds) found.seed = seeds->first;
+    found.tables = choices.tables;
+    found.random_tables = choices.seeds.has_value();
+    return open_modules(system, n, found, external_environment(choices.environment, system),
+                        budget);
+}
+
+// --explain
+
+/// The word of a generation, if it is short enough to be explained.
+std::optional<DerivedModules> short_word(const LSystem& system, std::uint64_t n,
+                                         const PlateChoices& choices, Budget budget,
+                                         std::string& length) {
+    constexpr std::uint64_t countable = 1'000'000;
+    budget.letters = std::min(budget.letters, countable);
+    try {
+        DerivedModules found = word_to_walk(system, n, choices, budget);
+        length = std::to_string(found.word.kinds.size());
+        if (found.word.kinds.size() <= longest_explanation) return found;
+    } catch (const BoundReached& bound) {
+        if (bound.bound() != Bound::letters) throw;
+        length = "more than " + std::to_string(budget.letters);
+    }
+    return std::nullopt;
+}
+
+/// The last generation up to this one of those that begin with short words.
+std::optional<std::uint64_t> last_short(const LSystem& system, std::uint64_t most,
+                                        const PlateChoices& choices, const Budget& budget) {
+    constexpr std::uint64_t enough = 200;
+    std::optional<std::uint64_t> found;
+    std::string length;
+    for (std::uint64_t n = 0; n <= std::min(most, enough); ++n) {
+        if (!choices.tables.empty() && choices.tables.size() < n) break;
+        if (!short_word(system, n, choices, budget, length)) break;
+        found = n;
+    }
+    return found;
+}
+
+Json place(const Vector& at) { return Json::array({at.x, at.y, at.z}); }
+
+Json as_json(const TurtleState& state) {
+    Json out;
+    out.set("position", place(state.position));
+    out.set("heading", place(state.attitude.heading()));
+    out.set("angle", heading_angle(state));
+    return out;
+}
+
+Json as_json(const Explanation& explanation, std::uint64_t n) {
+    Json out;
+    out.set("generation", n);
+    out.set("word", explanation.word);
+    out.set("start", as_json(explanation.start));
+    Json steps = Json::array();
+    for (std::size_t i = 0; i < explanation.steps.size(); ++i) {
+        const ExplainedStep& step = explanation.steps[i];
+        Json one{{"step", i + 1}, {"symbol", step.symbol}, {"meaning", step.meaning}};
+        one.update(as_json(step.after));
+        one.set("open", step.open);
+        Json strokes = Json::array();
+        for (const ExplainedLine& line : step.lines)
+            if (line.drawn) strokes.add(Json::array({place(line.from), place(line.to)}));
+        steps.add(one.set("strokes", std::move(strokes)));
+    }
+    return out.set("steps", std::move(steps));
+}
+
+std::size_t characters(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+}
+
+/// The rows in columns, two blanks between them.
+std::string as_text(const Explanation& explanation) {
+    const auto rows = explanation_rows(explanation);
+    std::vector<std::size_t> widths(rows.front().size());
+    for (const auto& row : rows)
+        for (std::size_t i = 0; i < row.size(); ++i)
+            widths[i] = std::max(widths[i], characters(row[i]));
+    std::string out;
+    for (const auto& row : rows) {
+        std::string line;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::string blanks(widths[i] - characters(row[i]), ' ');
+            line += (i == 0 ? blanks + row[i] : row[i] + blanks) + "  ";
+        }
+        line.erase(line.find_last_not_of(' ') + 1);
+        out += line + '\n';
+    }
+    return out;
+}
+
+int draw_explained(const Options& options) {
+    if (!options.output.empty()) named_format(options.output, options.format);
+    check_motion(options, false);
+    const Budget budget = options.bounds.budget();
+    const LSystem system = open_system(options.file, budget);
+    const PlateChoices choices = choices_of(options, system);
+    if (!leaves_plane(system)) choices.space.check_unused(system.name);
+    std::uint64_t n = 0;
+    if (options.generation.empty()) {
+        const std::uint64_t shown =
+            system.settings.generations ? system.settings.generations->second : 0;
+        n = last_short(system, shown, choices, budget).value_or(0);
+    } else {
+        const auto wished = range("-n", options.generation);
+        if (!wished.is_single())
+            throw Error("-n " + options.generation + ": --explain shows one generation");
+        n = wished.first;
+    }
+    std::string length;
+    const std::optional<DerivedModules> derived = short_word(system, n, choices, budget, length);
+    if (!derived) {
+        const auto shorter = n > 0 ? last_short(system, n - 1, choices, budget) : std::nullopt;
+        throw Error("generation " + std::to_string(n) +
+                    (system.name.empty() ? "" : " of " + system.name) + " has " + length +
+                    " symbols: --explain shows words of at most " +
+                    std::to_string(longest_explanation) +
+                    (shorter ? ", such as -n " + std::to_string(*shorter) : "") +
+                    "; --progressive draws longer ones step by step");
+    }
+    const Explanation explained =
+        explanation(system, derived->kinds, derived->word, n, derived->seed, budget);
+    if (!options.output.empty()) {
+        const PictureFormat format = picture_format(named_format(options.output, options.format));
+        PictureOptions picture = picture_options(options);
+        if (picture.colours.empty()) picture.colours = system.settings.colours;
+        const std::string title =
+            (system.title.empty() ? system.name : system.title) + ", n = " + std::to_string(n);
+        drawn_to(options.output, [&](auto& target) {
+            draw_explanation(explained, title, target, format, picture, budget);
+        });
+    }
+    if (options.json)
+        print(as_json(explained, n).text());
+    else if (options.output.empty())
+        print(explained.word + "\n" + as_text(explained));
+    return success;
+}
+
+// --progressive
+
+/// The one generation that --progressive shows.
+std::uint64_t shown_generation(const LSystem& system, const std::string& written) {
+    if (written.empty()) return shown_generations(system).second;
+    const Range wished = range("-n", written);
+    if (!wished.is_single()) throw Error("-n " + written + ": --progressive shows one generation");
+    return wished.last;
+}
+
+/// The symbols of a word one by one, as text.
+std::vector<std::string> symbol_texts(const LSystem& system, const DerivedModules& derived) {
+    const ModuleText text(system.alphabet, derived.kinds);
+    std::vector<std::string> found;
+    const double* values = derived.word.values.data();
+    for (const ModuleKind kind : derived.word.kinds) {
+        found.push_back(text.text(kind, values));
+        values += derived.kinds.arity(kind);
+    }
+    return found;
+}
+
+/// A number with as many places as the largest, so that captions do not jump.
+std::string padded(std::size_t number, std::size_t largest) {
+    std::string digits = std::to_string(number);
+    std::string blanks;
+    for (std::size_t i = digits.size(); i < std::to_string(largest).size(); ++i) blanks += "\u2007";
+    return blanks + digits;
+}
+
+/// A system in the colours of the picture: scenes have their own.
+LSystem painted(LSystem system, const PictureOptions& picture) {
+    if (!picture.colours.empty()) system.settings.colours = picture.colours;
+    return system;
+}
+
+int draw_progressive(const Options& options) {
+    const std::string named = needed_format(options);
+    const Budget budget = options.bounds.budget();
+    const LSystem system = open_system(options.file, budget);
+    const PlateChoices choices = choices_of(options, system);
+    const PictureOptions picture = picture_options(options);
+    const auto animation = animation_format(named);
+    const PictureFormat format = animation ? PictureFormat::png : picture_format(named);
+    if (!animation && format != PictureFormat::pdf && format != PictureFormat::ps)
+        throw Error(
+            std::string("--progressive: expected gif or webp for an animation, or pdf or ps "
+                        "for pages, found ") +
+            format_name(format));
+    check_motion(options, animation.has_value());
+    const AnimationTiming timing = timing_of(options, usual_progress_time);
+    const std::uint64_t n = shown_generation(system, options.generation);
+    const DerivedModules derived = word_to_walk(system, n, choices, budget);
+    const std::size_t length = derived.word.kinds.size();
+    if (length == 0)
+        throw Error("generation " + std::to_string(n) + " of " + system.name +
+                    " is the empty word: a turtle has nothing to do");
+    const std::vector<std::size_t> symbols =
+        frames_of_progress(length, options.max_frames.value_or(usual_frames));
+    const std::size_t stride = symbols[1];
+    const bool in_space = leaves_plane(system);
+    if (!in_space) choices.space.check_unused(system.name);
+    const auto figures =
+        in_space ? partial_views(painted(system, picture), derived, n, symbols,
+                                 view_choices(choices.space, system, choices.background), budget)
+                 : partial_figures(system, derived, n, symbols, budget);
+
+    const std::vector<std::string> texts =
+        options.captions ? symbol_texts(system, derived) : std::vector<std::string>();
+    const std::string title = system.title.empty() ? system.name : system.title;
+    std::vector<Plate> plates;
+    for (std::size_t i = 0; i < figures.size(); ++i) {
+        Plate& plate = plates.emplace_back();
+        plate.figure = figures[i].get();
+        plate.name = "generation " + std::to_string(n) + " of " + system.name;
+        plate.caption = options.caption;
+        if (!options.captions || !plate.caption.empty()) continue;
+        plate.caption = title + ", n = " + std::to_string(n) + ": " + padded(symbols[i], length) +
+                        " of " + std::to_string(length);
+        if (stride == 1 && symbols[i] > 0) plate.caption += "  " + texts[symbols[i] - 1];
+    }
+    const std::uint64_t each = figures.front()->strokes().value_or(most_strokes);
+    if (!animation && each > 2 * most_strokes / figures.size())
+        throw Error("--progressive: the " + std::to_string(figures.size()) +
+                    " pages would hold more than " + std::to_string(most_strokes) +
+                    " strokes; use gif or webp, a smaller -n or a smaller --max-frames");
+    if (stride > 1)
+        note(std::to_string(length) + " symbols in " + std::to_string(figures.size()) +
+             " frames, " + std::to_string(stride) +
+             " symbols a frame; --max-frames allows more frames");
+
+    ProgressBar bar("Drawing");
+    const Drawn drawn = drawn_to(options.output, [&](auto& target) {
+        if (animation)
+            return draw_animation(plates, target, *animation, picture, timing, budget, &bar);
+        return draw_pages(plates, target, format, picture, budget, &bar);
+    });
+    if (options.json)
+        print(Json{{"generation", n},
+                   {"symbols", length},
+                   {"frames", figures.size()},
+                   {"symbols_a_frame", stride},
+                   {"output", options.output},
+                   {"width", drawn.width},
+                   {"height", drawn.height}}
+                  .text());
+    return success;
+}
+
+// A file of a figure in space.
+
+/// The scene of one word of a system.
+Scene scene_of_word(const Options& options, const LSystem& system, std::uint64_t generation,
+                    const Budget& budget) {
+    const auto seeds = system.settings.seeds;
+    FigureChoices choices;
+    if (!options.seed.empty())
+        choices.seed = natural("--seed", options.seed);
+    else if (seeds) {
+        if (seeds->first != seeds->second)
+            throw Error(system.name +
+                        " shows the words of several seeds; say --seed S for the one of the mesh");
+        choices.seed = seeds->first;
+    }
+    if (!options.tables.empty()) choices.tables = table_sequence(system.tables, options.tables);
+    Scene found = scene(system, generation, budget, choices).scene;
+    if (found.name.empty())
+        found.name = "generation " + std::to_string(generation) + " of " + system.name;
+    return found;
+}
+
+/// A file of a figure in space, which has nothing of a page.
+int draw_to_mesh(const Options& options, MeshFormat format) {
+    refuse_on_mesh({{"--seeds", options.seeds.has_value()},
+                    {"--environment", !options.environment.empty()},
+                    {"--width", options.width.has_value()},
+                    {"--height", options.height.has_value()},
+                    {"--margin", options.margin.has_value()},
+                    {"--line-width", options.line_width.has_value()},
+                    {"--font-size", options.font_size.has_value()},
+                    {"--columns", options.columns.has_value()},
+                    {"--caption", !options.caption.empty()},
+                    {"--captions", options.captions},
+                    {"--panels", options.panels},
+                    {"--common-scale", options.common_scale},
+                    {"--scale-bar", options.scale_bar},
+                    {"--label", !options.labels.empty()},
+                    {"--light", options.space.light.has_value()},
+                    {"--fog", options.space.fog.has_value()}},
+                   format);
+    check_motion(options, false);
+    const Budget budget = options.bounds.budget();
+    MeshChoices choices;
+    if (options.space.camera) choices.camera = *options.space.camera;
+    if (options.facets) choices.mesh.facets = static_cast<unsigned>(*options.facets);
+    if (options.colours) choices.colours = *options.colours;
+    if (!options.background.empty()) choices.background = options.background;
+
+    Json json;
+    Scene scene;
+    if (is_relative(options.file)) {
+        scene =
+            scene_of(*open_relative(options.file, budget, options.statements()), format, budget);
+    } else {
+        const LSystem system = open_system(options.file, budget);
+        std::uint64_t generation = 0;
+        if (options.generation.empty()) {
+            generation = shown_generations(system).second;
+        } else {
+            const Range wished = range("-n", options.generation);
+            if (!wished.is_single())
+                throw Error("-n " + options.generation + ": " + mesh_format_name(format) +
+                            " holds one generation");
+            generation = wished.last;
+        }
+        choices.camera = view_choices(options.space, system, choices.background).camera;
+        scene = scene_of_word(options, system, generation, budget);
+        json.set("generation", generation);
+    }
+    json.update(write_mesh(scene, options.output, format, choices, budget));
+    if (options.json) print(json.text());
+    return success;
+}
+
+// Pictures and animations.
+
+std::vector<double> numbers(const std::vector<Coordinate>& coordinates) {
+    std::vector<double> values;
+    for (const Coordinate& c : coordinates) values.push_back(c.value());
+    return values;
+}
+
+Json as_json(const FigurePlates& plates, const Drawn& drawn, const std::string& path) {
+    std::vector<Json> all;
+    for (const FigurePlate& plate : plates.figures) {
+        const Facts& facts = plate.figure->facts();
+        Json one{{"generation", plate.generation}};
+        if (plate.seed) one.set("seed", *plate.seed);
+        one.set("segments", facts.segments);
+        one.set("bounding_box", {{"min", numbers(facts.low)}, {"max", numbers(facts.high)}});
+        one.set("end", numbers(facts.end));
+        one.set("exact", facts.exact);
+        all.push_back(std::move(one));
+    }
+    Json out = all.size() == 1 ? all.front() : Json{{"figures", all}};
+    out.set("output", path);
+    out.set("width", drawn.width);
+    out.set("height", drawn.height);
+    out.set("lines", drawn.lines);
+    out.set("as_image", drawn.as_image);
+    return out;
+}
+
+/// The generations of a picture; an animation begins with generation 0.
+std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options,
+                                                       const LSystem& system, bool moves) {
+    if (!options.generation.empty()) {
+        const Range wished = range("-n", options.generation);
+        return {wished.first, wished.last};
+    }
+    const auto shown = shown_generations(system);
+    return moves && shown.first == shown.second ? std::pair(std::uint64_t{0}, shown.second) : shown;
+}
+
+/// Files of relatives: what -n and --seed say stands in their statements.
+int draw_relative_file(const Options& options, PictureFormat format, const PictureOptions& picture,
+                       const Budget& budget) {
+    for (const auto& [option, given] : {std::pair("--seeds", options.seeds.has_value()),
+                                        {"--tables", !options.tables.empty()},
+                                        {"--environment", !options.environment.empty()},
+                                        {"--camera", options.space.camera.has_value()},
+                                        {"--light", options.space.light.has_value()},
+                                        {"--fog", options.space.fog.has_value()}})
+        if (given)
+            throw Error(std::string(option) + " is for systems, and " + options.file + " is none");
+    const auto relative = open_relative(options.file, budget, options.statements());
+    const Drawn drawn = draw_relative(*relative, options.output, format, picture, options.captions,
+                                      options.caption, budget);
+    if (options.json) print(relative_json(*relative, drawn, options.output, budget).text());
+    return success;
+}
+
+[[noreturn]] void refuse_panels() {
+    throw Error("--panels: animations and explanations show one figure at a time");
+}
+
+int draw(const Options& options) {
+    if (options.panels && (options.explain || options.progressive)) refuse_panels();
+    if (options.explain) return draw_explained(options);
+    if (options.progressive) return draw_progressive(options);
+    const std::string named = needed_format(options);
+    if (const auto mesh = mesh_format(named)) return draw_to_mesh(options, *mesh);
+    if (options.facets) throw Error("--facets is for " + mesh_format_names());
+    const std::optional<AnimationFormat> animation = animation_format(named);
+    const PictureFormat format = animation ? PictureFormat::png : picture_of(named);
+    const AnimationTiming timing = timing_of(options, usual_time);
+    check_motion(options, animation.has_value());
+    if (animation && options.panels) refuse_panels();
+    const PictureOptions picture = picture_options(options);
+    const Budget budget = options.bounds.budget();
+    if (is_relative(options.file)) return draw_relative_file(options, format, picture, budget);
+    const LSystem system = open_system(options.file, budget);
+    const auto generations = generations_of(options, system, animation.has_value());
+    FigurePlates plates(system, generations, choices_of(options, system), budget);
+    if (!options.caption.empty())
+        plates.caption(options.caption);
+    else if (options.captions)
+        plates.caption_with_facts();
+
+    ProgressBar bar("Drawing");
+    const bool single = plates.figures.size() == 1;
+    const bool pages =
+        !single && !options.panels && (format == PictureFormat::pdf || format == PictureFormat::ps);
+    // What a file says of its own figure is drawn as well as the format can.
+    const bool of_seeds = generations.first == generations.second;  // the words of several seeds
+    const bool panels =
+        options.panels || ((options.generation.empty() || of_seeds) && !single && !pages);
+    if (!single && !pages && !panels && !animation)
+        throw Error("-n " + options.generation +
+                    ": several generations need --panels, pdf or ps for pages, or gif or webp for "
+                    "an animation");
+    const Drawn drawn = drawn_to(options.output, [&](auto& target) {
+        if (animation)
+            return draw_animation(plates.plates(), target, *animation, picture, timing, budget,
+                                  &bar);
+        if (single && !panels)
+            return draw_picture(plates.plates().front(), target, format, picture, budget, &bar);
+        if (pages) return draw_pages(plates.plates(), target, format, picture, budget, &bar);
+        return draw_panels(plates.plates(), target, format, picture, budget, &bar);
+    });
+    if (drawn.as_image) note("too many strokes for a vector format, drawn as an image within it");
+    for (const std::size_t blank : drawn.blank)
+        note("nothing is drawn in generation " + std::to_string(plates.figures[blank].generation));
+    if (options.json) print(as_json(plates, drawn, options.output).text());
+    return success;
+}
+
+}  // namespace
+
+void add_draw(Verbs& verbs) {
+    auto [verb, options] =
+        verbs.add("draw", "The turtle figure of a generation",
+                  {"algae draw koch -n 4 -o koch.svg",
+                   "algae draw plant-f -n 0..5 --panels --captions -o plants.pdf",
+                   "algae draw dragon -n 0..10 --frame-time 0.5 -o dragon.gif",
+                   "algae draw hilbert-3d --camera 30,20,perspective -o hilbert.png"},
+                  draw);
+    verb.option("FILE", options.file, file_type, file_help).required = true;
+    verb.option("-n", options.generation, "N[..M]",
+                "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, "
+                "or --panels (default: what the file says)");
+    verb.option("-o,--output", options.output, "FILE",
+                "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp, the "
+                "figure in space: .glb, .obj, .ply, .stl, .x3d or .wrl; - for standard output");
+    verb.option("--format", options.format, std::string(picture_formats) + '|' + mesh_formats,
+                "the format, where the name does not say it; vrml1 for VRML 1.0");
+    verb.flag("--panels", options.panels, "several generations side by side");
+    verb.option("--columns", options.columns, natural, "N", "panels in a row");
+    verb.flag("--common-scale", options.common_scale,
+              "the same scale for all generations; in an animation, the same part of the plane");
+    verb.option("--width", options.width, positive, "W",
+                "of the picture, in points (png, gif, webp: pixels)");
+    verb.option("--height", options.height, positive, "H",
+                "of the picture, in points (png, gif, webp: pixels)");
+    verb.option("--margin", options.margin, positive_or_zero, "M", "blank border (default 10)");
+    verb.option("--line-width", options.line_width, positive, "W",
+                "of strokes, in points or pixels (default 1)");
+    verb.option("--colour", options.colours, list, "COLOUR,...",
+                "names or #rrggbb, the next for each '; or: along, a hue that runs with the word");
+    verb.option("--background", options.background, "COLOUR",
+                "a colour, or transparent (default: white in png, gif and webp, none elsewhere)");
+    verb.flag("--captions", options.captions, "system, generation and angle underneath");
+    verb.option("--caption", options.caption, "TEXT", "a text underneath");
+    verb.option("--font-size", options.font_size, positive, "S", "of captions");
+    verb.option("--seed", options.seed, "S",
+                "the word of a system with choices that this seed picks (what the file says; 1 for "
+                "systems with probabilities)");
+    verb.option("--seeds", options.seeds, range, "A..B",
+                "a figure for each of these seeds, such as 1..9, side by side");
+    verb.option("--tables", options.tables, "SEQUENCE",
+                "the table of each step: light,dark or, of one character each, abab or 1212");
+    options.space.add_to(verb);
+    verb.flag("--scale-bar", options.scale_bar,
+              "a bar below the figure with its length, in the units of the file");
+    verb.option("--label", options.labels, point_label, "TEXT@x,y[,z]",
+                "a text at a point of the figure; may be given several times");
+    verb.option("--frame-time", options.frame_time, positive, "SECONDS",
+                "of an animation: seconds a frame (default 0.8; with --progressive 0.05)");
+    verb.option("--loop", options.loop, natural, "N",
+                "of an animation: how often it is shown; 0, the default, for ever");
+    verb.flag("--progressive", options.progressive,
+              "one generation symbol by symbol, with the turtle where it is: gif, webp, or pages "
+              "of pdf or ps");
+    verb.option("--max-frames", options.max_frames, frame_bound, "N",
+                "of --progressive: several symbols a frame where there would be more (default "
+                "240)");
+    verb.flag("--explain", options.explain,
+              "numbered steps, the turtle at every corner and a table of what each symbol does; "
+              "without -o the table alone");
+    verb.option("--facets", options.facets, facet_count, "K",
+                "of files of figures in space: sides of a tube, 3 to 256 (default 8)");
+    add_environment_option(verb, options.environment);
+    verb.json_flag(options.json,
+                   "print segments, bounding box and end as one JSON object; integers from 2^53 on "
+                   "are strings");
+    verb.bounded_by(options.bounds);
+}
+
+}  // namespace algae::command

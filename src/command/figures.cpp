@@ -1,0 +1,241 @@
+// `algae figures`: every file of a folder is drawn, and what it expects of its figure is checked.
+//
+// Files are drawn side by side in threads; one that fails is told of at the end and stops no other, and the
+// run ends with the worst status. Pictures keep the folders of their files; files whose names differ in their
+// ends only keep these too. --page makes a page of small pictures with the texts of the files beside them.
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <tuple>
+
+#include "command/detail/files.hpp"
+#include "command/detail/output.hpp"
+#include "command/detail/pictures.hpp"
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
+#include "exchange/exchange.hpp"
+#include "language/language.hpp"
+#include "notation/notation.hpp"
+#include "render/render.hpp"
+
+namespace algae::command {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr const char* previews = "previews";  // folder of the page's small pictures
+constexpr double preview_width = 480;         // pixels
+
+struct Options {
+    std::string folder = "figures", out = "out/figures";
+    std::optional<std::uint64_t> jobs;
+    std::vector<std::string> formats{"svg", "pdf"};
+    bool captions = false, check = false, json = false, page = false;
+    Bounds bounds;
+};
+
+/// What became of one file.
+struct Outcome {
+    fs::path file, group;  // the group is its folder within that of all, empty if it is the same
+    std::string stem;      // of its pictures' names
+    std::vector<std::string> pictures, problems;
+    int status = success;
+    std::string title, source, text, preview;  // for the page
+};
+
+bool is_figure_file(const fs::path& path) {
+    return path.extension() == ".lsys" || is_relative(path.string()) ||
+           system_format(path.string());
+}
+
+/// All files of figures in a folder, those of a group together, sorted by name. Pictures of files that
+/// differ in their ends only are told apart by these.
+std::vector<Outcome> figure_files(const fs::path& folder) {
+    if (!fs::is_directory(folder))
+        throw Error(folder.string() +
+                    ": expected a folder of .lsys files and of files of relatives");
+    std::vector<Outcome> files;
+    std::map<fs::path, std::size_t> of_stem;
+    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+        if (!entry.is_regular_file() || !is_figure_file(entry.path())) continue;
+        const fs::path group = fs::relative(entry.path().parent_path(), folder).lexically_normal();
+        Outcome& outcome = files.emplace_back();
+        outcome.file = entry.path();
+        outcome.group = group == "." ? fs::path() : group;
+        outcome.stem = entry.path().stem().string();
+        ++of_stem[outcome.group / outcome.stem];
+    }
+    if (files.empty())
+        throw Error(folder.string() + ": holds no .lsys files and none of relatives");
+    for (Outcome& outcome : files)
+        if (of_stem[outcome.group / outcome.stem] > 1)
+            outcome.stem = outcome.file.filename().string();
+    std::sort(files.begin(), files.end(), [](const Outcome& a, const Outcome& b) {
+        return std::tie(a.group, a.file) < std::tie(b.group, b.file);
+    });
+    return files;
+}
+
+/// Where the picture of a file goes, in this format.
+std::string picture_path(const fs::path& out, const Outcome& outcome, const std::string& format) {
+    const fs::path folder = (out / outcome.group).lexically_normal();
+    fs::create_directories(folder);
+    return (folder / outcome.stem).string() + '.' + format;
+}
+
+void draw_plates(const std::vector<Plate>& plates, const std::string& path,
+                 const PictureOptions& picture, const Budget& budget) {
+    if (plates.size() == 1)
+        draw_picture(plates.front(), path, picture_format(path), picture, budget);
+    else
+        draw_panels(plates, path, picture_format(path), picture, budget);
+}
+
+/// All pictures of a file.
+void draw_formats(const Options& options, Outcome& outcome, const std::vector<Plate>& plates,
+                  const Budget& budget) {
+    for (const std::string& format : options.formats) {
+        const std::string path = picture_path(options.out, outcome, format);
+        draw_plates(plates, path, {}, budget);
+        outcome.pictures.push_back(path);
+    }
+    if (!options.page) return;
+    PictureOptions small;
+    small.width = preview_width;
+    const std::string path = picture_path(fs::path(options.out) / previews, outcome, "png");
+    draw_plates(plates, path, small, budget);
+    outcome.preview = path;
+}
+
+/// The page of all pictures, and of what is wrong with those that were not drawn.
+void write_page(const Options& options, const std::vector<Outcome>& outcomes) {
+    const auto from_page = [&](const std::string& path) {
+        return fs::relative(path, options.out).generic_string();
+    };
+    std::vector<PagePicture> pictures;
+    const std::string own = fs::weakly_canonical(options.folder).filename().string();
+    for (const Outcome& outcome : outcomes) {
+        PagePicture picture;
+        picture.group = outcome.group.empty() ? own : outcome.group.generic_string();
+        picture.name = outcome.file.filename().string();
+        picture.title = outcome.title;
+        picture.source = outcome.source;
+        if (!outcome.preview.empty()) picture.preview = from_page(outcome.preview);
+        picture.problems = outcome.problems;
+        picture.text = outcome.text;
+        for (const std::string& path : outcome.pictures) picture.files.push_back(from_page(path));
+        pictures.push_back(std::move(picture));
+    }
+    write_file((fs::path(options.out) / "index.html").string(), picture_page("Figures", pictures));
+}
+
+void draw_relative_file(const Options& options, Outcome& outcome, const Budget& budget) {
+    const std::unique_ptr<Relative> relative = open_relative(outcome.file.string(), budget);
+    outcome.title = relative->title;
+    outcome.source = relative->source;
+    if (options.check) return;
+    const std::vector<RelativeFigure> figures = relative->figures(budget);
+    std::vector<Plate> plates;
+    for (const RelativeFigure& figure : figures)
+        plates.push_back({figure.figure.get(), figure.name,
+                          options.captions || figures.size() > 1 ? figure.caption : ""});
+    draw_formats(options, outcome, plates, budget);
+}
+
+void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
+    if (options.page) outcome.text = file_text(outcome.file.string(), budget);
+    if (is_relative(outcome.file.string())) return draw_relative_file(options, outcome, budget);
+    const LSystem system = open_system(outcome.file.string(), budget);
+    outcome.title = system.title;
+    outcome.source = system.source;
+    for (const Disappointment& unmet : unmet_expectations(system, budget)) {
+        outcome.problems.push_back(to_string(unmet.place) + ": error: " + unmet.message);
+        outcome.status = refuted;
+    }
+    if (options.check) return;
+    FigurePlates plates(system, shown_generations(system), {}, budget);
+    if (options.captions) plates.caption_with_facts();
+    draw_formats(options, outcome, plates.plates(), budget);
+}
+
+int draw_folder(const Options& options) {
+    const Budget budget = options.bounds.budget();
+    for (const std::string& format : options.formats) picture_format("figure." + format);
+    std::vector<Outcome> outcomes = figure_files(options.folder);
+
+    ProgressBar bar("Figures");
+    std::mutex reporting;
+    std::size_t done = 0;
+    const PartWorker work = [&](std::size_t i) {
+        try {
+            draw_one(options, outcomes[i], budget);
+        } catch (const Interrupted&) {
+            throw;
+        } catch (const BoundReached& bound) {
+            outcomes[i].problems.push_back(bound.what());
+            outcomes[i].status = undecided;
+        } catch (const std::exception& error) {
+            outcomes[i].problems.push_back(error.what());
+            outcomes[i].status = bad_input;
+        }
+        const std::lock_guard lock(reporting);
+        bar.report(static_cast<double>(++done) / static_cast<double>(outcomes.size()));
+    };
+    const std::uint64_t jobs = options.jobs ? std::clamp<std::uint64_t>(*options.jobs, 1, 256) : 0;
+    // Each figure looks at the budget itself: past a bound, what became of the others is told all the same.
+    each_part(
+        outcomes.size(), static_cast<unsigned>(jobs), Budget(), [&] { return work; }, 1);
+    if (options.page && !options.check) write_page(options, outcomes);
+
+    int status = success;
+    std::size_t pictures = 0, wrong = 0;
+    Json all = Json::array();
+    for (const Outcome& outcome : outcomes) {
+        for (const std::string& problem : outcome.problems)
+            std::cerr << (problem.starts_with(outcome.file.string()) ? ""
+                                                                     : outcome.file.string() + ": ")
+                      << problem << '\n';
+        wrong += outcome.problems.empty() ? 0 : 1;
+        pictures += outcome.pictures.size();
+        status = std::max(status, outcome.status);
+        all.add({{"file", outcome.file.string()},
+                 {"pictures", outcome.pictures},
+                 {"problems", outcome.problems}});
+    }
+    if (options.json)
+        print(Json{{"figures", all}}.text());
+    else
+        print(counted(outcomes.size(), "system") + ", " + counted(pictures, "picture") +
+              (options.check ? "" : " in " + options.out) +
+              (wrong ? ", " + std::to_string(wrong) + " with problems" : "") + "\n");
+    return status;
+}
+
+}  // namespace
+
+void add_figures(Verbs& verbs) {
+    auto [verb, options] =
+        verbs.add("figures", "Draws every system of a folder and checks what its file expects",
+                  {"algae figures figures --out out/figures",
+                   "algae figures my-paper --formats pdf --captions"},
+                  draw_folder);
+    verb.option(
+        "DIR", options.folder, "DIR",
+        "a folder of .lsys files and of files of relatives, such as .ifs (default figures)");
+    verb.option("--out", options.out, "DIR", "where the pictures go (default out/figures)");
+    verb.option("--formats", options.formats, list, "svg|pdf|png|ps|eps,...",
+                "svg, pdf, png, ps, eps (default svg,pdf)");
+    verb.option("--jobs", options.jobs, natural, "N",
+                "how many to draw at a time (default: one a core)");
+    verb.flag("--captions", options.captions, "system, generation and angle underneath");
+    verb.flag("--check", options.check, "only check what the files expect");
+    verb.flag("--page", options.page, "write index.html as well, a page with all of them");
+    verb.json_flag(options.json);
+    verb.bounded_by(options.bounds);
+}
+
+}  // namespace algae::command

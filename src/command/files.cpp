@@ -1,0 +1,210 @@
+// What FILE means: a path first, then `-` for standard input, then a name from the gallery.
+//
+// Where a system is wanted the end of the name chooses the reader: .lsys and names without an end are the
+// notation, other programs' formats have readers of their own, and a file of another generator (a relative:
+// fern.ifs, rule-30.ca) is refused by name. A relative is read the other way round: `algae ifs fern` looks
+// for fern.ifs in the gallery before a system called fern, and options of the command line take the place of
+// statements in the file.
+
+#include "command/detail/files.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <filesystem>
+#include <sstream>
+
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
+#include "exchange/exchange.hpp"
+#include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
+
+namespace algae::command {
+
+namespace {
+
+/// What reading takes of memory, in bytes a byte of the file.
+constexpr std::uint64_t memory_of_a_byte = 16;
+
+std::string read_all(std::FILE* file, const std::string& name, const Budget& budget) {
+    const std::uint64_t largest = budget.memory / memory_of_a_byte;
+    std::string text;
+    std::string buffer(std::size_t{1} << 16, '\0');
+    errno = 0;
+    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) {
+        text.append(buffer, 0, count);
+        if (text.size() > largest)
+            throw BoundReached(Bound::memory, name + ": has more than " +
+                                                  std::to_string(largest >> 20) +
+                                                  " MiB, as much as can be read within the " +
+                                                  std::to_string(budget.memory >> 20) +
+                                                  " MiB allowed by --max-memory");
+        budget.check();
+    }
+    budget.check();  // reading that waited was interrupted
+    if (std::ferror(file)) throw Error("cannot read " + name + ": " + std::strerror(errno));
+    return text;
+}
+
+struct Closer {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+
+bool exists(const std::string& path) {
+    std::error_code ignored;
+    return std::filesystem::exists(path, ignored);
+}
+
+const GalleryEntry* find_system(const std::string& name) {
+    for (const GalleryEntry& entry : gallery())
+        if (entry.name == name) return &entry;
+    return nullptr;
+}
+
+}  // namespace
+
+std::string file_text(const std::string& path, const Budget& budget) {
+    if (path == "-") return read_all(stdin, "standard input", budget);
+    std::error_code ignored;
+    if (std::filesystem::is_directory(path, ignored))
+        throw Error(path + ": is a folder, expected a file");
+    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+    budget.check();
+    if (!file) throw Error("cannot read " + path + ": " + std::strerror(errno));
+    return read_all(file.get(), path, budget);
+}
+
+SourceText open_text(const std::string& file, const Budget& budget) {
+    if (file == "-") return {"standard input", file_text(file, budget)};
+    if (exists(file)) return {file, file_text(file, budget)};
+    if (const GalleryEntry* entry = find_system(file))
+        return {std::string(entry->name), std::string(entry->text)};
+    if (const GalleryEntry* entry = find_relative(file))
+        return {std::string(file_name(*entry)), std::string(entry->text)};
+    std::vector<std::string> names;
+    for (const GalleryEntry& entry : gallery()) names.emplace_back(entry.name);
+    for (const GalleryEntry& entry : relative_gallery()) names.emplace_back(entry.name);
+    throw Error("no file \"" + file + "\", and nothing of that name in the gallery" +
+                did_you_mean(file, names) + "; `algae gallery` lists them");
+}
+
+LSystem open_system(const std::string& file, const Budget& budget) {
+    const SourceText source = open_text(file, budget);
+    if (const RelativeKind* kind = relative_kind(source.name))
+        throw Error(source.name + " is " + kind->what + ", expected an L-system");
+    if (const RelativeFormat* format = relative_format(source.name))
+        throw Error(source.name + " is " + format->what + ", expected an L-system");
+    if (const SystemFormat* format = system_format(source.name))
+        return format->read(source.text, source.name);
+    return read_lsystem(source.text, source.name);
+}
+
+std::string folder_of(const std::string& file) {
+    const std::string folder = std::filesystem::path(file).parent_path().string();
+    return file == "-" || folder.empty() ? "." : folder;
+}
+
+std::function<LSystem(const std::string&)> systems_from(const std::vector<std::string>& folders,
+                                                        const Budget& budget) {
+    return [folders, budget](const std::string& name) {
+        for (const std::string& folder : folders) {
+            const std::filesystem::path beside = std::filesystem::path(folder) / name;
+            if (exists(beside.string())) return open_system(beside.string(), budget);
+        }
+        return open_system(name, budget);
+    };
+}
+
+namespace {
+
+std::vector<std::string> words(const std::string& text) {
+    std::istringstream in(text);
+    std::vector<std::string> found;
+    for (std::string word; in >> word;) found.push_back(word);
+    return found;
+}
+
+/// The kind of the relatives in files of this name, be it by way of another format.
+const RelativeKind* kind_of(const std::string& name) {
+    const RelativeFormat* format = relative_format(name);
+    return relative_kind(format ? "." + format->kind : name);
+}
+
+RelativeFile read_source(const SourceText& source, const RelativeKind& kind) {
+    if (const RelativeFormat* format = relative_format(source.name))
+        return format->read(source.text, source.name);
+    return read_relative_file(source.text, source.name, kind.keys);
+}
+
+void change(RelativeFile& file, const std::vector<StatementOption>& said) {
+    for (const auto& [option, key, text] : said)
+        if (!text.empty()) file.set(key, words(text), option);
+}
+
+/// The text of FILE for a verb of one kind of relatives.
+SourceText text_of_kind(const std::string& name, const RelativeKind* kind, const std::string& file,
+                        const Budget& budget) {
+    const bool by_name = file != "-" && !exists(file);
+    const std::string own = file + "." + name;
+    const SourceText source = open_text(by_name && find_relative(own) ? own : file, budget);
+    const RelativeKind* found = kind_of(source.name);
+    const bool system = source.name.ends_with(".lsys") || (by_name && !found);
+    if (system || (found && found != kind))
+        throw Error(source.name + " is " + (system ? "an L-system" : found->what) + ", expected " +
+                    kind->what);
+    return source;
+}
+
+}  // namespace
+
+bool is_relative(const std::string& file) {
+    if (kind_of(file)) return true;
+    return !exists(file) && find_relative(file) && !find_system(file);
+}
+
+std::unique_ptr<Relative> open_relative(const std::string& file, const Budget& budget,
+                                        const std::vector<StatementOption>& said) {
+    const SourceText source = open_text(file, budget);
+    const RelativeKind* kind = kind_of(source.name);
+    if (!kind) return read_relative(source.text, source.name);  // throws what is expected
+    RelativeFile read = read_source(source, *kind);
+    for (const auto& [option, key, text] : said) {
+        const bool known = std::any_of(kind->keys.begin(), kind->keys.end(),
+                                       [&](const RelativeKey& one) { return one.name == key; });
+        if (!text.empty() && !known)
+            throw Error(option + " is not for " + kind->what + ", and " + source.name + " is one");
+    }
+    change(read, said);
+    return kind->make(read);
+}
+
+std::unique_ptr<Relative> open_kind(const std::string& kind, const std::string& file,
+                                    const Budget& budget,
+                                    const std::vector<StatementOption>& said) {
+    const RelativeKind& known = *relative_kind("." + kind);
+    RelativeFile read;
+    read.name = kind;
+    if (!file.empty()) read = read_source(text_of_kind(kind, &known, file, budget), known);
+    change(read, said);
+    return known.make(read);
+}
+
+void add_environment_option(Verb& verb, std::string& program) {
+    verb.option("--environment", program, "COMMAND",
+                "the program that fills the modules of `environment ?E external`: it reads and "
+                "writes lines of JSON");
+}
+
+std::shared_ptr<Environment> external_environment(const std::string& program,
+                                                  const LSystem& system) {
+    if (program.empty()) return nullptr;
+    if (!asks_program(system))
+        throw Error(
+            "--environment: no module of the system asks a program; expected a setting such as "
+            "`environment ?E external`");
+    return std::make_shared<ExternalEnvironment>(program);
+}
+
+}  // namespace algae::command

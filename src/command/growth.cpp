@@ -1,0 +1,250 @@
+// `algae growth`: how long the words of a system become, and what else its rules say about them.
+//
+// The full analysis rests on the growth matrix of a D0L system: its characteristic polynomial gives the
+// recurrence of the lengths, the generating function, the closed form and the class, all exact; decimals on
+// the page are digits of exact numbers. Where there is no matrix less is said, and the page says so: letters
+// that look at their neighbours have lengths that were derived and no formula, an 0L system has a least and
+// a greatest length for each generation. `--words` asks about factors instead of lengths, `--realise` goes
+// from lengths back to a system.
+
+#include <fmt/format.h>
+
+#include "command/detail/files.hpp"
+#include "command/detail/output.hpp"
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
+#include "growth/growth.hpp"
+#include "notation/notation.hpp"
+#include "render/render.hpp"
+#include "report/report.hpp"
+#include "system/system.hpp"
+#include "turtle/turtle.hpp"
+
+namespace algae::command {
+
+namespace {
+
+struct Options {
+    std::string file, plot, sequence;
+    std::optional<Range> generation;
+    bool bounds_wanted = false, words = false, counts = false, json = false;
+    Bounds bounds;
+
+    /// The generations asked for, or the usual ones.
+    Range generations(const char* usual) const {
+        return generation ? *generation : range("-n", usual);
+    }
+};
+
+// Systems with interactions.
+
+/// Lengths that are derived one generation after the other: there is no matrix, and nothing is fitted.
+int growth_interaction(const IL& system, const Range& generations, bool json,
+                       const Budget& budget) {
+    auto lengths = derived_lengths(system, generations.last, budget);
+    lengths.erase(lengths.begin(),
+                  lengths.begin() + static_cast<std::ptrdiff_t>(generations.first));
+    if (json)
+        print(Json{{"class", "unknown"}, {"from", generations.first}, {"lengths", lengths}}.text());
+    else
+        print(
+            fmt::format("lengths, n = {}..{}\n{}\n"
+                        "Letters look at their neighbours, so there is no growth matrix and no "
+                        "recurrence to go by:\n"
+                        "these lengths are derived, and nothing is claimed beyond them.\n",
+                        generations.first, generations.last, fmt::join(lengths, ", ")));
+    return success;
+}
+
+// Systems for a sequence of lengths.
+
+/// The system as a file says it.
+std::string text_of(const D0L& rules, const std::string& title) {
+    LSystem system;
+    system.title = title;
+    system.alphabet = *rules.alphabet;
+    system.axiom.letters = rules.axiom;
+    for (const Symbol a : rules.letters) {
+        Production rule;
+        rule.predecessor.symbol = a;
+        rule.successor.letters = rules.successor(a);
+        system.rules.push_back(std::move(rule));
+    }
+    return print_lsystem(system);
+}
+
+/// "lengths 1, 1, 2, 3, 5, 8, ..."
+std::string title_of(const SequenceSpecification& sequence) {
+    std::string title = "lengths ";
+    for (const Rational& value : sequence.values(6)) title += to_string(value) + ", ";
+    return title + "...";
+}
+
+/// Where the sequence was given by terms: on what the recurrence rests.
+std::string rests_on(const SequenceSpecification& sequence) {
+    const std::size_t needed = 2 * sequence.initial.size();
+    if (sequence.terms == 0) return "";
+    return fmt::format(
+        "the shortest recurrence of the {} terms, {}", sequence.terms,
+        sequence.terms < needed ? fmt::format("of which {} would determine it", needed)
+        : sequence.terms > needed
+            ? fmt::format("{} determine it, {} confirm it", needed, sequence.terms - needed)
+            : "which determine it and leave none to confirm it");
+}
+
+int growth_realise(const std::string& specification, bool json, const Budget& budget) {
+    const SequenceSpecification sequence = read_specification(specification);
+    const Realisation result = realise(sequence, budget);
+    const std::string rests = rests_on(sequence);
+    const std::string shift = result.shift == 0 ? "" : "+" + std::to_string(result.shift);
+    std::string system;
+    if (result.system) system = text_of(*result.system, title_of(shifted(sequence, result.shift)));
+    if (json) {
+        static const char* const verdicts[] = {"found", "impossible", "unknown"};
+        Json all{{"because", result.because}};  // keys in alphabetical order
+        if (result.system) all.set("compared", result.compared);
+        all.set("sequence", sequence.text());
+        if (result.system) all.set("shift", result.shift).set("system", system);
+        all.set("terms", sequence.terms);
+        all.set("verdict", verdicts[static_cast<std::size_t>(result.kind)]);
+        print(all.text());
+    } else {
+        std::string text = "# " + sequence.text() + "\n";
+        if (!rests.empty()) text += "# " + rests + "\n";
+        if (result.kind == Realisation::Kind::impossible)
+            text += "# there is no D0L system with these lengths: ";
+        if (result.kind == Realisation::Kind::not_known) text += "# not known: ";
+        text += (result.kind == Realisation::Kind::found ? "# " : "") + result.because + "\n";
+        if (result.shift != 0)
+            text += fmt::format(
+                "# the lengths of the following are a(n{}), equal on {} terms, which proves it\n",
+                shift, result.compared);
+        print(text + system);
+    }
+    return result.kind == Realisation::Kind::found        ? success
+           : result.kind == Realisation::Kind::impossible ? refuted
+                                                          : undecided;
+}
+
+// The verb.
+
+/// The exact lengths only.
+int print_lengths(const D0L& system, const Options& options, const Budget& budget) {
+    const auto& [first, last, written] = *options.generation;
+    std::string text;
+    Json found = Json::array();
+    for (std::uint64_t n = first; n <= last; ++n) {
+        const Integer letters = length(system, n, budget);
+        if (options.json)
+            found.add(letters);
+        else
+            text += to_string(letters) + '\n';
+    }
+    print(options.json ? Json{{"lengths", found}}.text() : text);
+    return success;
+}
+
+/// Lengths, how often each letter occurs, and how many segments are drawn.
+int print_counts(const LSystem& system, const D0L& rules, const Options& options,
+                 const Budget& budget) {
+    if (!options.generation) throw Error("--counts needs a generation: -n");
+    const Commands commands(system, rules.letters);
+    const auto& [first, last, written] = *options.generation;
+    std::string text;
+    Json generations = Json::array();
+    for (std::uint64_t n = first; n <= last; ++n) {
+        const auto counts = parikh_vector(rules, n, budget);
+        Integer sum = 0;
+        Json letters;
+        std::string listed;
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            sum += counts[i];
+            const std::string& name = system.alphabet.name(rules.letters[i]);
+            letters.set(name, counts[i]);
+            listed += "  " + name + ' ' + to_string(counts[i]);
+        }
+        const Integer segments = drawn_segments(commands, rules.letters, counts);
+        generations.add(
+            {{"generation", n}, {"length", sum}, {"segments", segments}, {"letters", letters}});
+        text += "n = " + std::to_string(n) + ": length " + to_string(sum) + ", segments " +
+                to_string(segments) + ", letters" + listed + '\n';
+    }
+    print(options.json ? Json{{"generations", generations}}.text() : text);
+    return success;
+}
+
+int print_bounds(const LSystem& system, const Options& options, const Budget& budget) {
+    const View<OL> rules = as_ol(system);
+    const auto [first, last, written] = options.generations("0..10");
+    const LengthBoundsReport report{*rules, length_bounds(*rules, last, budget), first};
+    print(options.json ? to_json(report).text() : to_text(report));
+    return success;
+}
+
+/// A system without a growth function says why, and what to ask instead.
+D0L with_growth_function(const LSystem& system) {
+    View<D0L> rules = as_d0l(system);
+    if (rules) return *rules;
+    throw Error("no growth function: " + rules.reason() +
+                (as_ol(system)
+                     ? "; --bounds gives the least and the greatest length of each generation"
+                     : ""));
+}
+
+int growth(const Options& options) {
+    const Budget budget = options.bounds.budget();
+    if (!options.sequence.empty()) return growth_realise(options.sequence, options.json, budget);
+    if (options.file.empty())
+        throw Error(
+            "expected FILE, or --realise with a sequence; `algae growth --help` shows examples");
+    const LSystem system = open_system(options.file, budget);
+    if (options.words) {
+        const FactorReport report = factor_report(*as_d0l(system), budget);
+        print(options.json ? to_json(report).text() : to_text(report));
+        return report.order.is_decided() ? success : undecided;
+    }
+    if (options.bounds_wanted) return print_bounds(system, options, budget);
+    if (const View<IL> context = as_il(system); context && !as_ol(system) && options.plot.empty())
+        return growth_interaction(*context, options.generations("0..100"), options.json, budget);
+    const D0L rules = with_growth_function(system);
+    if (!options.plot.empty()) {
+        const auto [first, last, written] = options.generations("0..20");
+        draw_plot(growth_plot(rules, first, last, budget), options.plot, budget);
+        return success;
+    }
+    if (options.counts) return print_counts(system, rules, options, budget);
+    if (options.generation) return print_lengths(rules, options, budget);
+    const GrowthReport report{rules, growth_analysis(rules, budget)};
+    print(options.json ? to_json(report).text() : to_text(report, ", all in --json"));
+    return success;
+}
+
+}  // namespace
+
+void add_growth(Verbs& verbs) {
+    auto [verb, options] =
+        verbs.add("growth", "How the words of a D0L system grow: recurrence, closed form, class",
+                  {"algae growth koch", "algae growth my.lsys -n 0..6 --json",
+                   "algae growth dragon --plot growth.pdf", "algae growth plant-f --words",
+                   "algae growth --realise \"n^2+1\""},
+                  growth);
+    verb.option("FILE", options.file, file_type, file_help);
+    verb.option("-n", options.generation, range, "N[..M]",
+                "only the exact length of a generation, or of a range such as 0..6");
+    verb.flag("--counts", options.counts,
+              "with -n: how often each letter occurs, and how many segments are drawn");
+    verb.flag("--bounds", options.bounds_wanted,
+              "the least and greatest lengths of an 0L system, for -n (default 0..10)");
+    verb.option("--plot", options.plot, "FILE",
+                "draw length against n, for -n (default 0..20): .svg, .pdf, .png, .ps or .eps");
+    verb.flag(
+        "--words", options.words,
+        "factors and their complexity class, pushiness, repetitions, locally catenative formulas");
+    verb.option("--realise", options.sequence, "SEQUENCE",
+                "instead of FILE: a D0L system with these lengths, as terms \"1,1,2,3,5,8\", a "
+                "recurrence \"a(n) = a(n-1) + a(n-2); 1, 1\" or a polynomial \"n^2+1\"");
+    verb.json_flag(options.json);
+    verb.bounded_by(options.bounds);
+}
+
+}  // namespace algae::command

@@ -1,0 +1,305 @@
+// What the verbs that draw share: the figures of a system or of another generator, and where they go.
+//
+// A system is drawn as plates, one for each generation and seed. In the plane a figure is gone through and
+// never kept; a system that leaves the plane becomes a scene, which a camera looks at, and the options of the
+// camera are refused where there is none. Files of figures in space (glb, obj, ...) take the scene itself and
+// know nothing of pages.
+
+#include "command/detail/pictures.hpp"
+
+#include <charconv>
+#include <cmath>
+
+#include "command/detail/files.hpp"
+#include "exact/exact.hpp"
+#include "system/system.hpp"
+#include "turtle/turtle.hpp"
+
+namespace algae::command {
+
+namespace {
+
+/// A number of any sign, or nothing.
+std::optional<double> number(const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
+    return value;
+}
+
+/// The parts of a text between commas, empty ones too.
+std::vector<std::string> parts_of(const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ',')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    return parts;
+}
+
+/// A camera as --camera says it.
+Camera camera(const std::string& option, const std::string& text) {
+    const std::string expected = "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,perspective[:DEGREES]";
+    const std::vector<std::string> parts = parts_of(text);
+    const auto azimuth = number(parts[0]);
+    const auto elevation = parts.size() > 1 ? number(parts[1]) : std::nullopt;
+    if (!azimuth || !elevation || parts.size() > 3) refuse(option, expected, text);
+    Camera found{*azimuth, *elevation};
+    if (parts.size() == 3) {
+        const std::string word = "perspective";
+        const std::string& said = parts[2];
+        const bool opens = said.starts_with(word + ':');
+        const auto opening = opens ? number(said.substr(word.size() + 1)) : std::nullopt;
+        if ((said != word && !opens) || (opens && !opening)) refuse(option, expected, text);
+        found.perspective = true;
+        if (opening) found.opening = *opening;
+    }
+    try {
+        check_camera(found);
+    } catch (const Error& error) {
+        throw Error(option + ": " + error.what());
+    }
+    return found;
+}
+
+/// Where the light comes from as --light says it.
+Light light(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = parts_of(text);
+    const auto azimuth = number(parts[0]);
+    const auto elevation = parts.size() == 2 ? number(parts[1]) : std::nullopt;
+    if (!azimuth || !elevation) refuse(option, "AZIMUTH,ELEVATION", text);
+    if (std::fabs(*elevation) > 90) refuse(option, "an elevation from -90 to 90 degrees", parts[1]);
+    return Light{*azimuth, *elevation};
+}
+
+/// How thick the fog is as --fog says it.
+double fog_share(const std::string& option, const std::string& text) {
+    const auto share = number(text);
+    if (!share || *share < 0 || *share > 1) refuse(option, "a number from 0 to 1", text);
+    return *share;
+}
+
+}  // namespace
+
+void SpaceOptions::add_to(Verb& verb) {
+    verb.option("--camera", camera, command::camera, "AZIMUTH,ELEVATION[,perspective[:DEGREES]]",
+                "of figures in space: where the camera stands in degrees, from +x towards +y and "
+                "above the horizon (default -60,15), and whether it sees in perspective");
+    verb.option("--light", light, command::light, "AZIMUTH,ELEVATION",
+                "of figures in space: where the light comes from (default: over the camera's left "
+                "shoulder)");
+    verb.option("--fog", fog, fog_share, "F",
+                "of figures in space: the share of the background in the colour of what is "
+                "farthest, 0 to 1 (default 0)");
+}
+
+void SpaceOptions::check_unused(const std::string& name) const {
+    const char* const given = camera ? "--camera" : light ? "--light" : fog ? "--fog" : nullptr;
+    if (given)
+        throw Error(std::string(given) + " is for figures in space, and those of " + name +
+                    " stay in the plane");
+}
+
+ViewChoices view_choices(const SpaceOptions& options, const LSystem& system,
+                         const std::optional<std::string>& background) {
+    ViewChoices choices = view_choices(system.settings);
+    if (options.camera) choices.camera = *options.camera;
+    if (options.light) choices.light = *options.light;
+    if (options.fog) choices.fog = *options.fog;
+    if (background && *background != "transparent") choices.background = colour_named(*background);
+    return choices;
+}
+
+PointLabel point_label(const std::string& option, const std::string& text) {
+    const std::string expected = "TEXT@x,y or TEXT@x,y,z";
+    const auto at = text.rfind('@');
+    if (at == std::string::npos || at == 0) refuse(option, expected, text);
+    const std::vector<std::string> parts = parts_of(text.substr(at + 1));
+    if (parts.size() != 2 && parts.size() != 3) refuse(option, expected, text);
+    PointLabel label{text.substr(0, at), {}};
+    double* const into[] = {&label.place.x, &label.place.y, &label.place.z};
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        const auto value = number(parts[i]);
+        if (!value) refuse(option, expected, text);
+        *into[i] = *value;
+    }
+    return label;
+}
+
+std::string named_format(const std::string& output, const std::string& format) {
+    if (!format.empty()) return "figure." + format;
+    if (output == "-")
+        throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, " +
+                    mesh_format_names());
+    return output;
+}
+
+void refuse_on_mesh(const std::vector<std::pair<const char*, bool>>& given, MeshFormat format) {
+    for (const auto& [option, is_given] : given)
+        if (is_given)
+            throw Error(std::string(option) + ": " + mesh_format_name(format) +
+                        " is no picture; it holds one figure in space");
+}
+
+FigurePlates::FigurePlates(const LSystem& system,
+                           std::pair<std::uint64_t, std::uint64_t> generations,
+                           const PlateChoices& choices, const Budget& budget)
+    : title_(system.title.empty() ? system.name : system.title) {
+    if (const auto& angle = system.settings.angle) {
+        const auto decimal = angle->exact ? exact_decimal(*angle->exact) : std::nullopt;
+        angle_ = (decimal ? *decimal : to_text(angle->expression)) + "°";
+    }
+    const auto seeds = choices.seeds ? choices.seeds : system.settings.seeds;
+    if (!seeds && choices.tables.empty()) {
+        if (const View<D0L> rules = as_d0l(system); !rules && as_ol(system))
+            throw Error(rules.reason() + "; say --seed S to draw one word picked at random");
+        if (leaves_tables_open(system))
+            throw Error(
+                "it has " + std::to_string(system.tables.size()) +
+                " tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
+    }
+    many_seeds_ = seeds && seeds->first != seeds->second;
+    const bool in_space = leaves_plane(system);
+    if (!in_space) choices.space.check_unused(system.name);
+    LSystem painted = system;
+    if (!choices.colours.empty()) painted.settings.colours = choices.colours;
+    const ViewChoices view_of = view_choices(choices.space, system, choices.background);
+    const auto view = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
+        SpaceDerivation found =
+            scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()},
+                  external_environment(choices.environment, system));
+        return std::make_unique<SpaceView>(std::move(found.scene), painted.settings,
+                                           SceneFacts{found.end.position, found.facts.step},
+                                           view_of, budget);
+    };
+    const auto add = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
+        FigurePlate& plate = figures.emplace_back();
+        plate.generation = n;
+        plate.seed = seed;
+        plate.name = "generation " + std::to_string(n) + " of " + system.name;
+        if (many_seeds_) plate.name += ", seed " + std::to_string(*seed);
+        if (in_space)
+            plate.figure = view(n, seed);
+        else
+            plate.figure =
+                open_figure(system, n, budget, {seed, choices.tables, choices.seeds.has_value()},
+                            external_environment(choices.environment, system));
+    };
+    for (std::uint64_t n = generations.first; n <= generations.second; ++n) {
+        if (!seeds)
+            add(n, std::nullopt);
+        else
+            for (std::uint64_t seed = seeds->first; seed <= seeds->second; ++seed) add(n, seed);
+    }
+}
+
+void FigurePlates::caption(const std::string& text) {
+    for (FigurePlate& plate : figures) plate.caption = text;
+}
+
+void FigurePlates::caption_with_facts() {
+    for (FigurePlate& plate : figures) {
+        plate.caption = title_ + ", n = " + std::to_string(plate.generation);
+        if (!angle_.empty()) plate.caption += ", " + angle_;
+        if (many_seeds_) plate.caption += ", seed " + std::to_string(*plate.seed);
+    }
+}
+
+std::vector<Plate> FigurePlates::plates() const {
+    std::vector<Plate> found;
+    for (const FigurePlate& plate : figures)
+        found.push_back({plate.figure.get(), plate.name, plate.caption});
+    return found;
+}
+
+std::pair<std::uint64_t, std::uint64_t> shown_generations(const LSystem& system) {
+    if (!system.settings.generations)
+        throw Error(system.name +
+                    " does not say which generation its figure shows; expected a line such as "
+                    "`generation 4` in it, or "
+                    "-n of `algae draw`");
+    return *system.settings.generations;
+}
+
+namespace {
+
+Json corner(const Vector& v) { return Json::array({v.x, v.y, v.z}); }
+
+}  // namespace
+
+PictureFormat picture_of(const std::string& named) {
+    try {
+        return picture_format(named);
+    } catch (const Error& error) {
+        throw Error(std::string(error.what()) +
+                    "; an animation ends in .gif or .webp, a figure in space in .glb, .obj, .ply, "
+                    ".stl, .x3d or .wrl, or say --format vrml1");
+    }
+}
+
+Json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,
+                const MeshChoices& choices, const Budget& budget) {
+    const MeshDrawn drawn = drawn_to(
+        output, [&](auto& target) { return draw_mesh(scene, target, format, choices, budget); });
+    Json json;
+    json.set("segments", scene.rods.size());
+    json.set("bounding_box", {{"min", corner(drawn.box.low)}, {"max", corner(drawn.box.high)}});
+    json.set("vertices", drawn.vertices);
+    json.set("triangles", drawn.triangles);
+    if (drawn.solids) json.set("solids", drawn.solids);
+    if (drawn.lines) json.set("lines", drawn.lines);
+    json.set("output", output);
+    json.set("format", mesh_format_name(format));
+    return json;
+}
+
+Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget) {
+    auto found = relative.scene(budget);
+    if (!found)
+        throw Error(relative.name + " lies in the plane, and " + mesh_format_name(format) +
+                    " is for figures in space; expected svg, pdf, png, ps or eps");
+    if (found->name.empty()) found->name = relative.name;
+    return std::move(*found);
+}
+
+std::vector<Plate> relative_plates(const std::vector<RelativeFigure>& figures, bool captions,
+                                   const std::string& caption) {
+    std::vector<Plate> plates;
+    for (const RelativeFigure& figure : figures)
+        plates.push_back({figure.figure.get(), figure.name,
+                          !caption.empty() ? caption
+                          : captions       ? figure.caption
+                                           : ""});
+    return plates;
+}
+
+Drawn draw_relative(const Relative& relative, const std::string& output, PictureFormat format,
+                    const PictureOptions& picture, bool captions, const std::string& caption,
+                    const Budget& budget) {
+    const std::vector<RelativeFigure> figures = relative.figures(budget);
+    const std::vector<Plate> plates = relative_plates(figures, captions, caption);
+    ProgressBar bar("Drawing");
+    return drawn_to(output, [&](auto& target) {
+        return plates.size() == 1
+                   ? draw_picture(plates.front(), target, format, picture, budget, &bar)
+                   : draw_panels(plates, target, format, picture, budget, &bar);
+    });
+}
+
+Json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,
+                   const std::string& output, const Budget& budget) {
+    Json out;
+    if (!relative.title.empty()) out.set("title", relative.title);
+    for (const RelativeFact& fact : relative.facts(budget)) out.set(fact.key, fact.value);
+    if (!drawn) return out;
+    out.set("output", output);
+    out.set("width", drawn->width);
+    out.set("height", drawn->height);
+    out.set("as_image", drawn->as_image);
+    return out;
+}
+
+}  // namespace algae::command

@@ -1,0 +1,233 @@
+// `algae tree`: graphs that Graphviz lays out. The derivation tree of a generation or of one word, the digraph
+// of growth, and the diagram of families of languages.
+//
+// The size of a tree is worked out before the tree is made. One that is too large is refused with its size and
+// with what would fit: a smaller depth, or --dag, where equal subtrees of one generation are drawn once.
+
+#include <algorithm>
+#include <cctype>
+#include <functional>
+#include <optional>
+
+#include "command/detail/files.hpp"
+#include "command/detail/output.hpp"
+#include "command/detail/pictures.hpp"
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
+#include "language/language.hpp"
+#include "notation/notation.hpp"
+#include "render/render.hpp"
+
+namespace algae::command {
+
+namespace {
+
+struct Options {
+    std::string file, word, output, format, background;
+    std::optional<std::uint64_t> generation, depth;
+    std::optional<double> width, height;
+    std::uint64_t most_nodes = 2000;
+    bool shared = false, graph = false, families = false, json = false;
+    Bounds bounds;
+};
+
+using SizeOf = std::function<Integer(const TreeShape&)>;
+
+/// The format that the name of the file or --format says; nothing for Graphviz's own language.
+std::optional<PictureFormat> format_of(const Options& options) {
+    if (options.output == "-" && options.format.empty())
+        throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps or dot");
+    const std::string name = options.format.empty() ? options.output : "tree." + options.format;
+    std::string end = name.substr(std::min(name.size(), name.find_last_of("./") + 1));
+    for (char& letter : end)
+        letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
+    if (end == "dot" || end == "gv") return std::nullopt;
+    try {
+        return picture_format(name);
+    } catch (const Error&) {
+        throw Error("expected a file ending in .svg, .pdf, .png, .ps, .eps, .dot or .gv, found \"" +
+                    name + '"');
+    }
+}
+
+void check_usage(const Options& options) {
+    const bool tree = options.generation || !options.word.empty();
+    const int asked = (options.generation ? 1 : 0) + (options.word.empty() ? 0 : 1) +
+                      options.graph + options.families;
+    if (asked == 0)
+        throw Error(
+            "say which tree: -n N for a generation, --word WORD for a member; or --graph or "
+            "--families");
+    if (asked > 1) throw Error("-n, --word, --graph and --families exclude each other");
+    if (options.families != options.file.empty())
+        throw Error(options.families
+                        ? "--families draws families of languages and takes no FILE, found \"" +
+                              options.file + '"'
+                        : std::string("FILE is missing: ") + file_help);
+    if (!tree && (options.shared || options.depth))
+        throw Error("--dag and --depth are for trees: -n or --word");
+}
+
+/// Throws BoundReached with the size, and with shapes that are smaller, if the tree is too large to show.
+void check_size(const Options& options, std::uint64_t n, const TreeShape& shape,
+                const SizeOf& size) {
+    const std::uint64_t most = options.most_nodes;
+    std::string found;
+    try {
+        const Integer nodes = size(shape);
+        if (nodes <= Integer(most)) return;
+        found = readable(nodes) + " nodes";
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::time) throw;
+        found = "more nodes than can be counted";
+    }
+    std::string message = std::string("the tree has ") + found + ", more than the " +
+                          std::to_string(most) + " of --max-nodes";
+    const auto suggest = [&](const std::string& option, const TreeShape& smaller) {
+        message += "; " + option + " has " + readable(size(smaller));
+    };
+    const std::uint64_t last = std::min(n, shape.depth.value_or(n));
+    if (const auto depth = depth_within(last, most, size, shape.shared))
+        suggest("--depth " + std::to_string(*depth), {*depth, shape.shared});
+    if (!shape.shared) suggest("--dag", {shape.depth, true});
+    throw BoundReached(Bound::nodes, message);
+}
+
+struct Drawing {
+    Graph graph;
+    Json facts;
+};
+
+Drawing drawing_of(const DerivationTree& tree, std::uint64_t generation) {
+    return {tree_graph(tree),
+            {{"generation", generation},
+             {"nodes", tree.nodes.size()},
+             {"edges", edge_count(tree)},
+             {"depth", depth(tree)}}};
+}
+
+Drawing generation_tree(const Options& options, const TreeShape& shape, const Budget& budget) {
+    const LSystem written = open_system(options.file, budget);
+    const View<D0L> system = as_d0l(written);
+    if (!system) throw Error(system.reason() + "; --word draws the derivation of one word");
+    const std::uint64_t n = *options.generation;
+    check_size(options, n, shape,
+               [&](const TreeShape& asked) { return tree_size(*system, n, asked, budget); });
+    return drawing_of(derivation_tree(*system, n, shape, budget), n);
+}
+
+Drawing member_tree(const Options& options, const TreeShape& shape, const Budget& budget) {
+    const LSystem written = open_system(options.file, budget);
+    const View<ET0L> system = as_et0l(written);
+    Alphabet alphabet = *system->alphabet;
+    const ModuleWord read = read_word(options.word, alphabet);
+    if (!read.arguments.empty())
+        throw Error("--word: WORD has parameters, and the words of such a system have none");
+    const Membership found = membership(*system, read.letters, budget);
+    if (!found.member)
+        throw Error("--word: " + spell(alphabet, read.letters) +
+                    " is not in the language, `algae member` says why");
+    const Derivation steps = derivation(*system, read.letters, found, budget);
+    check_size(options, found.step, shape,
+               [&](const TreeShape& asked) { return tree_size(*system, steps, asked, budget); });
+    return drawing_of(derivation_tree(*system, steps, shape, budget), found.step);
+}
+
+Drawing growth_digraph(const Options& options, const Budget& budget) {
+    const LSystem written = open_system(options.file, budget);
+    const View<D0L> system = as_d0l(written);
+    const std::uint64_t most = options.most_nodes;
+    if (system->letters.size() > most)
+        throw BoundReached(Bound::nodes, "the digraph has " +
+                                             std::to_string(system->letters.size()) +
+                                             " letters, more than the " + std::to_string(most) +
+                                             " of --max-nodes");
+    Drawing drawing{growth_graph(*system, budget), {}};
+    const auto from_letters = std::count_if(
+        drawing.graph.edges.begin(), drawing.graph.edges.end(), [&](const Graph::Edge& edge) {
+            return edge.from <
+                   system->letters.size();  // and not one of the arrows to the letters of the axiom
+        });
+    drawing.facts = {{"nodes", system->letters.size()}, {"edges", from_letters}};
+    return drawing;
+}
+
+Drawing families() {
+    Drawing drawing{families_graph(), {}};
+    drawing.facts = {{"nodes", drawing.graph.nodes.size()}, {"edges", family_inclusions().size()}};
+    return drawing;
+}
+
+int tree(const Options& options) {
+    check_usage(options);
+    const std::optional<PictureFormat> format = format_of(options);
+    const Budget budget = options.bounds.budget();
+    const TreeShape shape{options.depth, options.shared};
+    GraphOptions picture;
+    picture.width = options.width;
+    picture.height = options.height;
+    if (!options.background.empty()) picture.background = options.background;
+
+    Drawing drawing = options.families     ? families()
+                      : options.graph      ? growth_digraph(options, budget)
+                      : options.generation ? generation_tree(options, shape, budget)
+                                           : member_tree(options, shape, budget);
+    drawing.facts.set("output", options.output);
+    if (!format) {
+        const std::string text = dot_text(drawing.graph);
+        if (options.output == "-")
+            print(text);
+        else
+            write_file(options.output, text);
+    } else {
+        const GraphDrawn drawn = drawn_to(options.output, [&](auto& target) {
+            return draw_graph(drawing.graph, target, *format, picture, budget);
+        });
+        drawing.facts.set("width", drawn.width);
+        drawing.facts.set("height", drawn.height);
+    }
+    if (options.json) print(drawing.facts.text());
+    return success;
+}
+
+}  // namespace
+
+void add_tree(Verbs& verbs) {
+    auto [verb, options] = verbs.add(
+        "tree", "The derivation tree of a generation or of a word, the digraph of growth",
+        {"algae tree anabaena -n 4 -o anabaena.pdf",
+         "algae tree all-powers --word aaa -o derivation.svg",
+         "algae tree fibonacci --graph -o growth.png", "algae tree --families -o families.pdf"},
+        tree);
+    verb.option("FILE", options.file, file_type, file_help);
+    verb.option("-n", options.generation, natural, "N",
+                "the tree of this generation of a D0L system");
+    verb.option("--word", options.word, "WORD",
+                "the tree of a derivation of this word, in as few steps as possible");
+    verb.flag(
+        "--graph", options.graph,
+        "instead: which letters occur in the successors of which, how often, and what becomes "
+        "of them");
+    verb.flag("--families", options.families, "instead: the diagram of families of languages");
+    verb.option("-o,--output", options.output, "FILE",
+                "the picture: .svg, .pdf, .png, .ps or .eps; .dot or .gv for Graphviz; - for "
+                "standard output")
+        .required = true;
+    verb.option("--format", options.format, "svg|pdf|png|ps|eps|dot|gv",
+                "the format, where the name does not say it");
+    verb.flag("--dag", options.shared, "equal subtrees of one generation are drawn once");
+    verb.option("--depth", options.depth, natural, "D",
+                "cut the tree after so many generations; triangles say how many letters are left "
+                "out");
+    verb.option("--max-nodes", options.most_nodes, natural, "N",
+                "nodes that may be drawn (default 2000)");
+    verb.option("--width", options.width, positive, "W", "of the picture, in points (png: pixels)");
+    verb.option("--height", options.height, positive, "H",
+                "of the picture, in points (png: pixels)");
+    verb.option("--background", options.background, "COLOUR",
+                "a colour, or transparent (default: white in png, none elsewhere)");
+    verb.json_flag(options.json, "print nodes, edges and depth as one JSON object");
+    verb.bounded_by(options.bounds);
+}
+
+}  // namespace algae::command

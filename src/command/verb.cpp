@@ -1,0 +1,341 @@
+// What a verb declares, and how the command line is read by it. This is the only file that sees CLI11.
+//
+// A value is checked in two steps. CLI11 knows the grammar of a command line: which options there are, which
+// take a value, which are required, need or exclude others; what it refuses ends with a hint to --help. Then
+// the readers of the verb make numbers, ranges and lists of the texts, bounds first, and what they refuse
+// names the option and what was expected. Only then does the verb run: nothing is read or written for a
+// command line that has a mistake in it.
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <cctype>
+#include <charconv>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <sstream>
+
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
+#include "notation/notation.hpp"
+#include "system/system.hpp"
+
+namespace algae::command {
+
+std::atomic<bool> stop = false;
+const std::function<void()>* at_check = nullptr;
+
+void refuse(const std::string& option, const std::string& expected, const std::string& found) {
+    throw Error(option + ": expected " + expected + ", found \"" + found + '"');
+}
+
+namespace {
+
+bool all_digits(const std::string& text) {
+    return !text.empty() && std::all_of(text.begin(), text.end(),
+                                        [](unsigned char c) { return std::isdigit(c) != 0; });
+}
+
+}  // namespace
+
+std::uint64_t natural(const std::string& option, const std::string& text) {
+    if (!all_digits(text)) refuse(option, "a whole number from 0 on", text);
+    const Integer value(text);
+    if (bit_length(value) > 63) refuse(option, "a number below 2^63", text);
+    return value.to_uint64();
+}
+
+Integer position(const std::string& option, const std::string& text) {
+    if (!all_digits(text)) refuse(option, "a position, a whole number from 0 on", text);
+    return Integer(text);
+}
+
+double positive(const std::string& option, const std::string& text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
+        value <= 0)
+        refuse(option, "a positive number", text);
+    return value;
+}
+
+double positive_or_zero(const std::string& option, const std::string& text) {
+    return text == "0" ? 0 : positive(option, text);
+}
+
+std::uint64_t bytes(const std::string& option, const std::string& text) {
+    std::string digits = text;
+    unsigned shift = 0;
+    if (!digits.empty()) {
+        const auto unit = std::string("KMGT").find(
+            static_cast<char>(std::toupper(static_cast<unsigned char>(digits.back()))));
+        if (unit != std::string::npos) {
+            shift = 10 * (static_cast<unsigned>(unit) + 1);
+            digits.pop_back();
+        }
+    }
+    if (!all_digits(digits) || digits.size() > 18)
+        refuse(option, "a number of bytes such as 500000, 512M or 2G", text);
+    const std::uint64_t value = natural(option, digits);
+    if (shift > 0 && value >> (63 - shift) != 0) refuse(option, "less than 2^63 bytes", text);
+    return value << shift;
+}
+
+std::vector<std::string> list(const std::string& option, const std::string& text) {
+    std::vector<std::string> parts(1);
+    for (const char c : text) {
+        if (c == ',')
+            parts.emplace_back();
+        else
+            parts.back() += c;
+    }
+    for (const std::string& part : parts)
+        if (part.empty()) refuse(option, "a list with commas between, such as a,b", text);
+    return parts;
+}
+
+Range range(const std::string& option, const std::string& text) {
+    const auto dots = text.find("..");
+    if (dots == std::string::npos) {
+        const std::uint64_t n = natural(option, text);
+        return {n, n, text};
+    }
+    if (dots == 0 || dots + 2 == text.size()) refuse(option, "a range such as 0..6", text);
+    const std::uint64_t first = natural(option, text.substr(0, dots));
+    const std::uint64_t last = natural(option, text.substr(dots + 2));
+    if (first > last) refuse(option, "a range that goes up, such as 0..6", text);
+    if (last - first >= 100'000) refuse(option, "a range of at most 100000 generations", text);
+    return {first, last, text};
+}
+
+namespace {
+
+/// What messages of the library call the bounds that this command sets.
+constexpr BoundNames option_names{"--max-letters", "--max-memory", "--timeout"};
+
+}  // namespace
+
+Budget Bounds::budget() const {
+    Budget budget;
+    budget.stop = &stop;
+    budget.at_check = at_check;
+    budget.names = &option_names;
+    if (letters) budget.letters = *letters;
+    if (memory) budget.memory = *memory;
+    if (timeout)
+        budget.deadline = std::chrono::steady_clock::now() +
+                          std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+                              std::chrono::duration<double>(std::min(*timeout, 1e9)));
+    return budget;
+}
+
+Option& Verb::add(const std::string& names, const std::string& type, const std::string& text) {
+    Option& added = (names.starts_with('-') ? options : arguments).emplace_back();
+    std::istringstream parts(names);
+    for (std::string part; std::getline(parts, part, ',');) added.names.push_back(part);
+    added.type = type;
+    added.help = text;
+    return added;
+}
+
+Option& Verb::option(const std::string& names, std::string& target, const std::string& type,
+                     const std::string& text) {
+    Option& added = add(names, type, text);
+    added.take = [&target](const std::string& value) { target = value; };
+    return added;
+}
+
+Option& Verb::option(const std::string& names, std::vector<std::string>& target,
+                     const std::string& type, const std::string& text) {
+    Option& added = add(names, type, text);
+    added.take = [&target](const std::string& value) { target.push_back(value); };
+    added.repeated = true;
+    return added;
+}
+
+Option& Verb::flag(const std::string& names, bool& target, const std::string& text) {
+    Option& added = add(names, "", text);
+    added.take = [&target](const std::string&) { target = true; };
+    return added;
+}
+
+Option& Verb::json_flag(bool& target, const std::string& text) {
+    return flag("--json", target, text);
+}
+
+void Verb::bounded_by(Bounds& bounds) {
+    option("--max-letters", bounds.letters, natural, "N",
+           "letters that may be written out (default 1000000000)")
+        .bounds = true;
+    option("--max-memory", bounds.memory, bytes, "BYTES",
+           "memory that tables may take (default 4G)")
+        .bounds = true;
+    option("--timeout", bounds.timeout, positive, "SECONDS",
+           "stop after so many seconds (default: never)")
+        .bounds = true;
+}
+
+std::string Verb::usage() const {
+    std::string text = "algae " + name + " [OPTIONS]";
+    for (const Option& option : options)
+        if (option.required) text += ' ' + option.name() + ' ' + option.type;
+    for (const Option& argument : arguments) {
+        const std::string shown = argument.name() + (argument.repeated ? "..." : "");
+        text += argument.required ? ' ' + shown : " [" + shown + ']';
+    }
+    return text;
+}
+
+bool Verb::is_generator() const { return relative_kind("file." + name) != nullptr; }
+
+namespace {
+
+/// The names of one kind of generator.
+std::vector<std::string> names_of_kind(const std::string& kind) {
+    std::vector<std::string> names;
+    for (const GalleryEntry& entry : relative_gallery())
+        if (file_name(entry).ends_with('.' + kind)) names.emplace_back(entry.name);
+    return names;
+}
+
+}  // namespace
+
+std::vector<std::string> gallery_names() {
+    std::vector<std::string> names;
+    for (const GalleryEntry& entry : gallery()) names.emplace_back(entry.name);
+    for (const GalleryEntry& entry : relative_gallery()) names.emplace_back(file_name(entry));
+    return names;
+}
+
+Values Verb::values(const Option& option) const {
+    Values found;
+    const std::string type = option.type.substr(0, option.type.find(",..."));
+    std::istringstream parts(type);
+    for (std::string part; std::getline(parts, part, '|');) {
+        if (part == "FILE")
+            found.files = true;
+        else if (part == "DIR")
+            found.folders = true;
+        else if (part == "NAME")
+            found.words = is_generator() ? names_of_kind(name) : gallery_names();
+        else if (part == "COLOUR")
+            for (const std::string_view colour : colour_names()) found.words.emplace_back(colour);
+        else if (type.find('|') != std::string::npos)
+            found.words.push_back(part);
+    }
+    return found;
+}
+
+namespace {
+
+/// What CLI11 found for an option.
+struct Given {
+    const Option* option = nullptr;
+    bool said = false;  // of a flag
+    std::vector<std::string> texts;
+    std::string text;
+    CLI::Option* parsed = nullptr;
+
+    /// Gives the verb what the command line says.
+    void take() const {
+        if (option->type.empty() && !option->is_argument()) {
+            if (said) option->take({});
+        } else if (option->repeated) {
+            for (const std::string& one : texts) option->take(one);
+        } else if (parsed->count() > 0) {
+            option->take(text);
+        }
+    }
+};
+
+CLI::Option* parsed_option(CLI::App& app, Given& given) {
+    const Option& option = *given.option;
+    std::string names;
+    for (const std::string& name : option.names) names += (names.empty() ? "" : ",") + name;
+    if (option.type.empty() && !option.is_argument())
+        return app.add_flag(names, given.said, option.help);
+    CLI::Option* const added = option.repeated ? app.add_option(names, given.texts, option.help)
+                                               : app.add_option(names, given.text, option.help);
+    if (!option.type.empty()) added->type_name(option.type);
+    added->required(option.required);
+    if (option.repeated && !option.is_argument()) added->expected(1)->take_all();
+    if (option.bounds) added->group("Bounds");
+    if (!option.words.empty()) added->check(CLI::IsMember(option.words).description(""));
+    return added;
+}
+
+/// The options of a verb, told to CLI11.
+std::deque<Given> add_options(CLI::App& app, const Verb& verb) {
+    std::deque<Given> all;
+    for (const auto* options : {&verb.arguments, &verb.options})
+        for (const Option& option : *options) all.push_back({&option, false, {}, {}, nullptr});
+    for (Given& given : all) given.parsed = parsed_option(app, given);
+    for (const Given& given : all) {
+        for (const std::string& other : given.option->needs)
+            given.parsed->needs(app.get_option(other));
+        for (const std::string& other : given.option->excludes)
+            given.parsed->excludes(app.get_option(other));
+    }
+    return all;
+}
+
+/// The command as CLI11 has it, and the values that it finds for the options of each verb.
+struct Parser {
+    CLI::App app{"algae derives L-systems exactly, analyses and draws them.", "algae"};
+    std::deque<std::deque<Given>> given;
+    const Verb* chosen = nullptr;
+    const std::deque<Given>* values = nullptr;
+
+    explicit Parser(const std::deque<Verb>& verbs) {
+        app.set_version_flag("--version", "algae " ALGAE_VERSION, "Print the version and exit");
+        app.require_subcommand(1);
+        app.footer(
+            "`algae VERB --help` shows examples. FILE is a file, - for standard input, or a name "
+            "that\n`algae gallery` lists. Exit status: 0 success, 1 false, 2 bad usage or input,\n"
+            "3 undecided or a bound was reached, 130 interrupted.");
+        for (const Verb& verb : verbs) add(verb);
+    }
+
+    void add(const Verb& verb) {
+        CLI::App& command = *app.add_subcommand(verb.name, verb.help);
+        std::string examples = "Examples:";
+        for (const std::string& example : verb.examples) examples += "\n  " + example;
+        command.footer(examples);
+        if (verb.hidden) command.group("");
+        std::deque<Given>& own = given.emplace_back(add_options(command, verb));
+        command.callback([this, &verb, &own] {
+            chosen = &verb;
+            values = &own;
+        });
+    }
+};
+
+}  // namespace
+
+int Verbs::run(int argc, char** argv) {
+    Parser parser(all);
+    if (argc < 2) {
+        std::fputs(parser.app.help().c_str(), stderr);
+        return bad_input;
+    }
+    std::vector<std::string> names;
+    for (const Verb& verb : all) names.push_back(verb.name);
+    const std::string word = argv[1];
+    if (!word.starts_with('-') && std::find(names.begin(), names.end(), word) == names.end())
+        throw Error("no verb " + word + did_you_mean(word, names) + "; `algae --help` lists them");
+    if (word.starts_with('-') && word != "-h" && word != "--help" && word != "--version")
+        throw Error("no option " + word + "; `algae --help` lists the verbs");
+    try {
+        parser.app.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return parser.app.exit(error);  // help and version
+        throw Error(std::string(error.what()) + "; `algae " +
+                    (word.starts_with('-') ? "" : word + " ") + "--help` shows how");
+    }
+    for (const bool bounds : {true, false})
+        for (const Given& value : *parser.values)
+            if (value.option->bounds == bounds) value.take();
+    return parser.chosen->run();
+}
+
+}  // namespace algae::command

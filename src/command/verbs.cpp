@@ -1,0 +1,59 @@
+// The table of verbs, whose order is that of the help, the manual page and the completions; and what a stop
+// and a failure mean to whoever called the command. Every failure becomes one message on standard error and a
+// status, and no verb prints a failure itself.
+
+#include <cstdio>
+#include <exception>
+#include <new>
+#include <string>
+
+#include "command/detail/verb.hpp"
+#include "exact/exact.hpp"
+#include "turtle/turtle.hpp"
+
+namespace algae::command {
+
+void add_verbs(Verbs& verbs) {
+    constexpr void (*table[])(Verbs&) = {
+        add_show,       add_fmt,       add_derive, add_letter,  add_growth,  add_member,
+        add_finite,     add_equal,     add_is,     add_check,   add_closure, add_verify,
+        add_draw,       add_dimension, add_tree,   add_figures, add_gallery, add_lesson,
+        add_generators, add_convert,   add_manual};
+    for (const auto add : table) add(verbs);
+}
+
+namespace {
+
+int report(const char* message, int status) {
+    std::fprintf(stderr, "algae: %s\n", message);
+    return status;
+}
+
+}  // namespace
+
+int run_command(int argc, char** argv) {
+    try {
+        Verbs verbs;
+        add_verbs(verbs);
+        return verbs.run(argc, argv);
+    } catch (const Interrupted& error) {
+        return report(error.what(), interrupted);
+    } catch (const BoundReached& error) {
+        return report(error.what(), undecided);
+    } catch (const ProgramWanted& error) {
+        return report((std::string(error.what()) + ", with --environment 'COMMAND'").c_str(),
+                      bad_input);
+    } catch (const Diagnostics& error) {
+        std::fprintf(stderr, "%s\n", error.what());
+        return bad_input;
+    } catch (const Error& error) {
+        return report(error.what(), bad_input);
+    } catch (const std::bad_alloc&) {
+        return report("the machine has no more memory; lower --max-memory or the generation",
+                      undecided);
+    } catch (const std::exception& error) {
+        return report(error.what(), bad_input);
+    }
+}
+
+}  // namespace algae::command

@@ -1,0 +1,119 @@
+#pragma once
+
+// The steps from a system to its exact dimension: what its letters do to a turtle, where the parts
+// of its recurrent set meet, and how fast the different parts multiply.
+
+#include <map>
+#include <unordered_map>
+
+#include "dimension/dimension.hpp"
+
+namespace algae {
+
+/// The heading from 0 to order - 1 that is this one.
+///
+/// Example: normal_heading(-1, 6) == 5
+std::int64_t normal_heading(std::int64_t heading, std::int64_t order);
+
+/// The unfolding of a system, with so many times more phases than its turns need. Throws Error with
+/// the reason where a turtle's way is not made of exact unit steps and turns: angles that are no
+/// rational part of a turn, symbols that change the step, brackets that do not match in every
+/// successor, cut branches; BoundReached where turns come back only after more than 10,000 levels.
+Unfolding unfolding(const LSystem& system, const D0L& rules, std::size_t phase_factor = 1);
+
+/// Several eigenvalues outgrow the others together, and more phases may part them.
+struct EqualFactors : Error {
+    using Error::Error;
+};
+
+/// How a piece lies to another one of the same level, seen from the latter: turned and moved, both
+/// exactly.
+struct Placement {
+    std::size_t piece = 0;
+    std::int64_t heading = 0;
+    Displacement::Vector offset;
+
+    bool operator==(const Placement&) const = default;
+    bool operator<(const Placement& other) const {
+        if (piece != other.piece) return piece < other.piece;
+        if (heading != other.heading) return heading < other.heading;
+        return offset < other.offset;
+    }
+};
+
+/// The neighbours of pieces within one component of a recurrent set: all ways in which two pieces
+/// of one level, different ones or the same one reached twice, can lie to each other so that they
+/// meet. Two pieces meet exactly if there is an infinite path from their pair.
+class Neighbours {
+public:
+    struct Pair {
+        std::size_t piece;  // looks along +x from 0
+        Placement other;
+        std::vector<std::size_t> next;  // pairs of their parts
+    };
+
+    /// Throws BoundReached where there are more than `most` pairs, or the budget does not suffice:
+    /// then it is not known whether they are finitely many.
+    Neighbours(const RecurrentSet& set, std::size_t component, const Budget& budget = {},
+               std::size_t most = 50'000);
+
+    /// Pairs that meet; that of a piece with itself stands among them only if two parts coincide.
+    const std::vector<Pair>& pairs() const { return pairs_; }
+    /// Whether some part is reached in two ways: the open set condition fails.
+    bool parts_coincide() const { return coincide_; }
+    /// By pair, whether it leads to a coincidence.
+    const std::vector<bool>& leads_to_coincidence() const { return critical_; }
+    /// The pair of a piece with one placed so, if they meet.
+    std::optional<std::size_t> find(std::size_t piece, const Placement& other) const;
+    /// The rate at which the pairs of different parts that meet multiply from level to level: that
+    /// of the boundary between parts. 1 where none meet.
+    Rate meeting_rate(const Budget& budget) const;
+
+private:
+    struct Hash {
+        std::size_t operator()(const std::pair<std::size_t, Placement>& key) const;
+    };
+    void leave_out_dead_ends();
+    void find_critical();
+
+    std::vector<Pair> pairs_;
+    std::vector<std::size_t> starts_;  // the pairs directly within a piece of the component
+    std::unordered_map<std::pair<std::size_t, Placement>, std::size_t, Hash> numbers_;
+    std::vector<bool> critical_;
+    bool coincide_ = false;
+};
+
+/// A part of a piece within a component, as it lies where the piece itself lies so: in the units of
+/// the level below.
+Placement placed(const RecurrentSet& set, const Placement& whole, const RecurrentSet::Part& part);
+
+/// How `other` lies to `first`, seen from it.
+Placement seen_from(const RecurrentSet& set, const Placement& first, const Placement& other);
+
+/// The parts of a piece that lie in its own component.
+std::vector<RecurrentSet::Part> parts_within(const RecurrentSet& set, std::size_t piece);
+
+/// How fast the different parts of a component multiply where parts coincide.
+struct DistinctGrowth {
+    Rate rate = Rate(1);
+    std::size_t kinds = 0;  // of surroundings, that were told apart
+    /// How many different parts of each of the first levels the component's first piece has, itself
+    /// being that of level 0.
+    std::vector<Integer> first_counts;
+};
+
+/// The growth of the number of different parts, told apart by their surroundings (Ngai and Wang,
+/// Hausdorff dimension of self-similar sets with overlaps, 2001, for sets of finite type); its
+/// logarithm over log |mu| is the dimension of the component. Throws BoundReached beyond `most`
+/// kinds.
+DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
+                               const Neighbours& neighbours, const Budget& budget = {},
+                               std::size_t most = 50'000);
+
+/// By piece, whether it leads to a piece for which this holds, at every later level: where it lies
+/// on a cycle of pieces that lead to one, or leads to such a cycle. `parts` are the pieces of each
+/// piece.
+std::vector<bool> lasting(const std::vector<std::vector<std::size_t>>& parts,
+                          const std::vector<bool>& holds);
+
+}  // namespace algae

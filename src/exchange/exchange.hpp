@@ -1,0 +1,84 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "nature/nature.hpp"
+#include "notation/notation.hpp"
+#include "system/system.hpp"
+
+// exchange: files of other programs (Brno's geometric interpreter, a Maple worksheet, a NetLogo model,
+// printed tables), read and written, and one kind of file converted into another. A format that cannot say
+// something of a system says what.
+
+namespace algae {
+
+/// A way from one text format to another: what the end of a file's name says, and what is made of it.
+struct Conversion {
+    std::string from, to;
+    std::string what;  // "a curve's graph-directed iterated function system"
+};
+
+/// All conversions that there are: those between kinds of generators, and for each format of
+/// `system_formats` the one into `lsys` and the one out of it.
+std::vector<Conversion> conversions();
+
+/// The text in another format. From one of `system_formats` to another it goes by way of `lsys`. In its
+/// own format it is the canonical text.
+///
+/// Throws Diagnostics or Error with the reason where the text is faulty or the other format cannot
+/// say it, and Error with the formats that this one can become if there is no such conversion.
+std::string converted(std::string_view text, const std::string& name, const std::string& from,
+                      const std::string& to, const Budget& budget);
+
+/// A text format in which another program keeps L-systems.
+struct SystemFormat {
+    std::string name;  // the end of its files' names, without the point: "brno"
+    std::string what;  // "a text file of the geometric interpreter"
+    /// The system that the text says; `name` is what errors call the file. Throws `Diagnostics` with
+    /// every fault it can name.
+    LSystem (*read)(std::string_view text, const std::string& name);
+    /// The text of a system; it reads back as a system with the same words and figures. Throws Error
+    /// that names what the format cannot say.
+    std::string (*print)(const LSystem& system);
+};
+
+/// All of them.
+const std::vector<SystemFormat>& system_formats();
+
+/// The format whose files end as this name does; nullptr if there is none.
+///
+/// Example: system_format("koch.lsys") == nullptr
+const SystemFormat* system_format(std::string_view file_name);
+
+/// A printed form of a kind of relatives, such as the table of an iterated function system.
+struct RelativeFormat {
+    std::string name;  // the end of its files' names, without the point: "ifs-table"
+    std::string kind;  // that of the files of the notation which say the same: "ifs"
+    std::string what;  // "the table of an iterated function system"
+    /// What the text says as a file of the kind, its places those of the text. Throws Diagnostics.
+    RelativeFile (*read)(std::string_view text, const std::string& name);
+    /// The text of a relative of the kind. Throws Error that names what it cannot say.
+    std::string (*print)(const Relative& relative);
+};
+
+/// All of them.
+const std::vector<RelativeFormat>& relative_formats();
+
+/// The format whose files end as this name does; nullptr if there is none.
+///
+/// Example: relative_format("fern.ifs") == nullptr
+const RelativeFormat* relative_format(std::string_view file_name);
+
+/// A cellular automaton on a line between fixed states as a system with interactions whose words are
+/// its configurations: a rule for each local configuration, and near the ends, where a word has no
+/// letters for the context, rules with shorter contexts that take the state outside for them. Of the
+/// rules that match, the longest context wins, so each letter has exactly one.
+///
+/// Throws Error if the edges are joined, which no context reaches over, if there are two dimensions,
+/// or if there would be more than 20,000 rules.
+LSystem system_of_cells(const CellularAutomaton& automaton);
+
+}  // namespace algae

@@ -1,0 +1,208 @@
+#include "language/detail/judge.hpp"
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+#include "system/system.hpp"
+#include "word/word.hpp"
+
+// A claim as a page: definitions as "Let G be ...", then each statement with its verdict and argument, wrapped
+// to lines of 100 characters.
+
+namespace algae {
+
+namespace {
+
+std::string word_text(const Alphabet& alphabet, const ModuleWord& word) {
+    if (word.letters.empty()) return "ε";
+    std::string text;
+    for (std::size_t i = 0; i < word.letters.size(); ++i) {
+        const auto arguments = word.arguments.find(i);
+        const bool long_names = alphabet.name(word.letters[i]).size() > 1;
+        if (i > 0 && long_names && text.back() != ')') text += ' ';
+        text += alphabet.name(word.letters[i]);
+        if (arguments == word.arguments.end()) continue;
+        std::string list;
+        for (const Expression& argument : arguments->second)
+            list += (list.empty() ? "" : ",") + to_text(argument);
+        text += "(" + list + ")";
+    }
+    return text;
+}
+
+std::string pattern_text(const Alphabet& alphabet, const Pattern& pattern, const char* between) {
+    std::string text;
+    for (const ModulePattern& module : pattern) {
+        text += (text.empty() ? "" : between) + alphabet.name(module.symbol);
+        std::string list;
+        for (const std::string& parameter : module.parameters)
+            list += (list.empty() ? "" : ",") + parameter;
+        if (!list.empty()) text += "(" + list + ")";
+    }
+    return text;
+}
+
+std::string rule_text(const Alphabet& alphabet, const Production& rule) {
+    std::string text = pattern_text(alphabet, {rule.predecessor}, "");
+    if (!rule.left.empty()) text = pattern_text(alphabet, rule.left, "") + " < " + text;
+    if (!rule.right.empty()) text += " > " + pattern_text(alphabet, rule.right, "");
+    if (!rule.elsewhere.empty()) text += " ? " + pattern_text(alphabet, rule.elsewhere, ", ");
+    if (rule.condition) text += " : " + to_text(*rule.condition);
+    text += rule.probability ? " -(" + to_string(*rule.probability) + ")-> " : " -> ";
+    return text + word_text(alphabet, rule.successor);
+}
+
+}  // namespace
+
+std::string rewriting_text(const LSystem& system) {
+    Class kind = class_of(system);
+    const bool conditional = std::exchange(kind.conditional, false);
+    std::string text = "the " + kind.name() + " system with " +
+                       (conditional ? "context conditions and " : "") + "axiom " +
+                       word_text(system.alphabet, system.axiom);
+    for (const Production& rule : system.rules) text += "; " + rule_text(system.alphabet, rule);
+    std::string ignored;
+    for (const Symbol letter : system.ignored) ignored += " " + system.alphabet.name(letter);
+    if (!ignored.empty()) text += "; ignored are" + ignored;
+    std::string constants;
+    for (const auto& [name, value] : system.constants)
+        constants +=
+            (constants.empty() ? ", where " : ", ") + name + " = " + to_text(value.expression);
+    return text + constants;
+}
+
+namespace {
+
+constexpr std::size_t width = 100;
+
+/// How many characters a text takes on a line: its code points.
+std::size_t columns(const std::string& text) {
+    return static_cast<std::size_t>(
+        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+/// The text with a break and the indentation wherever a line would be too long. Blanks that a line begins with
+/// add to it.
+std::string wrapped(const std::string& text, std::size_t indentation) {
+    const std::size_t blanks = std::min(text.find_first_not_of(' '), text.size());
+    const std::string margin(indentation + blanks, ' ');
+    std::string result = margin;
+    std::size_t column = margin.size();
+    std::istringstream words(text);
+    bool first = true;
+    for (std::string word; words >> word;) {
+        if (!first && column + 1 + columns(word) > width) {
+            result += '\n' + margin;
+            column = margin.size();
+        } else if (!first) {
+            result += ' ';
+            ++column;
+        }
+        result += word;
+        column += columns(word);
+        first = false;
+    }
+    return result + '\n';
+}
+
+std::string rules_text(const Table& table, const std::vector<Symbol>& letters,
+                       const Alphabet& alphabet) {
+    std::string text;
+    for (const Symbol a : letters) {
+        if (table[a] == std::vector<Word>{Word{a}}) continue;
+        text += "; " + alphabet.name(a) + " -> ";
+        for (std::size_t i = 0; i < table[a].size(); ++i)
+            text += (i > 0 ? " | " : "") + spell(alphabet, table[a][i]);
+    }
+    return text;
+}
+
+std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
+    if (!system.tables) {
+        std::string text = "the system with axiom " + spell(alphabet, system.interactive->axiom);
+        for (Symbol a = 0; a < system.interactive->rules.size(); ++a)
+            for (const IL::Rule& rule : system.interactive->rules[a])
+                text += "; " + (rule.left.empty() ? "" : spell(alphabet, rule.left) + " < ") +
+                        alphabet.name(a) +
+                        (rule.right.empty() ? "" : " > " + spell(alphabet, rule.right)) + " -> " +
+                        spell(alphabet, rule.successor);
+        return text;
+    }
+    const ET0L& tables = *system.tables;
+    const std::vector<Symbol> letters = accessible_letters(tables);
+    std::string text =
+        "the " + family_name(tables) + " system with axiom " + spell(alphabet, tables.axiom);
+    for (std::size_t t = 0; t < tables.tables.size(); ++t) {
+        const std::string rules = rules_text(tables.tables[t], letters, alphabet);
+        if (tables.tables.size() == 1)
+            text += rules;
+        else
+            text += "; table " + tables.table_names[t] + " {" +
+                    (rules.empty() ? "" : rules.substr(1)) + " }";
+    }
+    if (has_only_terminals(tables)) return text;
+    text += "; terminals";
+    for (const Symbol a : letters)
+        if (tables.terminal[a]) text += " " + alphabet.name(a);
+    return text;
+}
+
+/// Whether a statement says of another family what one of the claim says of this one.
+bool is_about_another(const Claim& claim, const Statement& statement, const std::string& family) {
+    if (statement.kind != Statement::Kind::family || statement.family == family) return false;
+    return std::any_of(claim.statements.begin(), claim.statements.end(),
+                       [&](const ClaimedStatement& other) {
+                           return other.statement.kind == Statement::Kind::family &&
+                                  other.statement.family == family &&
+                                  other.statement.negated == statement.negated &&
+                                  to_string(other.statement.languages[0], *claim.alphabet) ==
+                                      to_string(statement.languages[0], *claim.alphabet);
+                       });
+}
+
+}  // namespace
+
+std::string explanation(const CheckedClaim& checked, const std::string& family) {
+    const Claim& claim = checked.claim;
+    std::string page = wrapped(claim.title, 0);
+    if (!claim.source.empty()) page += wrapped(claim.source, 0);
+    const bool defines = claim.empty_axiom || !claim.systems.empty() || !claim.rewritings.empty() ||
+                         !claim.languages.empty();
+    if (!claim.notes.empty()) page += '\n';
+    for (const std::string& note : claim.notes) page += wrapped(note, 0);
+    if (defines) page += '\n';
+    if (claim.empty_axiom) page += wrapped("Systems may have the empty word as axiom.", 0);
+    for (const auto& system : claim.systems)
+        page += wrapped(
+            "Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
+    for (const auto& system : claim.rewritings)
+        page += wrapped("Let " + system->name + " be " + rewriting_text(*system) + ".", 0);
+    for (const Language& language : claim.languages)
+        page += wrapped(
+            "Let " + language->name + " = " + unnamed_text(language, *claim.alphabet) + ".", 0);
+    std::set<std::string> said;  // what a statement begins with is not repeated for the next one
+    std::size_t number = 0;
+    for (std::size_t i = 0; i < checked.statements.size(); ++i) {
+        const ClaimedStatement& claimed = claim.statements[i];
+        const CheckedStatement& found = checked.statements[i];
+        if (!family.empty() && is_about_another(claim, claimed.statement, family)) continue;
+        page += "\n" + wrapped(std::to_string(++number) + ". " + claimed.statement.text + ": " +
+                                   verdict_text(claimed, found) +
+                                   (found.outcome == CheckedStatement::Outcome::cited
+                                        ? " (" + claimed.citation + ")"
+                                        : "") +
+                                   ".",
+                               0);
+        if (found.outcome == CheckedStatement::Outcome::cited) continue;
+        const std::vector<std::string>& argument = found.judgement.argument;
+        std::size_t first = 0;
+        while (first + 1 < argument.size() && said.contains(argument[first])) ++first;
+        for (std::size_t line = first; line < argument.size(); ++line)
+            page += wrapped(argument[line], 3);
+        said.insert(argument.begin(), argument.end());
+    }
+    return page;
+}
+
+}  // namespace algae

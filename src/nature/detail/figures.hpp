@@ -1,0 +1,105 @@
+#pragma once
+
+// Figures that are not drawn by a turtle: lines and polygons, points, links.
+
+#include "nature/nature.hpp"
+
+namespace algae {
+
+/// A figure that knows its box and its facts from the beginning.
+class PlainFigure : public Figure {
+public:
+    const Box& box() const override { return box_; }
+    const Integer& segments() const override { return facts_.segments; }
+    const Facts& facts() const override { return facts_; }
+    std::optional<std::uint64_t> strokes() const override { return strokes_; }
+    const Settings& settings() const override { return settings_; }
+
+protected:
+    explicit PlainFigure(Settings settings) : settings_(std::move(settings)) {}
+    /// Makes the corners of the box, unless it is empty, those of the facts.
+    void take_corners();
+
+    Settings settings_;
+    Box box_;
+    Facts facts_;
+    std::optional<std::uint64_t> strokes_;
+};
+
+/// A broken line, or a filled polygon with these corners.
+struct Path {
+    std::vector<Point> points;
+    std::uint32_t colour = 0;  // its index in the figure's list
+    bool filled = false;
+    double width = 1;                         // of the line, as a multiple of the figure's own
+    std::optional<Colour> paint = {};         // instead of a colour of the list
+    std::optional<double> length_width = {};  // instead of `width`: a length in the plane
+    bool operator==(const Path&) const = default;
+};
+
+/// Lines and polygons, drawn in order. With a resolution, points of a line that lie nearer than
+/// that to the last one drawn are left out, and all of a line that goes on within it. The length of
+/// a segment among its facts is the mean of all.
+class PathFigure : public PlainFigure {
+public:
+    explicit PathFigure(std::vector<Path> paths, Settings settings = {});
+    void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
+
+    const std::vector<Path>& paths() const { return paths_; }
+
+private:
+    std::vector<Path> paths_;
+};
+
+/// A point of a figure, with the index of its colour in the figure's list.
+struct Dot {
+    Point place;
+    std::uint32_t colour = 0;
+    bool operator==(const Dot&) const = default;
+};
+
+/// Takes some dots, in drawing order.
+using TakeDots = std::function<void(std::span<const Dot>)>;
+
+/// Sends all dots of a figure, the same ones each time; some thousands at a time are fast.
+using SendDots = std::function<void(const TakeDots&, const Budget&)>;
+
+/// Many points, each drawn as a round dot as wide as the figure's line width (one pixel, or 1 point
+/// of vector formats, unless `width` says otherwise). With a resolution, each cell of that size is
+/// drawn once, in the colour of its last dot: any number of dots costs their making, and the memory
+/// of a byte a cell.
+class PointFigure : public PlainFigure {
+public:
+    /// The dots are made whenever they are drawn; `count` of them, within `box`. Colours beyond 255
+    /// start again from 1 where there is a resolution.
+    PointFigure(SendDots send, std::uint64_t count, const Box& box, Settings settings = {});
+
+    void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
+
+private:
+    void draw_cells(Canvas& canvas, double resolution, const Budget& budget) const;
+
+    SendDots send_;
+};
+
+/// Many separate strokes of one thickness with round ends, drawn in order: such as the particles of
+/// an aggregate, each joined to the one that it touches.
+class LinkFigure : public PlainFigure {
+public:
+    /// `thickness` is a length in the plane, or 0 for the line width; `detail` that of a link.
+    LinkFigure(std::vector<Link> links, double thickness, double detail, Settings settings = {});
+
+    void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
+
+private:
+    std::vector<Link> links_;
+    double thickness_;
+};
+
+/// The graph of evenly spaced values, as a line in a box of `breadth` by 1: its lowest value is at
+/// the bottom and its highest at the top. Values that are all the same lie at the bottom.
+///
+/// Example: graph_path({2, 4, 3}, 2) == std::vector<Point>{{0, 0}, {1, 1}, {2, 0.5}}
+std::vector<Point> graph_path(const std::vector<double>& values, double breadth);
+
+}  // namespace algae

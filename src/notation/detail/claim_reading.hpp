@@ -1,0 +1,137 @@
+#pragma once
+// A claim on its way from its text: what the readers of its parts share, and what they call of each other.
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <vector>
+
+#include "notation/detail/reading.hpp"
+#include "notation/notation.hpp"
+
+namespace algae {
+
+/// A language on its way from a text, with what bounds it: nothing that is read is so deep that it could
+/// exhaust the stack of those who work on it.
+struct LanguageOperand {
+    Language language;
+    std::size_t levels = 0;  // operations inside each other
+    std::size_t parts = 1;   // parts of the expression, names written out
+};
+
+/// What a name stands for in a claim.
+struct ClaimName {
+    enum class Kind { language, system, rewriting, morphism, broken };
+    Kind kind = Kind::broken;     // as long as its definition has not been read
+    const char* where = nullptr;  // it begins, with the name
+    const char* end = nullptr;    // it ends
+    LanguageOperand language;
+    std::shared_ptr<const SourceSystem> system;
+    std::shared_ptr<const LSystem> rewriting;
+    std::shared_ptr<const LSystem> written;  // of any system, with its turtle
+    std::map<Symbol, Word> morphism;
+};
+
+/// A claim, or a single language, on its way from a text: what the readers of its parts share. They throw
+/// `SyntaxError` or `DependsOnError`.
+class ClaimReading {
+public:
+    ClaimReading(const Source& text_source, Findings& text_findings,
+                 const SystemSource& system_source);
+
+    const Source& source;
+    Findings& findings;
+    const SystemSource& open;
+    std::shared_ptr<Alphabet> alphabet;  // common to all
+    Lexicon lexicon;
+    std::vector<Symbol> declared;  // by `alphabet`
+    std::vector<std::string>
+        long_names;              // the symbols that are read as one because they are declared
+    bool opens_systems = false;  // `L(NAME)` of a name that is not defined opens a system
+
+    /// Makes a name known before its definition is read. Throws if it is known or cannot be a name.
+    ClaimName& define(std::string_view name);
+    /// What a name stands for, if it was defined before; nullptr if it was not defined at all.
+    const ClaimName* find(std::string_view name) const;
+    /// The same; throws with what could have been meant if it was not defined.
+    const ClaimName& expect(std::string_view name) const;
+    /// The system of this name. Throws if it is a name of something else.
+    std::shared_ptr<const SourceSystem> system(std::string_view name);
+
+    /// The system of this name if its words are derived module by module; nullptr if it is anything else.
+    std::shared_ptr<const LSystem> rewriting(std::string_view name) const;
+
+    /// The system of this name as it was written. Throws if it is a name of something else.
+    std::shared_ptr<const LSystem> written(std::string_view name) const;
+
+    /// A symbol that counts as declared from now on if it has to.
+    Symbol declare(std::string_view name);
+    /// Adds a system, called `name` in text, over the common alphabet; `written` is what it was read from.
+    std::shared_ptr<const SourceSystem> add_system(const std::string& name, const LSystem& written,
+                                                   const char* where);
+    /// The system that `open` knows by this name, which stands at `where`.
+    LSystem opened(const std::string& name, const char* where) const;
+    /// Puts all systems over the alphabet as it is now.
+    void finish();
+
+private:
+    struct Owned {
+        std::shared_ptr<SourceSystem> system;
+        SourceSystem own;  // over its own alphabet
+    };
+    void put_over_alphabet(Owned& owned) const;
+    std::string suggestion(std::string_view name) const;
+
+    std::unordered_map<std::string, ClaimName> names_;
+    std::unordered_map<std::string, std::shared_ptr<const SourceSystem>> opened_;
+    std::vector<Owned> systems_;
+};
+
+/// The brace that closes the one at `open`; nullptr if there is none before `end`.
+const char* closing_brace(const char* open, const char* end);
+
+/// Where `word` stands in the text between blanks (or the ends) and outside braces; npos if nowhere.
+std::size_t find_word(std::string_view text, std::string_view word);
+
+/// The word that is the whole of the text; ε is the empty word, a text without anything is none.
+Word parse_claimed_word(std::string_view text, ClaimReading& reading);
+
+/// Whether a morphism between braces stands next, not a set of words: there is an arrow between them.
+bool is_morphism(ClaimScanner& scanner);
+
+/// Reads the morphism `{ a -> ab; b -> ε }` that stands next.
+std::map<Symbol, Word> parse_morphism(ClaimScanner& scanner, ClaimReading& reading);
+
+/// Reads one language expression, up to where it cannot go on. Where `between_bars`, a `|` with `=` behind
+/// it ends the expression, as in `|A| = 3`. Throws `SyntaxError` or `DependsOnError`. Linear, but for
+/// the letters that images and complements are about; brackets nest at most 200 deep, operations 1000.
+LanguageOperand parse_language(ClaimScanner& scanner, ClaimReading& reading,
+                               bool between_bars = false);
+
+/// Reads a natural number of at most a thousand digits; `what` it is for. Throws `SyntaxError`.
+Integer parse_number(ClaimScanner& scanner, const char* what);
+
+/// Reads `log 4 / log 3`, a rational number, or several of them joined by `=` which have to be equal; a
+/// decimal number behind a `=` is what comes before it, rounded. Throws `SyntaxError`.
+DimensionValue parse_dimension_value(ClaimScanner& scanner);
+
+/// The statement that is the whole of the text: `A is not 0L`, `A == B`, `a in A`, `|A| = 3`,
+/// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
+Statement parse_statement(std::string_view text, ClaimReading& reading);
+
+/// The name by which statements keep a family of languages: "REG" and "regular" are REG, "CF" and
+/// "context-free" are CF, names of families of L-systems stay; nothing if there is no such family.
+///
+/// Example: language_family("regular") == "REG"
+std::optional<std::string> language_family(std::string_view name);
+
+/// Whether a clause says what a claim settles in the table: `closed under ...`, `not closed under ...`.
+bool is_closure_fact(std::string_view text);
+
+/// What such a clause says. Throws `SyntaxError`.
+ClosureFact parse_closure_fact(std::string_view text, const ClaimReading& reading);
+
+}  // namespace algae

@@ -1,0 +1,137 @@
+#pragma once
+// What the grammars share. It includes Spirit X3 and is included by the grammars' .cpp files only.
+
+#include <boost/spirit/home/x3.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+
+#include "notation/detail/expression_grammar.hpp"
+
+namespace algae::grammar {
+
+namespace x3 = boost::spirit::x3;
+
+inline std::string_view between(const char* first, const char* last) {
+    return {first, static_cast<std::size_t>(last - first)};
+}
+
+inline std::string_view text_of(const boost::iterator_range<const char*>& range) {
+    return between(range.begin(), range.end());
+}
+
+/// Skips what is white space within a line.
+struct Blank : x3::parser<Blank> {
+    using attribute_type = x3::unused_type;
+    static constexpr bool has_attribute = false;
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const& last, const Context&, RuleContext&,
+               Attribute&) const {
+        if (first == last) return false;
+        const Character next = first_character(between(first, last));
+        if (!is_blank(next.code)) return false;
+        first += next.bytes;
+        return true;
+    }
+};
+inline constexpr Blank blank;
+
+/// What a function reads, which moves its first argument on: the grammar of expressions is compiled apart.
+template <class Function>
+struct ByHand : x3::parser<ByHand<Function>> {
+    using attribute_type = x3::unused_type;
+    static constexpr bool has_attribute = false;
+
+    explicit ByHand(Function read) : function(std::move(read)) {}
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const& last, const Context&, RuleContext&,
+               Attribute&) const {
+        function(first, last);
+        return true;
+    }
+
+    Function function;
+};
+
+/// A parameter's or constant's name: a letter or `_`, then letters, digits and `_`.
+struct Name : x3::parser<Name> {
+    using attribute_type = x3::unused_type;
+    static constexpr bool has_attribute = false;
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const& last, const Context& context, RuleContext&,
+               Attribute&) const {
+        x3::skip_over(first, last, context);
+        const char* here = first;
+        while (here != last) {
+            const Character next = first_character(between(here, last));
+            const bool fits =
+                is_letter(next.code) || next.code == '_' || (here != first && is_digit(next.code));
+            if (!fits) break;
+            here += next.bytes;
+        }
+        if (here == first) return false;
+        first = here;
+        return true;
+    }
+};
+inline constexpr Name name;
+
+/// A symbol, by the lexicon: the word grammars are fed their alphabet by hand.
+struct SymbolParser : x3::parser<SymbolParser> {
+    using attribute_type = Symbol;
+    static constexpr bool has_attribute = true;
+
+    explicit SymbolParser(Lexicon& known) : lexicon(&known) {}
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const& last, const Context& context, RuleContext&,
+               Attribute& attribute) const {
+        x3::skip_over(first, last, context);
+        std::string_view rest = between(first, last);
+        const auto symbol = lexicon->next(rest);
+        if (!symbol) return false;
+        first = rest.data();
+        x3::traits::move_to(Symbol{*symbol}, attribute);
+        return true;
+    }
+
+    Lexicon* lexicon;
+};
+
+/// `wanted("a number")[parser]`: where the parser does not match, the text is wrong, and the error
+/// says what was expected.
+template <class Subject>
+struct Wanted : x3::unary_parser<Subject, Wanted<Subject>> {
+    using base_type = x3::unary_parser<Subject, Wanted<Subject>>;
+    static constexpr bool is_pass_through_unary = true;
+
+    Wanted(const Subject& inner, const char* what) : base_type(inner), expectation(what) {}
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const& last, const Context& context,
+               RuleContext& rule_context, Attribute& attribute) const {
+        x3::skip_over(first, last, context);
+        const char* const where = first;
+        if (this->subject.parse(first, last, context, rule_context, attribute)) return true;
+        throw unexpected(expectation, where);
+    }
+
+    const char* expectation;
+};
+
+struct wanted {
+    const char* expectation;
+
+    explicit wanted(const char* what) : expectation(what) {}
+
+    template <class Subject>
+    auto operator[](const Subject& inner) const {
+        using Value = typename x3::extension::as_parser<Subject>::value_type;
+        return Wanted<Value>(x3::as_parser(inner), expectation);
+    }
+};
+
+}  // namespace algae::grammar

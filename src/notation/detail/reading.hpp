@@ -1,0 +1,160 @@
+#pragma once
+// A `.lsys` file on its way from its text: its clauses, and what the readers of single statements share.
+
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+#include "notation/detail/expression_grammar.hpp"
+#include "notation/notation.hpp"
+
+namespace algae {
+
+/// One setting or rule, cut out of its line: without comment, without blanks at its ends.
+struct Clause {
+    std::string_view text;
+    std::string_view keyword;        // the letters it begins with
+    const char* arrow = nullptr;     // its first `->` or `→`; nullptr if it has none
+    const char* comments = nullptr;  // where the blank lines and comments before it begin
+
+    /// Whether the keyword is all up to the first blank.
+    bool has_word(std::string_view word) const;
+    /// What stands behind the keyword, without blanks.
+    std::string_view value() const;
+};
+
+/// The clauses of a text: `;` and line breaks separate them, `#` at the start of a line or
+/// behind white space opens a comment (but in `colour #ff8000` it opens a colour). A system within the
+/// system, `system leaf { ... }`, is one clause. Linear.
+std::vector<Clause> clauses(std::string_view text);
+
+/// Whether a clause is a rule: it has an arrow that is not part of a title, a source or an
+/// interpretation.
+bool is_rule(const Clause& clause);
+
+/// The pieces of a text between blanks outside brackets.
+std::vector<std::string_view> pieces(std::string_view text);
+
+/// The comments in a stretch of text without clauses, each with its `#`, without the line break.
+std::vector<std::string_view> comments(std::string_view text);
+
+/// A system within another as its text has it: `system leaf { axiom F; F -> F[+F] }`.
+struct SystemBlock {
+    std::string_view name;
+    std::string_view body;  // between the braces; up to the end of the text if they do not match
+    bool closed = true;
+};
+
+/// The block at the start of a text, if there is one, and how many bytes it takes: up to the brace that
+/// matches its first, those in comments not counted. Linear in the bytes of the block.
+std::optional<SystemBlock> system_block(std::string_view text, std::size_t& bytes);
+
+/// Thrown instead of `SyntaxError` where a statement depends on a faulty one, of which a finding tells already.
+struct DependsOnError {};
+
+/// A system on its way from a text: what the readers of the single statements share.
+struct Reading {
+    const Source& source;
+    Findings& findings;
+    Lexicon& lexicon;
+    LSystem& system;
+
+    std::unordered_map<std::string, std::size_t> constants;  // to their index in the system
+    std::unordered_set<std::string> broken;  // names whose statement was wrong: no further findings
+    std::map<std::string, const char*, std::less<>> given;  // settings so far
+    std::unordered_set<std::string> tables;                 // opened so far
+    bool broken_rules = false;                              // some rule could not be read
+    bool is_inner = false;                                  // it is a system within another
+    std::vector<Expression> distances = {};  // in conditions, until all symbols are known
+
+    const Quantity* constant(const std::string& name) const;
+
+    /// The value of an expression over constants. Throws `SyntaxError` or `DependsOnError`.
+    Quantity quantity(const Expression& expression) const;
+
+    /// Adds a finding for each name in the expression that is neither a constant nor one of these
+    /// parameters, and for each distance unless the expression is `of_boxes`, a condition of a shape rule.
+    void check_names(const Expression& expression, const std::vector<std::string>& parameters,
+                     bool of_boxes = false);
+
+    /// Adds a finding unless the expression has the same value everywhere: an argument in a word in
+    /// quotes.
+    void check_fixed(const Expression& expression);
+
+    /// Adds a finding for each distance to something that is no symbol of the system.
+    void check_distances();
+};
+
+/// Reads a rule into the system. Throws `SyntaxError`.
+void read_rule(const Clause& clause, Reading& reading);
+
+/// Reads `interpret L -> F` into the system. Throws `SyntaxError`.
+void read_interpretation(const Clause& clause, Reading& reading);
+
+/// Adds a finding for each left side whose rules have probabilities that do not add up to 1, or for
+/// which only some rules have one.
+void check_probabilities(const std::vector<Production>& rules, Reading& reading);
+
+/// When a statement is read: names before the words they occur in, constants before the expressions.
+enum class Stage {
+    alphabet,
+    constant,
+    inner,  // systems within
+    axiom,
+    rule,
+    ignore,
+    terminals,
+    interpretation,
+    plot,
+    stamp,
+    solid,
+    surface,
+    other,
+    unknown
+};
+
+/// A statement that begins with a keyword: when and how it is read into the system. `read` throws
+/// `SyntaxError` or `DependsOnError`.
+struct Setting {
+    std::string name;
+    Stage stage;
+    bool repeats;  // a file may have several
+    void (*read)(const Clause&, Reading&);
+};
+
+/// All of them, in the order in which they are printed.
+///
+/// Example: settings().front().name == "title"
+const std::vector<Setting>& settings();
+
+/// Throws `SyntaxError` where a name that is declared is too long, or has a character from `begin` on that
+/// is reserved or one of `more`.
+void check_symbol_name(std::string_view name, std::size_t begin, std::string_view more);
+
+/// What `read(source, findings)` makes of a whole text; a `SyntaxError` becomes the last finding. Throws
+/// `Diagnostics`.
+template <class Read>
+auto read_whole(std::string_view text, const std::string& name, Read read) {
+    const Source source(text, name);
+    Findings findings(source);
+    findings.throw_if_no_text();
+    try {
+        return read(source, findings);
+    } catch (const SyntaxError& error) {
+        findings.add(error);
+        findings.throw_if_any();
+        throw;
+    }
+}
+
+/// The system that a part of a source describes, in the notation of `.lsys` files, with findings at their
+/// places in the source. `declared` are names of more than one character that are symbols there without
+/// having been declared. The system is meaningless if findings were added.
+LSystem read_system(std::string_view text, const Source& source, Findings& findings,
+                    const std::string& name, const std::vector<std::string>& declared);
+
+}  // namespace algae

@@ -1,0 +1,336 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "notation/detail/expression_grammar.hpp"
+#include "notation/detail/grammar.hpp"
+
+// Expressions: numbers, names, words in quotes, operators and calls, `2*x^(n-1)`, `leaf(3)`, `len("F[+F]")`.
+//
+// The grammar is flat. It says only what may follow what: prefixes and opening brackets, an operand, closing
+// brackets, then an operator or a comma. What belongs together is found by Dijkstra's shunting yard
+// (`ExpressionBuilder`), which is told the tokens from left to right and keeps its own stack. So no text,
+// however deep its brackets, can exhaust the program's stack, and the limits (200 brackets, 500 operators
+// inside each other) protect whoever walks the result. Only `^` groups to the right; relations do not chain.
+// Words in quotes are read by words.cpp, which calls back for their arguments.
+
+namespace algae {
+
+namespace {
+
+namespace x3 = grammar::x3;
+using grammar::text_of;
+using grammar::wanted;
+
+/// How tightly the operators of an expression bind, loosest first.
+enum class Binding { disjunction, conjunction, relation, sum, product, prefix, power };
+
+/// Puts an expression together from its tokens, given from left to right: Dijkstra's shunting yard.
+/// It keeps its own stack, so no nesting can exhaust the program's. All throw `SyntaxError`.
+class ExpressionBuilder {
+public:
+    /// `systems` are names that are called as functions of one number.
+    ExpressionBuilder(const Source& source, const std::vector<std::string>& systems)
+        : source_(source), systems_(systems) {}
+
+    void number(std::string_view text) {
+        constexpr std::size_t longest = 1000;
+        if (text.size() > longest)
+            throw SyntaxError{text.data(),
+                              "a number of more than " + std::to_string(longest) + " characters"};
+        Expression out;
+        try {
+            out.value = Rational(text);
+        } catch (const Error&) {
+            throw SyntaxError{text.data(), "the number " + quoted(text) + " is out of range"};
+        }
+        out.place = source_.place(text.data());
+        push(std::move(out), 0, text.data());
+    }
+
+    void name(std::string_view text) {
+        Expression out;
+        out.kind = Expression::Kind::name;
+        out.name = text;
+        out.place = source_.place(text.data());
+        push(std::move(out), 0, text.data());
+    }
+
+    void word(Expression quoted) {
+        const char* const where = source_.text().data() + source_.offset(quoted.place);
+        push(std::move(quoted), 0, where);
+    }
+
+    void prefix(std::string_view text) {
+        if (pending_.size() > most_levels + most_brackets) throw too_deep(text.data());
+        pending_.push_back({Kind::prefix, std::string(text), Binding::prefix, text.data(), 0});
+    }
+
+    void infix(std::string_view name, Binding binding, const char* where) {
+        // Only ^ groups to the right: a pending ^ waits for its right side.
+        const int least = static_cast<int>(binding) + (binding == Binding::power ? 1 : 0);
+        reduce_to(static_cast<Binding>(least));
+        pending_.push_back({Kind::infix, std::string(name), binding, where, 0});
+    }
+
+    void open_bracket(const char* where) {
+        open({Kind::bracket, {}, Binding::disjunction, where, 0});
+    }
+    void open_call(std::string_view function) {
+        if (!function_arity(function) && std::ranges::count(systems_, function) == 0) {
+            std::vector<std::string> known = function_names();
+            known.insert(known.end(), systems_.begin(), systems_.end());
+            throw SyntaxError{function.data(),
+                              (systems_.empty() ? "expected a function, found "
+                                                : "expected a function or a system, found ") +
+                                  quoted(function) + did_you_mean(function, known)};
+        }
+        open({Kind::call, std::string(function), Binding::disjunction, function.data(),
+              operands_.size()});
+    }
+
+    void comma() { reduce_to_bracket(); }
+
+    void close(const char* where) {
+        reduce_to_bracket();
+        Pending top = std::move(pending_.back());
+        pending_.pop_back();
+        --open_;
+        if (top.kind == Kind::bracket) return;
+        const std::size_t given = operands_.size() - top.operands;
+        const Arity arity = function_arity(top.name).value_or(Arity{1, false});
+        if (given < arity.least || (given > arity.least && !arity.or_more))
+            throw SyntaxError{where, "expected " + std::to_string(arity.least) +
+                                         (arity.or_more ? " or more" : "") + " argument" +
+                                         (arity.least == 1 ? "" : "s") + " of " + top.name +
+                                         ", found " + std::to_string(given)};
+        Expression out;
+        out.kind = Expression::Kind::call;
+        out.name = std::move(top.name);
+        out.place = source_.place(top.where);
+        std::size_t levels = 0;
+        out.operands.resize(given);
+        for (std::size_t i = given; i-- > 0;) {
+            levels = std::max(levels, levels_.back());
+            out.operands[i] = pop();
+        }
+        if (is_distance(out)) check_distance(out);
+        push(std::move(out), levels + 1, where);
+    }
+
+    bool is_inside_brackets() const { return open_ > 0; }
+    bool is_inside_call() const {
+        const auto innermost =
+            std::find_if(pending_.rbegin(), pending_.rend(), [](const Pending& pending) {
+                return pending.kind == Kind::bracket || pending.kind == Kind::call;
+            });
+        return innermost != pending_.rend() && innermost->kind == Kind::call;
+    }
+
+    Expression finish() {
+        reduce_to_bracket();
+        return pop();
+    }
+
+private:
+    static constexpr std::size_t most_brackets = 200;
+    static constexpr std::size_t most_levels = 500;
+
+    static SyntaxError too_deep(const char* where) {
+        return {where, "an expression with more than " + std::to_string(most_levels) +
+                           " operators inside each other"};
+    }
+
+    enum class Kind { prefix, infix, bracket, call };
+    struct Pending {
+        Kind kind;
+        std::string name;
+        Binding binding;
+        const char* where;
+        std::size_t operands;  // of a call: how many stood before it
+    };
+    void open(Pending pending) {
+        if (++open_ > most_brackets)
+            throw SyntaxError{pending.where, "more than " + std::to_string(most_brackets) +
+                                                 " brackets inside each other"};
+        pending_.push_back(std::move(pending));
+    }
+
+    void push(Expression expression, std::size_t levels, const char* where) {
+        if (levels > most_levels) throw too_deep(where);
+        operands_.push_back(std::move(expression));
+        levels_.push_back(levels);
+    }
+
+    /// The pending operator at the top.
+    void reduce() {
+        Pending top = std::move(pending_.back());
+        pending_.pop_back();
+        const bool is_infix = top.kind == Kind::infix;
+        std::size_t levels = levels_.back();
+        Expression out;
+        out.kind = is_infix ? Expression::Kind::binary : Expression::Kind::unary;
+        out.name = std::move(top.name);
+        Expression right = pop();
+        if (is_infix) {
+            levels = std::max(levels, levels_.back());
+            out.operands.push_back(pop());
+            out.place = out.operands.front().place;
+        } else {
+            out.place = source_.place(top.where);
+        }
+        out.operands.push_back(std::move(right));
+        push(std::move(out), levels + 1, top.where);
+    }
+
+    /// All pending operators that bind at least so tightly.
+    void reduce_to(Binding least) {
+        while (!pending_.empty()) {
+            const Pending& top = pending_.back();
+            if (top.kind == Kind::bracket || top.kind == Kind::call || top.binding < least) return;
+            if (top.binding == Binding::relation && least == Binding::relation)
+                throw SyntaxError{top.where, "relations do not chain: write 'a < b & b < c'"};
+            reduce();
+        }
+    }
+
+    void reduce_to_bracket() {
+        while (!pending_.empty() && pending_.back().kind != Kind::bracket &&
+               pending_.back().kind != Kind::call)
+            reduce();
+    }
+
+    Expression pop() {
+        Expression top = std::move(operands_.back());
+        operands_.pop_back();
+        levels_.pop_back();
+        return top;
+    }
+
+    void check_distance(const Expression& distance) const {
+        const Expression &axis = distance.operands.at(0), &symbol = distance.operands.at(1);
+        const auto refuse = [&](const std::string& wanted, const Expression& found) {
+            throw SyntaxError{source_.text().data() + source_.offset(found.place),
+                              "expected " + wanted + ", found " + algae::quoted(to_text(found))};
+        };
+        if (axis.kind != Expression::Kind::name || axis.name.size() != 1 ||
+            std::string_view("XYZ").find(axis.name) == std::string_view::npos)
+            refuse("an axis, X, Y or Z", axis);
+        if (symbol.kind != Expression::Kind::name) refuse("a symbol", symbol);
+    }
+
+    const Source& source_;
+    const std::vector<std::string>& systems_;
+    std::vector<Pending> pending_;
+    std::vector<Expression> operands_;
+    std::vector<std::size_t> levels_;  // how deep each operand is
+    std::size_t open_ = 0;
+};
+
+struct Operator {
+    const char* name;
+    Binding binding;
+};
+
+struct Operators : x3::symbols<Operator> {
+    Operators() {
+        add("|", {"|", Binding::disjunction})("||", {"|", Binding::disjunction});
+        add("&", {"&", Binding::conjunction})("&&", {"&", Binding::conjunction});
+        add("<", {"<", Binding::relation})("<=", {"<=", Binding::relation});
+        add(">", {">", Binding::relation})(">=", {">=", Binding::relation});
+        add("=", {"=", Binding::relation})("==", {"=", Binding::relation});
+        add("!=", {"!=", Binding::relation})("≠", {"!=", Binding::relation});
+        add("≤", {"<=", Binding::relation})("≥", {">=", Binding::relation});
+        add("+", {"+", Binding::sum})("-", {"-", Binding::sum});
+        add("*", {"*", Binding::product})("/", {"/", Binding::product});
+        add("^", {"^", Binding::power});
+    }
+};
+const Operators operators;
+
+const auto digits = +x3::char_('0', '9');
+const auto number = x3::lexeme[((digits >> -('.' >> digits)) | ('.' >> digits)) >>
+                               -(x3::char_("eE") >> -x3::char_("+-") >> digits)];
+
+/// A word in quotes, where there is a lexicon to read it by.
+struct QuotedWord : x3::parser<QuotedWord> {
+    using attribute_type = Expression;
+    static constexpr bool has_attribute = true;
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const& last, const Context& context, RuleContext&,
+               Attribute& attribute) const {
+        x3::skip_over(first, last, context);
+        if (!lexicon || first == last || *first != '"') return false;
+        x3::traits::move_to(parse_quoted(first, last, *lexicon, *source, quotes), attribute);
+        return true;
+    }
+
+    Lexicon* lexicon;
+    const Source* source;
+    std::size_t quotes;
+};
+
+}  // namespace
+
+Expression parse_expression(const char*& here, const char* end, const Source& source,
+                            Lexicon* lexicon, std::size_t quotes) {
+    static const std::vector<std::string> no_systems;
+    ExpressionBuilder builder(source, lexicon ? lexicon->systems() : no_systems);
+    std::string_view function;
+    Operator infix{};
+    const auto on_number = [&](auto& c) { builder.number(text_of(x3::_attr(c))); };
+    const auto on_name = [&](auto& c) { builder.name(text_of(x3::_attr(c))); };
+    const auto on_word = [&](auto& c) { builder.word(std::move(x3::_attr(c))); };
+    const auto on_prefix = [&](auto& c) { builder.prefix(text_of(x3::_attr(c))); };
+    const auto on_open = [&](auto& c) { builder.open_bracket(text_of(x3::_attr(c)).data()); };
+    const auto on_function = [&](auto& c) { function = text_of(x3::_attr(c)); };
+    const auto on_call = [&](auto&) { builder.open_call(function); };
+    const auto on_close = [&](auto& c) { builder.close(text_of(x3::_attr(c)).data()); };
+    const auto on_comma = [&](auto&) { builder.comma(); };
+    const auto on_operator = [&](auto& c) { infix = x3::_attr(c); };
+    const auto on_infix = [&](auto& c) {
+        builder.infix(infix.name, infix.binding, text_of(x3::_attr(c)).data());
+    };
+    const auto inside_brackets = [&](auto& c) { x3::_pass(c) = builder.is_inside_brackets(); };
+    const auto inside_call = [&](auto& c) { x3::_pass(c) = builder.is_inside_call(); };
+
+    const auto prefix = x3::raw[x3::char_("-!")][on_prefix] | x3::raw[x3::lit('(')][on_open] |
+                        (x3::raw[grammar::name][on_function] >> x3::lit('(')[on_call]);
+    const auto operand = x3::raw[number][on_number] | x3::raw[grammar::name][on_name] |
+                         QuotedWord{{}, lexicon, &source, quotes}[on_word];
+    const auto close = x3::eps[inside_brackets] >> x3::raw[x3::lit(')')][on_close];
+    const auto separator = x3::raw[operators[on_operator]][on_infix] |
+                           (x3::eps[inside_call] >> x3::lit(',')[on_comma]);
+    const auto expression =
+        (*prefix >> wanted("a number or a name")[operand] >> *close) % separator;
+
+    x3::phrase_parse(here, end, expression, grammar::blank);
+    if (builder.is_inside_call()) throw unexpected("an operator, ',' or ')'", here);
+    if (builder.is_inside_brackets()) throw unexpected("an operator or ')'", here);
+    return builder.finish();
+}
+
+Expression parse_expression(std::string_view text, const Source& source) {
+    const char* here = text.data();
+    const char* const end = here + text.size();
+    Expression expression = parse_expression(here, end, source);
+    if (here != end) throw unexpected("an operator", here);
+    return expression;
+}
+
+std::vector<Expression> parse_arguments(const char*& here, const char* end, const Source& source,
+                                        Lexicon* lexicon, std::size_t quotes) {
+    std::vector<Expression> arguments;
+    do {
+        ++here;  // the bracket or the comma
+        arguments.push_back(parse_expression(here, end, source, lexicon, quotes));
+    } while (here != end && *here == ',');
+    if (here == end || *here != ')') throw unexpected("an operator, ',' or ')'", here);
+    ++here;
+    return arguments;
+}
+
+}  // namespace algae

@@ -1,0 +1,563 @@
+#include <algorithm>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "notation/detail/grammar.hpp"
+#include "notation/detail/reading.hpp"
+
+// The statements of a `.lsys` file that begin with a keyword, all but `system`, which is read like a file of
+// its own (read.cpp).
+//
+// They are one table, `settings`, in the order of the canonical text: the keyword, when it is read, whether a
+// file may have several, and the function that reads it into the system. Whoever has to know what keywords
+// there are asks this table. The statements of a file are not read in their own order but in that of their
+// stages: names before the words in which they occur, constants before the expressions, rules before the
+// settings for their symbols. So a file may give them in any order, and symbols are numbered as in the
+// canonical text.
+//
+// A value is a word, an expression, or pieces separated by blanks outside brackets (`pieces`), each a name or
+// an expression over the constants. Only `let`, `expect` and ranges such as `0..6` need a grammar of their
+// own. A reader throws `SyntaxError` at what is wrong, or `DependsOnError` where it uses a constant whose own
+// statement was faulty.
+
+namespace algae {
+
+namespace {
+
+namespace x3 = grammar::x3;
+using grammar::between;
+using grammar::text_of;
+using grammar::wanted;
+
+const char* end_of(const Clause& clause) { return clause.text.data() + clause.text.size(); }
+
+Quantity quantity_of(std::string_view text, const Reading& reading) {
+    return reading.quantity(parse_expression(text, reading.source));
+}
+
+/// What may stand there, as a message lists it.
+std::string listed(const std::vector<std::string>& names, const char* before_last = " or ") {
+    std::string out;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        out += (i == 0 ? "" : i + 1 == names.size() ? before_last : ", ") + names[i];
+    return out;
+}
+
+[[noreturn]] void refuse(std::string_view found, const std::vector<std::string>& names) {
+    throw SyntaxError{found.data(), "expected " + listed(names) + ", found " + quoted(found) +
+                                        did_you_mean(found, names)};
+}
+
+[[noreturn]] void refuse_many(std::string_view found, const std::vector<std::string>& names) {
+    throw SyntaxError{found.data(), "expected one of " + listed(names, ", ") + ", found " +
+                                        quoted(found) + did_you_mean(found, names)};
+}
+
+bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// Names and constants.
+
+void read_constant(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
+    const char* here = value.data();
+    const char* const end = here + value.size();
+    std::string name;
+    const auto on_name = [&](auto& c) { name = text_of(x3::_attr(c)); };
+    const auto head = wanted("a constant's name")[x3::raw[grammar::name][on_name]];
+    x3::phrase_parse(here, end, head, grammar::blank);
+    try {
+        if (here == end || *here != '=') throw unexpected("'='", here);
+        if (reading.constants.count(name))
+            throw SyntaxError{value.data(),
+                              "the constant " + algae::quoted(name) + " is given twice"};
+        Quantity quantity = quantity_of(between(here + 1, end), reading);
+        reading.constants.emplace(name, reading.system.constants.size());
+        reading.system.constants.emplace_back(name, std::move(quantity));
+    } catch (...) {
+        reading.broken.insert(name);
+        throw;
+    }
+}
+
+void read_alphabet(const Clause& clause, Reading& reading) {
+    for (const std::string_view name : pieces(clause.value())) {
+        // These open statements that contain arrows, or shape successors: a rule could not be told.
+        for (const char* keyword : {"title", "source", "interpret", "div", "repeat"})
+            if (name == keyword)
+                throw SyntaxError{name.data(), "expected another name, " + quoted(name) +
+                                                   " has a meaning in the notation"};
+        check_symbol_name(name, name.front() == '?' && name.size() > 1 ? 1 : 0, "");
+        const Symbol symbol = reading.lexicon.declare(name);
+        auto& declared = reading.system.declared;
+        if (symbol == declared.size()) declared.push_back(symbol);  // else it is there already
+    }
+}
+
+// Words.
+
+void read_axiom(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
+    LSystem& system = reading.system;
+    system.axiom_place = reading.source.place(value.data());
+    system.axiom = parse_word(value, reading.lexicon, reading.source, true);
+    check_brackets(system.axiom, value, reading.lexicon, reading.source, reading.findings);
+    for (const auto& [position, arguments] : system.axiom.arguments)
+        for (const Expression& argument : arguments) reading.check_names(argument, {});
+    for (const auto& [position, words] : system.axiom.splices)
+        for (const Expression& word : words) reading.check_names(word, {});
+}
+
+/// The symbols of the value, each once, in the order of its first occurrence.
+std::vector<Symbol> symbols_of(const Clause& clause, Reading& reading) {
+    std::vector<Symbol> out;
+    std::vector<bool> seen;
+    for (const Symbol symbol : parse_symbols(clause.value(), reading.lexicon)) {
+        if (symbol >= seen.size()) seen.resize(symbol + 1);
+        if (!seen[symbol]) out.push_back(symbol);
+        seen[symbol] = true;
+    }
+    return out;
+}
+
+// Tables.
+
+void read_table(const Clause& clause, Reading& reading) {
+    const auto parts = pieces(clause.value());
+    if (!reading.tables.emplace(parts.front()).second)
+        throw SyntaxError{parts.front().data(),
+                          "the table " + quoted(parts.front()) + " is opened twice"};
+    reading.system.tables.emplace_back(parts.front());
+    if (parts.size() > 1) throw unexpected("the end of the line", parts[1].data());
+}
+
+/// The names of tables, for a message; the first of them if there are very many.
+std::string listed_tables(const std::vector<std::string>& tables) {
+    constexpr std::size_t most = 20;
+    if (tables.size() <= most) return listed(tables, ", ");
+    return listed({tables.begin(), tables.begin() + most}, ", ") + ", ... (" +
+           std::to_string(tables.size()) + " tables)";
+}
+
+void read_schedule(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
+    const std::vector<std::string>& tables = reading.system.tables;
+    if (tables.empty())
+        throw SyntaxError{
+            value.data(),
+            "expected tables for the schedule, such as 'table light' before rules, found none"};
+    std::unordered_map<std::string_view, std::size_t> numbers;
+    for (std::size_t i = 0; i < tables.size(); ++i) numbers.emplace(tables[i], i);
+    for (const std::string_view name : pieces(value)) {
+        const auto found = numbers.find(name);
+        if (found == numbers.end())
+            throw SyntaxError{name.data(), "expected a table (" + listed_tables(tables) +
+                                               "), found " + quoted(name) +
+                                               did_you_mean(name, tables)};
+        reading.system.schedule.push_back(found->second);
+    }
+}
+
+// Environments.
+
+Symbol communication_symbol(std::string_view piece, Reading& reading) {
+    std::string_view rest = piece;
+    const auto symbol = reading.lexicon.next(rest);
+    if (!symbol || !rest.empty() || !is_communication(piece))
+        throw SyntaxError{piece.data(),
+                          "expected a communication module, such as ?E, found " + quoted(piece)};
+    return *symbol;
+}
+
+const EnvironmentKind& environment_named(std::string_view name) {
+    std::vector<std::string> names;
+    for (const EnvironmentKind& kind : environment_kinds()) {
+        if (kind.name == name) return kind;
+        names.push_back(kind.name);
+    }
+    refuse_many(name, names);
+}
+
+/// Throws where the second corner of a box is below the first in some direction.
+void check_corners(const std::vector<std::string_view>& texts,
+                   const std::vector<Quantity>& numbers) {
+    const std::size_t dimension = numbers.size() / 2;
+    for (std::size_t i = 0; i < dimension; ++i)
+        if (numbers[i].value > numbers[dimension + i].value)
+            throw SyntaxError{texts[dimension + i].data(),
+                              "expected a number from " + to_text(numbers[i].expression) +
+                                  " on, as the second corner is above the first, found " +
+                                  quoted(texts[dimension + i])};
+}
+
+/// What fills the communication modules of one name, `environment ?E clip 0 0 4 3`.
+void read_environment(const Clause& clause, Reading& reading) {
+    const auto parts = pieces(clause.value());
+    EnvironmentSetting setting;
+    setting.module = communication_symbol(parts[0], reading);
+    for (const EnvironmentSetting& other : reading.system.environments)
+        if (other.module == setting.module)
+            throw SyntaxError{parts[0].data(),
+                              "the environment of " + quoted(parts[0]) + " is given twice"};
+    if (parts.size() == 1)
+        throw unexpected("a kind of environment, such as 'position'", end_of(clause));
+    const EnvironmentKind& kind = environment_named(parts[1]);
+    setting.kind = kind.name;
+    const std::vector<std::string_view> texts(parts.begin() + 2, parts.end());
+    const std::size_t most = kind.counts.back();
+    if (texts.size() > most)
+        throw unexpected("the end of the line" + (most == 0 ? "" : " after " + kind.numbers),
+                         texts[most].data());
+    if (std::count(kind.counts.begin(), kind.counts.end(), texts.size()) == 0)
+        throw unexpected(kind.numbers, end_of(clause));
+    for (const std::string_view text : texts) setting.numbers.push_back(quantity_of(text, reading));
+    if (kind.name == "clip")
+        check_corners(texts, setting.numbers);
+    else if (most > 0 && setting.numbers[0].value <= 0)
+        throw SyntaxError{texts[0].data(), "expected a radius above 0, found " + quoted(texts[0])};
+    reading.system.environments.push_back(std::move(setting));
+}
+
+// How figures are drawn.
+
+/// A setting of one number.
+template <std::optional<Quantity> Settings::*number>
+void read_number(const Clause& clause, Reading& reading) {
+    const std::string_view name = clause.keyword, value = clause.value();
+    Quantity quantity = quantity_of(value, reading);
+    if (name == "width" && quantity.value <= 0)
+        throw SyntaxError{value.data(), "expected a width above 0, found " + quoted(value)};
+    if ((name == "step" || name == "shrink" || name == "scale") && quantity.value == 0)
+        throw SyntaxError{value.data(), "expected a " + std::string(name) + " other than 0"};
+    reading.system.settings.*number = std::move(quantity);
+}
+
+void read_start(const Clause& clause, Reading& reading) {
+    const auto parts = pieces(clause.value());
+    const auto part = [&](std::size_t i, const char* what) {
+        if (i >= parts.size()) throw unexpected(what, end_of(clause));
+        return quantity_of(parts[i], reading);
+    };
+    Settings::Start start{part(0, "x, y and heading"), part(1, "y and heading"),
+                          part(2, "a heading")};
+    if (parts.size() > 3)
+        throw unexpected("the end of the line after x, y and heading", parts[3].data());
+    reading.system.settings.start = std::move(start);
+}
+
+/// Throws if the symbol has a stamp, a solid or a surface already.
+void check_unnamed(Symbol symbol, const char* place, const Reading& reading) {
+    const auto check = [&](const auto& all, const char* what) {
+        for (const auto& one : all)
+            if (one.symbol == symbol)
+                throw SyntaxError{place, "the symbol " +
+                                             algae::quoted(reading.system.alphabet.name(symbol)) +
+                                             " has a " + what + " already"};
+    };
+    check(reading.system.settings.stamps, "stamp");
+    check(reading.system.settings.solids, "solid");
+    check(reading.system.settings.surfaces, "surface");
+}
+
+/// The one symbol of the text, which has no shape yet; `more` is what else a message expects.
+Symbol symbol_of(std::string_view text, Reading& reading, const char* more = "") {
+    const Word symbols = parse_symbols(text, reading.lexicon);
+    if (symbols.size() != 1)
+        throw SyntaxError{text.data(), std::string("expected one symbol") + more + ", found " +
+                                           std::to_string(symbols.size()) + " symbols"};
+    check_unnamed(symbols.front(), text.data(), reading);
+    return symbols.front();
+}
+
+void read_stamp(const Clause& clause, Reading& reading) {
+    static const std::vector<std::string> shapes{"square", "circle", "triangle"};
+    const std::string_view value = clause.value();
+    const auto parts = pieces(value);
+    if (parts.size() < 2)
+        throw unexpected("a symbol and a shape: square, circle or triangle", end_of(clause));
+    const std::string_view shape = parts.back();
+    const Symbol symbol = symbol_of(between(value.data(), shape.data()), reading, " and a shape");
+    for (const StampShape known : {StampShape::square, StampShape::circle, StampShape::triangle})
+        if (shape == shape_name(known)) {
+            reading.system.settings.stamps.push_back({symbol, known});
+            return;
+        }
+    refuse(shape, shapes);
+}
+
+void read_solid(const Clause& clause, Reading& reading) {
+    std::vector<std::string> kinds, measures;
+    for (const SolidKind& kind : solid_kinds()) kinds.push_back(kind.name.name);
+    const auto parts = pieces(clause.value());
+    if (parts.size() < 2) throw unexpected("a symbol and " + listed(kinds), end_of(clause));
+    SolidSetting solid;
+    solid.symbol = symbol_of(parts[0], reading);
+    const SolidKind* const kind = solid_kind(parts[1]);
+    if (!kind) refuse(parts[1], kinds);
+    solid.kind = kind->name.name;
+    for (const SolidKind::Name& measure : kind->measures) measures.push_back(measure.name);
+    for (std::size_t i = 2; i < parts.size(); ++i) {
+        const auto measure = std::find_if(
+            kind->measures.begin(), kind->measures.end(), [&](const SolidKind::Name& name) {
+                return name.name == parts[i] || name.reserved == parts[i];
+            });
+        if (measure == kind->measures.end()) refuse(parts[i], measures);
+        if (std::count(solid.measures.begin(), solid.measures.end(), measure->name) > 0)
+            throw SyntaxError{parts[i].data(),
+                              "the measure " + quoted(parts[i]) + " is given twice"};
+        solid.measures.push_back(measure->name);
+    }
+    reading.system.settings.solids.push_back(std::move(solid));
+}
+
+Triple point_at(const char*& here, const char* end, Reading& reading) {
+    const char* const begin = here;
+    const std::vector<Expression> parts = parse_arguments(here, end, reading.source);
+    if (parts.size() != 3)
+        throw SyntaxError{begin, "expected a point (x,y,z), found " + std::to_string(parts.size()) +
+                                     (parts.size() == 1 ? " number" : " numbers")};
+    return {reading.quantity(parts[0]), reading.quantity(parts[1]), reading.quantity(parts[2])};
+}
+
+void read_surface(const Clause& clause, Reading& reading) {
+    constexpr std::size_t patch_points = 16, least_corners = 3;
+    const auto parts = pieces(clause.value());
+    if (parts.size() < 2)
+        throw unexpected("a symbol and " + listed(surface_kinds()), end_of(clause));
+    SurfaceSetting surface;
+    surface.symbol = symbol_of(parts[0], reading);
+    surface.kind = parts[1];
+    if (!is_one_of(surface_kinds(), surface.kind)) refuse(parts[1], surface_kinds());
+    const bool is_patch = surface.kind == "patch",
+               has_points = is_patch || surface.kind == "polygon";
+    if (!has_points && parts.size() > 2) throw unexpected("the end of the line", parts[2].data());
+    for (std::size_t i = 2; i < parts.size(); ++i) {
+        const char* here = parts[i].data();
+        const char* const end = here + parts[i].size();
+        while (here != end) {
+            if (*here != '(') throw unexpected("a point (x,y,z)", here);
+            surface.points.push_back(point_at(here, end, reading));
+        }
+    }
+    const std::string found = ", found " + std::to_string(surface.points.size());
+    if (is_patch && surface.points.size() != patch_points)
+        throw SyntaxError{parts[1].data(), "expected 16 points for a patch, row by row" + found};
+    if (has_points && surface.points.size() < least_corners)
+        throw SyntaxError{parts[1].data(), "expected at least three points for a polygon" + found};
+    reading.system.settings.surfaces.push_back(std::move(surface));
+}
+
+/// So many numbers, and no more than that; `what` is for messages.
+std::vector<Quantity> numbers_of(const Clause& clause, std::size_t count, const char* what,
+                                 Reading& reading) {
+    const auto parts = pieces(clause.value());
+    if (parts.size() < count) throw unexpected(what, end_of(clause));
+    if (parts.size() > count)
+        throw unexpected("the end of the line after " + std::string(what), parts[count].data());
+    std::vector<Quantity> out;
+    for (const std::string_view part : parts) out.push_back(quantity_of(part, reading));
+    return out;
+}
+
+void read_tropism(const Clause& clause, Reading& reading) {
+    const auto to = numbers_of(clause, 3, "three coordinates", reading);
+    if (to[0].value == 0 && to[1].value == 0 && to[2].value == 0)
+        throw SyntaxError{clause.value().data(), "expected a direction, found the zero vector"};
+    reading.system.settings.tropism = Triple{to[0], to[1], to[2]};
+}
+
+void read_susceptibility(const Clause& clause, Reading& reading) {
+    reading.system.settings.susceptibility = numbers_of(clause, 1, "a number", reading)[0];
+}
+
+void read_fog(const Clause& clause, Reading& reading) {
+    Quantity fog = numbers_of(clause, 1, "a number", reading)[0];
+    if (!(fog.value >= 0 && fog.value <= 1))
+        throw SyntaxError{clause.value().data(),
+                          "expected a share from 0 to 1, found " + quoted(clause.value())};
+    reading.system.settings.fog = std::move(fog);
+}
+
+Direction direction_of(const std::vector<std::string_view>& parts, const Clause& clause,
+                       Reading& reading) {
+    if (parts.size() < 2)
+        throw unexpected("an azimuth and an elevation in degrees", end_of(clause));
+    Direction out{quantity_of(parts[0], reading), quantity_of(parts[1], reading)};
+    if (!(out.elevation.value >= -90 && out.elevation.value <= 90))
+        throw SyntaxError{parts[1].data(), "expected an elevation from -90 to 90 degrees, found " +
+                                               quoted(parts[1])};
+    return out;
+}
+
+void read_camera(const Clause& clause, Reading& reading) {
+    const auto parts = pieces(clause.value());
+    CameraSetting camera;
+    camera.from = direction_of(parts, clause, reading);
+    if (parts.size() > 2) {
+        if (parts[2] != "perspective") refuse(parts[2], {"perspective"});
+        camera.perspective = true;
+    }
+    if (parts.size() > 3) {
+        camera.opening = quantity_of(parts[3], reading);
+        if (!(camera.opening->value >= 1 && camera.opening->value <= 120))
+            throw SyntaxError{parts[3].data(),
+                              "expected degrees from 1 to 120, found " + quoted(parts[3])};
+    }
+    if (parts.size() > 4) throw unexpected("the end of the line", parts[4].data());
+    reading.system.settings.camera = std::move(camera);
+}
+
+void read_light(const Clause& clause, Reading& reading) {
+    const auto parts = pieces(clause.value());
+    Direction light = direction_of(parts, clause, reading);
+    if (parts.size() > 2) throw unexpected("the end of the line", parts[2].data());
+    reading.system.settings.light = std::move(light);
+}
+
+void read_colours(const Clause& clause, Reading& reading) {
+    for (const std::string_view colour : pieces(clause.value())) {
+        const bool is_name = std::all_of(colour.begin(), colour.end(), [](char byte) {
+            return is_letter(static_cast<unsigned char>(byte)) &&
+                   static_cast<unsigned char>(byte) < 0x80;
+        });
+        if (!is_name && colour.front() != '#')
+            throw SyntaxError{colour.data(),
+                              "expected a colour's name or #rrggbb, found " + quoted(colour)};
+        try {
+            if (colour != "along") colour_named(colour);
+        } catch (const Error& error) {
+            throw SyntaxError{colour.data(), error.what()};
+        }
+        reading.system.settings.colours.emplace_back(colour);
+    }
+}
+
+void read_turn(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
+    if (value != "clockwise" && value != "counter-clockwise")
+        throw unexpected("'clockwise' or 'counter-clockwise'", value.data());
+    reading.system.settings.clockwise = value == "clockwise";
+}
+
+// Generations, seeds and what is expected of a generation.
+
+const auto digits = x3::raw[x3::lexeme[+x3::char_('0', '9')]];
+
+/// A generation or a seed: below 2^63.
+std::uint64_t number_below(std::string_view text, const char* what) {
+    constexpr std::size_t most_digits = 19;
+    const std::size_t zeros = std::min(text.find_first_not_of('0'), text.size());
+    std::uint64_t value = 0;
+    if (text.size() - zeros <= most_digits)
+        for (const char digit : text) value = value * 10 + static_cast<std::uint64_t>(digit - '0');
+    if (text.size() - zeros > most_digits || value >> 63 != 0)
+        throw SyntaxError{text.data(),
+                          std::string("expected ") + what + " below 2^63, found " + quoted(text)};
+    return value;
+}
+
+/// One number or a range of them, 0..6; `what` is "a generation".
+std::pair<std::uint64_t, std::uint64_t> range_of(const Clause& clause, const char* what) {
+    const std::string_view value = clause.value();
+    const char* here = value.data();
+    const char* const end = here + value.size();
+    std::string_view first, last;
+    const auto on_first = [&](auto& c) { first = last = text_of(x3::_attr(c)); };
+    const auto on_last = [&](auto& c) { last = text_of(x3::_attr(c)); };
+    const auto range = wanted(what)[digits[on_first]] >> -(".." >> wanted(what)[digits[on_last]]);
+    x3::phrase_parse(here, end, range, grammar::blank);
+    if (here != end) throw unexpected("'..' or the end of the line", here);
+    const std::pair found{number_below(first, what), number_below(last, what)};
+    if (found.first > found.second)
+        throw SyntaxError{last.data(), std::string("expected ") + what + " from " +
+                                           std::string(first) + " on, found " + std::string(last)};
+    return found;
+}
+
+void read_expectation(const Clause& clause, Reading& reading) {
+    static const std::vector<std::string> kinds{"length",   "lengths",  "mean", "word", "segments",
+                                                "distinct", "vertices", "end",  "box"};
+    const std::string_view value = clause.value();
+    const char* here = value.data();
+    const char* const end = here + value.size();
+    std::string_view kind, number;
+    const auto on_kind = [&](auto& c) { kind = text_of(x3::_attr(c)); };
+    const auto on_number = [&](auto& c) { number = text_of(x3::_attr(c)); };
+    const auto head =
+        wanted("what is expected, such as 'length'")[x3::raw[grammar::name][on_kind]] >>
+        wanted("a generation")[digits[on_number]] >> wanted("':'")[x3::lit(':')];
+    x3::phrase_parse(here, end, head, grammar::blank);
+    if (!is_one_of(kinds, kind)) refuse_many(kind, kinds);
+    if (here == end) throw unexpected("a value", here);
+    reading.system.expectations.push_back({std::string(kind), number_below(number, "a generation"),
+                                           std::string(between(here, end)),
+                                           reading.source.place(clause.text.data())});
+}
+
+}  // namespace
+
+const char* shape_name(StampShape shape) {
+    switch (shape) {
+        case StampShape::square:
+            return "square";
+        case StampShape::circle:
+            return "circle";
+        case StampShape::triangle:
+            return "triangle";
+    }
+    return "";
+}
+
+const std::vector<Setting>& settings() {
+    using C = const Clause&;
+    using R = Reading&;
+    constexpr Stage other = Stage::other;
+    static const std::vector<Setting> all{
+        {"title", other, false, [](C c, R r) { r.system.title = c.value(); }},
+        {"source", other, false, [](C c, R r) { r.system.source = c.value(); }},
+        {"id", other, true,
+         [](C c, R r) {
+             for (const auto name : pieces(c.value())) r.system.identifiers.emplace_back(name);
+         }},
+        {"alphabet", Stage::alphabet, true, read_alphabet},
+        {"let", Stage::constant, true, read_constant},
+        {"axiom", Stage::axiom, false, read_axiom},
+        {"table", Stage::rule, true, read_table},
+        {"schedule", other, false, read_schedule},
+        {"ignore", Stage::ignore, false, [](C c, R r) { r.system.ignored = symbols_of(c, r); }},
+        {"terminals", Stage::terminals, false,
+         [](C c, R r) { r.system.terminals = symbols_of(c, r); }},
+        {"interpret", Stage::interpretation, true, read_interpretation},
+        {"environment", other, true, read_environment},
+        {"angle", other, false, read_number<&Settings::angle>},
+        {"step", other, false, read_number<&Settings::step>},
+        {"shrink", other, false, read_number<&Settings::shrink>},
+        {"start", other, false, read_start},
+        {"spin", other, false, read_number<&Settings::spin>},
+        {"scale", other, false, read_number<&Settings::scale>},
+        {"narrow", other, false, read_number<&Settings::narrow>},
+        {"plot", Stage::plot, false,
+         [](C c, R r) { r.system.settings.plotters = symbols_of(c, r); }},
+        {"stamp", Stage::stamp, true, read_stamp},
+        {"solid", Stage::solid, true, read_solid},
+        {"surface", Stage::surface, true, read_surface},
+        {"tropism", other, false, read_tropism},
+        {"susceptibility", other, false, read_susceptibility},
+        {"width", other, false, read_number<&Settings::width>},
+        {"colour", other, false, read_colours},
+        {"turn", other, false, read_turn},
+        {"camera", other, false, read_camera},
+        {"light", other, false, read_light},
+        {"fog", other, false, read_fog},
+        {"generation", other, false,
+         [](C c, R r) { r.system.settings.generations = range_of(c, "a generation"); }},
+        {"seed", other, false, [](C c, R r) { r.system.settings.seeds = range_of(c, "a seed"); }},
+        {"expect", other, true, read_expectation}};
+    return all;
+}
+
+}  // namespace algae

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "render/render.hpp"
+#include "turtle/turtle.hpp"
+#include "word/word.hpp"
+
+typedef struct _cairo cairo_t;
+
+namespace algae {
+
+/// How texts of graphs are written: DejaVu Sans, or what the machine has in its place.
+struct GraphFont {
+    double size = 12;
+    bool bold = false;
+};
+
+/// How wide a text with a subscript is, in points. No pixels are looked at, so it is the same for
+/// all formats.
+double text_width(const std::string& text, const std::string& subscript, const GraphFont& font);
+
+/// Writes a text with a subscript; `x` is its middle (share 0.5), its left (0) or its right end
+/// (1), `y` the middle of a capital letter.
+void write_text(cairo_t* context, const std::string& text, const std::string& subscript,
+                const GraphFont& font, double x, double y, double share = 0.5);
+
+/// Sizes of what graphs are made of, in points.
+inline constexpr double graph_letters = 12;       // of labels of nodes
+inline constexpr double graph_small_letters = 9;  // of all other texts
+
+/// Where everything of a graph stands, in points, from the upper left corner.
+struct GraphLayout {
+    struct Line {
+        std::vector<Point> points;  // a start, then three points for each Bezier curve
+        std::optional<Point> tip;   // of the arrow, which begins at the last point
+        Point label;
+    };
+    struct Frame {
+        double left = 0, top = 0, right = 0, bottom = 0;
+        Point label;
+    };
+    double width = 0, height = 0;
+    std::vector<Point> nodes;  // their middles
+    std::vector<Line> edges;
+    std::vector<Frame> groups;
+};
+
+/// The width and height of a node, so that its label fits.
+Point node_size(const Graph::Node& node);
+
+/// Places a graph by Graphviz's `dot` (Gansner, Koutsofios, North and Vo 1993): as few crossings
+/// and as short edges as it finds. One at a time in a process, since Graphviz has global state.
+/// Throws Error with Graphviz's own words if it cannot, and what budget.check throws, before it
+/// begins and after.
+GraphLayout graph_layout(const Graph& graph, const Budget& budget = {});
+
+/// Places a graph whose edges make trees, a row a generation: leaves stand side by side at equal
+/// distances in their order, a letter over the middle between its first and its last child, the
+/// trees one beside the other. (Graphviz puts a letter with two children over one of them.) Linear
+/// time.
+GraphLayout tree_layout(const Graph& graph, const Budget& budget = {});
+
+/// A node with a letter's name, its subscript lowered.
+///
+/// Example: letter_node(*d0l("a", {}).alphabet, 0).label == "a"
+Graph::Node letter_node(const Alphabet& alphabet, Symbol letter);
+
+}  // namespace algae

@@ -1,0 +1,357 @@
+#include <fmt/format.h>
+
+#include <array>
+#include <string_view>
+#include <utility>
+
+#include "exact/exact.hpp"
+#include "render/detail/document.hpp"
+#include "render/detail/scene_graph.hpp"
+
+// The three texts of a scene graph: VRML97 (ISO/IEC 14772-1:1997), VRML 1.0 (Bell, Parisi and Pesce 1995) and X3D 3.3 in XML
+// (ISO/IEC 19776-1, profile Interchange). They differ in words, not in what they say: head, viewpoints, light, then bodies,
+// surfaces and lines.
+//
+// Numbers are of single precision in the fewest digits, and 0 has no sign, so that equal scenes make equal files. A colour is
+// defined where it is first used and referred to by its name afterwards (but for lines in VRML 1.0). Bodies and surfaces have it as
+// the light falls on them, lines as light of their own. The text goes out in pieces of 64 kB, and each piece asks the budget.
+//
+// Subtle: VRML 1.0 has a state that later shapes inherit, so every shape stands in a Separator with its absolute place; a
+// Separator around the movements of a module alone would undo them at its end. Commas count as blanks in VRML97 and in XML.
+
+namespace algae {
+
+namespace {
+
+/// A number as files of scenes have it: of single precision, in the fewest digits; 0 has no sign.
+float single(double x) { return static_cast<float>(x) + 0.0f; }
+
+/// The text of a scene on its way out.
+class SceneText {
+protected:
+    SceneText(const SceneGraph& graph, Output& output, const Budget& budget)
+        : graph_(graph), output_(output), budget_(budget) {}
+
+    template <class... Parts>
+    void put(fmt::format_string<Parts...> pattern, Parts&&... parts) {
+        add(fmt::format(pattern, std::forward<Parts>(parts)...));
+    }
+    void add(std::string_view text) {
+        text_ += text;
+        if (text_.size() > 1 << 16) flush();
+    }
+    void vector(const Vector& v) {
+        add(fmt::format("{} {} {}", single(v.x), single(v.y), single(v.z)));
+    }
+    void colour(const Colour& c) { vector({c.red, c.green, c.blue}); }
+    void turn(const AxisTurn& turn) {
+        vector(turn.axis);
+        add(fmt::format(" {}", single(turn.radians)));
+    }
+    /// Points with commas between.
+    void points(const std::vector<Vector>& points) {
+        for (const Vector& point : points) {
+            vector(point);
+            add(", ");
+        }
+    }
+    /// Corners of triangles, -1 after each, with commas, which XML and VRML97 take for blanks.
+    void triangles(const std::vector<Mesh::Triangle>& triangles) {
+        for (const auto& [a, b, c] : triangles) add(fmt::format("{},{},{},-1, ", a, b, c));
+    }
+    /// The points of strokes, -1 after each stroke.
+    void strokes(const SceneGraph::Lines& lines) {
+        std::uint32_t point = 0;
+        for (const std::uint32_t count : lines.strokes) {
+            for (std::uint32_t i = 0; i < count; ++i) add(fmt::format("{},", point++));
+            add("-1, ");
+        }
+    }
+    /// The node of a body, by its shape; patterns take the three parts of its size.
+    using Pattern = fmt::format_string<const float&, const float&, const float&>;
+    void solid(const SceneGraph::Body& body, Pattern box, Pattern cylinder, Pattern cone,
+               Pattern sphere) {
+        const float x = single(body.size.x), y = single(body.size.y), z = single(body.size.z);
+        const std::array patterns{box, cylinder, cone, sphere};  // as SolidShape has them
+        add(fmt::format(patterns[static_cast<std::size_t>(body.shape)], x, y, z));
+    }
+    void flush() {
+        budget_.check();
+        output_.write(text_.data(), text_.size());
+        text_.clear();
+    }
+
+    const SceneGraph& graph_;
+
+private:
+    Output& output_;
+    const Budget& budget_;
+    std::string text_;
+};
+
+/// A string between quotes, with those within it marked.
+std::string quoted(const std::string& text) {
+    std::string out = "\"";
+    for (const char c : text) {
+        if (c == '"' || c == '\\') out += '\\';
+        out += c;
+    }
+    return out + '"';
+}
+
+class Vrml97 : SceneText {
+public:
+    Vrml97(const SceneGraph& graph, Output& output, const Budget& budget)
+        : SceneText(graph, output, budget),
+          filled_(graph.colours.size()),
+          drawn_(graph.colours.size()) {}
+
+    void write() {
+        put("#VRML V2.0 utf8\nWorldInfo {{ title {} }}\n", quoted(graph_.title));
+        put("NavigationInfo {{ type [ \"EXAMINE\", \"ANY\" ] }}\nBackground {{ skyColor [ ");
+        colour(graph_.background);
+        put(" ] }}\n");
+        for (const SceneGraph::Viewpoint& view : graph_.viewpoints) {
+            put("Viewpoint {{ description {} fieldOfView {} position ", quoted(view.name),
+                single(view.opening));
+            vector(view.place);
+            put(" orientation ");
+            turn(view.turn);
+            put(" }}\n");
+        }
+        put("DirectionalLight {{ intensity 0.6 ambientIntensity 0.3 direction ");
+        vector(graph_.light);
+        put(" }}\n");
+        for (const SceneGraph::Body& body : graph_.bodies) add(body);
+        for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
+        for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
+        flush();
+    }
+
+private:
+    void add(const SceneGraph::Body& body) {
+        put("Transform {{ translation ");
+        vector(body.middle);
+        put(" rotation ");
+        turn(body.turn);
+        put(" children Shape {{ ");
+        appearance(body.colour);
+        solid(body, "geometry Box {{ size {} {} {} }}",
+              "geometry Cylinder {{ radius {} height {} }}",
+              "geometry Cone {{ bottomRadius {} height {} }}", "geometry Sphere {{ radius {} }}");
+        put(" }} }}\n");
+    }
+    void add(const SceneGraph::Surface& surface) {
+        put("Shape {{ ");
+        appearance(surface.colour);
+        put("geometry IndexedFaceSet {{ creaseAngle {} solid {}\n coord Coordinate {{ point [ ",
+            single(graph_.crease), surface.sheet ? "FALSE" : "TRUE");
+        points(surface.points);
+        put("] }}\n coordIndex [ ");
+        triangles(surface.triangles);
+        put("] }} }}\n");
+    }
+    void add(const SceneGraph::Lines& lines) {
+        put("Shape {{ appearance ");
+        if (drawn_[lines.colour])
+            put("USE L{} ", lines.colour);
+        else {
+            put("DEF L{} Appearance {{ material Material {{ diffuseColor 0 0 0 emissiveColor ",
+                lines.colour);
+            colour(graph_.colours[lines.colour]);
+            put(" }} }} ");
+            drawn_[lines.colour] = true;
+        }
+        put("geometry IndexedLineSet {{\n coord Coordinate {{ point [ ");
+        points(lines.points);
+        put("] }}\n coordIndex [ ");
+        strokes(lines);
+        put("] }} }}\n");
+    }
+    void appearance(std::uint32_t shade) {
+        if (filled_[shade]) {
+            put("appearance USE C{} ", shade);
+            return;
+        }
+        put("appearance DEF C{} Appearance {{ material Material {{ diffuseColor ", shade);
+        colour(graph_.colours[shade]);
+        put(" }} }} ");
+        filled_[shade] = true;
+    }
+
+    std::vector<char> filled_, drawn_;  // colours whose appearance has been written
+};
+
+class Vrml1 : SceneText {
+public:
+    Vrml1(const SceneGraph& graph, Output& output, const Budget& budget)
+        : SceneText(graph, output, budget), defined_(graph.colours.size()) {}
+
+    void write() {
+        put("#VRML V1.0 ascii\nSeparator {{\nDEF BackgroundColor Info {{ string \"");
+        colour(graph_.background);
+        put("\" }}\nDirectionalLight {{ direction ");
+        vector(graph_.light);
+        put(" }}\nDEF Cameras Switch {{ whichChild 0\n");
+        std::size_t number = 0;
+        for (const SceneGraph::Viewpoint& view : graph_.viewpoints) {
+            put("DEF View{} PerspectiveCamera {{ position ", ++number);
+            vector(view.place);
+            put(" orientation ");
+            turn(view.turn);
+            put(" focalDistance {} heightAngle {} }}\n", single(view.distance),
+                single(view.opening));
+        }
+        put("}}\n");
+        for (const SceneGraph::Body& body : graph_.bodies) add(body);
+        for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
+        for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
+        put("}}\n");
+        flush();
+    }
+
+private:
+    void add(const SceneGraph::Body& body) {
+        put("Separator {{ ");
+        material(body.colour);
+        put("Translation {{ translation ");
+        vector(body.middle);
+        put(" }} Rotation {{ rotation ");
+        turn(body.turn);
+        put(" }} ");
+        solid(body, "Cube {{ width {} height {} depth {} }}", "Cylinder {{ radius {} height {} }}",
+              "Cone {{ bottomRadius {} height {} }}", "Sphere {{ radius {} }}");
+        put(" }}\n");
+    }
+    void add(const SceneGraph::Surface& surface) {
+        put("Separator {{ ");
+        material(surface.colour);
+        put("ShapeHints {{ vertexOrdering COUNTERCLOCKWISE shapeType {} faceType CONVEX "
+            "creaseAngle {} }}\n"
+            " Coordinate3 {{ point [ ",
+            surface.sheet ? "UNKNOWN_SHAPE_TYPE" : "SOLID", single(graph_.crease));
+        points(surface.points);
+        put("] }}\n IndexedFaceSet {{ coordIndex [ ");
+        triangles(surface.triangles);
+        put("] }} }}\n");
+    }
+    void add(const SceneGraph::Lines& lines) {
+        put("Separator {{ Material {{ diffuseColor 0 0 0 emissiveColor ");
+        colour(graph_.colours[lines.colour]);
+        put(" }}\n Coordinate3 {{ point [ ");
+        points(lines.points);
+        put("] }}\n IndexedLineSet {{ coordIndex [ ");
+        strokes(lines);
+        put("] }} }}\n");
+    }
+    void material(std::uint32_t shade) {
+        if (defined_[shade]) {
+            put("USE C{} ", shade);
+            return;
+        }
+        put("DEF C{} Material {{ diffuseColor ", shade);
+        colour(graph_.colours[shade]);
+        put(" }} ");
+        defined_[shade] = true;
+    }
+
+    std::vector<char> defined_;  // colours whose material has been written
+};
+
+class X3d : SceneText {
+public:
+    X3d(const SceneGraph& graph, Output& output, const Budget& budget)
+        : SceneText(graph, output, budget),
+          filled_(graph.colours.size()),
+          drawn_(graph.colours.size()) {}
+
+    void write() {
+        const std::string title = escaped_markup(graph_.title);
+        put("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<X3D profile=\"Interchange\" "
+            "version=\"3.3\">\n"
+            "<head><meta name=\"title\" content=\"{}\"/><meta name=\"generator\" "
+            "content=\"algae\"/></head>\n"
+            "<Scene>\n<WorldInfo title=\"{}\"/>\n"
+            "<NavigationInfo type='\"EXAMINE\" \"ANY\"'/>\n<Background skyColor=\"",
+            title, title);
+        colour(graph_.background);
+        put("\"/>\n");
+        for (const SceneGraph::Viewpoint& view : graph_.viewpoints) {
+            put("<Viewpoint description=\"{}\" fieldOfView=\"{}\" position=\"",
+                escaped_markup(view.name), single(view.opening));
+            vector(view.place);
+            put("\" orientation=\"");
+            turn(view.turn);
+            put("\"/>\n");
+        }
+        put("<DirectionalLight intensity=\"0.6\" ambientIntensity=\"0.3\" direction=\"");
+        vector(graph_.light);
+        put("\"/>\n");
+        for (const SceneGraph::Body& body : graph_.bodies) add(body);
+        for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
+        for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
+        put("</Scene>\n</X3D>\n");
+        flush();
+    }
+
+private:
+    void add(const SceneGraph::Body& body) {
+        put("<Transform translation=\"");
+        vector(body.middle);
+        put("\" rotation=\"");
+        turn(body.turn);
+        put("\"><Shape>");
+        appearance(body.colour, filled_, "C", "diffuseColor");
+        solid(body, "<Box size=\"{} {} {}\"/>", "<Cylinder radius=\"{}\" height=\"{}\"/>",
+              "<Cone bottomRadius=\"{}\" height=\"{}\"/>", "<Sphere radius=\"{}\"/>");
+        put("</Shape></Transform>\n");
+    }
+    void add(const SceneGraph::Surface& surface) {
+        put("<Shape>");
+        appearance(surface.colour, filled_, "C", "diffuseColor");
+        put("<IndexedFaceSet creaseAngle=\"{}\" solid=\"{}\" coordIndex=\"", single(graph_.crease),
+            surface.sheet ? "false" : "true");
+        triangles(surface.triangles);
+        put("\">\n<Coordinate point=\"");
+        points(surface.points);
+        put("\"/></IndexedFaceSet></Shape>\n");
+    }
+    void add(const SceneGraph::Lines& lines) {
+        put("<Shape>");
+        appearance(lines.colour, drawn_, "L", "diffuseColor=\"0 0 0\" emissiveColor");
+        put("<IndexedLineSet coordIndex=\"");
+        strokes(lines);
+        put("\">\n<Coordinate point=\"");
+        points(lines.points);
+        put("\"/></IndexedLineSet></Shape>\n");
+    }
+    void appearance(std::uint32_t shade, std::vector<char>& written, const char* prefix,
+                    const char* field) {
+        if (written[shade]) {
+            put("<Appearance USE=\"{}{}\"/>", prefix, shade);
+            return;
+        }
+        put("<Appearance DEF=\"{}{}\"><Material {}=\"", prefix, shade, field);
+        colour(graph_.colours[shade]);
+        put("\"/></Appearance>");
+        written[shade] = true;
+    }
+
+    std::vector<char> filled_, drawn_;  // colours whose appearance has been written
+};
+
+}  // namespace
+
+void write_vrml97(const SceneGraph& graph, Output& output, const Budget& budget) {
+    Vrml97(graph, output, budget).write();
+}
+
+void write_vrml1(const SceneGraph& graph, Output& output, const Budget& budget) {
+    Vrml1(graph, output, budget).write();
+}
+
+void write_x3d(const SceneGraph& graph, Output& output, const Budget& budget) {
+    X3d(graph, output, budget).write();
+}
+
+}  // namespace algae

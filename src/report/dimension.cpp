@@ -1,0 +1,289 @@
+// The dimension of a figure, exact and measured, as a page and as JSON.
+//
+// The two never share a number: `exact` holds a formula and digits that are proved, `box` and `estimate` a
+// slope with the interval in which it is expected. A row of the table compares them.
+
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace algae {
+
+namespace {
+
+constexpr MeasureNames measures[] = {
+    {"boxes", "boxes", "cell", "cells touched"},
+    {"divider", "dividers", "opening", "length"},
+    {"mass", "sandboxes", "radius", "mean mass"},
+    {"correlation", "the correlation sum", "radius", "share of pairs"},
+    {"information", "the information in boxes", "box", "information"},
+    {"multifractal", "shares of boxes", "box", "sum of p^q"},
+    {"lacunarity", "lacunarity", "box", "lacunarity"},
+};
+
+constexpr int digits = 30;
+
+std::string status_name(ExactDimension::Status status) {
+    switch (status) {
+        case ExactDimension::Status::exact:
+            return "exact";
+        case ExactDimension::Status::upper_bound:
+            return "upper bound";
+        case ExactDimension::Status::unfinished:
+            return "unfinished";
+        default:
+            return "none";
+    }
+}
+
+Json estimate_json(const std::optional<Estimate>& estimate) {
+    if (!estimate) return {{"value", nullptr}, {"low", nullptr}, {"high", nullptr}};
+    return {{"value", estimate->value}, {"low", estimate->low}, {"high", estimate->high}};
+}
+
+Json formula_json(const std::optional<DimensionFormula>& formula) {
+    if (!formula) return nullptr;
+    return {{"formula", formula->text()},
+            {"value", formula->enclosure(64).midpoint()},
+            {"decimal", formula->decimal(digits)}};
+}
+
+Json exact_json(const ExactDimension& exact) {
+    Json json{{"status", status_name(exact.status)},
+              {"formula", nullptr},
+              {"value", nullptr},
+              {"decimal", nullptr}};
+    if (exact.value) json.update(formula_json(exact.value));
+    json.set("conditions", exact.conditions);
+    json.set("similarity", formula_json(exact.similarity));
+    json.set("boundary", formula_json(exact.boundary));
+    return json;
+}
+
+std::string exact_page(const ExactDimension& exact) {
+    std::string text;
+    const auto line = [](const std::string& what, const DimensionFormula& dimension) {
+        const std::string formula = dimension.text();
+        if (dimension.ratio_sum())
+            return what + dimension.decimal(digits) + ", the s of " + formula + "\n";
+        return what + formula + (dimension.rational() ? "" : " = " + dimension.decimal(digits)) +
+               "\n";
+    };
+    if (exact.status == ExactDimension::Status::exact) text += line("exact: ", *exact.value);
+    if (exact.status == ExactDimension::Status::upper_bound)
+        text += compare(exact.value->enclosure(64), Ball(2, 64)) == Order::greater
+                    ? line("upper bound: 2, as for every set in the plane; the formula gives ",
+                           *exact.value)
+                    : line("upper bound: ", *exact.value);
+    if (exact.status == ExactDimension::Status::unfinished) text += "exact: unfinished\n";
+    if (exact.status == ExactDimension::Status::none) text += "exact: no formula\n";
+    for (const std::string& condition : exact.conditions) text += "  " + condition + "\n";
+    if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())
+        text += line("with multiplicity, too large: ", *exact.similarity);
+    if (exact.boundary) text += line("boundary: ", *exact.boundary);
+    return text + "\n";
+}
+
+Json box_json(const DimensionReport& found) {
+    const auto& [what, exact, generation, counts, fit] = found;
+    Json box = estimate_json(fit.estimate);
+    box.set("because", fit.because);
+    box.set("offsets", counts.counts.front().size());
+    Json scales = Json::array();
+    for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
+        const auto [least, most] =
+            std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
+        Json entry{{"cell", counts.scales.cell(scale)},
+                   {"cells", counts.mean(scale)},
+                   {"least", *least},
+                   {"most", *most}};
+        entry.set("slope", scale < fit.slopes.size() ? Json(fit.slopes[scale]) : Json());
+        entry.set("used", fit.estimate && scale >= fit.first && scale <= fit.last);
+        scales.add(std::move(entry));
+    }
+    box.set("scales", std::move(scales));
+    return box;
+}
+
+std::string box_page(const DimensionReport& found) {
+    const auto& [what, exact, generation, counts, fit] = found;
+    std::string text;
+    if (fit.estimate)
+        text += fmt::format("measured by boxes: {:.4f}, expected between {:.4f} and {:.4f}\n",
+                            fit.estimate->value, fit.estimate->low, fit.estimate->high);
+    else
+        text += "measured by boxes: undecided\n";
+    text += "  " + fit.because + "\n\n";
+    text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",
+                        "least", "most", "slope");
+    for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
+        const auto [least, most] =
+            std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
+        const bool used = fit.estimate && scale >= fit.first && scale <= fit.last;
+        text +=
+            fmt::format("{} {:>12.6g}  {:>14.1f}  {:>12}  {:>12}  {:>8}\n", used ? '*' : ' ',
+                        counts.scales.cell(scale), counts.mean(scale), *least, *most,
+                        scale < fit.slopes.size() ? fmt::format("{:.4f}", fit.slopes[scale]) : "");
+    }
+    return text + fmt::format(
+                      "\n  means over {} grids; the slope is that to the next finer scale; * "
+                      "scales used\n",
+                      counts.counts.front().size());
+}
+
+}  // namespace
+
+const MeasureNames& names_of(Measure measure) {
+    return measures[static_cast<std::size_t>(measure)];
+}
+
+std::string to_text(const DimensionReport& found) {
+    return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") + box_page(found);
+}
+
+Json to_json(const DimensionReport& found) {
+    Json json{{"input", found.what}};
+    if (found.generation) json.set("generation", *found.generation);
+    if (found.exact) json.set("exact", exact_json(*found.exact));
+    json.set("box", box_json(found));
+    return json;
+}
+
+namespace {
+
+bool is_used(const Scaling& scaling, std::size_t i) {
+    return scaling.estimate && i >= scaling.first && i <= scaling.last;
+}
+
+Json scales_json(const Scaling& scaling) {
+    Json scales = Json::array();
+    for (std::size_t i = 0; i < scaling.sizes.size(); ++i) {
+        Json entry{{"size", scaling.sizes[i]}, {"value", scaling.values[i]}};
+        entry.set("slope", i < scaling.slopes.size() ? Json(scaling.slopes[i]) : Json());
+        scales.add(entry.set("used", is_used(scaling, i)));
+    }
+    return scales;
+}
+
+std::string spectrum_page(const std::vector<GeneralisedDimension>& spectrum) {
+    std::string text = fmt::format("  {:>4}  {:>8}  {:>8}  {:>8}\n", "q", "D_q", "low", "high");
+    for (const auto& [order, scaling] : spectrum)
+        text += scaling.estimate ? fmt::format("  {:>4}  {:>8.4f}  {:>8.4f}  {:>8.4f}\n", order,
+                                               scaling.estimate->value, scaling.estimate->low,
+                                               scaling.estimate->high)
+                                 : fmt::format("  {:>4}  undecided\n", order);
+    return text + "\n  for q below 0 of boxes three times as wide, which nothing barely touches\n";
+}
+
+std::string scales_page(const MeasureNames& measure, const Scaling& scaling) {
+    std::string text =
+        fmt::format("  {:>12}  {:>14}  {:>8}\n", measure.scale, measure.value, "slope");
+    for (std::size_t i = 0; i < scaling.sizes.size(); ++i)
+        text +=
+            fmt::format("{} {:>12.6g}  {:>14.6g}  {:>8}\n", is_used(scaling, i) ? '*' : ' ',
+                        scaling.sizes[i], scaling.values[i],
+                        i < scaling.slopes.size() ? fmt::format("{:.4f}", scaling.slopes[i]) : "");
+    return text +
+           "\n  the slope is the dimension that this scale and the next finer one give; * scales "
+           "used\n";
+}
+
+}  // namespace
+
+std::string to_text(const ScalingReport& found) {
+    const MeasureNames& measure = names_of(found.measure);
+    const Scaling& scaling = found.scaling;
+    std::string text = found.what + "\n\nmeasured by " + measure.title;
+    if (!found.spectrum.empty()) text += ", q = 0";
+    text += scaling.estimate ? fmt::format(": {:.4f}, expected between {:.4f} and {:.4f}\n",
+                                           scaling.estimate->value, scaling.estimate->low,
+                                           scaling.estimate->high)
+                             : ": undecided\n";
+    text += "  " + scaling.because + "\n\n";
+    return text +
+           (found.spectrum.empty() ? scales_page(measure, scaling) : spectrum_page(found.spectrum));
+}
+
+Json to_json(const ScalingReport& found) {
+    Json json{{"input", found.what},
+              {"measure", names_of(found.measure).name},
+              {"scales", scales_json(found.scaling)},
+              {"estimate", estimate_json(found.scaling.estimate)},
+              {"because", found.scaling.because}};
+    if (found.spectrum.empty()) return json;
+    Json spectrum = Json::array();
+    for (const auto& [order, scaling] : found.spectrum) {
+        Json entry{{"q", order}};
+        entry.update(estimate_json(scaling.estimate));
+        spectrum.add(entry.set("because", scaling.because));
+    }
+    return json.set("spectrum", std::move(spectrum));
+}
+
+namespace {
+
+using Found = ExactDimension::Status;
+
+constexpr std::size_t formula_width = 38, longest_reason = 90;
+
+/// The formula; roots of long polynomials by their degree.
+std::string short_formula(const DimensionFormula& formula) {
+    const std::string whole = formula.text();
+    if (whole.size() <= formula_width) return whole;
+    if (!formula.log_ratio()) return whole.substr(0, formula_width - 4) + " ...";
+    const LogRatio& ratio = *formula.log_ratio();
+    const auto part = [](const std::string& text, const char* name, long degree) {
+        return text.size() <= formula_width / 2 ? text
+                                                : fmt::format("{} of degree {}", name, degree);
+    };
+    const Polynomial& rate = ratio.rate().minimal_polynomial();
+    const auto& square = ratio.ratio().square();
+    return "log " + part(ratio.rate().exact(), "root", rate.degree()) + " / log " +
+           part(ratio.ratio().text(), "mu", square ? 2 * square->minimal_polynomial().degree() : 0);
+}
+
+std::string shortened(std::string text) {
+    if (text.size() <= longest_reason) return text;
+    text.resize(text.find_last_of(' ', longest_reason));
+    return text + " ...";
+}
+
+}  // namespace
+
+std::string dimension_header(std::size_t width, bool quick) {
+    return fmt::format("{:<{}}  {:<{}}  {:>10}  {:>8}{}\n", "curve", width, "formula",
+                       formula_width, "dimension", "boundary",
+                       quick ? "" : "  measured                    difference");
+}
+
+std::string to_line(const DimensionRow& row, std::size_t width) {
+    if (row.exact.status == Found::none || row.exact.status == Found::unfinished)
+        return fmt::format("{:<{}}  {}\n", row.name, width, shortened(row.exact.conditions.back()));
+    const bool exact = row.exact.status == Found::exact;
+    std::string text = fmt::format(
+        "{:<{}}  {:<{}}  {:>2}{:.6f}  {:>8}", row.name, width, short_formula(*row.exact.value),
+        formula_width, exact ? "" : "<=", row.value(),
+        row.exact.boundary ? fmt::format("{:.6f}", row.exact.boundary->enclosure(64).midpoint())
+                           : "");
+    if (row.fit && row.fit->estimate) {
+        const Estimate& found = *row.fit->estimate;
+        text += fmt::format("  {:.4f} in [{:.4f}, {:.4f}]", found.value, found.low, found.high);
+        if (const auto difference = row.difference()) text += fmt::format("  {:+.4f}", *difference);
+    } else if (!row.unmeasured.empty()) {
+        text += "  undecided: " + shortened(row.unmeasured);
+    }
+    return text.substr(0, text.find_last_not_of(' ') + 1) + "\n";
+}
+
+Json to_json(const DimensionRow& row, bool quick) {
+    Json json{{"name", row.name}, {"title", row.title}, {"exact", exact_json(row.exact)}};
+    if (quick) return json;
+    json.set("measured", row.fit && row.fit->estimate ? estimate_json(row.fit->estimate) : Json());
+    json.set("difference", row.difference());
+    if (!row.unmeasured.empty()) json.set("because", row.unmeasured);
+    return json;
+}
+
+}  // namespace algae

@@ -1,0 +1,220 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include <concepts>
+#include <cstdint>
+#include <initializer_list>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "dimension/dimension.hpp"
+#include "exact/exact.hpp"
+#include "growth/growth.hpp"
+#include "language/language.hpp"
+#include "system/system.hpp"
+
+// report: what the library found out about a question, as plain data with two views: a page of text and JSON.
+
+namespace algae {
+
+/// The digits; of more than 60 the first ones and how many there are.
+std::string readable(const Integer& value);
+
+/// The parts with a text between.
+std::string joined(const std::vector<std::string>& parts, const std::string& between);
+
+/// A JSON value, whose keys stay in the order in which they were set. It keeps nlohmann/json out of the
+/// verbs: that header costs each file that includes it one to three seconds.
+class Json {
+public:
+    struct Field;
+
+    Json();  // null
+    Json(std::nullptr_t) : Json() {}
+    Json(const char* text);
+    Json(const std::string& text);
+    Json(std::string_view text);
+    Json(double value);
+    /// A number while every reader can hold it (below 2^53), otherwise its digits as a string.
+    Json(const Integer& value);
+    Json(const nlohmann::ordered_json& value);
+    template <std::integral T>
+    Json(T value) : Json() {
+        if constexpr (std::same_as<T, bool>)
+            set_bool(value);
+        else if constexpr (std::unsigned_integral<T>)
+            set_unsigned(value);
+        else
+            set_signed(value);
+    }
+    /// Null if there is no value.
+    template <class T>
+    Json(const std::optional<T>& value) : Json(value ? Json(*value) : Json()) {}
+    template <class T>
+    Json(const std::vector<T>& values) : Json(array()) {
+        for (const T& value : values) add(value);
+    }
+    /// An object.
+    Json(std::initializer_list<Field> fields);
+    static Json array(std::initializer_list<Json> values = {});
+
+    Json(const Json& other);
+    Json(Json&& other) noexcept;
+    Json& operator=(Json other) noexcept;
+    ~Json();
+
+    /// Sets a field of an object; null becomes one.
+    Json& set(const std::string& name, Json value);
+    /// Sets all fields of another object.
+    void update(const Json& other);
+    /// Appends to an array; null becomes one.
+    void add(Json value);
+
+    /// The text and the end of a line. Throws if a string is not UTF-8.
+    std::string text(int indent = 2) const;
+
+private:
+    void set_bool(bool value);
+    void set_signed(std::int64_t value);
+    void set_unsigned(std::uint64_t value);
+
+    std::unique_ptr<nlohmann::ordered_json> value_;
+};
+
+/// A field of an object as it is written in a list of fields.
+struct Json::Field {
+    Field(std::string field, Json of) : name(std::move(field)), value(std::move(of)) {}
+
+    std::string name;
+    mutable Json value;  // lists hold constants, and large values are moved out of them
+};
+
+/// A system and its class.
+struct SystemReport {
+    LSystem system;
+    Class kind;
+};
+
+std::string to_text(const SystemReport& report);
+Json to_json(const SystemReport& report);
+
+/// How the words of a D0L system grow.
+struct GrowthReport {
+    D0L system;
+    GrowthAnalysis analysis;
+};
+
+/// Long polynomials are shortened; `elsewhere` says where all of them are, behind a comma.
+std::string to_text(const GrowthReport& report, const std::string& elsewhere = {});
+Json to_json(const GrowthReport& report);
+
+/// The least and greatest lengths of the words of an 0L system, generation by generation from `first` on.
+struct LengthBoundsReport {
+    OL system;
+    LengthBounds bounds;
+    std::uint64_t first = 0;
+};
+
+std::string to_text(const LengthBoundsReport& report);
+Json to_json(const LengthBoundsReport& report);
+
+/// What the words of a D0L system have in common: factors and their complexity class, pushiness,
+/// repetitions, a locally catenative formula.
+struct FactorReport {
+    D0L system;
+    std::vector<std::uint64_t> complexity;  // factors of 0, 1, 2, ... letters
+    bool infinite_word = false;             // all words are beginnings of one
+    ComplexityOrder order;
+    std::optional<Pusher> pusher;
+    std::vector<InfiniteRepetition> repetitions;
+    CatenativeAnswer formula;
+};
+
+/// Factors of up to 24 letters, formulas that look back up to 8 generations. Throws as the functions of
+/// the room growth do.
+FactorReport factor_report(const D0L& system, const Budget& budget);
+
+std::string to_text(const FactorReport& report);
+Json to_json(const FactorReport& report);
+
+/// The dimension of a figure: what the rules give, and what boxes measured.
+struct DimensionReport {
+    std::string what;  // was measured
+    std::optional<ExactDimension> exact;
+    std::optional<std::uint64_t> generation;
+    BoxCounts counts;
+    BoxFit fit;
+};
+
+std::string to_text(const DimensionReport& report);
+Json to_json(const DimensionReport& report);
+
+/// The ways to measure.
+enum class Measure { boxes, divider, mass, correlation, information, multifractal, lacunarity };
+
+/// What a measure is called, and what its table calls the scales and the values.
+struct MeasureNames {
+    const char *name, *title, *scale, *value;
+};
+inline constexpr std::size_t measure_count = 7;
+const MeasureNames& names_of(Measure measure);
+
+/// What a measure other than boxes found.
+struct ScalingReport {
+    std::string what;  // was measured
+    Measure measure;
+    Scaling scaling;
+    std::vector<GeneralisedDimension> spectrum;  // of the measure multifractal only
+};
+
+std::string to_text(const ScalingReport& report);
+Json to_json(const ScalingReport& report);
+
+/// One system, what its rules give and what was measured.
+struct DimensionRow {
+    std::string name, title;
+    ExactDimension exact;
+    std::optional<BoxFit> fit;
+    std::string unmeasured;   // why it was not, where it was to be
+    bool unfinished = false;  // because the budget was used up
+
+    /// The number that measurements are compared with: an upper bound above 2 is 2.
+    double value() const { return std::min(exact.value->enclosure(64).midpoint(), 2.0); }
+    std::optional<double> difference() const {
+        if (!fit || !fit->estimate || exact.status != ExactDimension::Status::exact)
+            return std::nullopt;
+        return fit->estimate->value - value();
+    }
+};
+
+/// The head of a table of such rows, whose names are so wide.
+std::string dimension_header(std::size_t width, bool quick);
+/// The row as a line; where there is no formula, why not.
+std::string to_line(const DimensionRow& row, std::size_t width);
+/// `quick`: nothing was to be measured.
+Json to_json(const DimensionRow& row, bool quick);
+
+/// Why the word is not in the language, as a sentence without its capital and full stop.
+std::string reason(const Membership& found, const Alphabet& alphabet, const Word& word);
+
+/// A derivation, step by step with the rules used.
+std::string to_text(const Derivation& found, const ET0L& system);
+Json to_json(const Derivation& found, const ET0L& system);
+
+/// Why a language is infinite.
+std::string to_text(const EndlessRound& round, const OL& system);
+Json to_json(const EndlessRound& round, const OL& system);
+std::string to_text(const EndlessTables& proof, const ET0L& system);
+Json to_json(const EndlessTables& proof, const ET0L& system);
+
+// What a comparison of two systems found, A and B.
+
+std::string to_text(const GrowthComparison& found);
+std::string to_text(const SequenceEquality& found, const Alphabet& alphabet);
+std::string to_text(const LanguageEquality& found, const Alphabet& alphabet);
+
+}  // namespace algae

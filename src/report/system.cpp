@@ -1,0 +1,189 @@
+// What a system is and what stands in its file, as a page and as JSON.
+//
+// A word too long for a screen is shortened on the page only; lines of what the file does not say are left
+// out there, and empty in JSON.
+
+#include "report/report.hpp"
+
+#include <fmt/format.h>
+
+#include <utility>
+
+#include "notation/notation.hpp"
+
+namespace algae {
+
+namespace {
+
+std::vector<std::string> names(const Alphabet& alphabet, const std::vector<Symbol>& symbols) {
+    std::vector<std::string> found;
+    for (const Symbol a : symbols) found.push_back(alphabet.name(a));
+    return found;
+}
+
+std::vector<std::string> all_names(const Alphabet& alphabet) {
+    std::vector<std::string> found;
+    for (Symbol a = 0; a < alphabet.size(); ++a) found.push_back(alphabet.name(a));
+    return found;
+}
+
+/// The rules, one a line.
+std::vector<std::string> rules_text(const LSystem& system, const Printer& printer) {
+    std::vector<std::string> rules;
+    for (const Production& rule : system.rules) rules.push_back(printer.rule(rule));
+    return rules;
+}
+
+Json as_json(const InnerSystem& inner, const Alphabet& alphabet) {
+    const Printer printer(alphabet);
+    Json out;
+    out.set("name", inner.name);
+    out.set("axiom", printer.word(inner.system.axiom));
+    out.set("rules", rules_text(inner.system, printer));
+    out.set("ignore", names(alphabet, inner.system.ignored));
+    return out;
+}
+
+Json as_json(const Alphabet& alphabet, const EnvironmentSetting& environment) {
+    Json out;
+    out.set("module", alphabet.name(environment.module));
+    out.set("kind", environment.kind);
+    std::vector<double> numbers;
+    for (const Quantity& number : environment.numbers) numbers.push_back(number.value);
+    out.set("numbers", numbers);
+    return out;
+}
+
+/// The word, or its beginning and its length if it would fill the screen.
+std::string axiom_text(const LSystem& system, const Printer& printer) {
+    constexpr std::size_t shown = 400, whole = 2000;  // letters
+    if (system.axiom.letters.size() <= whole) return printer.word(system.axiom);
+    ModuleWord beginning;
+    beginning.letters.assign(system.axiom.letters.begin(), system.axiom.letters.begin() + shown);
+    for (const auto& [position, arguments] : system.axiom.arguments)
+        if (position < shown) beginning.arguments.emplace(position, arguments);
+    for (const auto& [position, words] : system.axiom.splices)
+        if (position < shown) beginning.splices.emplace(position, words);
+    return fmt::format("{} ... ({} letters)", printer.word(beginning), system.axiom.letters.size());
+}
+
+/// The systems within, as they are written.
+std::vector<std::string> systems_text(const LSystem& system, const Printer& printer) {
+    std::vector<std::string> lines;
+    for (const InnerSystem& inner : system.inner) {
+        lines.push_back(inner.name + " {");
+        lines.push_back("    axiom " + axiom_text(inner.system, printer));
+        for (const std::string& rule : rules_text(inner.system, printer))
+            lines.push_back("    " + rule);
+        if (!inner.system.ignored.empty())
+            lines.push_back("    ignore " + printer.apart(inner.system.ignored));
+        lines.push_back("}");
+    }
+    return lines;
+}
+
+}  // namespace
+
+Json to_json(const SystemReport& report) {
+    const auto& [system, kind] = report;
+    Json out;
+    out.set("class", kind.name());
+    if (!system.title.empty()) out.set("title", system.title);
+    if (!system.source.empty()) out.set("source", system.source);
+    out.set("alphabet", all_names(system.alphabet));
+    out.set("axiom", print_word(system.alphabet, system.axiom));
+    const Printer printer(system.alphabet);
+    out.set("rules", rules_text(system, printer));
+    out.set("deterministic", kind.deterministic);
+    out.set("propagating", kind.propagating);
+    out.set("stochastic", kind.stochastic);
+    out.set("parametric", kind.parametric);
+    out.set("bracketed", kind.bracketed);
+    out.set("context", Json::array({kind.context.first, kind.context.second}));
+    Json systems = Json::array();
+    for (const InnerSystem& inner : system.inner) systems.add(as_json(inner, system.alphabet));
+    out.set("systems", std::move(systems));
+    out.set("tables", system.tables);
+    out.set("schedule", schedule_names(system));
+    out.set("terminals", names(system.alphabet, system.terminals));
+    Json environments = Json::array();
+    for (const EnvironmentSetting& environment : system.environments)
+        environments.add(as_json(system.alphabet, environment));
+    out.set("environments", std::move(environments));
+    out.set("plot", names(system.alphabet, system.settings.plotters));
+    Json stamps = Json::array();
+    for (const Settings::Stamp& stamp : system.settings.stamps)
+        stamps.add(Json{{"symbol", system.alphabet.name(stamp.symbol)},
+                        {"shape", shape_name(stamp.shape)}});
+    out.set("stamps", std::move(stamps));
+    Json solids = Json::array();
+    for (const SolidSetting& solid : system.settings.solids)
+        solids.add({{"symbol", system.alphabet.name(solid.symbol)},
+                    {"kind", solid.kind},
+                    {"measures", solid.measures}});
+    out.set("solids", std::move(solids));
+    Json surfaces = Json::array();
+    for (const SurfaceSetting& surface : system.settings.surfaces)
+        surfaces.add(
+            Json{{"symbol", system.alphabet.name(surface.symbol)}, {"kind", surface.kind}});
+    out.set("surfaces", std::move(surfaces));
+    return out;
+}
+
+std::string to_text(const SystemReport& report) {
+    const auto& [system, kind] = report;
+    std::string out;
+    const auto line = [&](const char* label, const std::string& value) {
+        if (!value.empty()) out += fmt::format("{:<15}{}\n", label, value);
+    };
+    const auto answer = [](bool yes) { return std::string(yes ? "yes" : "no"); };
+    line("title", system.title);
+    line("source", system.source);
+    line("class", kind.name());
+    line("alphabet", joined(all_names(system.alphabet), " "));
+    const Printer printer(system.alphabet);
+    const auto list = [&](const char* label, const std::vector<std::string>& values) {
+        for (const std::string& value : values) line(std::exchange(label, ""), value);
+    };
+    line("axiom", axiom_text(system, printer));
+    list("rules", rules_text(system, printer));
+    list("systems within", systems_text(system, printer));
+    line("tables", joined(system.tables, " "));
+    if (!system.schedule.empty())
+        line("schedule", fmt::format("{}, then again", fmt::join(schedule_names(system), " ")));
+    line("terminals", joined(names(system.alphabet, system.terminals), " "));
+    std::vector<std::string> environments, stamps;
+    for (const EnvironmentSetting& environment : system.environments)
+        environments.push_back(print_environment(system.alphabet, environment));
+    list("environments", environments);
+    line("plot", joined(names(system.alphabet, system.settings.plotters), " "));
+    for (const Settings::Stamp& stamp : system.settings.stamps)
+        stamps.push_back(system.alphabet.name(stamp.symbol) + ' ' + shape_name(stamp.shape));
+    list("stamps", stamps);
+    std::vector<std::string> solids, surfaces;
+    for (const SolidSetting& solid : system.settings.solids)
+        solids.push_back(system.alphabet.name(solid.symbol) + ' ' + print_solid(solid));
+    list("solids", solids);
+    for (const SurfaceSetting& surface : system.settings.surfaces)
+        surfaces.push_back(system.alphabet.name(surface.symbol) + ' ' + print_surface(surface));
+    list("surfaces", surfaces);
+    line("deterministic", answer(kind.deterministic));
+    line("propagating", answer(kind.propagating));
+    line("bracketed", answer(kind.bracketed));
+    const auto& settings = system.settings;
+    line("angle",
+         settings.angle ? to_text(settings.angle->expression) : "90 (the file does not say)");
+    if (const auto& start = settings.start)
+        line("start",
+             fmt::format("{} {} {}", to_text(start->x.expression), to_text(start->y.expression),
+                         to_text(start->heading.expression)));
+    if (const auto& shown = settings.generations)
+        line("generation", shown->first == shown->second
+                               ? std::to_string(shown->first)
+                               : fmt::format("{}..{}", shown->first, shown->second));
+    if (kind.context != std::pair<std::size_t, std::size_t>{0, 0})
+        line("context", fmt::format("({},{})", kind.context.first, kind.context.second));
+    return out;
+}
+
+}  // namespace algae

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <compare>
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "verify/verify.hpp"
+
+namespace algae::verify {
+
+/// Regular expressions with complement, intersection, images and inverse images, each known by a number,
+/// and their derivatives (Brzozowski 1964): the derivative by a letter has what may follow it.
+class Derivatives {
+public:
+    using Term = std::size_t;
+
+    /// Both must outlive this.
+    Derivatives(const Alphabet& alphabet, const Budget& budget);
+
+    /// The expression, where all systems in it have finite languages; throws Error if one has not,
+    /// BoundReached if that cannot be found out.
+    Term term(const Language& language) { return convert(*language, false); }
+
+    /// Whether the language has the empty word.
+    bool nullable(Term term);
+    Term derivative(Term term, Symbol letter);
+    Term derivative(Term term, const Word& word);
+    /// Whether no word is in the left language and not in the right one, worked out by comparing all
+    /// derivatives of both that can be reached.
+    bool included(Term left, Term right);
+    bool equal(Term left, Term right);
+
+    /// All derivatives of a term, itself first, and where each letter leads.
+    struct Automaton {
+        std::vector<char> accepting;
+        std::vector<std::vector<std::size_t>> next;  // by state and symbol
+    };
+    Automaton automaton(Term term);
+
+private:
+    enum class Kind {
+        none,
+        empty_word,
+        letter,
+        product,
+        star,
+        any,
+        all,
+        complement,
+        image,
+        inverse_image
+    };
+    struct Node {
+        Kind kind = Kind::none;
+        std::size_t number = 0;  // of the letter or morphism
+        std::vector<Term> parts;
+        bool operator==(const Node&) const = default;
+        bool operator<(const Node& other) const {
+            return std::tie(kind, number, parts) < std::tie(other.kind, other.number, other.parts);
+        }
+    };
+    using Morphism = std::map<Symbol, Word>;
+
+    Term made(Node node);
+    Term letter(Symbol a) { return made({Kind::letter, a, {}}); }
+    Term product(Term left, Term right);
+    Term star(Term part);
+    Term any(std::vector<Term> parts);
+    Term all(std::vector<Term> parts);
+    Term complement(Term part);
+    Term word(const Word& word, Term rest);
+    Term convert(const Tree& tree, bool reversed);
+    Term convert_morphism(const Tree& tree, bool reversed);
+    std::vector<Term> after_erased(Term part, std::size_t morphism);
+    bool find_nullable(Term term);
+    Term find_derivative(Term term, Symbol letter);
+
+    const Alphabet& alphabet_;
+    const Budget& budget_;
+    std::vector<Node> nodes_;
+    std::map<Node, Term> numbers_;
+    std::vector<Morphism> morphisms_;
+    std::map<Term, bool> nullable_;
+    std::map<std::pair<Term, Symbol>, Term> derivatives_;
+    Term none_ = 0, empty_word_ = 0;
+};
+
+/// Whether a word is in a language, by the definition of each operation: of an L(G) without context by the
+/// tables of which letters derive which factors of the word, until nothing new comes; with context by
+/// deriving. Throws BoundReached where that takes more than the budget.
+bool contains(const Language& language, const Word& word, const Alphabet& alphabet,
+              const Budget& budget);
+
+/// The image of a word under a morphism; nothing if a letter has none.
+std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& morphism,
+                             const Budget& budget);
+
+/// Whether the system derives a word, from here, in this number of steps, or in any. Terminals do not matter.
+bool derives(const System& system, const Word& from, const Word& to,
+             const std::optional<Integer>& steps, const Budget& budget);
+
+/// Whether every word of the left language is in the right one, a regular expression. The left is an L(G),
+/// worked out by what all that letters derive does to the derivatives of the right, until it repeats;
+/// or made of such by union, image, reversal, and intersection and difference with regular expressions.
+/// Throws Error if it is something else.
+bool within_regular(const Language& left, const Language& right, const Alphabet& alphabet,
+                    const Budget& budget);
+
+/// All words of a language, by the definition of each operation; nothing if it is infinite. Throws
+/// BoundReached where that cannot be found out or takes more than the budget.
+std::optional<std::set<Word>> finite_values(const Language& language, const Alphabet& alphabet,
+                                            const Budget& budget);
+
+/// The words of a finite set or of a system whose derivations come to an end; throws BoundReached if
+/// they do not within the budget.
+std::vector<Word> finite_values_of_leaf(const Tree& leaf, const Budget& budget);
+
+}  // namespace algae::verify

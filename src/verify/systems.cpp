@@ -1,0 +1,372 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "verify/detail/checking.hpp"
+#include "verify/verify.hpp"
+
+// Systems of the checker: their steps on words, the relations that derivations induce on the states of an automaton, and the lengths of
+// D0L sequences.
+//
+// A step with context matches contexts letter by letter, by definition. Relations of sequences of tables are finitely many, so walking through
+// them ends; that is how statements about all derivations of any length are checked.
+
+namespace algae::verify {
+
+std::vector<Symbol> accessible_letters(const System& system, const Word& from) {
+    std::set<Symbol> letters(from.begin(), from.end());
+    for (std::size_t before = 0; before != letters.size();) {
+        before = letters.size();
+        const std::set<Symbol> known = letters;
+        for (const Symbol a : known) {
+            for (const auto& table : system.tables)
+                for (const Word& word : table[a]) letters.insert(word.begin(), word.end());
+            for (const System::Rule& rule : system.rules)
+                if (rule.letter == a) letters.insert(rule.successor.begin(), rule.successor.end());
+        }
+    }
+    return {letters.begin(), letters.end()};
+}
+
+bool has_only_terminals(const System& system) {
+    const auto letters = accessible_letters(system, system.axiom);
+    return std::all_of(letters.begin(), letters.end(),
+                       [&](Symbol a) { return system.terminal[a]; });
+}
+
+namespace {
+
+bool is_deterministic(const System& system) {
+    const auto letters = accessible_letters(system, system.axiom);
+    return std::all_of(system.tables.begin(), system.tables.end(), [&](const auto& table) {
+        return std::all_of(letters.begin(), letters.end(),
+                           [&](Symbol a) { return table[a].size() == 1; });
+    });
+}
+
+bool is_propagating(const System& system) {
+    const auto letters = accessible_letters(system, system.axiom);
+    return std::all_of(system.tables.begin(), system.tables.end(), [&](const auto& table) {
+        return std::all_of(letters.begin(), letters.end(), [&](Symbol a) {
+            return std::all_of(table[a].begin(), table[a].end(),
+                               [](const Word& word) { return !word.empty(); });
+        });
+    });
+}
+
+}  // namespace
+
+bool is_d0l(const System& system) {
+    return !system.context && system.tables.size() == 1 && is_deterministic(system) &&
+           has_only_terminals(system);
+}
+
+std::set<Symbol> lasting_letters(const System::Successors& table) {
+    std::set<Symbol> letters;
+    for (Symbol a = 0; a < table.size(); ++a) letters.insert(a);
+    for (std::size_t before = 0; before != letters.size();) {
+        before = letters.size();
+        const std::set<Symbol> known = letters;
+        for (const Symbol a : known)
+            if (std::none_of(table[a].begin(), table[a].end(), [&](const Word& word) {
+                    return std::any_of(word.begin(), word.end(),
+                                       [&](Symbol b) { return known.contains(b); });
+                }))
+                letters.erase(a);
+    }
+    return letters;
+}
+
+bool is_endless(const System& system) {
+    if (system.context || system.tables.size() != 1 || !has_only_terminals(system)) return false;
+    const auto& table = system.tables.front();
+    const std::set<Symbol> lasting = lasting_letters(table);
+    for (const Symbol a : accessible_letters(system, system.axiom))
+        for (const Word& successor : table[a])
+            for (std::size_t i = 0; i < successor.size(); ++i) {
+                const auto others = [&](std::size_t at) {
+                    return at != i && lasting.contains(successor[at]);
+                };
+                bool beside = false;
+                for (std::size_t at = 0; at < successor.size(); ++at) beside = beside || others(at);
+                if (!beside) continue;
+                const auto derived = accessible_letters(system, {successor[i]});
+                if (std::find(derived.begin(), derived.end(), a) != derived.end()) return true;
+            }
+    return false;
+}
+
+std::optional<std::string> beyond_form(const System& system, const std::string& family,
+                                       bool empty_axiom) {
+    const bool interactive = family == "IL";
+    const bool extended = family.find('E') != std::string::npos;
+    const bool tables = family.find('T') != std::string::npos;
+    if (!interactive && !family.ends_with("0L"))
+        return "no system has the form of the family " + family;
+    if (!empty_axiom && system.axiom.empty()) return "the axiom is empty";
+    if (system.context)
+        return interactive ? std::nullopt : std::optional<std::string>("the rules have contexts");
+    if (!tables && system.tables.size() != 1) return "the system has more than one table";
+    if (!extended && !has_only_terminals(system))
+        return "a letter that is no terminal occurs in derived words";
+    if (family.find('D') != std::string::npos && !is_deterministic(system))
+        return "a letter has more than one successor";
+    if (family.find('P') != std::string::npos && !is_propagating(system))
+        return "a letter has the empty successor";
+    return std::nullopt;
+}
+
+namespace {
+
+/// Whether the letters that are seen before the position, from right to left, end with the context.
+bool matches_left(const System& system, const Word& word, std::size_t position, const Word& left) {
+    std::size_t wanted = left.size();
+    while (wanted > 0 && position > 0) {
+        --position;
+        if (system.ignored[word[position]]) continue;
+        if (word[position] != left[wanted - 1]) return false;
+        --wanted;
+    }
+    return wanted == 0;
+}
+
+bool matches_right(const System& system, const Word& word, std::size_t position,
+                   const Word& right) {
+    std::size_t done = 0;
+    for (++position; done < right.size() && position < word.size(); ++position) {
+        if (system.ignored[word[position]]) continue;
+        if (word[position] != right[done]) return false;
+        ++done;
+    }
+    return done == right.size();
+}
+
+}  // namespace
+
+Word next_word(const System& system, const Word& word) {
+    Word next;
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        const System::Rule* best = nullptr;
+        for (const System::Rule& rule : system.rules) {
+            if (rule.letter != word[i]) continue;
+            if (best &&
+                rule.left.size() + rule.right.size() <= best->left.size() + best->right.size())
+                continue;
+            if (matches_left(system, word, i, rule.left) &&
+                matches_right(system, word, i, rule.right))
+                best = &rule;
+        }
+        if (best)
+            next.insert(next.end(), best->successor.begin(), best->successor.end());
+        else
+            next.push_back(word[i]);
+    }
+    return next;
+}
+
+bool may_give(const System::Successors& table, const Word& from, const Word& to) {
+    std::set<std::size_t> reached{0};  // how much of `to` the letters so far can have become
+    for (const Symbol a : from) {
+        std::set<std::size_t> next;
+        for (const std::size_t start : reached)
+            for (const Word& image : table[a])
+                if (image.size() <= to.size() - start &&
+                    std::equal(image.begin(), image.end(),
+                               to.begin() + static_cast<std::ptrdiff_t>(start)))
+                    next.insert(start + image.size());
+        reached = std::move(next);
+        if (reached.empty()) return false;
+    }
+    return reached.contains(to.size());
+}
+
+bool never_shrinks(const System& system) {
+    if (system.context)
+        return std::none_of(system.rules.begin(), system.rules.end(),
+                            [](const System::Rule& rule) { return rule.successor.empty(); });
+    return is_propagating(system);
+}
+
+BooleanMatrix relation_of(const Word& word, const Relations& relations, std::size_t states) {
+    BooleanMatrix product = BooleanMatrix::identity(states);
+    for (const Symbol a : word) product = product.then(relations.at(a));
+    return product;
+}
+
+Relations one_step_earlier(const Relations& relations, const System::Successors& table,
+                           std::size_t states) {
+    Relations earlier;
+    for (const auto& [a, relation] : relations) {
+        BooleanMatrix all(states);
+        for (const Word& word : table[a]) all |= relation_of(word, relations, states);
+        earlier.emplace(a, std::move(all));
+    }
+    return earlier;
+}
+
+namespace {
+
+/// Counts the work of steps, and ends it before it would take too long.
+class Work {
+public:
+    Work(const System& system, const Relations& relations, std::size_t states, const Budget& budget)
+        : budget_(budget) {
+        std::uint64_t letters = 1;
+        for (const auto& table : system.tables)
+            for (const auto& [a, relation] : relations)
+                for (const Word& word : table[a]) letters += word.size() + 1;
+        const double rows = static_cast<double>(states) * static_cast<double>(states);
+        one_step_ = static_cast<double>(letters) * rows * (1 + static_cast<double>(states) / 128);
+    }
+
+    void add() {
+        budget_.check();
+        done_ += one_step_;
+        if (done_ > most)
+            throw BoundReached(Bound::method,
+                               "the tables of what letters derive would take too long");
+    }
+
+private:
+    static constexpr double most = 5e10;  // operations: minutes
+
+    const Budget& budget_;
+    double one_step_ = 0, done_ = 0;
+};
+
+std::uint64_t bytes_of(const Relations& relations) {
+    std::uint64_t bytes = 64;
+    for (const auto& [a, relation] : relations) bytes += 64 + relation.bytes();
+    return bytes;
+}
+
+}  // namespace
+
+bool some_relations(const System& system, const Relations& start, std::size_t states,
+                    const std::function<bool(const Relations&)>& stop, const Budget& budget) {
+    budget.check_memory(bytes_of(start), "the table of what letters derive");
+    Work work(system, start, states, budget);
+    std::set<Relations> known{start};
+    std::vector<const Relations*> open{&*known.begin()};
+    std::uint64_t bytes = bytes_of(start);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        if (stop(*open[i])) return true;
+        for (const auto& table : system.tables) {
+            work.add();
+            const auto [place, is_new] = known.insert(one_step_earlier(*open[i], table, states));
+            if (!is_new) continue;
+            bytes += bytes_of(*place);
+            budget.check_memory(bytes, "the tables of what letters derive");
+            open.push_back(&*place);
+        }
+    }
+    return false;
+}
+
+bool some_relations_after(const System& system, const Relations& start, std::size_t states,
+                          const Integer& steps, const std::function<bool(const Relations&)>& stop,
+                          const Budget& budget) {
+    Work work(system, start, states, budget);
+    std::map<std::set<Relations>, std::size_t> known;
+    std::vector<const std::set<Relations>*> levels;
+    std::set<Relations> level{start};
+    std::uint64_t bytes = 0;
+    for (;;) {
+        for (const Relations& relations : level) bytes += bytes_of(relations);
+        budget.check_memory(bytes, "the tables of what letters derive");
+        const auto [place, is_new] = known.emplace(level, levels.size());
+        std::size_t wanted = levels.size();
+        if (!is_new) {  // from the level before on they come round again
+            const std::size_t first = place->second, period = levels.size() - first;
+            wanted = first + static_cast<std::size_t>(
+                                 remainder(steps - first, Integer(period)).to_uint64());
+        } else {
+            levels.push_back(&place->first);
+        }
+        if (!is_new || steps == wanted)
+            return std::any_of(levels[wanted]->begin(), levels[wanted]->end(), stop);
+        std::set<Relations> next;
+        for (const Relations& relations : level)
+            for (const auto& table : system.tables) {
+                budget.check_memory(bytes + (next.size() + 1) * bytes_of(relations),
+                                    "the tables of what letters derive");
+                work.add();
+                next.insert(one_step_earlier(relations, table, states));
+            }
+        level = std::move(next);
+    }
+}
+
+Lengths::Lengths(const System& system)
+    : system_(system), symbols_(accessible_letters(system, system.axiom)) {
+    for (const Symbol a : symbols_)
+        counts_.emplace_back(std::count(system.axiom.begin(), system.axiom.end(), a));
+}
+
+Integer Lengths::length() const {
+    Integer all;
+    for (const Integer& count : counts_) all += count;
+    return all;
+}
+
+void Lengths::next() {
+    std::vector<Integer> later(counts_.size());
+    for (std::size_t i = 0; i < symbols_.size(); ++i)
+        for (const Symbol b : system_.tables.front()[symbols_[i]].front()) {
+            const auto place = std::lower_bound(symbols_.begin(), symbols_.end(), b);
+            later[static_cast<std::size_t>(place - symbols_.begin())] += counts_[i];
+        }
+    counts_ = std::move(later);
+}
+
+Integer length_of_generation(const System& system, const Integer& generation,
+                             const Budget& budget) {
+    if (generation > 100'000)
+        throw BoundReached(Bound::method, "generation " + to_string(generation) +
+                                              " is not counted, only those up to 100000");
+    Lengths lengths(system);
+    for (std::uint64_t n = 0; generation != n; ++n) {
+        budget.check();
+        lengths.next();
+    }
+    return lengths.length();
+}
+
+std::optional<Symbol> letter_of_generation(const System& system, std::uint64_t generation,
+                                           Integer position, const Budget& budget) {
+    const auto symbols = accessible_letters(system, system.axiom);
+    const auto& table = system.tables.front();
+    std::vector<std::map<Symbol, Integer>> lengths(1);  // of what a letter becomes, by steps
+    for (const Symbol a : symbols) lengths[0][a] = 1;
+    std::uint64_t bytes = 0;
+    for (std::uint64_t step = 1; step <= generation; ++step) {
+        budget.check();
+        auto& later = lengths.emplace_back();
+        for (const Symbol a : symbols) {
+            Integer& length = later[a];
+            for (const Symbol b : table[a].front())
+                length += lengths[static_cast<std::size_t>(step) - 1].at(b);
+            bytes += 64 + bit_length(length) / 8;
+        }
+        budget.check_memory(bytes, "the lengths of what letters become");
+    }
+    const Word* word = &system.axiom;
+    for (std::uint64_t left = generation + 1; left-- > 0;) {
+        std::optional<Symbol> at;
+        for (const Symbol a : *word) {
+            const Integer& length = lengths[static_cast<std::size_t>(left)].at(a);
+            if (position < length) {
+                at = a;
+                break;
+            }
+            position -= length;
+        }
+        if (!at || left == 0) return at;
+        word = &table[*at].front();
+    }
+    return std::nullopt;
+}
+
+}  // namespace algae::verify

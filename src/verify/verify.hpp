@@ -1,0 +1,532 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <tuple>
+
+#include <array>
+#include <compare>
+#include <cstdint>
+#include <initializer_list>
+#include <map>
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "word/word.hpp"
+
+// verify: certificates, checked again by means that share nothing with the search that found them. This room reads the JSON of
+// CERTIFICATES.md into statements and proofs, each with the path and line of its field, and checks each proof by definitions
+// alone: it has a reader, languages, derivations and matrices of its own. A proof that does not show its statement is a flaw, told
+// with its place; a stop of the work judges nothing.
+
+namespace algae::verify {
+
+/// A value of a JSON text with the line where it stands. Objects keep their members in order.
+struct JsonValue {
+    enum class Kind { null, truth, number, real, text, list, object };
+    Kind kind = Kind::null;
+    bool truth = false;
+    std::uint64_t number = 0;  // whole and not negative; other numbers are `real`
+    std::string text;
+    std::vector<JsonValue> items;   // of a list or object
+    std::vector<std::string> keys;  // of an object, one for each item
+    std::size_t line = 0;           // counts from 1
+};
+
+/// The value that a JSON text holds. Throws Error naming the line where it is none, has a member twice
+/// in one object or is followed by something else; BoundReached where lists and objects are nested
+/// deeper than 1000 levels.
+///
+/// Example: algae::verify::parse_json("[1,\n\"a\"]", "x").items.at(1).line == 2
+JsonValue parse_json(std::string_view text, const std::string& file);
+
+/// What is wrong with a proof, and where.
+struct Flaw {
+    std::string path;
+    std::size_t line = 0;
+    std::string reason;
+};
+
+/// A value of a certificate and how to get there: "statements[2].proof.cases[0]". Whoever asks for
+/// something else than what is there gets an Error that names the path and the line.
+class Field {
+public:
+    Field(const JsonValue& value, std::string path, const std::string& file)
+        : value_(&value), path_(std::move(path)), file_(&file) {}
+
+    const std::string& path() const { return path_; }
+    std::size_t line() const { return value_->line; }
+    JsonValue::Kind kind() const { return value_->kind; }
+
+    /// Throws Error if this is no object or has a field that is not named here.
+    void only(std::initializer_list<std::string_view> names) const;
+    bool has(std::string_view name) const;
+    /// A field of an object. Throws Error if it is missing.
+    Field at(std::string_view name) const;
+    /// The elements of a list.
+    std::vector<Field> list() const;
+    /// The two elements of a list of two.
+    std::pair<Field, Field> pair() const;
+    /// The fields of an object.
+    std::vector<std::pair<std::string, Field>> object() const;
+    const std::string& text() const;
+    bool truth() const;
+    std::uint64_t number() const;
+    /// A number or a string of digits; a minus sign before the digits only where `negative`.
+    Integer integer(bool negative = false) const;
+
+    /// The certificate is none: throws Error.
+    [[noreturn]] void fail(const std::string& what) const;
+    /// The proof does not hold: throws Flaw.
+    [[noreturn]] void refuse(const std::string& why) const;
+
+private:
+    Field inside(const JsonValue& value, const std::string& step) const {
+        return {value, path_ + step, *file_};
+    }
+    void expect(JsonValue::Kind kind, const char* what) const;
+
+    const JsonValue* value_;
+    std::string path_;
+    const std::string* file_;
+};
+
+/// An L-system as a certificate has it: a word and tables of successors, with terminals; or
+/// deterministic rules with context.
+struct System {
+    /// The successors of each letter, by symbol: at least one.
+    using Successors = std::vector<std::vector<Word>>;
+    struct Rule {
+        Word left;
+        Symbol letter = 0;
+        Word right, successor;
+        bool operator==(const Rule&) const = default;
+    };
+
+    Word axiom;
+    std::vector<Successors> tables;  // at least one where there is no context
+    std::vector<char> terminal;      // by symbol
+    bool context = false;
+    std::vector<Rule> rules;    // with context
+    std::vector<char> ignored;  // with context, by symbol
+
+    bool operator==(const System&) const = default;
+};
+
+/// The letters that can occur in a word derived from this one, in increasing order.
+std::vector<Symbol> accessible_letters(const System& system, const Word& from);
+
+/// Whether every letter that is accessible from the axiom is a terminal.
+bool has_only_terminals(const System& system);
+/// Whether it is a D0L system: no context, one table, one successor for each accessible letter, no
+/// letter that is no terminal.
+bool is_d0l(const System& system);
+
+/// The letters from which some derivation by this table goes on for ever without becoming empty.
+std::set<Symbol> lasting_letters(const System::Successors& table);
+
+/// Whether an 0L system derives words without end: some letter derives a word with itself in it, where the first
+/// rule has a lasting letter besides. Only systems with one table and terminals only are said to.
+bool is_endless(const System& system);
+
+/// What keeps the system from having the form of a family, in words; nothing if it has it. The families are
+/// 0L, T0L, E0L and ET0L with P and D before, and IL. `empty_axiom`: whether the empty word may be
+/// the axiom.
+std::optional<std::string> beyond_form(const System& system, const std::string& family,
+                                       bool empty_axiom);
+
+/// The next word of a system with context.
+Word next_word(const System& system, const Word& word);
+/// Whether a step by this table can take one word to the other.
+bool may_give(const System::Successors& table, const Word& from, const Word& to);
+/// Whether no rule has the empty successor.
+bool never_shrinks(const System& system);
+
+/// A letter with its parameters.
+struct Module {
+    std::string letter;
+    std::vector<double> values;
+    bool operator==(const Module&) const = default;
+    bool operator<(const Module& other) const {
+        return std::tie(letter, values) < std::tie(other.letter, other.values);
+    }
+};
+using Modules = std::vector<Module>;
+
+/// An expression as a tree.
+struct Term {
+    enum class Kind { number, parameter, operation };
+    Kind kind = Kind::number;
+    double number = 0;
+    std::string name;  // of a parameter or an operation
+    std::vector<Term> parts;
+};
+
+/// A system whose words are derived module by module.
+struct ModuleSystem {
+    /// A module in a rule: a letter and the names of its parameters.
+    struct Pattern {
+        std::string letter;
+        std::vector<std::string> parameters;
+        bool operator==(const Pattern&) const = default;
+    };
+    struct Rule {
+        Pattern module;
+        std::vector<Pattern> left, right, elsewhere;
+        std::optional<Term> condition;
+        std::optional<Rational> probability;
+        std::vector<std::pair<std::string, std::vector<Term>>> successor;
+    };
+    Modules axiom;
+    std::vector<Rule> rules;
+    std::set<std::string> ignored;  // not seen when contexts are matched
+};
+
+/// Throw Error where the field is not as CERTIFICATES.md says.
+ModuleSystem module_system(const Field& field);
+Modules modules(const Field& field);
+Rational probability(const Field& field);
+
+/// What the names in the expressions of a rule stand for.
+using Bindings = std::map<std::string, double>;
+
+/// The value of an expression. Throws Flaw (at `proof`) where it does not exist, BoundReached where it
+/// uses a function that is not arithmetic.
+double value(const Term& term, const Bindings& names, const Field& proof);
+
+/// What a module may become, with probabilities; nothing if it stays.
+using Choices = std::vector<std::pair<Rational, Modules>>;
+
+/// The choices of the module at a position of a word: of the rules that match there, those with the most
+/// modules around it that are first in the system. Throws what `value` throws, and Flaw where they leave a
+/// choice without probabilities that add up to 1.
+Choices choices(const ModuleSystem& system, const Modules& word, std::size_t position,
+                const Field& proof);
+
+/// The probability that a word derives the other in so many steps. Where no rule looks around, by
+/// recursion: the probability that a module derives a part of the other word being the sum over its
+/// rules of that of its successor in one step less, and that of a word the sum over all places where
+/// what its first modules derive may end; cubic in the length of the other word. Where some rule does, by
+/// deriving all words; BoundReached if there are more than 10,000. Throws what `choices` throws.
+Rational chance(const ModuleSystem& system, const Modules& from, const Modules& to,
+                const Integer& steps, const Field& proof, const Budget& budget);
+
+struct Tree;
+/// An expression for a language.
+using Language = std::shared_ptr<const Tree>;
+
+/// One node of such an expression.
+struct Tree {
+    enum class Kind {
+        words,
+        generated,
+        united,
+        intersection,
+        difference,
+        concatenation,
+        star,
+        plus,
+        reversal,
+        complement,
+        image,
+        inverse_image
+    };
+    Kind kind = Kind::words;
+    std::vector<Word> words;               // in shortlex order, each once
+    std::shared_ptr<const System> system;  // of `generated`
+    std::string name;                      // of the system
+    std::vector<Language> parts;
+    std::vector<Symbol> letters;      // of a complement, increasing
+    std::map<Symbol, Word> morphism;  // of an image or inverse image
+};
+
+Language words_of(std::vector<Word> words);
+Language generated_by(std::shared_ptr<const System> system, std::string name);
+Language combination(Tree::Kind kind, std::vector<Language> parts);
+
+/// Whether the expressions are the same, whatever their systems are called.
+bool same(const Language& left, const Language& right);
+/// Whether no system occurs in the expression.
+bool is_regular(const Language& language);
+
+/// One system of the certificate.
+struct NamedSystem {
+    std::string name;
+    std::shared_ptr<const System> system;
+};
+
+/// What is said, without any "not" before it.
+struct Statement {
+    enum class Kind {
+        family,
+        finite,
+        empty,
+        equal,
+        included,
+        member,
+        size,
+        derives,
+        rewrites,
+        chance,
+        equal_sequences,
+        equal_growth,
+        growth_formula,
+        growth_class,
+        dimension,
+        boundary
+    };
+    Kind kind = Kind::family;
+    bool negated = false;
+    std::string family;  // or class of growth; of a dimension, the system
+    std::vector<Language> languages;
+    std::vector<NamedSystem> systems;
+    Word word;
+    std::optional<Word> from;
+    std::optional<Integer> steps;
+    std::optional<Integer> size;   // or degree of growth
+    std::optional<Field> formula;  // or the value of a dimension, equal or `at_most`
+    bool at_most = false;
+    std::shared_ptr<const ModuleSystem> rewriting;  // called `family`
+    Modules modules;
+    std::optional<Modules> modules_from;
+    std::optional<Rational> probability;
+};
+
+/// One statement of a certificate and what is said of it.
+struct Entry {
+    Field field;
+    std::string text;
+    Statement statement;
+    enum class Verdict { proved, refuted, undecided, cited } verdict = Verdict::undecided;
+    std::optional<Field> proof;  // of one proved or refuted
+    std::string citation;
+};
+
+/// A whole certificate. The fields refer to `root` and `file`.
+struct Certificate {
+    std::string file;
+    JsonValue root;
+    std::string claim, source;
+    bool empty_axiom = false;  // whether the empty word may be the axiom of a system
+    std::shared_ptr<const Alphabet> alphabet;
+    std::map<std::string, std::shared_ptr<const System>> systems;
+    std::map<std::string, std::shared_ptr<const ModuleSystem>> rewritings;
+    std::vector<Entry> entries;
+};
+
+/// The certificate that a text holds (CERTIFICATES.md). Its proofs are not looked at. Throws Error naming the
+/// path and the line of the first field that is missing, unexpected or of the wrong type.
+std::unique_ptr<const Certificate> read_certificate(const std::string& text,
+                                                    const std::string& file);
+
+/// Reads the parts of a certificate. Everything throws Error where the text is not as CERTIFICATES.md says.
+class Reader {
+public:
+    using Systems = std::map<std::string, std::shared_ptr<const System>>;
+
+    using Rewritings = std::map<std::string, std::shared_ptr<const ModuleSystem>>;
+
+    /// All must outlive this.
+    Reader(const Alphabet& alphabet, const Systems& systems, const Rewritings& rewritings)
+        : alphabet_(alphabet), systems_(systems), rewritings_(rewritings) {}
+
+    const Alphabet& alphabet() const { return alphabet_; }
+
+    Symbol letter(const Field& field) const;
+    Word word(const Field& field) const;
+    std::vector<Word> words(const Field& field) const;
+    System system(const Field& field) const;
+    NamedSystem named_system(const Field& field) const;
+    Language language(const Field& field) const;
+    Statement statement(const Field& field) const;
+
+private:
+    Symbol symbol(const Field& field, std::string_view name) const;
+    /// Distinct letters, increasing.
+    std::vector<Symbol> letters(const Field& field) const;
+    std::map<Symbol, Word> morphism(const Field& field) const;
+    System::Successors table(const Field& field) const;
+    System with_context(const Field& field) const;
+    Language on_one(const Field& field, const std::string& name) const;
+    bool of_languages(const Field& field, Statement& read) const;
+    Statement of_modules(const Field& field, Statement read) const;
+    Statement of_dimension(const Field& field, Statement read) const;
+    Statement of_systems(const Field& field, Statement read) const;
+
+    const Alphabet& alphabet_;
+    const Systems& systems_;
+    const Rewritings& rewritings_;
+};
+
+}  // namespace algae::verify
+
+namespace algae {
+
+/// A family of languages of L-systems without context: 0L, with T (tables), D (deterministic: one
+/// successor a letter, in each table) and P (propagating: no empty successor), as in Rozenberg and
+/// Salomaa 1980.
+struct Family {
+    bool propagating = false;
+    bool deterministic = false;
+    bool tables = false;
+
+    bool operator==(const Family&) const = default;
+};
+
+/// The name as the textbooks write it.
+///
+/// Example: to_string(Family{.propagating = true, .tables = true}) == "PT0L"
+std::string to_string(Family family);
+
+/// The family of this name. Throws Error if there is none.
+///
+/// Example: family_named("PD0L") == Family{true, true, false}
+Family family_named(std::string_view name);
+
+/// 0L, P0L, D0L, PD0L, T0L, PT0L, DT0L, PDT0L.
+const std::array<Family, 8>& all_families();
+
+/// A finite set of words: each once, shorter words first, then by symbol numbers.
+struct FiniteLanguage {
+    std::shared_ptr<const Alphabet> alphabet;
+    std::vector<Word> words;
+
+    bool contains(const Word& word) const;
+    bool operator==(const FiniteLanguage& other) const {
+        return *alphabet == *other.alphabet && words == other.words;
+    }
+};
+
+/// The language of these words, in any order and with any repetitions.
+FiniteLanguage make_finite_language(std::shared_ptr<const Alphabet> alphabet,
+                                    std::vector<Word> words);
+
+/// The same with one character a letter, for tests and examples; letters are numbered in code order.
+///
+/// Example: to_string(finite_language({"aa", "", "a"})) == "{ε, a, aa}"
+FiniteLanguage finite_language(const std::vector<std::string>& words);
+
+/// The symbols that occur in some word, in increasing order.
+std::vector<Symbol> letters_of(const FiniteLanguage& language);
+
+/// The words between braces. Symbols are printed by name, the empty word as ε.
+std::string to_string(const FiniteLanguage& language);
+
+/// One production letter -> image.
+struct LetterRule {
+    Symbol letter = 0;
+    Word image;
+
+    bool operator==(const LetterRule&) const = default;
+    bool operator<(const LetterRule& other) const {
+        return std::tie(letter, image) < std::tie(other.letter, other.image);
+    }
+};
+
+/// Why a rule is in no table that keeps the language closed, given which rules are still possible
+/// and which are known to be there. Either no choice of one possible rule for each letter of `word`,
+/// this one among them, sends `word` into the language (`images` is empty), or `images`, letter by
+/// letter, is a derivation step that uses this rule and rules that are there only, and leaves it.
+struct ExcludedRule {
+    LetterRule rule;
+    Word word;
+    std::vector<Word> images;
+};
+
+/// A proof by cases that no rules left over can generate the language (or, for a table, keep it closed).
+struct ObstructionCase {
+    enum class End {
+        no_image,  // `letter` has no possible rule left
+        needed,    // the rule excluded last is known to be there
+        sources,   // two disjoint sets of words, neither reached from outside it, or {ε} alone
+        conflict,  // a step from `word` leaves the language: one of `rules`, the rules it uses that
+        // are not known to be there, is missing. In case i it is rules[i], and the rules before it are there
+        choice  // one of `rules`, the possible rules of `letter`, is its only one
+    };
+    std::vector<ExcludedRule> excluded;  // one after the other
+    End end = End::no_image;
+    Symbol letter = 0;
+    std::vector<std::vector<Word>> sources;
+    Word word;  // of a conflict: `word` and what each of its letters becomes
+    std::vector<Word> images;
+    std::vector<LetterRule> rules;
+    std::vector<ObstructionCase> cases;  // one for each of `rules`
+};
+
+/// Rules that are together in no table that keeps the language closed.
+struct ImpossibleTable {
+    std::vector<LetterRule> rules;
+    ObstructionCase why;
+};
+
+/// Why a finite language is not of a family: data that can be checked without any search. At first
+/// all factors of words of the language are possible images of every letter (in a propagating
+/// family, all but ε): what the letter becomes is a factor of a word of the language.
+///
+/// Without tables `root` speaks of the rules of the system. With tables it speaks of all tables at
+/// once, and every step into its `sources` from outside uses all rules of one of `impossible`.
+struct FamilyObstruction {
+    Family family;
+    bool empty_axiom = false;  // whether the empty word is allowed as an axiom
+    FiniteLanguage language;
+    ObstructionCase root;
+    std::vector<ImpossibleTable> impossible;
+};
+
+/// A word as certificates have it: the names of its symbols with a blank between any two.
+///
+/// Example: certificate_text(*finite_language({"ab"}).alphabet, {0, 1, 0}) == "a b a"
+std::string certificate_text(const Alphabet& alphabet, const Word& word);
+
+/// What a certificate holds of a proof by cases (CERTIFICATES.md): the cases and the impossible tables. The
+/// family and the language are those of the statement that it proves.
+nlohmann::ordered_json to_json(const FamilyObstruction& obstruction);
+
+namespace verify {
+
+/// The proof by cases that a certificate holds; its family and language are left as they begin.
+FamilyObstruction read_obstruction(const Reader& reader, const Field& field);
+
+}  // namespace verify
+
+/// What is wrong with a proof that a finite language is not of a family, in words; nothing if it
+/// proves that. Checks every step anew, on words and sets of words: it knows nothing of the search.
+/// Exponential in the worst case; throws BoundReached where it takes more than the budget.
+///
+/// Example: flaw_in(*decide_family(finite_language({"a", "aa"}), Family{}).obstruction) == std::nullopt
+std::optional<std::string> flaw_in(const FamilyObstruction& obstruction, const Budget& budget = {});
+
+namespace verify {
+
+/// What came of one statement of a certificate.
+struct Finding {
+    enum class Outcome {
+        checked,      // its proof shows it, or its opposite if it is said to be refuted
+        cited,        // it rests on a source: not checked
+        undecided,    // the certificate does not decide it
+        not_checked,  // a bound was reached: see `reason`
+        wrong         // its proof does not show it: see `path`, `line` and `reason`
+    };
+    Outcome outcome = Outcome::undecided;
+    std::string statement;  // in words, made of the statement itself and not of its text
+    std::string citation;
+    std::string path;
+    std::size_t line = 0;
+    std::string reason;
+};
+
+/// Checks every statement of a certificate, each by itself. Throws Error where a proof is not as
+/// CERTIFICATES.md says, Interrupted if the work was asked to stop.
+std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget);
+
+/// "checked", "cited: not checked", "undecided", "not checked" or "WRONG".
+std::string to_string(Finding::Outcome outcome);
+
+}  // namespace verify
+
+}  // namespace algae

@@ -1,0 +1,213 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command/run.hpp"
+
+using nlohmann::json;
+
+namespace {
+
+const std::string right =
+    "claim powers of two\nlet G = D0L { axiom a; a -> aa }\nshow aaaa in L(G)\nrefute aaa in "
+    "L(G)\n";
+const std::string wrong = "claim one letter\nshow {a} is 0L\nshow {a, aa} is 0L\n";
+const std::string open = "claim star\nlet A = {aa, aaa}\nshow A* is 0L\n";
+const std::string cited = "claim star\nlet A = {aa, aaa}\nshow A* is not 0L by a book\n";
+
+}  // namespace
+
+TEST_CASE(
+    "check ends with 0, 1 or 3: all stand, one is wrong, none is wrong and one is undecided") {
+    const Scratch files;
+    const Run stands = run("check " + files.file("right.claim", right));
+    CHECK(stands.status == 0);
+    CHECK(stands.out == "proved     powers of two\n");
+    const std::string file = files.file("wrong.claim", wrong);
+    const Run refuted = run("check " + file);
+    CHECK(refuted.status == 1);
+    CHECK(refuted.out.starts_with("WRONG      one letter\n    " + file +
+                                  ":3:6: {a, aa} is 0L: WRONG\n        {a, aa} is not 0L.\n"));
+    const std::string undecided = files.file("open.claim", open);
+    const Run tried = run("check " + undecided);
+    CHECK(tried.status == 3);
+    CHECK(tried.out == "undecided  star\n    " + undecided +
+                           ":3:6: A* is 0L: undecided\n"
+                           "        A* was not found to be finite; that no 0L system does is "
+                           "decided for finite languages only\n");
+    const Run source = run("check " + files.file("cited.claim", cited));
+    CHECK(source.status == 0);
+    CHECK(source.out == "cited      star\n");
+}
+
+TEST_CASE("check of a dimension within a time says that it is over, and nothing of the rules") {
+    const std::string claim = ALGAE_SOURCE_DIR "/theory/document-001/dimension-gosper.claim";
+    for (const char* option : {"", " --json"}) {
+        const Run found = run("check '" + claim + "' --timeout 0.001" + option);
+        CHECK(found.status == 3);
+        CHECK((found.out + found.err).find("the time allowed by --timeout is over") !=
+              std::string::npos);
+        CHECK((found.out + found.err).find("formula") == std::string::npos);
+    }
+    CHECK(run("check '" + claim + "'").status == 0);
+}
+
+TEST_CASE("check of a folder counts its claims, those in folders of it too, and other files not") {
+    const Scratch files;
+    std::filesystem::create_directory(files.path() / "more");
+    files.file("b.claim", wrong);
+    files.file("a.claim", right);
+    files.file("more/c.claim", open);
+    files.file("d.txt", "no claim");
+    const Run found = run("check " + files.path().string());
+    CHECK(found.status == 1);
+    CHECK(found.out.starts_with("proved     powers of two\nWRONG      one letter\n"));
+    CHECK(found.out.ends_with("3 claims: 1 proved, 0 cited, 1 undecided, 1 wrong\n"));
+}
+
+TEST_CASE("check --json tells claims, statements, verdicts and arguments") {
+    const Scratch files;
+    const Run found = run("check --json " + files.file("right.claim", right) + " " +
+                          files.file("cited.claim", cited));
+    CHECK(found.status == 0);
+    const json claims = json::parse(found.out)["claims"];
+    CHECK(claims.size() == 2);
+    CHECK(claims[0]["claim"] == "powers of two");
+    CHECK(claims[0]["verdict"] == "proved");
+    const json statements = json::parse(R"json([
+        {"text": "aaaa in L(G)", "verdict": "proved", "argument": ["aaaa is in L(G): a => aa => aaaa."]},
+        {"text": "aaa in L(G)", "verdict": "refuted", "argument":
+          ["aaa is not in L(G): generations 0 to 1 are not this word, and from then on all words are longer."]}])json");
+    CHECK(claims[0]["statements"] == statements);
+    CHECK(claims[1]["verdict"] == "cited");
+    CHECK(claims[1]["statements"][0]["verdict"] == "cited");
+    CHECK(claims[1]["statements"][0]["citation"] == "a book");
+}
+
+TEST_CASE("check --explain of Theorem 8 of document 001 is the proof by cases") {
+    const Run page =
+        run("check '" ALGAE_SOURCE_DIR "/theory/document-001/theorem-8.claim' --explain");
+    CHECK(page.status == 0);
+    CHECK(page.out.starts_with("0L languages are not closed under union\n001 Theorem 8\n\n"));
+    const std::string proof =
+        "A | B is not 0L: proved.\n"
+        "   A | B = {a, aa}.\n"
+        "   {a, aa} is not 0L.\n"
+        "   Suppose that a system generates it. Each letter occurs in a word of the language, and "
+        "what that\n"
+        "   word gives is in the language again. So an image of a letter is one of the factors of "
+        "its words:\n"
+        "   ε, a or aa.\n"
+        "   a -> ε is impossible: a would give ε, which is not in the language.\n"
+        "   a -> aa is impossible: aa would give aaaa, which is not in the language.\n"
+        "   a -> a is left.\n"
+        "   By what is left, no other word gives a, and no other word gives aa. The axiom is not "
+        "both, so one\n"
+        "   of these words is never reached.\n"
+        "   So {a, aa} is not 0L.\n";
+    CHECK(page.out.find(proof) != std::string::npos);
+}
+
+TEST_CASE("check --explain tells definitions, and separates claims") {
+    const Scratch files;
+    const Run page = run("check --explain " +
+                         files.file("a.claim", "claim T\nallow empty axiom\nshow {ε} is 0L\n") +
+                         " " + files.file("b.claim", "claim U\nnote Words.\nshow {a} is finite\n"));
+    CHECK(page.status == 0);
+    CHECK(page.out ==
+          "T\n\nSystems may have the empty word as axiom.\n\n1. {ε} is 0L: proved.\n   The system "
+          "with axiom ε generates it.\n"
+          "\n" +
+              std::string(100, '=') +
+              "\n\n"
+              "U\n\nWords.\n\n1. {a} is finite: proved.\n   {a} has 1 word.\n2 claims: 2 proved, 0 "
+              "cited, 0 undecided, 0 wrong\n");
+}
+
+TEST_CASE("check --certificate writes what verify checks") {
+    const Scratch files;
+    const std::string certificate = files.file("proof.json");
+    CHECK(
+        run("check " + files.file("right.claim", right) + " --certificate " + certificate).status ==
+        0);
+    const json written = json::parse(text_of(certificate));
+    CHECK(written["format"] == "algae certificate 1");
+    CHECK(written["claim"] == "powers of two");
+    CHECK(written["statements"].size() == 2);
+    CHECK(!written.contains("empty axiom"));
+    const Run verified = run("verify " + certificate);
+    CHECK(verified.status == 0);
+    CHECK(verified.out == "checked: aaaa is in L(G)\nchecked: aaa is not in L(G)\n2 checked\n");
+    CHECK(
+        run("check " + files.file("wrong.claim", wrong) + " --certificate " + certificate).status ==
+        1);
+    CHECK(run("verify " + certificate).status == 0);  // it holds the proof that the claim is wrong
+}
+
+TEST_CASE("a claim that allows the empty axiom says so in its certificate") {
+    const Scratch files;
+    const std::string certificate = files.file("proof.json");
+    CHECK(run("check " + files.file("strict.claim", "claim T\nshow {ε} is 0L\n")).status == 1);
+    CHECK(run("check " +
+              files.file("allowed.claim", "claim T\nallow empty axiom\nshow {ε} is 0L\n") +
+              " --certificate " + certificate)
+              .status == 0);
+    CHECK(json::parse(text_of(certificate))["empty axiom"] == true);
+    CHECK(run("verify " + certificate).status == 0);
+}
+
+TEST_CASE("check refuses what it cannot read or write, and leaves no file behind") {
+    const Scratch files;
+    const std::string good = files.file("right.claim", right);
+    const auto refused = [](const std::string& arguments, const std::string& message) {
+        const Run found = run("check " + arguments);
+        CHECK(found.status == 2);
+        CHECK(found.out.empty());
+        CAPTURE(found.err);
+        CHECK(found.err.find(message) != std::string::npos);
+    };
+    const std::string names = files.file("names.claim", "claim x\nshow B is 0L\nshow {a} is 0LX\n");
+    refused(names, names + ":2:6: error: expected a name that is defined above, found 'B'");
+    refused(names, names + ":3:13: error: expected a family");
+    refused(good + " " + names, ":2:6: error");  // before anything is decided
+    std::filesystem::create_directory(files.path() / "empty");
+    refused(files.file("empty"), "expected .claim files in this folder, found none");
+    refused(files.file("none.claim"), "cannot read");
+    refused("", "PATH");
+    const std::string certificate = files.file("proof.json");
+    refused(good + " " + good + " --certificate " + certificate,
+            "--certificate takes one claim, found 2");
+    refused(good + " --certificate " + files.file("none/proof.json"), "cannot write");
+    const std::string growth = files.file(
+        "growth.claim", "claim x\nlet G = 0L { axiom a; a -> a; a -> aa }\nshow growth(G) = n\n");
+    refused(growth + " --certificate " + certificate,
+            growth + ":3:6: G is not a D0L system: a letter has several rules");
+    CHECK(!std::filesystem::exists(certificate));
+    for (const auto& entry : std::filesystem::directory_iterator(files.path()))
+        CHECK(entry.path().filename().string().find("proof") == std::string::npos);
+}
+
+TEST_CASE("check reads standard input") {
+    const Run found = run("check -", "printf 'claim T; show {a} is 0L' |");
+    CHECK(found.status == 0);
+    CHECK(found.out == "proved     T\n");
+}
+
+TEST_CASE("check and its folders know the theory that comes with algae, wherever it runs") {
+    const Scratch files;
+    const std::string there = "cd '" + files.path().string() + "' &&";
+    const Run all = run("check theory/finite", there);
+    CHECK(all.status == 0);
+    CHECK(all.out.ends_with(" claims: 11 proved, 0 cited, 0 undecided, 0 wrong\n"));
+    const Run one = run("check theory/closure/union-not-0l.claim --certificate c.json", there);
+    CHECK(one.status == 0);
+    CHECK(std::filesystem::exists(files.file("c.json")));
+    std::filesystem::create_directory(files.path() / "theory");
+    files.file("theory/own.claim", right);  // a folder of one's own comes first
+    CHECK(run("check theory", there).out == "proved     powers of two\n");
+    const Run none = run("check theory/finite", there);
+    CHECK(none.status == 0);
+    const Run missing = run("check no-theory", there);
+    CHECK(missing.status == 2);
+    CHECK(missing.err == "algae: cannot read no-theory: No such file or directory\n");
+}

@@ -1,0 +1,152 @@
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "command/run.hpp"
+
+using nlohmann::json;
+
+TEST_CASE("dimension measures a figure by boxes and gives the keys that programs rely on") {
+    const Run shown = run("dimension koch -n 7 --json");
+    CHECK(shown.status == 0);
+    const json found = json::parse(shown.out);
+    CHECK(found["generation"] == 7);
+    const json& box = found["box"];
+    CHECK(box["low"] < 1.2619);
+    CHECK(box["high"] > 1.2618);
+    CHECK(box["value"] > 1.2);
+    CHECK(box["offsets"] == 16);
+    CHECK(box["because"].is_string());
+    REQUIRE(box["scales"].size() > 5);
+    CHECK(box["scales"][1]["cell"].get<double>() * 2 == box["scales"][0]["cell"].get<double>());
+    for (const char* key : {"cell", "cells", "least", "most", "slope", "used"})
+        CHECK(box["scales"][0].contains(key));
+}
+
+TEST_CASE("dimension says what the rules give, and measures the limit") {
+    const Run page = run("dimension koch-a --grids 4");
+    CHECK(page.status == 0);
+    CHECK(page.out.starts_with(
+        "Koch curve a, the limit of all generations\n\n"
+        "exact: log 6 / log sqrt 10 = 1.556302500767287265017533595959\n"
+        "  all parts become similar, smaller by the factor sqrt 10 in each generation\n"
+        "  parts coincide; different ones, told apart by 1 kind of surroundings, multiply by 6\n"
+        "with multiplicity, too large: log 8 / log sqrt 10 = 1.806179973983887171282433368347\n"));
+    const json found = json::parse(run("dimension dragon --grids 4 --json").out);
+    CHECK(found["exact"]["status"] == "exact");
+    CHECK(found["exact"]["formula"] == "log 2 / log sqrt 2 = 2");
+    CHECK(found["exact"]["value"] == 2);
+    CHECK(found["exact"]["boundary"]["decimal"] == "1.523627086202492106277683935954");
+    CHECK(found["exact"]["conditions"].size() == 2);
+    CHECK(found["box"]["high"] == 2);
+    CHECK(found["box"]["low"] > 1.9);
+    CHECK_FALSE(found.contains("generation"));
+    const json plant = json::parse(run("dimension plant-d --grids 4 --json").out);
+    CHECK(plant["exact"]["status"] == "upper bound");
+    CHECK(plant["exact"]["formula"] == "log 3 / log 2");
+}
+
+TEST_CASE("dimension says when a generation is too low, and leaves it undecided") {
+    const Run low = run("dimension koch -n 2");
+    CHECK(low.status == 3);
+    CHECK(low.out.find("the generation is too low: 0 scales lie between") != std::string::npos);
+}
+
+TEST_CASE("dimension reads points and images, and plots") {
+    const Scratch scratch;
+    std::string square = "x, y\n";
+    for (int i = 0; i < 200; ++i)
+        for (int k = 0; k < 200; ++k) square += std::to_string(i) + ", " + std::to_string(k) + "\n";
+    const std::string points = scratch.file("square.txt", square), plot = scratch.file("plot.svg"),
+                      picture = scratch.file("koch.png");
+    const json found =
+        json::parse(run("dimension '" + points + "' --points --plot '" + plot + "' --json").out);
+    CHECK(found["box"]["high"] == 2);
+    CHECK(text_of(plot).find("<svg") != std::string::npos);
+    CHECK(run("draw koch -n 5 -o '" + picture + "'").status == 0);
+    const json image = json::parse(run("dimension '" + picture + "' --json").out);
+    CHECK(image["box"]["low"] < 1.27);
+    CHECK(image["box"]["high"] > 1.25);
+}
+
+TEST_CASE("dimension refuses what it cannot measure") {
+    const auto message = [](const std::string& arguments, const std::string& before = "") {
+        const Run refused = run("dimension " + arguments, before);
+        CHECK(refused.status == 2);
+        return refused.err;
+    };
+    CHECK(message("koch --invert") == "algae: --invert is for images, and koch is none\n");
+    CHECK(message("koch --plot a.xyz").find("a.xyz") != std::string::npos);
+    CHECK(message("koch --grids 0") == "algae: --grids: expected 1 to 1000, found 0\n");
+    CHECK(message("-", "printf '1 2\\n3 x\\n' |") ==
+          "standard input:2:3: error: expected a number, found 'x'\n  3 x\n    ^\n");
+    CHECK(message("-", "printf '1 2\\n1 2\\n' |") ==
+          "algae: all points are the same: expected something to measure\n");
+    CHECK(message("- -n 3", "printf 'axiom f; f -> ff' |") ==
+          "algae: standard input, n = 3: nothing is drawn, expected something to measure\n");
+    const Run long_work = run("dimension koch -n 60");
+    CHECK(long_work.status == 3);
+    CHECK(long_work.err.find("use a lower -n") != std::string::npos);
+}
+
+TEST_CASE("dimension --measure gives the other measures and their keys") {
+    for (const char* measure :
+         {"divider", "mass", "correlation", "information", "multifractal", "lacunarity"}) {
+        CAPTURE(measure);
+        const std::string arguments = std::string("dimension koch -n 7 --measure ") + measure;
+        const Run shown = run(arguments + " --json");
+        CHECK(shown.status == 0);
+        const json found = json::parse(shown.out);
+        CHECK(found["measure"] == measure);
+        CHECK(found["input"].is_string());
+        CHECK(found["because"].is_string());
+        CHECK(found["estimate"]["low"] <= std::log(4) / std::log(3));
+        CHECK(found["estimate"]["high"] >= std::log(4) / std::log(3));
+        CHECK(std::abs(found["estimate"]["value"].get<double>() - std::log(4) / std::log(3)) < 0.1);
+        REQUIRE(found["scales"].size() >= 4);
+        for (const char* key : {"size", "value", "slope", "used"})
+            CHECK(found["scales"][0].contains(key));
+        CHECK(found.contains("spectrum") == (found["measure"] == "multifractal"));
+        CHECK(run(arguments).out.find("expected between") != std::string::npos);
+    }
+    const json spectrum =
+        json::parse(run("dimension koch -n 7 --measure multifractal --json").out)["spectrum"];
+    REQUIRE(spectrum.size() == 11);
+    CHECK(spectrum[0]["q"] == -5);
+    CHECK(spectrum[5]["value"] ==
+          json::parse(
+              run("dimension koch -n 7 --measure multifractal --json").out)["estimate"]["value"]);
+}
+
+TEST_CASE("dimension --measure takes points and images, and refuses what it cannot") {
+    const Scratch scratch;
+    std::string line;
+    for (int i = 0; i < 3000; ++i) line += std::to_string(i) + " " + std::to_string(2 * i) + "\n";
+    const std::string points = scratch.file("line.csv", line), picture = scratch.file("koch.png"),
+                      space = scratch.file("space.csv", "1 2 3\n4 5 6\n");
+    CHECK(run("draw koch -n 5 -o '" + picture + "'").status == 0);
+    for (const char* measure : {"divider", "mass", "correlation", "information", "multifractal"}) {
+        CAPTURE(measure);
+        const json found =
+            json::parse(run("dimension '" + points + "' --json --measure " + measure).out);
+        CHECK(std::abs(found["estimate"]["value"].get<double>() - 1) < 0.05);
+    }
+    for (const char* measure : {"mass", "correlation", "information", "lacunarity"}) {
+        CAPTURE(measure);
+        CHECK(run("dimension '" + picture + "' --measure " + measure).status != 2);
+    }
+    const auto message = [](const std::string& arguments) {
+        const Run refused = run("dimension " + arguments);
+        CHECK(refused.status == 2);
+        return refused.err;
+    };
+    CHECK(message("koch --measure weight") ==
+          "algae: --measure: expected boxes, divider, mass, correlation, information, multifractal "
+          "or lacunarity, found weight\n");
+    CHECK(message("koch --measure lacunarity --plot a.svg") ==
+          "algae: --plot is for --measure boxes, divider, mass and correlation\n");
+    CHECK(message("'" + picture + "' --measure divider").find("found pixels") != std::string::npos);
+    CHECK(message("'" + space + "' --measure lacunarity").find("3 columns") != std::string::npos);
+    CHECK(run("dimension koch -n 2 --measure mass").status == 3);
+}

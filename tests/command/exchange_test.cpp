@@ -1,0 +1,62 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command/run.hpp"
+
+using nlohmann::json;
+
+namespace {
+
+const std::string examples = ALGAE_SOURCE_DIR "/examples/";
+
+std::size_t letters(const std::string& line) { return line.size() - 1; }  // without the line break
+
+}  // namespace
+
+TEST_CASE("files of other programs are read wherever a system is") {
+    CHECK(letters(run("derive '" + examples + "bush.brno' -n 5").out) == 8010);
+    CHECK(letters(run("derive '" + examples + "koch-island.netlogo' -n 3").out) == 3803);
+    const Scratch scratch;
+    const std::string picture = scratch.file("bush.png");
+    const json drawn = json::parse(
+        run("draw '" + examples + "bush.brno' -n 5 --json --width 100 -o '" + picture + "'").out);
+    CHECK(drawn["segments"] == 420);
+    CHECK(text_of(picture).starts_with("\x89PNG"));
+    const json island =
+        json::parse(run("draw '" + examples + "koch-island.netlogo' -n 3 --json -o '" +
+                        scratch.file("island.svg") + "'")
+                        .out);
+    CHECK(island["segments"] == 2048);
+}
+
+TEST_CASE("files of other programs are converted, both ways") {
+    const Run bush = run("convert '" + examples + "bush.brno' --to lsys");
+    CHECK(bush.status == 0);
+    CHECK(bush.out.starts_with("axiom A\nA -> [&FLK!A]/////"));
+    const Scratch scratch;
+    const std::string again = scratch.file("again.lsys", bush.out);
+    const Run back = run("convert '" + again + "' --to brno");
+    CHECK(back.out.starts_with("modules:\n    A, F = C(5,5), K = S(6), L, Q, S, f = P(8);\n"));
+    CHECK(run("convert - --from brno --to lsys",
+              "printf '%s' \"$(cat '" + examples + "bush.brno')\" |")
+              .out == bush.out);
+    const Run island = run("convert koch-island-002 --to netlogo");
+    CHECK(island.out ==
+          "; Quadratic Koch island\nadd-rule \"F\" \"F-F+F+FF-F-F+F\" \"F\"\nset chain "
+          "\"F-F-F-F\"\nset d 16\n"
+          "set delta 90\nset x0 -8\nset y0 8\nset delta-0 90\nset k-shorten 0.25\n");
+    // By way of the notation.
+    CHECK(run("convert '" + examples + "koch-island.netlogo' --to netlogo").out ==
+          island.out.substr(island.out.find('\n') + 1));
+    const Run refused = run("convert '" + examples + "koch-island.netlogo' --to brno");
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find("koch-island.netlogo: brno cannot say that steps shrink") !=
+          std::string::npos);
+    const std::string faulty = scratch.file("faulty.netlogo", "set chain F\nset d 0\n");
+    const Run faults = run("derive '" + faulty + "' -n 1");
+    CHECK(faults.status == 2);
+    CHECK(faults.err.find("faulty.netlogo:1:11: error: expected a word") != std::string::npos);
+    CHECK(faults.err.find("faulty.netlogo:2:7: error: expected a number other than 0") !=
+          std::string::npos);
+}

@@ -1,0 +1,125 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "command/run.hpp"
+
+namespace {
+
+const std::string fibonacci = "printf 'axiom b; a -> ab; b -> a' |";
+const std::string choices = "printf 'axiom ab; a -> a; a -> aa; b -> ; b -> b' |";
+
+}  // namespace
+
+TEST_CASE("tree draws a generation in every format, once complete") {
+    const Scratch folder;
+    const std::pair<const char*, const char*> beginnings[] = {
+        {"svg", "<?xml"}, {"pdf", "%PDF"},    {"png", "\x89PNG"}, {"ps", "%!PS"},
+        {"eps", "%!PS"},  {"dot", "digraph"}, {"gv", "digraph"}};
+    for (const auto& [end, beginning] : beginnings) {
+        const std::string path = folder.file(std::string("t.") + end);
+        const Run drawn = run("tree - -n 5 --json -o '" + path + "'", fibonacci);
+        CHECK(drawn.status == 0);
+        CHECK(text_of(path).starts_with(beginning));
+        const auto facts = nlohmann::json::parse(drawn.out);
+        CHECK(facts["nodes"] == 20);
+        CHECK(facts["edges"] == 19);
+        CHECK(facts["depth"] == 5);
+        CHECK(facts["generation"] == 5);
+        CHECK(facts["output"] == path);
+    }
+    CHECK(folder.size() == 7);
+    CHECK(run("tree - -n 3 -o - --format dot", fibonacci).out.starts_with("digraph"));
+    CHECK(run("tree - -n 3 -o - --format SVG --width 300", fibonacci).out.starts_with("<?xml"));
+    CHECK(run("tree - -n 3 -o /no-such-folder/t.pdf", fibonacci).status == 2);
+}
+
+TEST_CASE("tree draws the derivation of a member") {
+    const auto facts = nlohmann::json::parse(
+        run("tree - --word aaa --json -o /dev/null --format svg", choices).out);
+    CHECK(facts["generation"] == 2);
+    CHECK(facts["nodes"] == 2 + 3 + 3);  // ab, aa ε, aaa
+    CHECK(facts["edges"] == 6);
+    const Run none = run("tree - --word bb -o /dev/null --format svg", choices);
+    CHECK(none.status == 2);
+    CHECK(none.err == "algae: --word: bb is not in the language, `algae member` says why\n");
+    const std::string terminals = "printf 'axiom S; terminals a; S -> SS; S -> a' |";
+    CHECK(nlohmann::json::parse(
+              run("tree - --word aa --json -o /dev/null --format svg", terminals).out)["nodes"] ==
+          5);
+    CHECK(run("tree - --word S -o /dev/null --format svg", terminals).status == 2);
+    CHECK(run("tree - --word 'A(1)' -o /dev/null --format svg", choices).status == 2);
+}
+
+TEST_CASE("tree merges, cuts, and refuses what is too large with its size") {
+    const auto facts = [](const std::string& options) {
+        return nlohmann::json::parse(
+            run("tree - -o /dev/null --format dot --json " + options, fibonacci).out);
+    };
+    CHECK(facts("-n 30 --dag")["nodes"] == 60);
+    CHECK(facts("-n 30 --depth 6")["nodes"] == 33 + 13);
+    CHECK(facts("-n 30 --depth 6")["depth"] == 6);
+    CHECK(facts("-n 13 --max-nodes 986")["nodes"] == 986);
+    const Run large = run("tree - -n 30 -o /dev/null --format svg", fibonacci);
+    CHECK(large.status == 3);
+    CHECK(large.err ==
+          "algae: the tree has 3524577 nodes, more than the 2000 of --max-nodes; --depth 13 has "
+          "1363; --dag has 60\n");
+    const Run vast =
+        run("tree - -n 1000000000000000 -o /dev/null --format svg", "printf 'axiom a; a -> aa' |");
+    CHECK(vast.status == 3);
+    CHECK(vast.err ==
+          "algae: the tree has more nodes than can be counted, more than the 2000 of --max-nodes; "
+          "--depth 9 has 1535; "
+          "--dag has 1000000000000001\n");
+    CHECK(run("tree - -n 1000000000000000 --depth 2 -o /dev/null --format svg",
+              "printf 'axiom a; a -> aa' |")
+              .status == 0);
+}
+
+TEST_CASE("tree draws the digraph of growth and the families") {
+    const auto growth =
+        nlohmann::json::parse(run("tree koch --graph --json -o /dev/null --format svg").out);
+    CHECK(growth["nodes"] == 3);
+    CHECK(growth["edges"] == 5);
+    const auto families =
+        nlohmann::json::parse(run("tree --families --json -o /dev/null --format pdf").out);
+    CHECK(families["nodes"] == 14);
+    CHECK(families["edges"] == 19);
+    CHECK(run("tree koch --graph --max-nodes 2 -o /dev/null --format svg").err ==
+          "algae: the digraph has 3 letters, more than the 2 of --max-nodes\n");
+}
+
+TEST_CASE("tree says what is wrong with what was asked") {
+    const auto refused = [](const std::string& options, const std::string& before,
+                            const std::string& message) {
+        const Run asked = run("tree " + options, before);
+        INFO(options);
+        CHECK(asked.status == 2);
+        CHECK(asked.err.find(message) != std::string::npos);
+        CHECK(asked.out.empty());
+    };
+    refused("- -o t.svg", fibonacci,
+            "say which tree: -n N for a generation, --word WORD for a member");
+    refused("- -n 3 --graph -o t.svg", fibonacci,
+            "-n, --word, --graph and --families exclude each other");
+    refused("-n 3 -o t.svg", "", "FILE is missing");
+    refused("koch --families -o t.svg", "",
+            "--families draws families of languages and takes no FILE, found \"koch\"");
+    refused("koch --graph --dag -o t.svg", "", "--dag and --depth are for trees");
+    refused("- -n 3 -o t.gif", fibonacci,
+            "expected a file ending in .svg, .pdf, .png, .ps, .eps, .dot or .gv, found \"t.gif\"");
+    refused("- -n 3 -o tree", fibonacci, "expected a file ending in .svg");
+    refused("- -n 3 -o -", fibonacci, "-o -: say which format with --format");
+    refused("- -n x -o t.svg", fibonacci, "-n: expected a whole number from 0 on, found \"x\"");
+    refused("- -n 3 --depth -1 -o t.svg", fibonacci, "--depth");
+    refused("- -n 3 --max-nodes 1.5 -o t.svg", fibonacci, "--max-nodes: expected a whole number");
+    refused("- -n 3 --width 5 -o t.svg", fibonacci,
+            "the width must be from 10 to 14400 points in svg, not 5");
+    refused("- -n 3 -o t.svg", choices, "--word draws the derivation of one word");
+    refused("- --graph -o t.svg", choices, "");
+    refused("no-such-system -n 3 -o t.svg", "", "nothing of that name in the gallery");
+    CHECK(run("tree - -n 2000 --max-nodes 100000000 --timeout 0.001 -o /dev/null --format svg",
+              "printf 'axiom a; a -> ab' |")
+              .status == 3);
+}

@@ -237,12 +237,12 @@ std::string cell_text(Theory& theory, const std::string& family, const std::stri
     if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
     const CheckedClaim& checked = theory.checked(cell->claim);
     const std::string under = "closed under " + operation;
+    const bool is_known = checked.outcome() != Outcome::undecided;
     const std::string name =
-        checked.outcome() == Outcome::undecided
-            ? "Whether " + family + " languages are " + under + " is undecided"
-            : family + " languages are " + (cell->closed ? "" : "not ") + under;
+        !is_known ? "Whether " + family + " languages are " + under + " is undecided"
+                  : family + " languages are " + (cell->closed ? "" : "not ") + under;
     return name + " (" + checked.claim.name + ", " + to_string(checked.outcome()) + ").\n\n" +
-           explanation(checked, family);
+           explanation(checked, is_known ? family : "");  // the reason may be at another family
 }
 
 std::string known(const std::string& written, const std::vector<std::string>& all,

@@ -130,6 +130,7 @@ void write_page(const Options& options, const std::vector<Outcome>& outcomes) {
         for (const std::string& path : outcome.pictures) picture.files.push_back(from_page(path));
         pictures.push_back(std::move(picture));
     }
+    fs::create_directories(options.out);  // there may be no picture in it
     write_file((fs::path(options.out) / "index.html").string(), picture_page("Figures", pictures));
 }
 

@@ -65,3 +65,14 @@ TEST_CASE(
     for (const char* file : {"out/plain.lsys.svg", "out/plain.ca.svg", "out/koch.svg"})
         CHECK(std::filesystem::exists(scratch.file(file)));
 }
+
+TEST_CASE("figures --page writes its page where the time was over before the first picture") {
+    const Scratch scratch;
+    std::filesystem::create_directories(scratch.path() / "in");
+    scratch.file("in/koch.lsys", "axiom F; F -> F+F; generation 2\n");
+    const Run found = run("figures in --formats svg --page --out out --timeout 0.000000001",
+                          "cd '" + scratch.path().string() + "' &&");
+    CHECK(found.status == 3);
+    CHECK(found.err.find("the time allowed by --timeout is over") != std::string::npos);
+    CHECK(text_of(scratch.file("out/index.html")).starts_with("<!DOCTYPE html>"));
+}

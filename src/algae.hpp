@@ -1,6 +1,6 @@
 #pragma once
-// The faces that most programs need, in the order in which they are read. A program that draws adds <algae/render.hpp>,
-// one that converts files of other programs <algae/exchange.hpp>.
+// The faces that most programs need. A program that draws adds <algae/render.hpp>, one that converts files of other
+// programs <algae/exchange.hpp>.
 
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"

@@ -1,7 +1,7 @@
 // `algae dimension`: the fractal dimension of a figure, an image or points, exact where the rules give it.
 //
 // Two answers stand beside each other and are never mixed. The exact one comes from the rules alone
-// (dimension/exact_dimension.hpp) and is a formula with digits that are proved. The measured one is the slope
+// (dimension/dimension.hpp) and is a formula with digits that are proved. The measured one is the slope
 // of a line through counts at scales that halve; it has an interval of what is expected and no proof. Without
 // -n a system is measured on the limit of all its generations where the rules lead there, otherwise on the
 // last generation that is not too large. What FILE holds decides which options make sense: images have a

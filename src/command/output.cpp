@@ -2,7 +2,7 @@
 //
 // Words of a generation may be larger than memory, so they go out in pieces that are never copied where
 // that can be avoided (writev), and the JSON around them is written by hand. All other JSON is a value of
-// report/json.hpp.
+// report/report.hpp.
 
 #include "command/detail/output.hpp"
 

@@ -29,7 +29,7 @@
 // - Signs and comparisons of real and imaginary parts are exact. They try doubles with a proved error bound first, then
 //   ask whether the number is 0 (an exact question on coordinates), and only then enclose it with more and more
 //   bits, which must end because the number is not 0.
-// - The nearest double of a part is found with twice the precision of doubles (Knuth's two_sum and Dekker's products) and
+// - The nearest double of a part is found with twice the precision of doubles (Knuth's two_sum and fused multiplications) and
 //   falls back to enclosures where the last bit is not certain.
 
 namespace algae {

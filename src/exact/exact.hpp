@@ -343,7 +343,7 @@ public:
                                                         << (sizeof(void*) < 8 ? 30 : 33);
 
 private:
-    friend struct FlintHandle;  // exact/flint.hpp, for the .cpp files of this room
+    friend struct FlintHandle;  // in detail/flint.hpp, for the .cpp files of this room
 
     /// FLINT's `slong`, as long as an address; which of the two types matters for pointers to it.
     using Word = std::conditional_t<sizeof(long) == sizeof(void*), long, long long>;

@@ -393,7 +393,7 @@ struct StageForm {
 /// Rules with more letters than this are not written.
 inline constexpr std::size_t longest_stage_rule = 20'000;
 
-/// Looks for the stages that growth/realise.hpp tells of.
+/// Looks for the stages that the essay above tells of.
 class StageSearch {
 public:
     /// For sequences that this polynomial, monic and without the root 0, annuls.

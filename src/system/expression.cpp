@@ -15,12 +15,10 @@
 //
 // A value is a rational wherever the expression allows it, and a double beside it in any case. A chain of + - * / and integral powers
 // keeps the rational; a function gives one only where it must be one (the sine of 30 degrees, the root of a square).
-// Rationals that grow beyond a fixed size are dropped and the double stays, so that no expression takes unbounded
+// Rationals of more than 100,000 bits are dropped and the double stays, so that no expression takes unbounded
 // time. Errors carry the place of the part that has no value, because expressions are written by people in files.
 // The text of an expression has as few brackets as reading it back allows: an operand is bracketed exactly where its
 // operator binds less tightly than its surroundings.
-
-// What the evaluation of expressions shares among its .cpp files.
 
 namespace algae {
 

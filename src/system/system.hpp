@@ -252,7 +252,7 @@ struct EnvironmentKind {
     std::vector<std::size_t> counts;  // how many there may be
 };
 
-/// All kinds of environments that a file can name; src/environment says what they answer.
+/// All kinds of environments that a file can name; the face of `turtle` says what they answer.
 ///
 /// Example: environment_kinds().front().name == "x"
 const std::vector<EnvironmentKind>& environment_kinds();
@@ -334,7 +334,7 @@ struct Expectation {
 struct InnerSystem;
 
 /// The L-system as its file says it: every construct of the notation, none interpreted.
-/// What a theorem needs is a view of it (system/d0l.hpp, system/ol.hpp, ...), or a reason why not.
+/// What a theorem needs is a view of it (D0L, OL, IL, ...), or a reason why not.
 struct LSystem {
     std::string name;  // of the file or gallery entry it came from, for messages; may be empty
     std::string title;

@@ -12,8 +12,8 @@
 // Statements about systems: derivations, membership, families, and equality of D0L sequences and languages.
 //
 // Equality of D0L sequences is checked by an automaton of overflows: what the image of one system has beyond that of the other
-// stays within finitely many words, and every path of the automaton leads from the empty overflow back to itself, so that by
-// induction all generations agree. Equality of languages is reduced to sequences of every so many generations (sections).
+// stays within finitely many words, and every generation leads from the empty overflow back to itself, so that by induction
+// all generations agree. Equality of languages is reduced to sequences of every so many generations (sections).
 
 namespace algae::verify {
 

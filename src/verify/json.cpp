@@ -9,9 +9,8 @@
 #include "exact/exact.hpp"
 #include "verify/verify.hpp"
 
-// A certificate as text: a JSON reader that keeps the line of every value, and fields with the path that leads to them, so that
-// each error and each flaw is told with its place. It is this room's own: the checker shares no reader with what writes
-// certificates.
+// A certificate as text: values of JSON that know their line, built from the events of nlohmann's parser, and fields with the path
+// that leads to them, so that each error and each flaw is told with its place.
 
 namespace algae::verify {
 

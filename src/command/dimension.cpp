@@ -23,6 +23,7 @@
 #include "render/render.hpp"
 #include "report/report.hpp"
 #include "system/system.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae::command {
 

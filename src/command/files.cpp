@@ -7,6 +7,7 @@
 // statements in the file.
 
 #include "command/detail/files.hpp"
+#include "nature/nature.hpp"
 
 #include <algorithm>
 #include <cerrno>

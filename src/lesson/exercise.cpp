@@ -4,8 +4,10 @@
 #include <utility>
 
 #include "exact/exact.hpp"
+#include "language/language.hpp"
 #include "lesson/lesson.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 // Files `*.exercise`: how they are read, and what can be wrong with them before there is an answer.
 //

@@ -10,6 +10,7 @@
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 // lesson: the lessons that come with algae, and exercises whose answers the theory marks. An exercise is a task and a list of
 // demands on an answer (a system, a language, a word, or a claim that defines names); an answer is right if every demand is

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "nature/nature.hpp"
 #include "notation/detail/relative_values.hpp"
 #include "rewrite/rewrite.hpp"
 

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nature/nature.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 // Iterated function systems, `.ifs`, graph-directed ones too.
 //

@@ -12,8 +12,6 @@
 #include <vector>
 
 #include "exact/exact.hpp"
-#include "language/language.hpp"
-#include "nature/nature.hpp"
 #include "system/system.hpp"
 #include "word/word.hpp"
 
@@ -24,6 +22,15 @@
 // knows the files that are built into the library.
 
 namespace algae {
+
+// Of other faces, by name only: who reads claims or generators includes theirs.
+struct Claim;
+struct LanguageTree;
+using Language = std::shared_ptr<const LanguageTree>;
+struct SystemForm;
+struct Point;
+class Relative;
+class IteratedFunctions;
 
 // Systems: `.lsys` files.
 

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "nature/nature.hpp"
 #include "notation/detail/relative_values.hpp"
 
 // Systems of particles, `.particles`.

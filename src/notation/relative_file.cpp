@@ -5,6 +5,7 @@
 #include <limits>
 #include <set>
 
+#include "nature/nature.hpp"
 #include "notation/detail/expression_grammar.hpp"
 #include "notation/detail/relative_values.hpp"
 

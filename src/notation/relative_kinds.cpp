@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "nature/nature.hpp"
 #include "notation/detail/relative_values.hpp"
 
 // The kinds of files that describe other generators than L-systems, and the short ones among them.

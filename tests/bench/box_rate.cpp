@@ -13,6 +13,7 @@
 
 #include "dimension/dimension.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 namespace {
 

@@ -1,4 +1,6 @@
 #include "dimension/detail/value.hpp"
+#include "dimension/dimension.hpp"
+#include "growth/growth.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

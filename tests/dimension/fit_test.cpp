@@ -1,4 +1,5 @@
 #include "dimension/dimension.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 

@@ -1,4 +1,5 @@
 #include "exchange/detail/formats.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -10,6 +10,7 @@
 #include "exchange/inputs.hpp"
 #include "exchange/netlogo_model.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;

@@ -1,4 +1,5 @@
 #include "language/detail/judge.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "language/language.hpp"
 #include "notation/notation.hpp"
 
 /// The systems that the tests of claims open by name: those of the gallery.

@@ -1,3 +1,4 @@
+#include "growth/growth.hpp"
 #include "turtle/detail/plane_figure.hpp"
 
 #include <doctest/doctest.h>

@@ -1,4 +1,5 @@
 #include "turtle/detail/module_turtle.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 

@@ -6,6 +6,7 @@
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/detail/module_turtle.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 

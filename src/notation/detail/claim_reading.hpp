@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dimension/dimension.hpp"
+#include "language/language.hpp"
 #include "notation/detail/reading.hpp"
 #include "notation/notation.hpp"
 

@@ -63,7 +63,7 @@ struct LanguageTree {
     std::shared_ptr<const SourceSystem> system;  // of L(G)
     /// Two of a union, intersection, difference, concatenation; otherwise one.
     std::vector<Language> parts;
-    std::map<Symbol, Word> morphism;
+    Morphism morphism;
     std::vector<Symbol> letters;  // increasing
     std::string name;             // what the text calls it, where it has a name
 };
@@ -77,9 +77,9 @@ Language combined(LanguageTree::Kind kind, std::vector<Language> parts);
 /// The words over `letters` that are not in the language.
 Language complement_language(Language language, std::vector<Symbol> letters);
 /// The images of the words all of whose letters have an image.
-Language image_language(Language language, std::map<Symbol, Word> morphism);
+Language image_language(Language language, Morphism morphism);
 /// The words over the letters that have an image whose images are in the language.
-Language inverse_image_language(Language language, std::map<Symbol, Word> morphism);
+Language inverse_image_language(Language language, Morphism morphism);
 /// The same language with a name, by which texts call it.
 Language named(Language language, std::string name);
 

@@ -17,12 +17,6 @@
 
 namespace algae {
 
-namespace {
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-}  // namespace
-
 void PlainFigure::take_corners() {
     if (box_.empty) return;
     facts_.low = {Coordinate(box_.low.x), Coordinate(box_.low.y)};

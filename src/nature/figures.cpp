@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
 
@@ -16,6 +17,11 @@
 // last dot there; the cells are then drawn colour by colour.
 
 namespace algae {
+
+RelativeFact::RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known)
+    : key(std::move(of)),
+      text(std::move(said)),
+      value(std::make_shared<const nlohmann::ordered_json>(known)) {}
 
 void PlainFigure::take_corners() {
     if (box_.empty) return;

@@ -328,10 +328,12 @@ std::string line_of(const Finding& found, const std::string& file) {
 }
 
 std::string totals(const std::map<Finding::Outcome, std::size_t>& counts) {
-    std::string text;
-    for (const auto& [outcome, count] : counts)
-        text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + to_string(outcome);
-    return text.empty() ? "no statements\n" : text + '\n';
+    if (counts.empty()) return "no statements\n";
+    return joined(counts, ", ",
+                  [](const auto& one) {
+                      return std::to_string(one.second) + " " + to_string(one.first);
+                  }) +
+           '\n';
 }
 
 Json as_json(const Finding& found) {

@@ -78,9 +78,9 @@ Scaling divider_of(const PointSet& points, const Budget& budget) {
         throw Error(
             "--measure divider walks along strokes: expected a system or points of the "
             "plane in their order, found " +
-            (points.detail > 0 ? points.part + "s"
-                               : "points with " + std::to_string(points.columns) +
-                                     (points.columns == 1 ? " column" : " columns")));
+            (points.detail > 0
+                 ? points.part + "s"
+                 : "points with " + counted(static_cast<std::uint64_t>(points.columns), "column")));
     Stroke stroke;
     double length = 0;
     for (const auto& point : points.points) {

@@ -113,10 +113,8 @@ int run_automaton(const Options& options) {
                                              automaton.generations.back(), budget)));
         return success;
     }
-    std::string text;
-    for (const std::uint64_t n : automaton.generations)
-        text += (text.empty() ? "" : "\n") + grid_text(automaton.generation(n, budget));
-    print(text);
+    print(joined(automaton.generations, "\n",
+                 [&](std::uint64_t n) { return grid_text(automaton.generation(n, budget)); }));
     return success;
 }
 

@@ -413,12 +413,9 @@ std::string in_quotes(const std::string& text) {
 
 /// A list of completions for -a: words that hold spaces stay whole.
 std::string set_of(const std::vector<std::string>& words) {
-    std::string list;
-    for (const std::string& word : words) {
-        list += list.empty() ? "" : " ";
-        list += word.find(' ') == std::string::npos ? word : in_quotes(word);
-    }
-    return in_quotes(list);
+    return in_quotes(joined(words, " ", [](const std::string& word) {
+        return word.find(' ') == std::string::npos ? word : in_quotes(word);
+    }));
 }
 
 /// What follows an option or stands for an argument: a set, files, folders, or both.

@@ -250,8 +250,7 @@ struct Given {
 
 CLI::Option* parsed_option(CLI::App& app, Given& given) {
     const Option& option = *given.option;
-    std::string names;
-    for (const std::string& name : option.names) names += (names.empty() ? "" : ",") + name;
+    const std::string names = joined(option.names, ",");
     if (option.type.empty() && !option.is_argument())
         return app.add_flag(names, given.said, option.help);
     CLI::Option* const added = option.repeated ? app.add_option(names, given.texts, option.help)

@@ -33,48 +33,6 @@ namespace algae {
 
 namespace {
 
-/// The eigenvalue mu of the ways of an unfolding that outgrows all others, and the part of the ways
-/// that belongs to it: step 1.
-class LeadingFactor {
-public:
-    /// Looks at the pieces marked as moving. Throws what `Displacement` throws.
-    LeadingFactor(const Unfolding& unfolding, const std::vector<bool>& moving,
-                  const CyclotomicRing& ring, const Budget& budget);
-
-    /// The moving pieces, and the place of one among them.
-    const std::vector<std::size_t>& pieces() const { return pieces_; }
-    std::size_t place(std::size_t piece) const { return places_[piece]; }
-
-    /// The minimal polynomial q of mu + t zeta.
-    const Polynomial& factor() const { return factor_; }
-    /// mu + t zeta, and mu itself, to about so many bits.
-    ComplexBall root(long bits) const;
-    ComplexBall eigenvalue(long bits) const;
-    /// A^i u for i from 0 to the degree of q, less one: u is the part of the ways that q
-    /// annihilates, times an integer. By place.
-    const std::vector<std::vector<CyclotomicInteger>>& powers() const { return powers_; }
-
-private:
-    std::vector<CyclotomicInteger> next(const std::vector<CyclotomicInteger>& ways) const;
-    Polynomial annihilator_of(const std::vector<CyclotomicInteger>& ways,
-                              const Budget& budget) const;
-    void choose(const Polynomial& annihilator, std::size_t phases);
-    ComplexBall shift(long bits) const;  // t zeta
-
-    CyclotomicRing ring_;
-    std::vector<std::size_t> pieces_, places_;
-    struct Entry {
-        std::size_t place;
-        std::int64_t heading;
-    };
-    std::vector<std::vector<Entry>> rows_;  // of M, by place
-    std::size_t widest_ = 0;                // no eigenvalue of M is larger
-    long times_ = 0;                        // t
-    Polynomial factor_;
-    ComplexBall near_{Ball(0, 64), Ball(0, 64)};  // mu + t zeta, apart from the other roots of q
-    std::vector<std::vector<CyclotomicInteger>> powers_;
-};
-
 constexpr long root_bits = 192;
 
 struct Candidate {
@@ -94,157 +52,189 @@ bool is_one(const ComplexBall& number) {
     return number.real.contains(Rational(1)) && number.imaginary.contains(Rational(0));
 }
 
-LeadingFactor::LeadingFactor(const Unfolding& unfolding, const std::vector<bool>& moving,
-                             const CyclotomicRing& ring, const Budget& budget)
-    : ring_(ring), places_(unfolding.size(), 0) {
-    for (std::size_t p = 0; p < unfolding.size(); ++p)
-        if (moving[p]) {
-            places_[p] = pieces_.size();
-            pieces_.push_back(p);
+/// The eigenvalue mu of the ways of an unfolding that outgrows all others, and the part of the ways
+/// that belongs to it: step 1.
+class LeadingFactor {
+public:
+    /// Looks at the pieces marked as moving. Throws what `Displacement` throws.
+    LeadingFactor(const Unfolding& unfolding, const std::vector<bool>& moving,
+                  const CyclotomicRing& ring, const Budget& budget)
+        : ring_(ring), places_(unfolding.size(), 0) {
+        for (std::size_t p = 0; p < unfolding.size(); ++p)
+            if (moving[p]) {
+                places_[p] = pieces_.size();
+                pieces_.push_back(p);
+            }
+        if (pieces_.empty()) throw Error("the turtle always comes back to where it began");
+        if (pieces_.size() * ring.degree() > Displacement::largest_matrix)
+            throw BoundReached(Bound::method, "the ways of its pieces need " +
+                                                  std::to_string(pieces_.size() * ring.degree()) +
+                                                  " coordinates, more than " +
+                                                  std::to_string(Displacement::largest_matrix));
+        for (const std::size_t piece : pieces_) {
+            std::vector<Entry>& row = rows_.emplace_back();
+            for (const Unfolding::Item& item : unfolding.paths[piece])
+                if (moving[item.piece]) row.push_back({places_[item.piece], item.heading});
+            widest_ = std::max(widest_, row.size());
         }
-    if (pieces_.empty()) throw Error("the turtle always comes back to where it began");
-    if (pieces_.size() * ring.degree() > Displacement::largest_matrix)
-        throw BoundReached(Bound::method, "the ways of its pieces need " +
-                                              std::to_string(pieces_.size() * ring.degree()) +
-                                              " coordinates, more than " +
-                                              std::to_string(Displacement::largest_matrix));
-    for (const std::size_t piece : pieces_) {
-        std::vector<Entry>& row = rows_.emplace_back();
-        for (const Unfolding::Item& item : unfolding.paths[piece])
-            if (moving[item.piece]) row.push_back({places_[item.piece], item.heading});
-        widest_ = std::max(widest_, row.size());
-    }
-    if (ring.degree() > 1)
-        times_ = static_cast<long>(
-            std::ceil((2.0 * static_cast<double>(widest_) + 1) /
-                      (2 * std::sin(std::numbers::pi / static_cast<double>(ring.order())))));
+        if (ring.degree() > 1)
+            times_ = static_cast<long>(
+                std::ceil((2.0 * static_cast<double>(widest_) + 1) /
+                          (2 * std::sin(std::numbers::pi / static_cast<double>(ring.order())))));
 
-    std::vector<CyclotomicInteger> ways;
-    for (const std::size_t piece : pieces_) ways.push_back(unfolding.moves[piece]);
-    const Polynomial annihilator = annihilator_of(ways, budget);
-    choose(annihilator, unfolding.phases);
+        std::vector<CyclotomicInteger> ways;
+        for (const std::size_t piece : pieces_) ways.push_back(unfolding.moves[piece]);
+        const Polynomial annihilator = annihilator_of(ways, budget);
+        choose(annihilator, unfolding.phases);
 
-    // u: what the other factors leave of the ways, by Horner's rule.
-    const Polynomial others = *exact_divide(annihilator, factor_);
-    std::vector<CyclotomicInteger> part(ways.size(), ring_.zero());
-    for (std::size_t k = others.coefficients().size(); k-- > 0;) {
-        budget.check();
-        part = next(part);
-        for (std::size_t i = 0; i < part.size(); ++i) {
-            CyclotomicInteger term = ways[i];
-            ring_.scale(term, others.coefficients()[k]);
-            ring_.add(part[i], term);
+        // u: what the other factors leave of the ways, by Horner's rule.
+        const Polynomial others = *exact_divide(annihilator, factor_);
+        std::vector<CyclotomicInteger> part(ways.size(), ring_.zero());
+        for (std::size_t k = others.coefficients().size(); k-- > 0;) {
+            budget.check();
+            part = next(part);
+            for (std::size_t i = 0; i < part.size(); ++i) {
+                CyclotomicInteger term = ways[i];
+                ring_.scale(term, others.coefficients()[k]);
+                ring_.add(part[i], term);
+            }
+        }
+        for (long i = 0; i < factor_.degree(); ++i) {
+            powers_.push_back(part);
+            part = next(part);
+            budget.check();
         }
     }
-    for (long i = 0; i < factor_.degree(); ++i) {
-        powers_.push_back(part);
-        part = next(part);
-        budget.check();
-    }
-}
 
-/// A times the ways.
-std::vector<CyclotomicInteger> LeadingFactor::next(
-    const std::vector<CyclotomicInteger>& ways) const {
-    std::vector<CyclotomicInteger> out;
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        CyclotomicInteger sum = ring_.rotate(ways[i], 1);
-        ring_.scale(sum, Integer(times_));
-        for (const Entry& entry : rows_[i])
-            ring_.add_rotated(sum, ways[entry.place], entry.heading);
-        out.push_back(std::move(sum));
-    }
-    return out;
-}
+    /// The moving pieces, and the place of one among them.
+    const std::vector<std::size_t>& pieces() const { return pieces_; }
+    std::size_t place(std::size_t piece) const { return places_[piece]; }
 
-Polynomial LeadingFactor::annihilator_of(const std::vector<CyclotomicInteger>& ways,
-                                         const Budget& budget) const {
-    // The transpose of A over the integers, as `annihilator` wants a row times a matrix.
-    const std::size_t degree = ring_.degree();
-    GrowthMatrix matrix;
-    std::vector<std::map<std::size_t, Integer>> rows(ways.size() * degree);
-    const auto add = [&](std::size_t from, std::size_t to, std::int64_t heading,
-                         const Integer& times) {
-        for (std::size_t j = 0; j < degree; ++j) {
-            const auto power = ring_.power(static_cast<long>(heading) + static_cast<long>(j));
-            for (std::size_t i = 0; i < degree; ++i)
-                if (power[i] != 0)
-                    rows[from * degree + j][to * degree + i] += times * Integer(power[i]);
+    /// The minimal polynomial q of mu + t zeta.
+    const Polynomial& factor() const { return factor_; }
+    /// mu + t zeta, and mu itself, to about so many bits.
+    ComplexBall root(long bits) const {
+        for (const Root& root : roots(factor_, bits))
+            if (root.real.overlaps(near_.real) && root.imaginary.overlaps(near_.imaginary))
+                return {root.real, root.imaginary};
+        throw Error("a root of a polynomial was lost");
+    }
+
+    ComplexBall eigenvalue(long bits) const {
+        const ComplexBall whole = root(bits), part = shift(bits);
+        return {whole.real - part.real, whole.imaginary - part.imaginary};
+    }
+
+    /// A^i u for i from 0 to the degree of q, less one: u is the part of the ways that q
+    /// annihilates, times an integer. By place.
+    const std::vector<std::vector<CyclotomicInteger>>& powers() const { return powers_; }
+
+private:
+    /// A times the ways.
+    std::vector<CyclotomicInteger> next(const std::vector<CyclotomicInteger>& ways) const {
+        std::vector<CyclotomicInteger> out;
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            CyclotomicInteger sum = ring_.rotate(ways[i], 1);
+            ring_.scale(sum, Integer(times_));
+            for (const Entry& entry : rows_[i])
+                ring_.add_rotated(sum, ways[entry.place], entry.heading);
+            out.push_back(std::move(sum));
         }
-    };
-    for (std::size_t i = 0; i < ways.size(); ++i) {
-        if (times_ != 0) add(i, i, 1, Integer(times_));
-        for (const Entry& entry : rows_[i]) add(entry.place, i, entry.heading, 1);
+        return out;
     }
-    for (const auto& row : rows) {
-        auto& entries = matrix.rows.emplace_back();
-        for (const auto& [column, times] : row)
-            if (!times.is_zero()) entries.push_back({column, times});
-    }
-    std::vector<Integer> start;
-    for (const CyclotomicInteger& way : ways)
-        start.insert(start.end(), way.coefficients.begin(), way.coefficients.end());
-    return annihilator(start, matrix, budget);
-}
 
-void LeadingFactor::choose(const Polynomial& annihilator, std::size_t phases) {
-    if (annihilator.degree() < 1) throw Error("the turtle always comes back to where it began");
-    const Factorisation factors = factorise(annihilator);
-    const ComplexBall centre = shift(root_bits);
-    std::vector<Candidate> candidates;
-    for (std::size_t k = 0; k < factors.powers.size(); ++k)
-        for (const Root& root : roots(factors.powers[k].factor, root_bits)) {
-            const ComplexBall number{root.real, root.imaginary};
-            const ComplexBall rest{number.real - centre.real, number.imaginary - centre.imaginary};
-            const Candidate candidate{k, number, rest, factors.powers[k].exponent};
-            if (candidate.size() <= static_cast<double>(widest_) + 0.25)
-                candidates.push_back(candidate);
-        }
-    const Candidate* largest = nullptr;
-    for (const Candidate& candidate : candidates)
-        if (!largest || candidate.size() > largest->size()) largest = &candidate;
-    if (!largest || compare(largest->square(), Ball(1, root_bits)) != Order::greater)
-        throw Error(
-            "the way from the beginning of the curve to its end does not grow exponentially");
-    const Candidate* chosen = nullptr;
-    for (const Candidate& candidate : candidates) {
-        if (compare(candidate.square(), largest->square()) == Order::less) continue;
-        if (candidate.multiplicity > 1)
-            throw Error(
-                "lengths grow like a power of the number of the generation times that of a "
-                "factor, so parts do not become similar");
-        const ComplexBall quotient = candidate.eigenvalue / largest->eigenvalue;
-        if (!is_one(power(quotient, phases)))
-            throw EqualFactors(
-                "several scaling factors are equally large, so parts do not become similar");
-        const auto degree_of = [&](const Candidate& c) {
-            return factors.powers[c.power].factor.degree();
+    Polynomial annihilator_of(const std::vector<CyclotomicInteger>& ways,
+                              const Budget& budget) const {
+        // The transpose of A over the integers, as `annihilator` wants a row times a matrix.
+        const std::size_t degree = ring_.degree();
+        GrowthMatrix matrix;
+        std::vector<std::map<std::size_t, Integer>> rows(ways.size() * degree);
+        const auto add = [&](std::size_t from, std::size_t to, std::int64_t heading,
+                             const Integer& times) {
+            for (std::size_t j = 0; j < degree; ++j) {
+                const auto power = ring_.power(static_cast<long>(heading) + static_cast<long>(j));
+                for (std::size_t i = 0; i < degree; ++i)
+                    if (power[i] != 0)
+                        rows[from * degree + j][to * degree + i] += times * Integer(power[i]);
+            }
         };
-        if (!chosen || degree_of(candidate) < degree_of(*chosen) ||
-            (degree_of(candidate) == degree_of(*chosen) &&
-             candidate.eigenvalue.real.midpoint() > chosen->eigenvalue.real.midpoint() + 1e-9))
-            chosen = &candidate;
+        for (std::size_t i = 0; i < ways.size(); ++i) {
+            if (times_ != 0) add(i, i, 1, Integer(times_));
+            for (const Entry& entry : rows_[i]) add(entry.place, i, entry.heading, 1);
+        }
+        for (const auto& row : rows) {
+            auto& entries = matrix.rows.emplace_back();
+            for (const auto& [column, times] : row)
+                if (!times.is_zero()) entries.push_back({column, times});
+        }
+        std::vector<Integer> start;
+        for (const CyclotomicInteger& way : ways)
+            start.insert(start.end(), way.coefficients.begin(), way.coefficients.end());
+        return annihilator(start, matrix, budget);
     }
-    factor_ = factors.powers[chosen->power].factor;
-    near_ = chosen->root;
-}
 
-ComplexBall LeadingFactor::shift(long bits) const {
-    const Rational part(2, Integer(ring_.order()));
-    return {cos_pi(part, bits) * Ball(times_, bits), sin_pi(part, bits) * Ball(times_, bits)};
-}
+    void choose(const Polynomial& annihilator, std::size_t phases) {
+        if (annihilator.degree() < 1) throw Error("the turtle always comes back to where it began");
+        const Factorisation factors = factorise(annihilator);
+        const ComplexBall centre = shift(root_bits);
+        std::vector<Candidate> candidates;
+        for (std::size_t k = 0; k < factors.powers.size(); ++k)
+            for (const Root& root : roots(factors.powers[k].factor, root_bits)) {
+                const ComplexBall number{root.real, root.imaginary};
+                const ComplexBall rest{number.real - centre.real,
+                                       number.imaginary - centre.imaginary};
+                const Candidate candidate{k, number, rest, factors.powers[k].exponent};
+                if (candidate.size() <= static_cast<double>(widest_) + 0.25)
+                    candidates.push_back(candidate);
+            }
+        const Candidate* largest = nullptr;
+        for (const Candidate& candidate : candidates)
+            if (!largest || candidate.size() > largest->size()) largest = &candidate;
+        if (!largest || compare(largest->square(), Ball(1, root_bits)) != Order::greater)
+            throw Error(
+                "the way from the beginning of the curve to its end does not grow exponentially");
+        const Candidate* chosen = nullptr;
+        for (const Candidate& candidate : candidates) {
+            if (compare(candidate.square(), largest->square()) == Order::less) continue;
+            if (candidate.multiplicity > 1)
+                throw Error(
+                    "lengths grow like a power of the number of the generation times that of a "
+                    "factor, so parts do not become similar");
+            const ComplexBall quotient = candidate.eigenvalue / largest->eigenvalue;
+            if (!is_one(power(quotient, phases)))
+                throw EqualFactors(
+                    "several scaling factors are equally large, so parts do not become similar");
+            const auto degree_of = [&](const Candidate& c) {
+                return factors.powers[c.power].factor.degree();
+            };
+            if (!chosen || degree_of(candidate) < degree_of(*chosen) ||
+                (degree_of(candidate) == degree_of(*chosen) &&
+                 candidate.eigenvalue.real.midpoint() > chosen->eigenvalue.real.midpoint() + 1e-9))
+                chosen = &candidate;
+        }
+        factor_ = factors.powers[chosen->power].factor;
+        near_ = chosen->root;
+    }
 
-ComplexBall LeadingFactor::root(long bits) const {
-    for (const Root& root : roots(factor_, bits))
-        if (root.real.overlaps(near_.real) && root.imaginary.overlaps(near_.imaginary))
-            return {root.real, root.imaginary};
-    throw Error("a root of a polynomial was lost");
-}
+    /// t zeta
+    ComplexBall shift(long bits) const {
+        const Rational part(2, Integer(ring_.order()));
+        return {cos_pi(part, bits) * Ball(times_, bits), sin_pi(part, bits) * Ball(times_, bits)};
+    }
 
-ComplexBall LeadingFactor::eigenvalue(long bits) const {
-    const ComplexBall whole = root(bits), part = shift(bits);
-    return {whole.real - part.real, whole.imaginary - part.imaginary};
-}
+    CyclotomicRing ring_;
+    std::vector<std::size_t> pieces_, places_;
+    struct Entry {
+        std::size_t place;
+        std::int64_t heading;
+    };
+    std::vector<std::vector<Entry>> rows_;  // of M, by place
+    std::size_t widest_ = 0;                // no eigenvalue of M is larger
+    long times_ = 0;                        // t
+    Polynomial factor_;
+    ComplexBall near_{Ball(0, 64), Ball(0, 64)};  // mu + t zeta, apart from the other roots of q
+    std::vector<std::vector<CyclotomicInteger>> powers_;
+};
 
 /// The complex numbers that the coordinates F(c)_i = c A^i u of a number c stand for: the part of u
 /// that belongs to the root of the factor, by Lagrange's interpolation.

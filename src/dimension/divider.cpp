@@ -24,8 +24,6 @@ namespace {
 constexpr std::size_t starts = 8;
 constexpr std::size_t check_every = 1 << 16;
 
-double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
-
 /// How far from `from` to `to`, as a share, the circle is left whose inside holds `from`.
 double exit_share(Point centre, double radius, Point from, Point to) {
     const double dx = to.x - from.x, dy = to.y - from.y;
@@ -128,8 +126,7 @@ Scaling divider(const std::vector<Stroke>& strokes, double detail, const Budget&
     fit_scaling(result, powers, range, {1, 1, 0}, HUGE_VAL);
     if (left_out > 0)
         result.because +=
-            fmt::format("; {} stroke{} less wide than an eighth of the widest left out", left_out,
-                        left_out == 1 ? "" : "s");
+            "; " + counted(left_out, "stroke") + " less wide than an eighth of the widest left out";
     return result;
 }
 

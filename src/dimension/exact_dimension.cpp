@@ -120,10 +120,6 @@ bool is_point(const RecurrentSet& set, const Component& component) {
     return true;
 }
 
-std::string counted(std::size_t count, const std::string& one, const std::string& many) {
-    return std::to_string(count) + " " + (count == 1 ? one : many);
-}
-
 /// Looks at components from the largest possible dimension downwards.
 class Search {
 public:
@@ -183,14 +179,14 @@ private:
             const Neighbours neighbours(set_, component, budget_);
             if (!neighbours.parts_coincide()) {
                 out_.conditions.push_back("parts meet in " +
-                                          counted(neighbours.pairs().size(), "way", "ways") +
+                                          counted(neighbours.pairs().size(), "way") +
                                           "; no two coincide, so all of them count");
                 find_boundary(neighbours, all);
                 return all;
             }
             const DistinctGrowth distinct = distinct_growth(set_, component, neighbours, budget_);
             out_.conditions.push_back("parts coincide; different ones, told apart by " +
-                                      counted(distinct.kinds, "kind", "kinds") +
+                                      counted(distinct.kinds, "kind") +
                                       " of surroundings, multiply by " + distinct.rate.exact());
             return distinct.rate;
         } catch (const BoundReached& bound) {

@@ -92,7 +92,7 @@ std::vector<CellMass> drawn_masses(const Figure& figure, const Grid& grid, const
     CellMasses masses(budget);
     DrawnSegments canvas([&](Point start, Point end, bool) {
         const GridPoint from = grid.at(start), to = grid.at(end);
-        const double length = std::hypot(end.x - start.x, end.y - start.y);
+        const double length = distance(start, end);
         const bool right = to.x > from.x, up = to.y > from.y;
         Morton cell(static_cast<std::uint64_t>(from.column()),
                     static_cast<std::uint64_t>(from.row()));

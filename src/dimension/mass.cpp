@@ -117,7 +117,7 @@ Scaling mass(const Figure& figure, const Sandboxes& sandboxes, const Budget& bud
     std::vector<double> radii = halved_sizes(range.coarsest, std::min(detail, range.coarsest));
     Masses masses(radii);
     DrawnSegments canvas([&](Point from, Point to, bool) {
-        const double length = std::hypot(to.x - from.x, to.y - from.y);
+        const double length = distance(from, to);
         for (const auto& centre : centres.points)
             masses.add_segment(from, to, length, {centre[0], centre[1]});
     });

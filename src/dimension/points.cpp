@@ -115,9 +115,9 @@ PointSet read_points(std::string_view text, const std::string& name) {
             first_line = number;
         } else if (fields.size() != static_cast<std::size_t>(set.columns)) {
             fail(name, number, whole, fields.back().at,
-                 "expected " + std::to_string(set.columns) +
-                     (set.columns == 1 ? " column" : " columns") + " as in line " +
-                     std::to_string(first_line) + ", found " + std::to_string(fields.size()));
+                 "expected " + counted(static_cast<std::uint64_t>(set.columns), "column") +
+                     " as in line " + std::to_string(first_line) + ", found " +
+                     std::to_string(fields.size()));
         }
         set.points.push_back(point);
     }
@@ -260,8 +260,7 @@ std::vector<double> places(std::size_t count, Spread spread, std::uint64_t seed)
 PointSet even_sample(const Figure& figure, std::size_t count, Spread spread, std::uint64_t seed,
                      const Budget& budget) {
     double whole = 0;
-    DrawnSegments ruler(
-        [&](Point from, Point to, bool) { whole += std::hypot(to.x - from.x, to.y - from.y); });
+    DrawnSegments ruler([&](Point from, Point to, bool) { whole += distance(from, to); });
     figure.draw(ruler, 0, budget);
     if (!(whole > 0) || !std::isfinite(whole))
         throw Error("expected strokes with a length to measure, found a length of " +
@@ -274,7 +273,7 @@ PointSet even_sample(const Figure& figure, std::size_t count, Spread spread, std
     const std::vector<double> shares = places(count, spread, seed);
     double done = 0;
     DrawnSegments picker([&](Point from, Point to, bool) {
-        const double length = std::hypot(to.x - from.x, to.y - from.y);
+        const double length = distance(from, to);
         while (sample.points.size() < count) {
             const double part = (shares[sample.points.size()] * whole - done) / length;
             if (!(part < 1)) break;

@@ -30,30 +30,6 @@ namespace algae {
 
 namespace {
 
-/// What the parameters of a system's modules are to the way of its turtle. Backward from what the
-/// turtle does: what conditions and turns depend on are numbers, what lengths of steps depend on
-/// are lengths, and everything else (widths, colours, ages that nobody asks for) is of no account.
-/// What is both is a number.
-class ParameterMeanings {
-public:
-    enum class Meaning : unsigned char { none, length, number };
-
-    /// Throws Error where the length of a step stands in a condition or turns something.
-    explicit ParameterMeanings(const LSystem& system);
-
-    /// Of a parameter of modules with this symbol and so many parameters.
-    Meaning of(Symbol symbol, std::size_t arity, std::size_t place) const;
-
-private:
-    struct Slot {
-        Symbol symbol;
-        std::size_t arity, place;
-        auto operator<=>(const Slot&) const = default;
-    };
-    void spread(const LSystem& system, Meaning meaning);
-    std::map<Slot, Meaning> meanings_;
-};
-
 /// Whether a symbol makes the turtle step, and whether it draws then.
 enum class Step : unsigned char { none, draw, move };
 
@@ -69,69 +45,88 @@ Step step_of(const Alphabet& alphabet, Symbol symbol) {
     return Step::none;
 }
 
-ParameterMeanings::ParameterMeanings(const LSystem& system) {
-    const auto visit = [&](const ModuleWord& word, const auto& see) {
-        for (const auto& [at, arguments] : word.arguments) see(word.letters[at], arguments.size());
-    };
-    const auto visit_all = [&](const auto& see) {
-        visit(system.axiom, see);
-        for (const Production& rule : system.rules) {
-            visit(rule.successor, see);
-            if (!rule.predecessor.parameters.empty())
-                see(rule.predecessor.symbol, rule.predecessor.parameters.size());
-        }
-    };
-    visit_all([&](Symbol symbol, std::size_t arity) {
-        const std::string& name = system.alphabet.name(symbol);
-        if (name == "+" || name == "-") meanings_[{symbol, arity, 0}] = Meaning::number;
-    });
-    for (const Production& rule : system.rules) {
-        if (!rule.condition) continue;
-        std::set<std::string> names;
-        collect_names(*rule.condition, names);
-        const auto& parameters = rule.predecessor.parameters;
-        for (std::size_t k = 0; k < parameters.size(); ++k)
-            if (names.contains(parameters[k]))
-                meanings_[{rule.predecessor.symbol, parameters.size(), k}] = Meaning::number;
-    }
-    spread(system, Meaning::number);
-    visit_all([&](Symbol symbol, std::size_t arity) {
-        if (step_of(system.alphabet, symbol) == Step::none) return;
-        Meaning& meaning = meanings_[{symbol, arity, 0}];
-        if (meaning == Meaning::number)
-            throw Error("the length of " + system.alphabet.name(symbol) +
-                        " decides what comes of it, so parts are not similar to the whole");
-        meaning = Meaning::length;
-    });
-    spread(system, Meaning::length);
-}
+/// What the parameters of a system's modules are to the way of its turtle. Backward from what the
+/// turtle does: what conditions and turns depend on are numbers, what lengths of steps depend on
+/// are lengths, and everything else (widths, colours, ages that nobody asks for) is of no account.
+/// What is both is a number.
+class ParameterMeanings {
+public:
+    enum class Meaning : unsigned char { none, length, number };
 
-void ParameterMeanings::spread(const LSystem& system, Meaning meaning) {
-    for (bool changed = true; changed;) {
-        changed = false;
+    /// Throws Error where the length of a step stands in a condition or turns something.
+    explicit ParameterMeanings(const LSystem& system) {
+        const auto visit = [&](const ModuleWord& word, const auto& see) {
+            for (const auto& [at, arguments] : word.arguments)
+                see(word.letters[at], arguments.size());
+        };
+        const auto visit_all = [&](const auto& see) {
+            visit(system.axiom, see);
+            for (const Production& rule : system.rules) {
+                visit(rule.successor, see);
+                if (!rule.predecessor.parameters.empty())
+                    see(rule.predecessor.symbol, rule.predecessor.parameters.size());
+            }
+        };
+        visit_all([&](Symbol symbol, std::size_t arity) {
+            const std::string& name = system.alphabet.name(symbol);
+            if (name == "+" || name == "-") meanings_[{symbol, arity, 0}] = Meaning::number;
+        });
         for (const Production& rule : system.rules) {
-            const auto& parameters = rule.predecessor.parameters;
+            if (!rule.condition) continue;
             std::set<std::string> names;
-            for (const auto& [at, arguments] : rule.successor.arguments)
-                for (std::size_t k = 0; k < arguments.size(); ++k)
-                    if (of(rule.successor.letters[at], arguments.size(), k) == meaning)
-                        collect_names(arguments[k], names);
-            for (std::size_t k = 0; k < parameters.size(); ++k) {
-                if (!names.contains(parameters[k])) continue;
-                Meaning& own = meanings_[{rule.predecessor.symbol, parameters.size(), k}];
-                if (own != Meaning::none) continue;
-                own = meaning;
-                changed = true;
+            collect_names(*rule.condition, names);
+            const auto& parameters = rule.predecessor.parameters;
+            for (std::size_t k = 0; k < parameters.size(); ++k)
+                if (names.contains(parameters[k]))
+                    meanings_[{rule.predecessor.symbol, parameters.size(), k}] = Meaning::number;
+        }
+        spread(system, Meaning::number);
+        visit_all([&](Symbol symbol, std::size_t arity) {
+            if (step_of(system.alphabet, symbol) == Step::none) return;
+            Meaning& meaning = meanings_[{symbol, arity, 0}];
+            if (meaning == Meaning::number)
+                throw Error("the length of " + system.alphabet.name(symbol) +
+                            " decides what comes of it, so parts are not similar to the whole");
+            meaning = Meaning::length;
+        });
+        spread(system, Meaning::length);
+    }
+
+    /// Of a parameter of modules with this symbol and so many parameters.
+    Meaning of(Symbol symbol, std::size_t arity, std::size_t place) const {
+        const auto found = meanings_.find({symbol, arity, place});
+        return found == meanings_.end() ? Meaning::none : found->second;
+    }
+
+private:
+    struct Slot {
+        Symbol symbol;
+        std::size_t arity, place;
+        auto operator<=>(const Slot&) const = default;
+    };
+    void spread(const LSystem& system, Meaning meaning) {
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const Production& rule : system.rules) {
+                const auto& parameters = rule.predecessor.parameters;
+                std::set<std::string> names;
+                for (const auto& [at, arguments] : rule.successor.arguments)
+                    for (std::size_t k = 0; k < arguments.size(); ++k)
+                        if (of(rule.successor.letters[at], arguments.size(), k) == meaning)
+                            collect_names(arguments[k], names);
+                for (std::size_t k = 0; k < parameters.size(); ++k) {
+                    if (!names.contains(parameters[k])) continue;
+                    Meaning& own = meanings_[{rule.predecessor.symbol, parameters.size(), k}];
+                    if (own != Meaning::none) continue;
+                    own = meaning;
+                    changed = true;
+                }
             }
         }
     }
-}
 
-ParameterMeanings::Meaning ParameterMeanings::of(Symbol symbol, std::size_t arity,
-                                                 std::size_t place) const {
-    const auto found = meanings_.find({symbol, arity, place});
-    return found == meanings_.end() ? Meaning::none : found->second;
-}
+    std::map<Slot, Meaning> meanings_;
+};
 
 /// What the parameters of a module are, as far as they matter to a turtle's way.
 struct ModuleValues {

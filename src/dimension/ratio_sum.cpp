@@ -459,12 +459,10 @@ std::string RatioSum::text() const {
             if (++counts[term] == 1) terms.push_back(term);
         }
         if (terms.size() <= most_terms) {
-            std::string text;
-            for (const std::string& term : terms) {
-                if (!text.empty()) text += " + ";
+            const std::string text = joined(terms, " + ", [&](const std::string& term) {
                 const std::string count = std::to_string(counts[term]);
-                text += term == "1^s" ? count : counts[term] > 1 ? count + "*" + term : term;
-            }
+                return term == "1^s" ? count : counts[term] > 1 ? count + "*" + term : term;
+            });
             if (!growth_) return text + " = 1";
             return text + (all_at_once ? " = m^s" : " = 1") + " with m = " + factor;
         }

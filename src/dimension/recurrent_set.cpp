@@ -68,32 +68,17 @@ public:
     static constexpr std::size_t none = ~std::size_t{0};
 
     bool is_bracket(Symbol a) const {
-        const auto& brackets = rules_.rules.brackets;
+        const auto& brackets = rules_.brackets;
         return brackets && (a == brackets->open || a == brackets->close);
     }
-    bool opens(Symbol a) const { return a == rules_.rules.brackets->open; }
+    bool opens(Symbol a) const { return a == rules_.brackets->open; }
     std::size_t place(Symbol a) const { return place_[a]; }
     std::int64_t order() const { return order_; }
 
     /// What the letter itself does.
     LatticeMotions::value_type motion(const LatticeMotions& motions, Symbol a) const {
-        return product(motions, commands_.of(a), [&](Command command) {
-            switch (command) {
-                case Command::draw:
-                case Command::draw_unmarked:
-                    return motions.step(true);
-                case Command::move:
-                    return motions.step(false);
-                case Command::left:
-                    return motions.turned(compass_.turn() / unit_);
-                case Command::right:
-                    return motions.turned(-compass_.turn() / unit_);
-                case Command::back:
-                    return motions.turned(compass_.half() / unit_);
-                default:
-                    return motions.one();
-            }
-        });
+        return product(motions, commands_.of(a),
+                       [&](Command command) { return motions.of(command, compass_, unit_); });
     }
 
     std::vector<Symbol> letters;

@@ -59,21 +59,8 @@ std::string Diagnostic::text() const {
     return out;
 }
 
-namespace {
-
-std::string joined(const std::vector<Diagnostic>& findings) {
-    std::string out;
-    for (const Diagnostic& finding : findings) {
-        if (!out.empty()) out += '\n';
-        out += finding.text();
-    }
-    return out;
-}
-
-}  // namespace
-
 Diagnostics::Diagnostics(std::vector<Diagnostic> findings)
-    : Error(joined(findings)), findings_(std::move(findings)) {}
+    : Error(joined(findings, "\n", &Diagnostic::text)), findings_(std::move(findings)) {}
 
 void Budget::check() const {
     if (stop && stop->load(std::memory_order_relaxed)) throw Interrupted();

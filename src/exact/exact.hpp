@@ -27,7 +27,8 @@
 // error in the input, a stop), budgets and threads of long work, and the concepts of the algebra that analyses compute in.
 //
 // Outside libraries for numbers (GMP, FLINT, Arb) are behind this face only: no other room sees their types. Read in this
-// order: errors and stops; budgets; monoids; integers, rationals, enclosures; matrices, polynomials, cyclotomic integers.
+// order: errors and stops; budgets; pieces of sentences; monoids; integers, rationals, enclosures; matrices, polynomials,
+// cyclotomic integers.
 
 namespace algae {
 
@@ -197,6 +198,63 @@ std::string_view to_string(Truth truth);
 ///
 /// Example: opposite(Truth::proved) == Truth::refuted
 Truth opposite(Truth truth);
+
+// Pieces of sentences and messages.
+
+/// The texts of these things one after the other, `between` between any two; `text` gives the text of one.
+///
+/// Example: joined(std::vector<int>{1, 2, 3}, "+", [](int n) { return std::to_string(n); }) == "1+2+3"
+template <class Things, class Text = std::identity>
+std::string joined(const Things& things, std::string_view between, Text text = {}) {
+    std::string all;
+    bool is_first = true;
+    for (const auto& thing : things) {
+        if (!is_first) all += between;
+        is_first = false;
+        all += std::invoke(text, thing);
+    }
+    return all;
+}
+
+/// The texts one after the other, `between` between any two.
+///
+/// Example: joined({"a", "b", "c"}, " ") == "a b c"
+std::string joined(const std::vector<std::string>& texts, std::string_view between);
+
+/// A list as a sentence has it: commas, and something else before the last text.
+///
+/// Example: listed({"a", "b", "c"}) + "; " + listed({"a", "b"}, " and ") == "a, b or c; a and b"
+std::string listed(const std::vector<std::string>& texts, std::string_view before_last = " or ");
+
+/// A number and what it counts.
+///
+/// Example: counted(1, "step") + ", " + counted(2, "step") == "1 step, 2 steps"
+std::string counted(std::uint64_t count, std::string_view noun);
+
+/// The name of a family or system behind "a" or "an", as it is spoken.
+///
+/// Example: with_article("0L") + ", " + with_article("E0L") == "a 0L, an E0L"
+std::string with_article(const std::string& name);
+
+/// The text, or where it is longer than so many bytes the whole characters that fit, and dots.
+///
+/// Example: beginning("abcdef", 4) == "abcd..."
+std::string beginning(std::string_view text, std::size_t longest);
+
+/// The text in quotation marks, cut after some forty bytes.
+///
+/// Example: quoted("x") == "'x'"
+std::string quoted(std::string_view text);
+
+/// The shortest decimal that is read back as the same number: "0.1", "1e-07".
+///
+/// Example: shortest_decimal(0.1) == "0.1"
+std::string shortest_decimal(double value);
+
+/// The decimal of at most so many significant digits, without zeros at its end (`%g` in C).
+///
+/// Example: rounded_decimal(2.0 / 3, 4) == "0.6667"
+std::string rounded_decimal(double value, int significant_digits);
 
 /// A monoid is a value: it may carry context (a modulus, an angle) that its elements do not.
 /// `one` is the neutral element, `append` is left := left . right, associative.

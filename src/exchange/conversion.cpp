@@ -173,13 +173,6 @@ std::vector<std::string> format_names() {
     return all;
 }
 
-std::string listed(const std::vector<std::string>& names, const char* last) {
-    std::string all;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        all += (i == 0 ? "" : i + 1 == names.size() ? last : ", ") + names[i];
-    return all;
-}
-
 [[noreturn]] void refuse(const std::string& name, const std::string& from, const std::string& to) {
     const std::vector<std::string> known = format_names();
     const auto is_known = [&](const std::string& format) {

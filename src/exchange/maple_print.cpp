@@ -82,10 +82,10 @@ private:
             std::find_if(std::begin(maple_functions), std::end(maple_functions),
                          [&](const MapleFunction& one) { return expression.name == one.name; });
         if (function == std::end(maple_functions)) fail(expression);
-        std::string arguments;
         const bool angle = function->angle == MapleFunction::Angle::argument;
-        for (const Expression& one : expression.operands)
-            arguments += (arguments.empty() ? "" : ",") + text(one, angle ? product : sign);
+        const std::string arguments = joined(expression.operands, ",", [&](const Expression& one) {
+            return text(one, angle ? product : sign);
+        });
         const std::string call = function->maple + ("(" + arguments);
         if (angle) return {call + "*Pi/180)", atom};
         if (function->angle == MapleFunction::Angle::value) return {call + ")*180/Pi", product};
@@ -251,13 +251,13 @@ private:
 
     std::string rules() const {
         const bool many = system_.rules.size() > 1;
-        std::string text;
-        for (const Production& rule : system_.rules) {
-            text += text.empty() ? "" : ",";
-            text += many ? "\n  " : "";
-            text += string({rule.predecessor.symbol}) + ", " + string(rule.successor.letters);
-        }
-        return "[" + text + (many ? "\n]" : "]");
+        return "[" +
+               joined(system_.rules, ",",
+                      [&](const Production& rule) {
+                          return (many ? "\n  " : "") + string({rule.predecessor.symbol}) + ", " +
+                                 string(rule.successor.letters);
+                      }) +
+               (many ? "\n]" : "]");
     }
 
     /// Percentages where they are whole, as the procedure draws from 1 to 100; otherwise fractions.
@@ -265,11 +265,12 @@ private:
         bool whole = true;
         for (const Production& rule : system_.rules)
             whole = whole && (*rule.probability * 100).is_integer();
-        std::string text;
-        for (const Production& rule : system_.rules)
-            text += (text.empty() ? "" : ",") +
-                    shortest_text(whole ? *rule.probability * 100 : *rule.probability);
-        return "[" + text + "]";
+        return "[" +
+               joined(system_.rules, ",",
+                      [&](const Production& rule) {
+                          return shortest_text(whole ? *rule.probability * 100 : *rule.probability);
+                      }) +
+               "]";
     }
 
     Expression angle() const {

@@ -166,16 +166,10 @@ Quantity read_netlogo_number(Scanner& scanner) {
     return number;
 }
 
-std::string decimal_of(double value) {
-    char text[64];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
-
 std::string value_of(const Quantity& number) {
-    if (!number.exact) return decimal_of(number.value);
+    if (!number.exact) return shortest_decimal(number.value);
     if (const auto text = exact_decimal(*number.exact); text && text->size() < 40) return *text;
-    return decimal_of(number.value);
+    return shortest_decimal(number.value);
 }
 
 /// The expression in NetLogo, in brackets where `inner` says so; empty where it knows something else.
@@ -620,12 +614,9 @@ private:
         const std::size_t at = scanner_.offset();
         std::string name = scanner_.name("a setting behind 'set'");
         for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        if (std::find(names.begin(), names.end(), name) == names.end()) {
-            std::string all;
-            for (const std::string& known : names) all += (all.empty() ? "" : ", ") + known;
-            scanner_.fail_at(at, "expected one of " + all + ", found " + algae::quoted(name) +
-                                     did_you_mean(name, names));
-        }
+        if (std::find(names.begin(), names.end(), name) == names.end())
+            scanner_.fail_at(at, "expected one of " + joined(names, ", ") + ", found " +
+                                     algae::quoted(name) + did_you_mean(name, names));
         if (name == "chain") {
             chain_ = word("a word in quotation marks behind 'set chain'");
             has_chain_ = true;

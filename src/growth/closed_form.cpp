@@ -194,20 +194,33 @@ Residue prime_below(Residue bound) {
     return bound;
 }
 
-std::vector<Residue> shortest_recurrence_modulo(const std::vector<Residue>& terms,
-                                                const PrimeField& field) {
-    std::vector<Residue> now{1},
-        before{1};  // connection polynomials: now[0] a(n) + now[1] a(n-1) + ... == 0
+namespace {
+
+/// The field of the rational numbers, as PrimeField is one of residues.
+struct Rationals {
+    Rational add(const Rational& left, const Rational& right) const { return left + right; }
+    Rational subtract(const Rational& left, const Rational& right) const { return left - right; }
+    Rational multiply(const Rational& left, const Rational& right) const { return left * right; }
+    Rational inverse(const Rational& value) const { return Rational(1) / value; }
+};
+
+/// The connection polynomial c of the shortest recurrence, c[0] a(n) + c[1] a(n-1) + ... == 0 with c[0] == 1, and
+/// the order, from which on it holds (Berlekamp 1968, Massey 1969).
+template <class Field, class Number>
+std::pair<std::vector<Number>, std::size_t> connection(const std::vector<Number>& terms,
+                                                       const Field& field) {
+    const Number zero(0);
+    std::vector<Number> now{Number(1)}, before = now;  // before the last jump
     std::size_t order = 0, shift = 1;
-    Residue last = 1;
+    Number last(1);
     for (std::size_t n = 0; n < terms.size(); ++n, ++shift) {
-        Residue wrong = 0;
+        Number wrong = zero;
         for (std::size_t i = 0; i < now.size() && i <= n; ++i)
-            wrong = field.add(wrong, field.multiply(now[i], terms[n - i]));
-        if (wrong == 0) continue;
-        const Residue factor = field.multiply(wrong, field.inverse(last));
-        std::vector<Residue> next = now;
-        next.resize(std::max(now.size(), before.size() + shift), 0);
+            if (now[i] != zero) wrong = field.add(wrong, field.multiply(now[i], terms[n - i]));
+        if (wrong == zero) continue;
+        const Number factor = field.multiply(wrong, field.inverse(last));
+        std::vector<Number> next = now;
+        next.resize(std::max(now.size(), before.size() + shift), zero);
         for (std::size_t i = 0; i < before.size(); ++i)
             next[i + shift] = field.subtract(next[i + shift], field.multiply(factor, before[i]));
         if (2 * order <= n) {
@@ -218,12 +231,46 @@ std::vector<Residue> shortest_recurrence_modulo(const std::vector<Residue>& term
         }
         now = std::move(next);
     }
-    now.resize(order + 1, 0);
-    std::reverse(now.begin(), now.end());
-    return now;
+    return {std::move(now), order};
+}
+
+}  // namespace
+
+std::vector<Residue> shortest_recurrence_modulo(const std::vector<Residue>& terms,
+                                                const PrimeField& field) {
+    auto [found, order] = connection(terms, field);
+    found.resize(order + 1, 0);
+    std::reverse(found.begin(), found.end());
+    return found;
+}
+
+SequenceSpecification recurrence_of_terms(const std::vector<Rational>& terms) {
+    const auto [found, order] = connection(terms, Rationals());
+    SequenceSpecification result;
+    for (std::size_t i = 1; i < found.size(); ++i) result.coefficients.push_back(-found[i]);
+    while (!result.coefficients.empty() && result.coefficients.back().is_zero())
+        result.coefficients.pop_back();
+    result.initial.assign(terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(order));
+    result.terms = terms.size();
+    return result;
 }
 
 namespace {
+
+/// Adds a summand with its sign: "a - b".
+void add(std::string& sum, std::string summand) {
+    if (sum.empty())
+        sum = std::move(summand);
+    else if (summand.starts_with('-'))
+        sum += " - " + summand.substr(1);
+    else
+        sum += " + " + summand;
+}
+
+/// A coefficient before a power: "-", "3", nothing for 1.
+std::string factor_text(const Integer& coefficient) {
+    return coefficient == 1 ? "" : coefficient == -1 ? "-" : to_string(coefficient);
+}
 
 /// "1 - 5x + 4x^2".
 std::string rising(const Polynomial& value) {
@@ -232,10 +279,9 @@ std::string rising(const Polynomial& value) {
     for (std::size_t k = 0; k < value.coefficients().size(); ++k) {
         const Integer& coefficient = value.coefficients()[k];
         if (coefficient.is_zero()) continue;
-        const bool negative = sign(coefficient) < 0;
-        text += text.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
-        if (k == 0 || abs(coefficient) != 1) text += to_string(abs(coefficient));
-        if (k > 0) text += k == 1 ? "x" : "x^" + std::to_string(k);
+        add(text, k == 0   ? to_string(coefficient)
+                  : k == 1 ? factor_text(coefficient) + "x"
+                           : factor_text(coefficient) + "x^" + std::to_string(k));
     }
     return text;
 }
@@ -271,10 +317,7 @@ std::string Recurrence::text() const {
     for (std::size_t j = 1; j <= order(); ++j) {
         const Integer coefficient = -polynomial.coefficients()[order() - j];
         if (coefficient.is_zero()) continue;
-        const bool negative = sign(coefficient) < 0;
-        sum += sum.empty() ? (negative ? "-" : "") : (negative ? " - " : " + ");
-        if (abs(coefficient) != 1) sum += to_string(abs(coefficient));
-        sum += "a(n-" + std::to_string(j) + ")";
+        add(sum, factor_text(coefficient) + "a(n-" + std::to_string(j) + ")");
     }
     return "a(n) = " + (sum.empty() ? "0" : sum);
 }
@@ -451,16 +494,6 @@ ClosedForm closed_form(const D0L& system, const Budget& budget) {
 }
 
 namespace {
-
-/// Adds a summand with its sign: "a - b".
-void add(std::string& sum, std::string summand) {
-    if (sum.empty())
-        sum = std::move(summand);
-    else if (summand.starts_with('-'))
-        sum += " - " + summand.substr(1);
-    else
-        sum += " + " + summand;
-}
 
 /// A factor before a power: "", "-", "7*", "(n + 2)*", "-2n*".
 std::string before_power(const Polynomial& factor) {

@@ -18,26 +18,12 @@
 
 namespace algae {
 
-Word image(const std::vector<Word>& images, const Word& word) {
-    Word result;
-    for (const Symbol a : word) result.insert(result.end(), images[a].begin(), images[a].end());
-    return result;
-}
-
-std::vector<char> accessible_letters(const std::vector<Word>& images, const Word& word) {
-    std::vector<char> seen(images.size(), 0);
-    Word waiting = word;
-    for (const Symbol a : word) seen[a] = 1;
-    while (!waiting.empty()) {
-        const Symbol a = waiting.back();
-        waiting.pop_back();
-        for (const Symbol b : images[a])
-            if (!seen[b]) {
-                seen[b] = 1;
-                waiting.push_back(b);
-            }
-    }
-    return seen;
+std::vector<char> accessible_letters(const Morphism& rules, const Word& word) {
+    std::vector<char> found(rules.size(), 0);
+    for (const Symbol letter :
+         accessible(word, rules.size(), [&](Symbol a, auto see) { see(rules[a]); }))
+        found[letter] = 1;
+    return found;
 }
 
 namespace {
@@ -52,84 +38,33 @@ Word lasting_part(const Word& word, const std::vector<std::uint64_t>& lifetime) 
 }  // namespace
 
 Iterated skeleton(const D0L& system) {
-    const auto lifetime = lifetimes(system.rules.images);
-    Iterated rest{lasting_part(system.axiom, lifetime),
-                  std::vector<Word>(system.rules.images.size())};
+    const auto lifetime = lifetimes(system.rules);
+    std::vector<Word> images(system.rules.size());
     for (const Symbol a : system.letters)
-        if (lifetime[a] == lasts) rest.images[a] = lasting_part(system.successor(a), lifetime);
-    return rest;
+        if (lifetime[a] == lasts) images[a] = lasting_part(system.successor(a), lifetime);
+    return {lasting_part(system.axiom, lifetime), Morphism(std::move(images))};
 }
 
-LetterComponents components_of(const std::vector<Word>& images) {
-    const std::size_t count = images.size(), none = count;
-    LetterComponents found{std::vector<std::size_t>(count, none), {}, {}};
-    std::vector<std::size_t> number(count, 0), low(count, 0);
-    std::vector<Symbol> open;
-    struct Frame {
-        Symbol letter;
-        std::size_t next;
-    };
-    std::size_t numbered = 0;
-    for (Symbol root = 0; root < count; ++root) {
-        if (number[root] != 0) continue;
-        std::vector<Frame> path{{root, 0}};
-        number[root] = low[root] = ++numbered;
-        open.push_back(root);
-        while (!path.empty()) {
-            const Symbol a = path.back().letter;
-            if (path.back().next < images[a].size()) {
-                const Symbol b = images[a][path.back().next++];
-                if (number[b] == 0) {
-                    number[b] = low[b] = ++numbered;
-                    open.push_back(b);
-                    path.push_back({b, 0});
-                } else if (found.of[b] == none) {
-                    low[a] = std::min(low[a], number[b]);
-                }
-                continue;
-            }
-            path.pop_back();
-            if (!path.empty()) low[path.back().letter] = std::min(low[path.back().letter], low[a]);
-            if (low[a] != number[a]) continue;
-            auto& members = found.members.emplace_back();
-            Symbol b;
-            do {
-                b = open.back();
-                open.pop_back();
-                found.of[b] = found.members.size() - 1;
-                members.push_back(b);
-            } while (b != a);
-            found.cyclic.push_back(members.size() > 1 ||
-                                   std::find(images[a].begin(), images[a].end(), a) !=
-                                       images[a].end());
+std::vector<char> growing_letters(const Morphism& rules) {
+    const auto lifetime = lifetimes(rules);
+    std::vector<std::vector<std::size_t>> lasting(rules.size());  // letters of the image, by letter
+    for (Symbol a = 0; a < rules.size(); ++a)
+        if (lifetime[a] == lasts) {
+            const Word part = lasting_part(rules[a], lifetime);
+            lasting[a].assign(part.begin(), part.end());
         }
-    }
-    return found;
-}
-
-std::vector<char> growing_letters(const std::vector<Word>& images) {
-    const auto lifetime = lifetimes(images);
-    std::vector<Word> lasting(images.size());
-    for (Symbol a = 0; a < images.size(); ++a)
-        if (lifetime[a] == lasts) lasting[a] = lasting_part(images[a], lifetime);
-    const LetterComponents components = components_of(lasting);
-    std::vector<char> grows(components.members.size(), 0);
+    const std::vector<std::size_t> component = strong_components(lasting);
+    std::vector<std::vector<std::size_t>> members(rules.size());  // by component
+    for (std::size_t a = 0; a < lasting.size(); ++a) members[component[a]].push_back(a);
+    std::vector<char> grows(members.size(), 0);
     for (std::size_t c = 0; c < grows.size(); ++c)  // those it leads to come first
-        for (const Symbol a : components.members[c]) {
-            if (components.cyclic[c] && lasting[a].size() > 1) grows[c] = 1;
-            for (const Symbol b : lasting[a])
-                if (grows[components.of[b]]) grows[c] = 1;
-        }
-    std::vector<char> growing(images.size());
-    for (Symbol a = 0; a < images.size(); ++a) growing[a] = grows[components.of[a]];
+        for (const std::size_t a : members[c])
+            for (const std::size_t b : lasting[a])
+                if (grows[component[b]] || (component[b] == c && lasting[a].size() > 1))
+                    grows[c] = 1;
+    std::vector<char> growing(rules.size());
+    for (std::size_t a = 0; a < growing.size(); ++a) growing[a] = grows[component[a]];
     return growing;
-}
-
-Iterated mirrored(const Iterated& system) {
-    Iterated other = system;
-    std::reverse(other.axiom.begin(), other.axiom.end());
-    for (Word& word : other.images) std::reverse(word.begin(), word.end());
-    return other;
 }
 
 namespace {
@@ -174,41 +109,34 @@ Word factorised(const Word& word, const std::vector<Word>& code) {
 }  // namespace
 
 Injective made_injective(const Iterated& system, const Budget& budget) {
-    const auto accessible = accessible_letters(system.images, system.axiom);
-    Injective result;
-    std::vector<Symbol> number(system.images.size(), 0);
-    for (Symbol a = 0; a < system.images.size(); ++a)
+    const auto accessible = accessible_letters(system.rules, system.axiom);
+    std::vector<Symbol> number(system.rules.size(), 0);
+    std::vector<Word> letters, images;
+    for (Symbol a = 0; a < number.size(); ++a)
         if (accessible[a]) {
-            number[a] = static_cast<Symbol>(result.back.size());
-            result.back.push_back({a});
+            number[a] = static_cast<Symbol>(letters.size());
+            letters.push_back({a});
         }
-    const auto renumbered = [&](Word word) {
-        for (Symbol& a : word) a = number[a];
-        return word;
-    };
-    result.system.axiom = renumbered(system.axiom);
-    for (const Word& letter : result.back)
-        result.system.images.push_back(renumbered(system.images[letter.front()]));
+    for (const Word& letter : letters)
+        images.push_back(replaced(system.rules[letter.front()], number));
+    Injective result{{replaced(system.axiom, number), Morphism(std::move(images))},
+                     Morphism(std::move(letters))};
     for (;;) {
         budget.check();
-        const std::vector<Word> code = prefix_hull(result.system.images);
-        if (code.size() == result.system.images.size()) return result;
-        const auto factors = [&](const Word& word) {  // of the image of the word
-            Word product;
-            for (const Symbol a : word) {
-                const Word part = factorised(result.system.images[a], code);
-                product.insert(product.end(), part.begin(), part.end());
-            }
-            return product;
-        };
-        Injective next;
-        next.steps = result.steps + 1;
-        next.system.axiom = factors(result.system.axiom);
+        const Morphism& rules = result.system.rules;
+        const std::vector<Word> code = prefix_hull(rules.images());
+        if (code.size() == rules.size()) return result;
+        std::vector<Word> parts;  // of the images, as products of words of the code
+        for (const Word& word : rules.images()) parts.push_back(factorised(word, code));
+        const Morphism factors(std::move(parts));
+        std::vector<Word> next, back;
         for (const Word& word : code) {
-            next.system.images.push_back(factors(word));
-            next.back.push_back(image(result.back, word));
+            next.push_back(factors(word));
+            back.push_back(result.back(word));
         }
-        result = std::move(next);
+        result = {{factors(result.system.axiom), Morphism(std::move(next))},
+                  Morphism(std::move(back)),
+                  result.steps + 1};
     }
 }
 
@@ -331,13 +259,13 @@ private:
 };
 
 /// Adds the windows that begin in the image of the first letter, or all if the word ends there.
-void add_image(Windows& windows, const std::vector<Word>& images, const Word& word, bool ends) {
+void add_image(Windows& windows, const Morphism& rules, const Word& word, bool ends) {
     if (word.empty()) {
         windows.add({}, 1, ends);
         return;
     }
-    const Word next = image(images, word);
-    windows.add(next, ends ? std::max<std::size_t>(next.size(), 1) : images[word.front()].size(),
+    const Word next = rules(word);
+    windows.add(next, ends ? std::max<std::size_t>(next.size(), 1) : rules[word.front()].size(),
                 ends);
 }
 
@@ -346,7 +274,7 @@ Windows closed(const Iterated& system, std::size_t length, const Budget& budget)
     Windows windows(length, budget);
     windows.add(system.axiom, system.axiom.size() + 1, true);
     for (std::size_t which = 0; windows.next(which);)
-        add_image(windows, system.images, windows.word(which), windows.ends(which));
+        add_image(windows, system.rules, windows.word(which), windows.ends(which));
     return windows;
 }
 
@@ -383,7 +311,7 @@ std::vector<std::uint64_t> counts(const FactorSet& set, const Budget& budget) {
 }  // namespace
 
 FactorSet factors(const D0L& system, std::size_t length, const Budget& budget) {
-    const auto lifetime = lifetimes(system.rules.images);
+    const auto lifetime = lifetimes(system.rules);
     std::uint64_t steps = 0;  // after so many nothing is left of a mortal letter
     for (const Symbol a : system.letters)
         if (lifetime[a] != lasts) steps = std::max(steps, lifetime[a]);
@@ -397,13 +325,13 @@ FactorSet factors(const D0L& system, std::size_t length, const Budget& budget) {
     };
     Windows windows = closed(skeleton(system), length, budget);
     for (std::uint64_t j = steps; j-- > 0;) {
-        std::vector<Word> images(system.rules.images.size());
-        for (const Symbol a : system.letters) images[a] = left(system.successor(a), j);
+        Morphism rules;
+        for (const Symbol a : system.letters) rules.add(a, left(system.successor(a), j));
         Windows next(length, budget);
         const Word axiom = left(system.axiom, j);
         next.add(axiom, axiom.size() + 1, true);
         for (std::size_t i = 0; i < windows.size(); ++i)
-            add_image(next, images, windows.word(i), windows.ends(i));
+            add_image(next, rules, windows.word(i), windows.ends(i));
         windows = std::move(next);
     }
     return set_of(windows, length);
@@ -420,11 +348,11 @@ std::vector<std::uint64_t> factor_complexity(const Iterated& system, std::size_t
 }
 
 bool generates_infinite_word(const D0L& system) {
-    const Word next = image(system.rules.images, system.axiom);
+    const Word next = system.rules(system.axiom);
     if (next.size() <= system.axiom.size() ||
         !std::equal(system.axiom.begin(), system.axiom.end(), next.begin()))
         return false;
-    const auto growing = growing_letters(system.rules.images);
+    const auto growing = growing_letters(system.rules);
     return std::any_of(system.axiom.begin(), system.axiom.end(),
                        [&](Symbol a) { return growing[a] != 0; });
 }
@@ -488,7 +416,7 @@ CatenativeAnswer locally_catenative(const D0L& system, std::size_t depth, std::s
     std::uint64_t letters = system.axiom.size();
     while (words.size() <= depth + further) {
         budget.check();
-        Word next = image(system.rules.images, words.back());
+        Word next = system.rules(words.back());
         letters += next.size();
         if (letters > most) break;
         words.push_back(std::move(next));

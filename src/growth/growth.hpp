@@ -39,6 +39,8 @@ struct GrowthMatrix {
 ///
 /// Example: growth_matrix(d0l("a", {{'a', "aba"}, {'b', ""}})).rows[0].size() == 2
 GrowthMatrix growth_matrix(const D0L& system);
+/// The same for a morphism, by symbol.
+GrowthMatrix growth_matrix(const Morphism& rules);
 GrowthMatrix growth_matrix(const IntegerMatrix& matrix);
 IntegerMatrix dense(const GrowthMatrix& matrix);
 
@@ -154,7 +156,6 @@ struct QuadraticNumber {
 
     /// The same with the other sign before the root.
     QuadraticNumber conjugate() const { return {rational, -factor, radicand}; }
-    bool is_complex() const { return sign(radicand) < 0 && !factor.is_zero(); }
     bool operator==(const QuadraticNumber&) const = default;
 };
 
@@ -600,19 +601,16 @@ struct GrowthAnalysis {
 /// Example: growth_analysis(d0l("F", {{'F', "F+F--F+F"}})).closed_form.text() == "(7*4^n - 4)/3"
 GrowthAnalysis growth_analysis(const D0L& system, const Budget& budget = {});
 
-/// A word and the images of the letters 0, 1, ...: a D0L system without names. What is said about
-/// the factors of a D0L language is worked out on one of these, after the letters that vanish have
+/// A word and a morphism with images of the letters 0, 1, ...: a D0L system without names. What is said
+/// about the factors of a D0L language is worked out on one of these, after the letters that vanish have
 /// been left out or the morphism has been made injective.
 struct Iterated {
     Word axiom;
-    std::vector<Word> images;
+    Morphism rules;
 };
 
-/// The word that the images of the letters make, one after the other.
-Word image(const std::vector<Word>& images, const Word& word);
-
 /// Which letters occur in h^n(u) for a letter u of `word` and some n >= 0.
-std::vector<char> accessible_letters(const std::vector<Word>& images, const Word& word);
+std::vector<char> accessible_letters(const Morphism& rules, const Word& word);
 
 /// The system without mortal letters, over the same numbers. No image of a letter that is left is
 /// empty, and what it derives is what the first system derives with the mortal letters deleted.
@@ -620,25 +618,13 @@ Iterated skeleton(const D0L& system);
 
 /// For each letter whether |h^n(a)| is unbounded. Linear time: it is where from the letter a
 /// component can be reached in which some letter has two letters in its image that last.
-std::vector<char> growing_letters(const std::vector<Word>& images);
-
-/// The strongly connected components of "b occurs in h(a)", those reached first; a letter alone
-/// that does not reach itself is a component too. Linear time (Tarjan 1972).
-struct LetterComponents {
-    std::vector<std::size_t> of;               // by letter
-    std::vector<std::vector<Symbol>> members;  // a component stands before those that lead to it
-    std::vector<char> cyclic;                  // whether its letters reach themselves
-};
-LetterComponents components_of(const std::vector<Word>& images);
-
-/// The reversed axiom and the reversed images.
-Iterated mirrored(const Iterated& system);
+std::vector<char> growing_letters(const Morphism& rules);
 
 /// An injective morphism that does the same: h^n(w) = back(g^(n-steps)(axiom)) for n >= steps, where
 /// g is `system`. Needs a morphism without empty images of accessible letters.
 struct Injective {
     Iterated system;
-    std::vector<Word> back;  // from its letters to the first ones; injective
+    Morphism back;  // from its letters to the first ones; injective
     std::size_t steps = 0;
 };
 /// While the images are not a code they are products of fewer words, the base of the least
@@ -752,8 +738,7 @@ struct Pusher {
 std::optional<Pusher> pusher_of(const D0L& system, const Budget& budget = {});
 
 /// The same for the letters that `word` leads to, for a morphism without empty images of these.
-std::optional<Pusher> pusher_of(const std::vector<Word>& images, const Word& word,
-                                const Budget& budget = {});
+std::optional<Pusher> pusher_of(const Morphism& rules, const Word& word, const Budget& budget = {});
 
 /// A primitive word all of whose powers are factors of the language.
 struct InfiniteRepetition {

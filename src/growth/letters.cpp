@@ -8,56 +8,31 @@
 namespace algae {
 
 std::vector<std::optional<std::uint64_t>> lifetimes(const GrowthMatrix& matrix) {
-    const std::size_t size = matrix.size();
-    std::vector<std::optional<std::uint64_t>> found(size);
-    std::vector<std::size_t> alive(size),
-        dead;  // letters of the successor that are not known to die
-    std::vector<std::vector<std::size_t>> occurs_in(size);
-    for (std::size_t i = 0; i < size; ++i) {
-        alive[i] = matrix.rows[i].size();
-        for (const auto& entry : matrix.rows[i]) occurs_in[entry.column].push_back(i);
-        if (alive[i] == 0) {
-            found[i] = 1;
-            dead.push_back(i);
-        }
+    std::vector<Word> images;  // a letter of an image counts once
+    for (const auto& row : matrix.rows) {
+        Word& image = images.emplace_back();
+        for (const auto& entry : row) image.push_back(static_cast<Symbol>(entry.column));
     }
-    // In order of lifetime, so the last letter of a successor to die says when all have.
-    for (std::size_t k = 0; k < dead.size(); ++k)
-        for (const std::size_t i : occurs_in[dead[k]])
-            if (--alive[i] == 0) {
-                found[i] = *found[dead[k]] + 1;
-                dead.push_back(i);
-            }
+    std::vector<std::optional<std::uint64_t>> found;
+    for (const std::uint64_t lifetime : lifetimes(Morphism(std::move(images))))
+        found.push_back(lifetime == lasts ? std::nullopt : std::optional(lifetime));
     return found;
 }
 
-namespace {
-
-/// What a letter's lifetime is by symbol; none for letters that never die.
-struct Lifetimes {
-    std::vector<std::optional<std::uint64_t>> of;
-
-    bool is_mortal(Symbol a) const { return of[a].has_value(); }
-    /// Whether all letters have died after so many steps.
-    bool die_within(Word::const_iterator from, Word::const_iterator to, std::uint64_t steps) const {
-        return std::all_of(from, to, [&](Symbol a) { return of[a] && *of[a] <= steps; });
-    }
-};
-
-}  // namespace
-
 std::vector<Prolongation> prolongations(const D0L& system) {
-    Lifetimes lifetime{std::vector<std::optional<std::uint64_t>>(system.alphabet->size())};
-    const auto by_place = lifetimes(growth_matrix(system));
-    for (std::size_t i = 0; i < by_place.size(); ++i) lifetime.of[system.letters[i]] = by_place[i];
+    const auto lifetime = lifetimes(system.rules);
+    const auto is_mortal = [&](Symbol a) { return lifetime[a] != lasts; };
+    const auto die_within = [&](auto from, auto to, std::uint64_t steps) {
+        return std::all_of(from, to,
+                           [&](Symbol a) { return is_mortal(a) && lifetime[a] <= steps; });
+    };
     const auto leftmost = [&](Symbol a) {
         const Word& word = system.successor(a);
-        return std::find_if(word.begin(), word.end(),
-                            [&](Symbol b) { return !lifetime.is_mortal(b); });
+        return std::find_if(word.begin(), word.end(), [&](Symbol b) { return !is_mortal(b); });
     };
     std::vector<Prolongation> found;
     for (const Symbol a : system.letters) {
-        if (lifetime.is_mortal(a)) continue;
+        if (is_mortal(a)) continue;
         std::uint64_t power = 1;
         Symbol b = *leftmost(a);
         for (; b != a && power <= system.letters.size(); ++power) b = *leftmost(b);
@@ -66,10 +41,10 @@ std::vector<Prolongation> prolongations(const D0L& system) {
         for (std::uint64_t step = 1; step <= power && begins; ++step) {
             const Word& word = system.successor(b);
             const auto next = leftmost(b);
-            begins = lifetime.die_within(word.begin(), next, power - step);
-            fixed = fixed && lifetime.die_within(next + 1, word.end(), power - step);
-            infinite = infinite || std::any_of(next + 1, word.end(),
-                                               [&](Symbol c) { return !lifetime.is_mortal(c); });
+            begins = die_within(word.begin(), next, power - step);
+            fixed = fixed && die_within(next + 1, word.end(), power - step);
+            infinite = infinite ||
+                       std::any_of(next + 1, word.end(), [&](Symbol c) { return !is_mortal(c); });
             b = *next;
         }
         if (begins) found.push_back({a, power, fixed, infinite});

@@ -1,5 +1,3 @@
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/strong_components.hpp>
 
 #include <algorithm>
 #include <cmath>
@@ -30,22 +28,34 @@ std::vector<std::size_t> positions(const D0L& system) {
     return position;
 }
 
+/// How often each number occurs.
+std::vector<GrowthMatrix::Entry> counted_row(std::vector<std::size_t> columns) {
+    std::sort(columns.begin(), columns.end());
+    std::vector<GrowthMatrix::Entry> row;
+    for (const std::size_t column : columns) {
+        if (row.empty() || row.back().column != column) row.push_back({column, 0});
+        row.back().times += 1;
+    }
+    return row;
+}
+
 }  // namespace
 
 GrowthMatrix growth_matrix(const D0L& system) {
     const auto position = positions(system);
     GrowthMatrix matrix;
-    matrix.rows.resize(system.letters.size());
-    for (std::size_t i = 0; i < system.letters.size(); ++i) {
+    for (const Symbol letter : system.letters) {
         std::vector<std::size_t> columns;
-        for (const Symbol a : system.successor(system.letters[i])) columns.push_back(position[a]);
-        std::sort(columns.begin(), columns.end());
-        for (const std::size_t column : columns) {
-            auto& row = matrix.rows[i];
-            if (row.empty() || row.back().column != column) row.push_back({column, 0});
-            row.back().times += 1;
-        }
+        for (const Symbol a : system.successor(letter)) columns.push_back(position[a]);
+        matrix.rows.push_back(counted_row(std::move(columns)));
     }
+    return matrix;
+}
+
+GrowthMatrix growth_matrix(const Morphism& rules) {
+    GrowthMatrix matrix;
+    for (const Word& image : rules.images())
+        matrix.rows.push_back(counted_row({image.begin(), image.end()}));
     return matrix;
 }
 
@@ -313,20 +323,17 @@ void analyse(Component& component, const GrowthMatrix& part, const Budget& budge
 }  // namespace
 
 Components components(const GrowthMatrix& matrix, const Budget& budget) {
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
-    Graph graph(matrix.size());
+    std::vector<std::vector<std::size_t>> successors(matrix.size());
     for (std::size_t i = 0; i < matrix.size(); ++i)
-        for (const auto& entry : matrix.rows[i]) boost::add_edge(i, entry.column, graph);
+        for (const auto& entry : matrix.rows[i]) successors[i].push_back(entry.column);
     Components found;
-    found.of_letter.resize(matrix.size());
-    const std::size_t count = boost::strong_components(
-        graph, boost::make_iterator_property_map(found.of_letter.begin(),
-                                                 boost::get(boost::vertex_index, graph)));
-    found.list.resize(count);
+    found.of_letter = strong_components(successors);
     std::vector<std::size_t> place(matrix.size());
-    for (std::size_t i = 0; i < matrix.size(); ++i)
+    for (std::size_t i = 0; i < matrix.size(); ++i) {
+        found.list.resize(std::max(found.list.size(), found.of_letter[i] + 1));
         found.list[found.of_letter[i]].letters.push_back(i);
-    for (std::size_t c = 0; c < count; ++c) {
+    }
+    for (std::size_t c = 0; c < found.list.size(); ++c) {
         budget.check();
         Component& component = found.list[c];
         for (const std::size_t letter : component.letters)

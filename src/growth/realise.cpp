@@ -50,43 +50,6 @@ std::string SequenceSpecification::text() const {
     return text;
 }
 
-SequenceSpecification recurrence_of_terms(const std::vector<Rational>& terms) {
-    std::vector<Rational> connection{1},
-        before{1};  // 1 - c1 x - c2 x^2 ..., now and before the last jump
-    std::size_t order = 0, since = 1;
-    Rational discrepancy_before = 1;
-    for (std::size_t n = 0; n < terms.size(); ++n) {
-        Rational discrepancy = 0;
-        for (std::size_t i = 0; i < connection.size() && i <= n; ++i)
-            if (!connection[i].is_zero()) discrepancy += connection[i] * terms[n - i];
-        if (discrepancy.is_zero()) {
-            ++since;
-            continue;
-        }
-        std::vector<Rational> next = connection;
-        const Rational times = discrepancy / discrepancy_before;
-        next.resize(std::max(next.size(), before.size() + since));
-        for (std::size_t i = 0; i < before.size(); ++i) next[i + since] -= times * before[i];
-        if (2 * order <= n) {
-            order = n + 1 - order;
-            before = std::move(connection);
-            discrepancy_before = discrepancy;
-            since = 1;
-        } else {
-            ++since;
-        }
-        connection = std::move(next);
-    }
-    SequenceSpecification result;
-    for (std::size_t i = 1; i < connection.size(); ++i)
-        result.coefficients.push_back(-connection[i]);
-    while (!result.coefficients.empty() && result.coefficients.back().is_zero())
-        result.coefficients.pop_back();
-    result.initial.assign(terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(order));
-    result.terms = terms.size();
-    return result;
-}
-
 SequenceSpecification reduced(const SequenceSpecification& sequence) {
     SequenceSpecification result =
         recurrence_of_terms(sequence.values(2 * std::max<std::size_t>(sequence.initial.size(), 1)));
@@ -370,6 +333,8 @@ SequenceSpecification read_specification(const std::string& text) {
     return of_polynomial(value);
 }
 
+namespace {
+
 /// A word of a system under construction: its letters, each with a rule of its own, and how many
 /// letters fill it up.
 struct StageRule {
@@ -391,40 +356,7 @@ struct StageForm {
 };
 
 /// Rules with more letters than this are not written.
-inline constexpr std::size_t longest_stage_rule = 20'000;
-
-/// Looks for the stages that the essay above tells of.
-class StageSearch {
-public:
-    /// For sequences that this polynomial, monic and without the root 0, annuls.
-    StageSearch(const Polynomial& characteristic, const Budget& budget);
-
-    /// Whether the polynomial has few enough divisors to try them all.
-    bool is_small() const;
-    /// Whether something was given up because a rule would be too long.
-    bool was_too_long() const { return too_long_; }
-
-    /// A draft of the sequence with these first values, or nothing. `fillings_stay` says that the filling
-    /// letter stays, so that the rules may not fall short of it.
-    std::optional<StageDraft> draft(const std::vector<Integer>& f, bool fillings_stay);
-
-private:
-    std::optional<StageRule> staged(const std::vector<Integer>& f,
-                                    const std::vector<unsigned>& left);
-    bool set_rules(std::size_t first, const StageForm& form, const std::vector<Integer>& sizes,
-                   const StageRule& addend);
-    const std::vector<StageForm>& forms(const std::vector<unsigned>& exponents);
-
-    const Budget& budget_;
-    std::vector<Factorisation::Power> powers_;
-    std::map<std::vector<unsigned>, std::vector<StageForm>> forms_;
-    std::vector<StageRule> rules_;
-    std::size_t tries_ = 0;
-    bool fillings_stay_ = false;
-    bool too_long_ = false;
-};
-
-namespace {
+constexpr std::size_t longest_stage_rule = 20'000;
 
 constexpr std::size_t most_divisors = 256;
 constexpr std::size_t most_tries = 4'000;  // for each draft
@@ -482,132 +414,151 @@ bool all_zero(const std::vector<Integer>& f) {
     return std::all_of(f.begin(), f.end(), [](const Integer& value) { return value.is_zero(); });
 }
 
-}  // namespace
-
-StageSearch::StageSearch(const Polynomial& characteristic, const Budget& budget) : budget_(budget) {
-    for (const auto& power : factorise(characteristic).powers) powers_.push_back(power);
-}
-
-bool StageSearch::is_small() const {
-    std::size_t count = 1;
-    for (const auto& power : powers_)
-        count *= std::min<std::size_t>(power.exponent + 1, most_divisors + 1);
-    return powers_.size() <= 8 && count <= most_divisors;
-}
-
-std::optional<StageDraft> StageSearch::draft(const std::vector<Integer>& f, bool fillings_stay) {
-    fillings_stay_ = fillings_stay;
-    tries_ = 0;
-    rules_.clear();
-    std::vector<unsigned> all;
-    for (const auto& power : powers_) all.push_back(power.exponent);
-    const auto axiom = staged(f, all);
-    if (!axiom) return std::nullopt;
-    return StageDraft{*axiom, rules_};
-}
-
-/// The axiom of a system for f, whose rules are added to rules_.
-std::optional<StageRule> StageSearch::staged(const std::vector<Integer>& f,
-                                             const std::vector<unsigned>& left) {
-    if (++tries_ > most_tries) return std::nullopt;
-    budget_.check();
-    std::vector<std::vector<unsigned>> choices{left};
-    std::vector<unsigned> chosen(left.size(), 0);
-    for (;;) {  // all parts of what is left, small ones first
-        std::size_t i = 0;
-        while (i < left.size() && chosen[i] == left[i]) chosen[i++] = 0;
-        if (i == left.size()) break;
-        ++chosen[i];
-        if (chosen != left) choices.push_back(chosen);
+/// Looks for the stages that the essay above tells of.
+class StageSearch {
+public:
+    /// For sequences that this polynomial, monic and without the root 0, annuls.
+    StageSearch(const Polynomial& characteristic, const Budget& budget) : budget_(budget) {
+        for (const auto& power : factorise(characteristic).powers) powers_.push_back(power);
     }
-    for (const auto& choice : choices) {
-        std::vector<unsigned> rest = left;
-        for (std::size_t i = 0; i < left.size(); ++i) rest[i] -= choice[i];
-        const bool is_last =
-            std::all_of(rest.begin(), rest.end(), [](unsigned e) { return e == 0; });
-        for (const StageForm& form : forms(choice)) {
-            const std::size_t k = form.coefficients.size();
-            if (f.size() < k + 1) continue;
-            std::vector<Integer> g = f, sizes;  // of w_0, ..., w_(k-1)
-            std::vector<std::vector<Integer>> stages;
-            for (std::size_t i = 0; i < k; ++i) {
-                stages.push_back(g);
-                sizes.push_back(g[0]);
-                g = step(g, form.c);
+
+    /// Whether the polynomial has few enough divisors to try them all.
+    bool is_small() const {
+        std::size_t count = 1;
+        for (const auto& power : powers_)
+            count *= std::min<std::size_t>(power.exponent + 1, most_divisors + 1);
+        return powers_.size() <= 8 && count <= most_divisors;
+    }
+
+    /// Whether something was given up because a rule would be too long.
+    bool was_too_long() const { return too_long_; }
+
+    /// A draft of the sequence with these first values, or nothing. `fillings_stay` says that the filling
+    /// letter stays, so that the rules may not fall short of it.
+    std::optional<StageDraft> draft(const std::vector<Integer>& f, bool fillings_stay) {
+        fillings_stay_ = fillings_stay;
+        tries_ = 0;
+        rules_.clear();
+        std::vector<unsigned> all;
+        for (const auto& power : powers_) all.push_back(power.exponent);
+        const auto axiom = staged(f, all);
+        if (!axiom) return std::nullopt;
+        return StageDraft{*axiom, rules_};
+    }
+
+private:
+    /// The axiom of a system for f, whose rules are added to rules_.
+    std::optional<StageRule> staged(const std::vector<Integer>& f,
+                                    const std::vector<unsigned>& left) {
+        if (++tries_ > most_tries) return std::nullopt;
+        budget_.check();
+        std::vector<std::vector<unsigned>> choices{left};
+        std::vector<unsigned> chosen(left.size(), 0);
+        for (;;) {  // all parts of what is left, small ones first
+            std::size_t i = 0;
+            while (i < left.size() && chosen[i] == left[i]) chosen[i++] = 0;
+            if (i == left.size()) break;
+            ++chosen[i];
+            if (chosen != left) choices.push_back(chosen);
+        }
+        for (const auto& choice : choices) {
+            std::vector<unsigned> rest = left;
+            for (std::size_t i = 0; i < left.size(); ++i) rest[i] -= choice[i];
+            const bool is_last =
+                std::all_of(rest.begin(), rest.end(), [](unsigned e) { return e == 0; });
+            for (const StageForm& form : forms(choice)) {
+                const std::size_t k = form.coefficients.size();
+                if (f.size() < k + 1) continue;
+                std::vector<Integer> g = f, sizes;  // of w_0, ..., w_(k-1)
+                std::vector<std::vector<Integer>> stages;
+                for (std::size_t i = 0; i < k; ++i) {
+                    stages.push_back(g);
+                    sizes.push_back(g[0]);
+                    g = step(g, form.c);
+                }
+                if (std::any_of(sizes.begin(), sizes.end(),
+                                [](const Integer& size) { return size < 1; }))
+                    continue;
+                if (std::any_of(sizes.begin(), sizes.end(), [](const Integer& size) {
+                        return size > Integer(longest_stage_rule);
+                    })) {
+                    too_long_ = true;
+                    continue;
+                }
+                for (std::size_t n = 0; n < g.size(); ++n)
+                    for (std::size_t i = 0; i < k; ++i)
+                        g[n] -= form.coefficients[i] * stages[k - 1 - i][n];
+                const std::size_t before = rules_.size();
+                rules_.resize(before + k);
+                std::optional<StageRule> addend = StageRule{{}, 0};
+                if (!is_last) addend = all_zero(g) ? std::nullopt : staged(g, rest);
+                if (addend && set_rules(before, form, sizes, *addend))
+                    return StageRule{{before}, f[0] - 1};
+                rules_.resize(before);
             }
-            if (std::any_of(sizes.begin(), sizes.end(),
-                            [](const Integer& size) { return size < 1; }))
-                continue;
-            if (std::any_of(sizes.begin(), sizes.end(), [](const Integer& size) {
-                    return size > Integer(longest_stage_rule);
-                })) {
+        }
+        return std::nullopt;
+    }
+
+    bool set_rules(std::size_t first, const StageForm& form, const std::vector<Integer>& sizes,
+                   const StageRule& addend) {
+        const std::size_t k = sizes.size();
+        for (std::size_t i = 0; i < k; ++i) {
+            StageRule rule;
+            const auto add = [&](std::size_t which, const Integer& times) {
+                if (times + Integer(rule.letters.size()) > Integer(longest_stage_rule))
+                    return false;
+                rule.letters.insert(rule.letters.end(), static_cast<std::size_t>(times.to_uint64()),
+                                    first + which);
+                rule.filling += times * (sizes[which] - 1);
+                return true;
+            };
+            bool fits = add(i, form.c);
+            if (i + 1 < k) {
+                fits = fits && add(i + 1, 1);
+            } else {
+                for (std::size_t j = 0; j < k; ++j)
+                    fits = fits && add(k - 1 - j, form.coefficients[j]);
+                rule.letters.insert(rule.letters.end(), addend.letters.begin(),
+                                    addend.letters.end());
+                rule.filling += addend.filling;
+            }
+            if (fillings_stay_) rule.filling -= sizes[i] - 1;
+            if (sign(rule.filling) < 0) return false;
+            if (!fits || rule.filling > Integer(longest_stage_rule)) {
                 too_long_ = true;
-                continue;
+                return false;
             }
-            for (std::size_t n = 0; n < g.size(); ++n)
-                for (std::size_t i = 0; i < k; ++i)
-                    g[n] -= form.coefficients[i] * stages[k - 1 - i][n];
-            const std::size_t before = rules_.size();
-            rules_.resize(before + k);
-            std::optional<StageRule> addend = StageRule{{}, 0};
-            if (!is_last) addend = all_zero(g) ? std::nullopt : staged(g, rest);
-            if (addend && set_rules(before, form, sizes, *addend))
-                return StageRule{{before}, f[0] - 1};
-            rules_.resize(before);
+            rules_[first + i] = std::move(rule);
         }
+        return true;
     }
-    return std::nullopt;
-}
 
-bool StageSearch::set_rules(std::size_t first, const StageForm& form,
-                            const std::vector<Integer>& sizes, const StageRule& addend) {
-    const std::size_t k = sizes.size();
-    for (std::size_t i = 0; i < k; ++i) {
-        StageRule rule;
-        const auto add = [&](std::size_t which, const Integer& times) {
-            if (times + Integer(rule.letters.size()) > Integer(longest_stage_rule)) return false;
-            rule.letters.insert(rule.letters.end(), static_cast<std::size_t>(times.to_uint64()),
-                                first + which);
-            rule.filling += times * (sizes[which] - 1);
-            return true;
-        };
-        bool fits = add(i, form.c);
-        if (i + 1 < k) {
-            fits = fits && add(i + 1, 1);
-        } else {
-            for (std::size_t j = 0; j < k; ++j) fits = fits && add(k - 1 - j, form.coefficients[j]);
-            rule.letters.insert(rule.letters.end(), addend.letters.begin(), addend.letters.end());
-            rule.filling += addend.filling;
-        }
-        if (fillings_stay_) rule.filling -= sizes[i] - 1;
-        if (sign(rule.filling) < 0) return false;
-        if (!fits || rule.filling > Integer(longest_stage_rule)) {
-            too_long_ = true;
-            return false;
-        }
-        rules_[first + i] = std::move(rule);
+    /// The first forms of multiples of a divisor. Natural c1, ..., ck leave one root above c, and a
+    /// simple one, if any is not 0 (Descartes).
+    const std::vector<StageForm>& forms(const std::vector<unsigned>& exponents) {
+        const auto [place, is_new] = forms_.try_emplace(exponents);
+        if (!is_new) return place->second;
+        Polynomial divisor = 1;
+        for (std::size_t i = 0; i < exponents.size(); ++i)
+            divisor *= power(powers_[i].factor, exponents[i]);
+        for (const Polynomial& multiplier : multipliers())
+            for (int c = 0; c <= (multiplier.degree() == 0 ? 12 : 2); ++c) {
+                if (const auto found = natural_coefficients(moved(divisor * multiplier, c)))
+                    place->second.push_back({c, *found});
+                if (place->second.size() == 4) return place->second;
+            }
+        return place->second;
     }
-    return true;
-}
 
-/// The first forms of multiples of a divisor. Natural c1, ..., ck leave one root above c, and a
-/// simple one, if any is not 0 (Descartes).
-const std::vector<StageForm>& StageSearch::forms(const std::vector<unsigned>& exponents) {
-    const auto [place, is_new] = forms_.try_emplace(exponents);
-    if (!is_new) return place->second;
-    Polynomial divisor = 1;
-    for (std::size_t i = 0; i < exponents.size(); ++i)
-        divisor *= power(powers_[i].factor, exponents[i]);
-    for (const Polynomial& multiplier : multipliers())
-        for (int c = 0; c <= (multiplier.degree() == 0 ? 12 : 2); ++c) {
-            if (const auto found = natural_coefficients(moved(divisor * multiplier, c)))
-                place->second.push_back({c, *found});
-            if (place->second.size() == 4) return place->second;
-        }
-    return place->second;
-}
-
-namespace {
+    const Budget& budget_;
+    std::vector<Factorisation::Power> powers_;
+    std::map<std::vector<unsigned>, std::vector<StageForm>> forms_;
+    std::vector<StageRule> rules_;
+    std::size_t tries_ = 0;
+    bool fillings_stay_ = false;
+    bool too_long_ = false;
+};
 
 constexpr std::size_t most_first_words = 64;
 

@@ -17,77 +17,94 @@ namespace algae {
 
 namespace {
 
-/// A pusher to the right: a cycle of last growing letters that adds what follows them.
-std::optional<Pusher> to_the_right(const std::vector<Word>& images,
-                                   const std::vector<char>& accessible,
-                                   const std::vector<char>& growing, const Budget& budget) {
-    std::vector<Symbol> last(images.size(), 0);
-    std::vector<Word> after(images.size());
-    for (Symbol a = 0; a < images.size(); ++a) {
-        if (!accessible[a] || !growing[a]) continue;
-        const auto found = std::find_if(images[a].rbegin(), images[a].rend(),
-                                        [&](Symbol b) { return growing[b] != 0; });
-        last[a] = *found;
-        after[a] = Word(found.base(), images[a].end());
-    }
-    std::vector<std::size_t> seen(images.size(), 0);  // the round in which it was seen
+/// Of a growing letter a: the last growing letter of h(a), and what stands behind it there.
+struct LastGrowing {
+    Symbol letter = 0;
+    Word after;
+};
+
+LastGrowing last_growing(const Word& image, const std::vector<char>& growing) {
+    const auto found =
+        std::find_if(image.rbegin(), image.rend(), [&](Symbol b) { return growing[b] != 0; });
+    return {*found, Word(found.base(), image.end())};
+}
+
+/// The letters that come round when each goes to the next, each cycle once, from the letter on at which it is entered
+/// from the least letter that leads there; only those of letters that are `asked` for. `next` is called for these.
+template <class Next>
+std::vector<std::vector<Symbol>> cycles_of(const std::vector<char>& asked, Next next) {
+    std::vector<std::vector<Symbol>> cycles;
+    std::vector<std::size_t> seen(asked.size(), 0);  // the round in which it was seen
     std::size_t round = 0;
-    for (Symbol start = 0; start < images.size(); ++start) {
-        if (!accessible[start] || !growing[start] || seen[start] != 0) continue;
+    for (Symbol start = 0; start < asked.size(); ++start) {
+        if (!asked[start] || seen[start] != 0) continue;
         ++round;
         Symbol a = start;
-        for (; seen[a] == 0; a = last[a]) seen[a] = round;
+        for (; seen[a] == 0; a = next(a)) seen[a] = round;
         if (seen[a] != round) continue;
-        std::size_t steps = 0;
-        bool adds = false;
-        Symbol b = a;
+        std::vector<Symbol>& cycle = cycles.emplace_back();
         do {
-            adds = adds || !after[b].empty();
-            b = last[b];
-            ++steps;
-        } while (b != a);
-        if (!adds) continue;
-        Word run;
-        for (std::size_t i = 0; i < steps; ++i, b = last[b]) {  // b run goes to last after h(run)
-            Word longer = after[b];
-            const Word more = image(images, run);
-            longer.insert(longer.end(), more.begin(), more.end());
-            run = std::move(longer);
-            budget.check();
-            budget.check_memory(run.size() * sizeof(Symbol), "the word that a letter pushes");
-        }
-        return Pusher{a, steps, run, false};
+            cycle.push_back(a);
+            a = next(a);
+        } while (a != cycle.front());
     }
-    return std::nullopt;
+    return cycles;
+}
+
+/// The cycles of last growing letters of images, of accessible letters.
+std::vector<std::vector<Symbol>> last_letter_cycles(const Morphism& rules,
+                                                    const std::vector<char>& accessible,
+                                                    const std::vector<char>& growing) {
+    std::vector<char> both(rules.size());
+    for (Symbol a = 0; a < both.size(); ++a) both[a] = accessible[a] && growing[a];
+    return cycles_of(both, [&](Symbol a) { return last_growing(rules[a], growing).letter; });
+}
+
+/// What the first letter of such a cycle has behind it once it comes round: a letter b with `run` behind it becomes the
+/// next one with what stands behind that in h(b), and then h(run). `what` names the word where it takes too much memory.
+Word run_of(const Morphism& rules, const std::vector<Symbol>& cycle,
+            const std::vector<char>& growing, const char* what, const Budget& budget) {
+    Word run;
+    for (const Symbol b : cycle) {
+        Word longer = last_growing(rules[b], growing).after;
+        const Word more = rules(run);
+        longer.insert(longer.end(), more.begin(), more.end());
+        run = std::move(longer);
+        budget.check();
+        budget.check_memory(run.size() * sizeof(Symbol), what);
+    }
+    return run;
 }
 
 }  // namespace
 
-std::optional<Pusher> pusher_of(const std::vector<Word>& images, const Word& word,
-                                const Budget& budget) {
-    const auto accessible = accessible_letters(images, word);
-    const auto growing = growing_letters(images);
-    if (auto found = to_the_right(images, accessible, growing, budget)) return found;
-    auto found = to_the_right(mirrored({{}, images}).images, accessible, growing, budget);
-    if (found) {
-        std::reverse(found->run.begin(), found->run.end());
-        found->left = true;
+std::optional<Pusher> pusher_of(const Morphism& rules, const Word& word, const Budget& budget) {
+    const auto accessible = accessible_letters(rules, word);
+    const auto growing = growing_letters(rules);
+    for (const bool left : {false, true}) {
+        const Morphism way = left ? rules.mirrored() : rules;
+        for (const auto& cycle : last_letter_cycles(way, accessible, growing)) {
+            Word run = run_of(way, cycle, growing, "the word that a letter pushes", budget);
+            if (run.empty()) continue;
+            if (left) std::reverse(run.begin(), run.end());
+            return Pusher{cycle.front(), cycle.size(), std::move(run), left};
+        }
     }
-    return found;
+    return std::nullopt;
 }
 
 std::optional<Pusher> pusher_of(const D0L& system, const Budget& budget) {
     const Iterated rest = skeleton(system);
-    auto found = pusher_of(rest.images, rest.axiom, budget);
+    auto found = pusher_of(rest.rules, rest.axiom, budget);
     if (!found) return found;
     // Mortal letters within the run: the run as the system itself writes it.
     Word word{found->letter};
     for (std::size_t i = 0; i < found->steps; ++i) {
-        word = image(system.rules.images, word);
+        word = system.rules(word);
         budget.check();
         budget.check_memory(word.size() * sizeof(Symbol), "the image of the letter that pushes");
     }
-    const auto growing = growing_letters(system.rules.images);
+    const auto growing = growing_letters(system.rules);
     const auto grows = [&](Symbol a) { return growing[a] != 0; };
     if (found->left)
         found->run = Word(word.begin(), std::find_if(word.begin(), word.end(), grows));
@@ -106,23 +123,10 @@ void check_length(const Word& word, const Budget& budget) {
 /// The cycles of first letters of images, of growing letters.
 std::vector<std::vector<Symbol>> first_letter_cycles(const Iterated& system,
                                                      const std::vector<char>& growing) {
-    std::vector<std::size_t> seen(system.images.size(), 0);
-    std::vector<std::vector<Symbol>> cycles;
-    std::size_t round = 0;
-    for (Symbol start = 0; start < system.images.size(); ++start) {
-        if (system.images[start].empty() || seen[start] != 0) continue;
-        ++round;
-        Symbol a = start;
-        for (; seen[a] == 0; a = system.images[a].front()) seen[a] = round;
-        if (seen[a] != round || !growing[a]) continue;
-        std::vector<Symbol> cycle;
-        Symbol b = a;
-        do {
-            cycle.push_back(b);
-            b = system.images[b].front();
-        } while (b != a);
-        cycles.push_back(std::move(cycle));
-    }
+    std::vector<char> asked(system.rules.size());
+    for (Symbol a = 0; a < asked.size(); ++a) asked[a] = !system.rules[a].empty();
+    auto cycles = cycles_of(asked, [&](Symbol a) { return system.rules[a].front(); });
+    std::erase_if(cycles, [&](const auto& cycle) { return !growing[cycle.front()]; });
     return cycles;
 }
 
@@ -158,7 +162,7 @@ std::optional<std::vector<Word>> periods(const Iterated& system, const std::vect
     std::vector<std::optional<Word>> found(q);
     std::vector<char> settled(q, 0);
     // A second growing letter comes within as many rounds as there are letters, or never.
-    for (std::size_t round = 0; round < q * (system.images.size() + 1); ++round) {
+    for (std::size_t round = 0; round < q * (system.rules.size() + 1); ++round) {
         bool all = true;
         std::vector<Word> next(q);
         for (std::size_t i = 0; i < q; ++i) {
@@ -170,7 +174,7 @@ std::optional<std::vector<Word>> periods(const Iterated& system, const std::vect
                 settled[i] = repeated;
             }
             all = all && settled[i];
-            next[j] = settled[j] ? begins[j] : image(system.images, begins[i]);
+            next[j] = settled[j] ? begins[j] : system.rules(begins[i]);
             check_length(next[j], budget);
         }
         begins = std::move(next);
@@ -180,7 +184,7 @@ std::optional<std::vector<Word>> periods(const Iterated& system, const std::vect
     std::vector<Word> words;
     for (std::size_t i = 0; i < q; ++i) {
         if (!found[i] || !found[(i + 1) % q]) return std::nullopt;
-        const std::size_t times = exponent(image(system.images, *found[i]), *found[(i + 1) % q]);
+        const std::size_t times = exponent(system.rules(*found[i]), *found[(i + 1) % q]);
         if (times == 0) return std::nullopt;
         longer = longer || times > 1;
         words.push_back(*found[i]);
@@ -190,8 +194,7 @@ std::optional<std::vector<Word>> periods(const Iterated& system, const std::vect
 }
 
 /// What a growing letter leaves behind it for ever: the images of `run` come back after some steps.
-Word pushed(const std::vector<Word>& images, const Word& run, std::size_t steps,
-            const Budget& budget) {
+Word pushed(const Morphism& rules, const Word& run, std::size_t steps, const Budget& budget) {
     std::map<Word, std::size_t> seen;
     std::vector<Word> parts;
     for (Word part = run;;) {
@@ -204,7 +207,7 @@ Word pushed(const std::vector<Word>& images, const Word& run, std::size_t steps,
             return all;
         }
         parts.push_back(part);
-        for (std::size_t i = 0; i < steps; ++i) part = image(images, part);
+        for (std::size_t i = 0; i < steps; ++i) part = rules(part);
         check_length(part, budget);
     }
 }
@@ -213,12 +216,12 @@ Word pushed(const std::vector<Word>& images, const Word& run, std::size_t steps,
 
 std::vector<InfiniteRepetition> growing_repetitions(const Iterated& system, const Budget& budget) {
     const Injective simple = made_injective(system, budget);
-    const auto growing = growing_letters(simple.system.images);
+    const auto growing = growing_letters(simple.system.rules);
     std::map<Word, Symbol> found;
     for (const auto& cycle : first_letter_cycles(simple.system, growing))
         if (const auto words = periods(simple.system, cycle, growing, budget))
             for (const Word& word : *words)
-                found.emplace(least_conjugate(primitive_root(image(simple.back, word))),
+                found.emplace(least_conjugate(primitive_root(simple.back(word))),
                               simple.back[word.front()].front());
     std::vector<InfiniteRepetition> repetitions;
     for (const auto& [word, letter] : found) repetitions.push_back({word, true, letter});
@@ -227,46 +230,35 @@ std::vector<InfiniteRepetition> growing_repetitions(const Iterated& system, cons
 
 std::vector<InfiniteRepetition> infinite_repetitions(const D0L& system, const Budget& budget) {
     const Iterated rest = skeleton(system);
-    const auto growing = growing_letters(rest.images);
-    const auto accessible = accessible_letters(rest.images, rest.axiom);
+    const auto growing = growing_letters(rest.rules);
+    const auto accessible = accessible_letters(rest.rules, rest.axiom);
     std::vector<InfiniteRepetition> found = growing_repetitions(rest, budget);
     for (const bool left : {false, true}) {
-        const std::vector<Word> images = left ? mirrored({{}, rest.images}).images : rest.images;
-        for (Symbol a = 0; a < images.size(); ++a) {
-            if (!accessible[a] || !growing[a]) continue;
-            // Only letters on a cycle of last growing letters push without end.
-            std::vector<Word> after;
-            std::vector<Symbol> path{a};
-            do {
-                const Word& next = images[path.back()];
-                const auto last = std::find_if(next.rbegin(), next.rend(),
-                                               [&](Symbol b) { return growing[b] != 0; });
-                after.emplace_back(last.base(), next.end());
-                path.push_back(*last);
-            } while (path.back() != a && path.size() <= images.size());
-            if (path.back() != a) continue;
-            Word run;
-            for (const Word& part : after) {
-                const Word more = image(images, run);
-                run = part;
-                run.insert(run.end(), more.begin(), more.end());
-                check_length(run, budget);
+        const Morphism rules = left ? rest.rules.mirrored() : rest.rules;
+        std::map<Symbol, std::vector<Symbol>> cycles;  // from each of their letters on
+        for (auto& cycle : last_letter_cycles(rules, accessible, growing))
+            for (std::size_t turns = 0; turns < cycle.size(); ++turns) {
+                cycles.emplace(cycle.front(), cycle);
+                std::rotate(cycle.begin(), cycle.begin() + 1, cycle.end());
             }
+        for (const auto& [a, cycle] : cycles) {
+            const Word run =
+                run_of(rules, cycle, growing, "a word that is repeated without end", budget);
             if (run.empty()) continue;
-            Word word = pushed(images, run, after.size(), budget);
+            Word word = pushed(rules, run, cycle.size(), budget);
             if (left) std::reverse(word.begin(), word.end());
             found.push_back({word, false, a});
         }
     }
     // As the system itself writes them, with the letters that vanish.
-    const auto lifetime = lifetimes(system.rules.images);
+    const auto lifetime = lifetimes(system.rules);
     std::uint64_t steps = 0;
     for (const Symbol a : system.letters)
         if (lifetime[a] != lasts) steps = std::max(steps, lifetime[a]);
     std::map<Word, InfiniteRepetition> all;
     for (InfiniteRepetition& repetition : found) {
         for (std::uint64_t i = 0; i < steps; ++i) {
-            repetition.word = primitive_root(image(system.rules.images, repetition.word));
+            repetition.word = primitive_root(system.rules(repetition.word));
             check_length(repetition.word, budget);
         }
         repetition.word = least_conjugate(primitive_root(repetition.word));
@@ -312,33 +304,21 @@ struct Place {
     }
 };
 
-/// How often each letter occurs in each image.
-GrowthMatrix occurrences(const std::vector<Word>& images) {
-    GrowthMatrix matrix;
-    for (const Word& word : images) {
-        std::map<std::size_t, Integer> counts;
-        for (const Symbol b : word) counts[b] += 1;
-        auto& row = matrix.rows.emplace_back();
-        for (const auto& [b, times] : counts) row.push_back({b, times});
-    }
-    return matrix;
-}
-
 class Decision {
 public:
     Decision(const D0L& system, const Budget& budget)
         : named_(system),
           budget_(budget),
           system_(skeleton(system)),
-          growing_(growing_letters(system_.images)),
-          orders_(letter_orders(components(occurrences(system_.images), budget))) {
-        const auto lifetime = lifetimes(system.rules.images);
+          growing_(growing_letters(system_.rules)),
+          orders_(letter_orders(components(growth_matrix(system_.rules), budget))) {
+        const auto lifetime = lifetimes(system.rules);
         vanishing_ = std::any_of(system.letters.begin(), system.letters.end(),
                                  [&](Symbol a) { return lifetime[a] != lasts; });
     }
 
     ComplexityOrder order() const {
-        if (!has_growing(accessible_letters(system_.images, system_.axiom)))
+        if (!has_growing(accessible_letters(system_.rules, system_.axiom)))
             return {zero, zero, "the language is finite: no letter of the axiom grows"};
         const Side all = side(system_.axiom);
         const auto core = core_of(system_.axiom);
@@ -346,7 +326,7 @@ public:
         if (core) {
             best = of_core(*core, system_.axiom);
         } else if (all.at_most == linear) {
-            best = bounded_or_linear({system_.axiom, system_.images}, all.because);
+            best = bounded_or_linear({system_.axiom, system_.rules}, all.because);
         } else {
             lower_bound(best);
         }
@@ -368,9 +348,9 @@ private:
 
     /// The class of an infinite word v h^q(v) h^(2q)(v) ..., exact but for linear, which may be constant.
     Side side(const Word& v) const {
-        const auto letters = accessible_letters(system_.images, v);
+        const auto letters = accessible_letters(system_.rules, v);
         if (!has_growing(letters)) return {constant, "only letters that do not grow follow"};
-        if (const auto pusher = pusher_of(system_.images, v, budget_))
+        if (const auto pusher = pusher_of(system_.rules, v, budget_))
             return {quadratic, "the letter " + name(pusher->letter) +
                                    " pushes letters that do not grow before it (" +
                                    text(pusher->run) + " every " + steps(pusher->steps) +
@@ -400,8 +380,8 @@ private:
 
     std::optional<Core> core_of(const Word& axiom) const {
         std::vector<Word> words{axiom};
-        for (std::size_t n = 1; n <= 2 * system_.images.size() + 2; ++n) {
-            words.push_back(image(system_.images, words.back()));
+        for (std::size_t n = 1; n <= 2 * system_.rules.size() + 2; ++n) {
+            words.push_back(system_.rules(words.back()));
             const Word& word = words.back();
             if (word.size() > longest_core) return std::nullopt;
             budget_.check();
@@ -432,7 +412,7 @@ private:
                         "them: the factors that reach over the last growing letter there are "
                         "counted by where it stands in them, the others are at most linear"};
         if (more.at_most == linear)
-            return bounded_or_linear({axiom, system_.images}, where + "; " + more.because);
+            return bounded_or_linear({axiom, system_.rules}, where + "; " + more.because);
         return {constant, constant,
                 where +
                     ", and outside one of them only letters that do not grow follow: "
@@ -441,7 +421,7 @@ private:
 
     /// Letters that occur in one of their own images give bounds from below.
     void lower_bound(ComplexityOrder& best) const {
-        const auto accessible = accessible_letters(system_.images, system_.axiom);
+        const auto accessible = accessible_letters(system_.rules, system_.axiom);
         std::optional<ComplexityOrder> found;
         Symbol letter = 0;
         for (Symbol a = 0; a < accessible.size(); ++a) {
@@ -516,9 +496,9 @@ private:
             }
         };
         see(system.axiom);
-        const auto accessible = accessible_letters(system.images, system.axiom);
+        const auto accessible = accessible_letters(system.rules, system.axiom);
         for (Symbol a = 0; a < accessible.size(); ++a)
-            if (accessible[a]) see(system.images[a]);
+            if (accessible[a]) see(system.rules[a]);
         for (const Place& start : starts) {
             std::vector<Place> path;
             std::map<Place, std::size_t> when;
@@ -527,12 +507,12 @@ private:
                 const auto [again, is_new] = when.emplace(place, path.size());
                 if (!is_new) {
                     for (std::size_t i = again->second; i < path.size(); ++i)
-                        if (const Word around = joined(path[i]); !is_repeated(around, repetitions))
-                            return around;
+                        if (Word word = around(path[i]); !is_repeated(word, repetitions))
+                            return word;
                     break;
                 }
                 path.push_back(place);
-                place = next(place, system.images, reach);
+                place = next(place, system.rules, reach);
                 budget_.check();
             }
             seen.insert(path.begin(), path.end());
@@ -540,7 +520,7 @@ private:
         return std::nullopt;
     }
 
-    static Word joined(const Place& place) {
+    static Word around(const Place& place) {
         Word word = place.left;
         word.insert(word.end(), place.between.begin(), place.between.end());
         word.insert(word.end(), place.right.begin(), place.right.end());
@@ -551,9 +531,8 @@ private:
             return is_factor_of_powers(word, repetition.word);
         });
     }
-    static Place next(const Place& place, const std::vector<Word>& images, std::size_t reach) {
-        Place after{image(images, place.left), image(images, place.between),
-                    image(images, place.right)};
+    static Place next(const Place& place, const Morphism& rules, std::size_t reach) {
+        Place after{rules(place.left), rules(place.between), rules(place.right)};
         if (after.left.size() > reach)
             after.left.erase(after.left.begin(),
                              after.left.end() - static_cast<std::ptrdiff_t>(reach));

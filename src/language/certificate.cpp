@@ -107,10 +107,10 @@ Json words_json(const std::vector<Word>& words, const Alphabet& alphabet) {
     return result;
 }
 
-Json morphism_json(const std::map<Symbol, Word>& morphism, const Alphabet& alphabet) {
+Json morphism_json(const Morphism& morphism, const Alphabet& alphabet) {
     Json result = Json::object();
-    for (const auto& [a, image] : morphism)
-        result[alphabet.name(a)] = certificate_text(alphabet, image);
+    for (const Symbol a : morphism.domain())
+        result[alphabet.name(a)] = certificate_text(alphabet, morphism[a]);
     return result;
 }
 

@@ -149,7 +149,7 @@ private:
 
     Symbol add_letter(Symbol terminal) {
         const Symbol letter = names_.symbol(system_->alphabet->name(terminal));
-        coding_[letter] = {terminal};
+        coding_.add(letter, {terminal});
         return letter;
     }
 
@@ -239,7 +239,7 @@ private:
     std::vector<std::pair<Origin, Word>> open_;
     std::map<Symbol, Symbol> stays_;
     std::map<Symbol, std::vector<Word>> rules_of_;
-    std::map<Symbol, Word> coding_;
+    Morphism coding_;
     std::size_t size_ = 0;  // symbols written
 };
 

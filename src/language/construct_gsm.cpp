@@ -374,9 +374,10 @@ ET0L table_intersection(const ET0L& system, const RegularLanguage& language, con
 namespace {
 
 /// Reads the images of letters after each other and writes the letters.
-Gsm decoder(const std::map<Symbol, Word>& morphism) {
+Gsm decoder(const Morphism& morphism) {
     Gsm machine{0, {1}, {}};
-    for (const auto& [letter, image] : morphism) {
+    for (const Symbol letter : morphism.domain()) {
+        const Word& image = morphism[letter];
         std::size_t state = 0;
         for (std::size_t i = 0; i < image.size(); ++i) {
             const bool end = i + 1 == image.size();
@@ -427,14 +428,10 @@ ET0L inserted(const ET0L& system, const Word& letters) {
 
 }  // namespace
 
-ET0L table_inverse_image(const ET0L& system, const std::map<Symbol, Word>& morphism,
-                         const Budget& budget) {
+ET0L table_inverse_image(const ET0L& system, const Morphism& morphism, const Budget& budget) {
     ET0L result = table_gsm_image(system, decoder(morphism), budget);
-    Word without_image;
-    for (const auto& [letter, image] : morphism)
-        if (image.empty()) without_image.push_back(letter);
-    if (!without_image.empty())
-        result = trimmed(inserted(result, without_image), *system.alphabet, "");
+    if (const Word erased = morphism.erased(); !erased.empty())
+        result = trimmed(inserted(result, erased), *system.alphabet, "");
     result.name = "inverse image";
     return result;
 }

@@ -195,9 +195,9 @@ std::vector<Word> choices(Draft& draft, const Alphabet& alphabet, const Word& wo
 
 }  // namespace
 
-Substitution substitution(const std::map<Symbol, Word>& morphism) {
+Substitution substitution(const Morphism& morphism) {
     Substitution found;
-    for (const auto& [a, word] : morphism) found[a] = {word};
+    for (const Symbol a : morphism.domain()) found[a] = {morphism[a]};
     return found;
 }
 

@@ -30,7 +30,7 @@ D0L leaving_letters_behind(const D0L& system) {
     std::string name = "c";
     while (alphabet->find(name)) name += 'c';
     const Symbol mark = alphabet->symbol(name);
-    std::vector<Word> images = system.rules.images;
+    std::vector<Word> images = system.rules.images();
     for (Word& image : images) {
         if (image.empty()) image.push_back(mark);
         image.push_back(mark);

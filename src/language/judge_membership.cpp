@@ -333,7 +333,7 @@ private:
         const LanguageTree& tree = *language;
         const Language& part = tree.parts[0];
         const RegularLanguage sources = algae::inverse_image(
-            finite_set({word}), images_by_symbol(tree.morphism), domain_of(tree.morphism));
+            finite_set({word}), tree.morphism.images(), tree.morphism.domain());
         const auto count = number_of_words(sources);
         if (count && *count <= Integer(most_preimages)) {
             bool unknown = false;
@@ -369,7 +369,7 @@ private:
     }
 
     Judgement inverse_image(const LanguageTree& tree, const Word& word) {
-        const std::optional<Word> mapped = image_of(word, tree.morphism);
+        const std::optional<Word> mapped = tree.morphism.image_of(word);
         if (!mapped)
             return Judgement::refuted({"A letter of " + spell(alphabet_, word) + " has no image."},
                                       decided());

@@ -47,12 +47,11 @@ void add_letters(std::set<Symbol>& letters, const LanguageTree& tree) {
             return;
         case Kind::image: {
             for (const Symbol a : letters_of(tree.parts[0]))
-                if (const auto found = tree.morphism.find(a); found != tree.morphism.end())
-                    add_letters(letters, found->second);
+                if (tree.morphism.maps(a)) add_letters(letters, tree.morphism[a]);
             return;
         }
         case Kind::inverse_image:
-            for (const auto& [a, image] : tree.morphism) letters.insert(a);
+            for (const Symbol a : tree.morphism.domain()) letters.insert(a);
             return;
         case Kind::difference:
             add_letters(letters, *tree.parts[0]);
@@ -98,14 +97,6 @@ std::string words_text(const std::vector<Word>& words, const Alphabet& alphabet)
     return result + "}";
 }
 
-std::string morphism_text(const std::map<Symbol, Word>& morphism, const Alphabet& alphabet) {
-    std::string result = "{ ";
-    for (const auto& [a, image] : morphism)
-        result +=
-            (result.size() > 2 ? "; " : "") + alphabet.name(a) + " -> " + spell(alphabet, image);
-    return result + " }";
-}
-
 std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
     const auto part = [&](std::size_t i, Level least) {
         return text(tree.parts[i], alphabet, least);
@@ -132,9 +123,9 @@ std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
         case Kind::reversed:
             return part(0, primary) + "^R";
         case Kind::image:
-            return morphism_text(tree.morphism, alphabet) + "(" + part(0, sum) + ")";
+            return to_string(tree.morphism, alphabet) + "(" + part(0, sum) + ")";
         case Kind::inverse_image:
-            return morphism_text(tree.morphism, alphabet) + "^-1(" + part(0, sum) + ")";
+            return to_string(tree.morphism, alphabet) + "^-1(" + part(0, sum) + ")";
     }
     return {};
 }
@@ -178,7 +169,7 @@ Language complement_language(Language language, std::vector<Symbol> letters) {
     return make(std::move(tree));
 }
 
-Language image_language(Language language, std::map<Symbol, Word> morphism) {
+Language image_language(Language language, Morphism morphism) {
     LanguageTree tree;
     tree.kind = Kind::image;
     tree.parts = {std::move(language)};
@@ -186,7 +177,7 @@ Language image_language(Language language, std::map<Symbol, Word> morphism) {
     return make(std::move(tree));
 }
 
-Language inverse_image_language(Language language, std::map<Symbol, Word> morphism) {
+Language inverse_image_language(Language language, Morphism morphism) {
     LanguageTree tree;
     tree.kind = Kind::inverse_image;
     tree.parts = {std::move(language)};

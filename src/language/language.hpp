@@ -63,7 +63,7 @@ struct LanguageTree {
     std::shared_ptr<const SourceSystem> system;  // of L(G)
     /// Two of a union, intersection, difference, concatenation; otherwise one.
     std::vector<Language> parts;
-    std::map<Symbol, Word> morphism;
+    Morphism morphism;
     std::vector<Symbol> letters;  // increasing
     std::string name;             // what the text calls it, where it has a name
 };
@@ -77,9 +77,9 @@ Language combined(LanguageTree::Kind kind, std::vector<Language> parts);
 /// The words over `letters` that are not in the language.
 Language complement_language(Language language, std::vector<Symbol> letters);
 /// The images of the words all of whose letters have an image.
-Language image_language(Language language, std::map<Symbol, Word> morphism);
+Language image_language(Language language, Morphism morphism);
 /// The words over the letters that have an image whose images are in the language.
-Language inverse_image_language(Language language, std::map<Symbol, Word> morphism);
+Language inverse_image_language(Language language, Morphism morphism);
 /// The same language with a name, by which texts call it.
 Language named(Language language, std::string name);
 
@@ -678,21 +678,5 @@ public:
 private:
     std::map<std::pair<std::string, std::string>, Cell, std::less<>> cells_;
 };
-
-// Pieces of the sentences that arguments are made of.
-
-/// A number and what it counts.
-///
-/// Example: counted(1, "step") + ", " + counted(2, "step") == "1 step, 2 steps"
-inline std::string counted(std::uint64_t count, const std::string& noun) {
-    return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
-
-/// The name of a family or system behind "a" or "an", as it is spoken.
-///
-/// Example: with_article("0L") + ", " + with_article("E0L") == "a 0L, an E0L"
-inline std::string with_article(const std::string& name) {
-    return (!name.empty() && (name.front() == 'E' || name.front() == 'I') ? "an " : "a ") + name;
-}
 
 }  // namespace algae

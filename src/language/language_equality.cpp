@@ -35,7 +35,7 @@ namespace algae {
 
 OL ol_of(const D0L& system) {
     OL found{system.alphabet, system.axiom, {}, system.letters, system.name};
-    for (const Word& image : system.rules.images) found.successors.push_back({image});
+    for (const Word& image : system.rules.images()) found.successors.push_back({image});
     return found;
 }
 
@@ -261,7 +261,7 @@ LanguageEquality not_equal(const SequencePair& systems, bool in_left, std::uint6
 
 /// The system whose generation n is generation first + n step of this one.
 D0L section_of(const D0L& system, std::uint64_t first, std::uint64_t step, const Budget& budget) {
-    std::vector<Word> images(system.rules.images.size());
+    std::vector<Word> images(system.rules.images().size());
     for (const Symbol a : system.letters) images[a] = {a};
     for (std::uint64_t n = 0; n < step; ++n) {
         std::uint64_t letters = 0;

@@ -256,7 +256,7 @@ Membership finite_membership(const D0L& system, const Word& word, const Budget& 
         if (now == word) return {true, derived, step, 0, 0};
         if (repetitions.comes_again(now, step))
             return {false, periodic, step, repetitions.earlier(), 0};
-        now = generation_after(system.rules.images, now, budget);
+        now = generation_after(system.rules.images(), now, budget);
     }
 }
 
@@ -279,7 +279,7 @@ Derivation deterministic_derivation(const OL& system, std::uint64_t step, const 
     for (std::uint64_t t = 0; t < step; ++t) {
         if (t % 1024 == 0) budget.check();
         found.choices.emplace_back(found.words.back().size(), 0);
-        found.words.push_back(generation_after(rules.rules.images, found.words.back(), budget));
+        found.words.push_back(generation_after(rules.rules.images(), found.words.back(), budget));
         letters += found.words.back().size() + 1;
         budget.check_memory(letters * 8, "the words of the derivation");
     }

@@ -95,8 +95,7 @@ private:
                     return words;
                 });
             case Kind::image:
-                return mapped(tree,
-                              [&](const Word& word) { return image_of(word, tree.morphism); });
+                return mapped(tree, [&](const Word& word) { return tree.morphism.image_of(word); });
             case Kind::reversed:
                 return mapped(tree, [](const Word& word) {
                     return std::optional(Word(word.rbegin(), word.rend()));
@@ -219,28 +218,6 @@ bool has_system(const Language& language) {
            std::any_of(language->parts.begin(), language->parts.end(), has_system);
 }
 
-std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& morphism) {
-    Word result;
-    for (const Symbol a : word) {
-        const auto found = morphism.find(a);
-        if (found == morphism.end()) return std::nullopt;
-        result.insert(result.end(), found->second.begin(), found->second.end());
-    }
-    return result;
-}
-
-std::vector<Symbol> domain_of(const std::map<Symbol, Word>& morphism) {
-    std::vector<Symbol> domain;
-    for (const auto& [a, image] : morphism) domain.push_back(a);
-    return domain;
-}
-
-std::vector<Word> images_by_symbol(const std::map<Symbol, Word>& morphism) {
-    std::vector<Word> images(morphism.empty() ? 0 : morphism.rbegin()->first + 1);
-    for (const auto& [a, image] : morphism) images[a] = image;
-    return images;
-}
-
 std::optional<RegularLanguage> regular_value(const Language& language, const Alphabet& alphabet,
                                              const Budget& budget) {
     const LanguageTree& tree = *language;
@@ -282,11 +259,10 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
         case Kind::reversed:
             return reversed(parts[0], budget);
         case Kind::image:
-            return image(intersected(parts[0], all_words(domain_of(tree.morphism)), budget),
-                         images_by_symbol(tree.morphism), budget);
+            return image(intersected(parts[0], all_words(tree.morphism.domain()), budget),
+                         tree.morphism.images(), budget);
         default:
-            return inverse_image(parts[0], images_by_symbol(tree.morphism),
-                                 domain_of(tree.morphism));
+            return inverse_image(parts[0], tree.morphism.images(), tree.morphism.domain());
     }
 }
 
@@ -398,12 +374,13 @@ private:
 
     /// The image; words with a letter that has none are left out first.
     ET0L mapped(const LanguageTree& tree, const ET0L& part, bool one) const {
-        std::map<Symbol, Word> images = tree.morphism;
-        for (const Symbol a : letters_of(tree.parts[0])) images.try_emplace(a);
-        if (images.size() == tree.morphism.size())
+        Morphism images = tree.morphism;
+        bool has_all = true;
+        for (const Symbol a : letters_of(tree.parts[0])) has_all = !images.add(a, {}) && has_all;
+        if (has_all)
             return one ? e0l_image(part, substitution(images), budget_)
                        : table_image(part, substitution(images));
-        const RegularLanguage with_images = all_words(domain_of(tree.morphism));
+        const RegularLanguage with_images = all_words(tree.morphism.domain());
         const ET0L kept = one ? e0l_intersection(part, with_images, budget_)
                               : table_intersection(part, with_images, budget_);
         return one_table(kept) ? e0l_image(kept, substitution(images), budget_)

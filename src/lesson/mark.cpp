@@ -137,10 +137,7 @@ using Kind = Exercise::Kind;
 
 /// The text without comments, its lines joined.
 std::string without_comments(const std::string& text) {
-    std::string plain;
-    for (const ClaimClause& clause : claim_clauses(text))
-        plain += (plain.empty() ? "" : " ") + std::string(clause.text);
-    return plain;
+    return joined(claim_clauses(text), " ", &ClaimClause::text);
 }
 
 /// The text with blanks for comments, so that what is left stands in its place.

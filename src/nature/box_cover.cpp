@@ -178,7 +178,7 @@ std::vector<BoxCover::Square> BoxCover::covering(double side, const Budget& budg
             for (std::size_t i = 1; i < stroke.size(); ++i) {
                 if (i % 256 == 0) budget.check();
                 const Point a = stroke[i - 1], b = stroke[i];
-                const double length = std::hypot(b.x - a.x, b.y - a.y);
+                const double length = distance(a, b);
                 const int parts = 1 + static_cast<int>(length / step);
                 for (int k = 0; k <= parts; ++k) {
                     const double share = static_cast<double>(k) / parts;

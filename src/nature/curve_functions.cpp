@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -110,9 +109,7 @@ namespace {
 Quantity decimal(double value) {
     const double whole = std::round(value);
     if (std::fabs(value - whole) < 1e-13) return quantity(Rational(static_cast<long>(whole)));
-    char text[32];
-    const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
-    return quantity(Rational(std::string_view(text, static_cast<std::size_t>(end - text))));
+    return quantity(Rational(shortest_decimal(value)));
 }
 
 /// 1/|mu|, exactly where |mu|^2 is a whole number.

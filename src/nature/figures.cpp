@@ -18,12 +18,6 @@
 
 namespace algae {
 
-namespace {
-
-double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
-}  // namespace
-
 RelativeFact::RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known)
     : key(std::move(of)),
       text(std::move(said)),

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -60,17 +59,11 @@ Point fixed_point(const AffineMap& map) {
 
 namespace {
 
-std::string shown(double value) {
-    char text[32];
-    return {text,
-            std::to_chars(text, text + sizeof text, value, std::chars_format::general, 6).ptr};
-}
-
 /// "0.99", exactly where all of them are exact.
 std::string sum_text(const std::vector<IteratedFunctions::Map>& maps, double sum) {
     Rational exact = 0;
     for (const auto& map : maps) {
-        if (!map.probability->exact) return shown(sum);
+        if (!map.probability->exact) return rounded_decimal(sum, 6);
         exact += *map.probability->exact;
     }
     return shortest_text(exact);
@@ -102,7 +95,7 @@ void IteratedFunctions::check() const {
         const double stretch = norm(map.map);
         if (recurrent[map.from] && !(stretch < 1))
             throw Error(name + ": " + map.name + " does not contract: its norm is " +
-                        shown(stretch) + ", expected less than 1");
+                        rounded_decimal(stretch, 6) + ", expected less than 1");
     }
     for (std::size_t i = 0; i < states.size(); ++i)
         if (!mapped[i]) throw Error(name + ": the state " + states[i] + " has no map");
@@ -115,7 +108,7 @@ void IteratedFunctions::check() const {
             throw Error(name + ": " + map.name + " has no probability, others do");
         if (!(map.probability->value > 0))
             throw Error(name + ": the probability of " + map.name + " is " +
-                        shown(map.probability->value) + ", expected more than 0");
+                        rounded_decimal(map.probability->value, 6) + ", expected more than 0");
         sum += map.probability->value;
     }
     if (std::fabs(sum - 1) > 1e-12)
@@ -182,14 +175,15 @@ std::vector<RelativeFact> IteratedFunctions::facts(const Budget& budget) const {
         const Point fixed = fixed_point(maps[m].map);
         const bool own = maps[m].from == maps[m].to && norm(maps[m].map) < 1;
         nlohmann::ordered_json one{{"norm", norm(maps[m].map)}};
-        text += "\n  " + maps[m].name + ": norm " + shown(norm(maps[m].map));
+        text += "\n  " + maps[m].name + ": norm " + rounded_decimal(norm(maps[m].map), 6);
         if (own) {
             one["fixed_point"] = {fixed.x, fixed.y};
-            text += ", fixed point (" + shown(fixed.x) + ", " + shown(fixed.y) + ")";
+            text += ", fixed point (" + rounded_decimal(fixed.x, 6) + ", " +
+                    rounded_decimal(fixed.y, 6) + ")";
         }
         if (states.size() == 1) {
             one["probability"] = chance[m];
-            text += ", probability " + shown(chance[m]);
+            text += ", probability " + rounded_decimal(chance[m], 6);
         } else {
             one["from"] = states[maps[m].from];
             one["to"] = states[maps[m].to];
@@ -198,14 +192,15 @@ std::vector<RelativeFact> IteratedFunctions::facts(const Budget& budget) const {
     }
     found.push_back({"maps", text, all});
     const double s = contraction();
-    found.push_back({"contraction", shown(s), s});
+    found.push_back({"contraction", rounded_decimal(s, 6), s});
     Box box = attractor_boxes(*this).front();
     const double rounding = 1e-9 * std::max(box.breadth(), box.height());
     for (double* const side : {&box.low.x, &box.low.y, &box.high.x, &box.high.y})
         if (std::fabs(*side) < rounding) *side = 0;
     found.push_back({"bounding_box",
-                     "[" + shown(box.low.x) + ", " + shown(box.high.x) + "] x [" +
-                         shown(box.low.y) + ", " + shown(box.high.y) + "]",
+                     "[" + rounded_decimal(box.low.x, 6) + ", " + rounded_decimal(box.high.x, 6) +
+                         "] x [" + rounded_decimal(box.low.y, 6) + ", " +
+                         rounded_decimal(box.high.y, 6) + "]",
                      {{"min", {box.low.x, box.low.y}}, {"max", {box.high.x, box.high.y}}}});
     const ExactDimension dimension = similarity_dimension(*this, budget);
     if (dimension.value)
@@ -235,7 +230,7 @@ Path image(const AffineMap& map, const std::vector<Point>& corners, std::uint32_
     for (std::size_t i = 0; i < path.points.size(); ++i) {
         const Point a = path.points[i], b = path.points[(i + 1) % path.points.size()];
         area += a.x * b.y - a.y * b.x;
-        around += std::hypot(b.x - a.x, b.y - a.y);
+        around += distance(a, b);
     }
     path.filled = std::fabs(area) > flat * around * around;
     if (!path.filled) path.points.push_back(path.points.front());

@@ -304,8 +304,7 @@ std::vector<RelativeFact> Terrain::facts(const Budget& budget) const {
     std::size_t closed = 0;
     for (const Stroke& line : coast) {
         closed += line.front() == line.back() ? 1 : 0;
-        for (std::size_t i = 1; i < line.size(); ++i)
-            total += std::hypot(line[i].x - line[i - 1].x, line[i].y - line[i - 1].y);
+        for (std::size_t i = 1; i < line.size(); ++i) total += distance(line[i - 1], line[i]);
     }
     std::vector<RelativeFact> found;
     found.push_back({"method", exact ? "exact" : "midpoint displacement of squares",
@@ -317,8 +316,8 @@ std::vector<RelativeFact> Terrain::facts(const Budget& budget) const {
          fmt::format("{:.6g} to {:.6g}, water at {:.6g}", relief.low, relief.high, relief.water),
          {{"low", relief.low}, {"high", relief.high}, {"water", relief.water}}});
     found.push_back({"coast",
-                     fmt::format("{} line{}, {} of them closed, {:.6g} long at this spacing",
-                                 coast.size(), coast.size() == 1 ? "" : "s", closed, total),
+                     fmt::format("{}, {} of them closed, {:.6g} long at this spacing",
+                                 counted(coast.size(), "line"), closed, total),
                      {{"lines", coast.size()}, {"closed", closed}, {"length", total}}});
     found.push_back(
         {"dimension",

@@ -164,8 +164,7 @@ std::vector<RelativeFigure> RandomWalks::figures(const Budget& budget) const {
     for (const std::uint64_t count : steps) {
         const std::vector<Vector> places(all.begin(),
                                          all.begin() + static_cast<std::ptrdiff_t>(count) + 1);
-        const std::string what =
-            fmt::format("{} step{}, seed {}", count, count == 1 ? "" : "s", walk.seed);
+        const std::string what = counted(count, "step") + ", seed " + std::to_string(walk.seed);
         made.push_back({std::make_unique<PathFigure>(
                             std::vector<Path>{walk_path(places, walk.dimensions)}, settings),
                         heading() + ", " + what, what});
@@ -353,8 +352,8 @@ std::vector<RelativeFigure> BrownianPaths::figures(const Budget& budget) const {
             std::vector<Path> paths{walk_path(places(h, level, budget), dimensions)};
             std::string caption = fmt::format("H = {}", h);
             if (levels.first != levels.second)
-                caption = fmt::format("{}{}{} displacement{}", hurst.size() > 1 ? caption : "",
-                                      hurst.size() > 1 ? ", " : "", level, level == 1 ? "" : "s");
+                caption = (hurst.size() > 1 ? caption + ", " : "") +
+                          counted(static_cast<std::uint64_t>(level), "displacement");
             made.push_back({std::make_unique<PathFigure>(std::move(paths), settings),
                             heading() + ", " + caption, caption});
         }

@@ -80,8 +80,7 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
                             graph(*this, left, right, count, points, budget), settings),
                         heading() + ", " + what, what});
     };
-    for (const std::uint64_t count : terms)
-        add(from, to, count, fmt::format("{} term{}", count, count == 1 ? "" : "s"));
+    for (const std::uint64_t count : terms) add(from, to, count, counted(count, "term"));
     if (!terms.empty() && zooms == 0) return made;
     for (std::uint64_t k = 0; k <= zooms; ++k) {
         // Around the lower quarter, so that the parts lie within each other.

@@ -94,9 +94,9 @@ bool is_morphism(ClaimScanner& scanner) {
 }
 
 /// Reads the morphism `{ a -> ab; b -> ε }` that stands next.
-std::map<Symbol, Word> parse_morphism(ClaimScanner& scanner, ClaimReading& reading) {
+Morphism parse_morphism(ClaimScanner& scanner, ClaimReading& reading) {
     const std::string_view text = inside_braces(scanner);
-    std::map<Symbol, Word> morphism;
+    Morphism morphism;
     for (const Clause& clause : clauses(text)) {
         if (!clause.arrow) throw unexpected("a letter, '->' and a word", clause.text.data());
         const auto left_size = static_cast<std::size_t>(clause.arrow - clause.text.data());
@@ -105,7 +105,7 @@ std::map<Symbol, Word> parse_morphism(ClaimScanner& scanner, ClaimReading& readi
         const Word letter = parse_symbols(left, reading.lexicon);
         if (letter.size() != 1) throw unexpected("one letter before the arrow", clause.text.data());
         Word image = parse_symbols(clause.text.substr(left_size + arrow_size), reading.lexicon);
-        if (!morphism.emplace(letter[0], std::move(image)).second)
+        if (!morphism.add(letter[0], std::move(image)))
             throw SyntaxError{clause.text.data(), "the letter " + quoted(left) + " has two images"};
     }
     scanner.here = text.data() + text.size() + 1;
@@ -173,11 +173,11 @@ LanguageOperand complement_operand(LanguageOperand part, const ClaimReading& rea
 
 /// The image of the language under a morphism; `name` is what the text calls that. Throws `SyntaxError` if
 /// a letter of the language has no image.
-LanguageOperand image_operand(LanguageOperand part, const std::map<Symbol, Word>& morphism,
-                              std::string_view name, const ClaimReading& reading) {
+LanguageOperand image_operand(LanguageOperand part, const Morphism& morphism, std::string_view name,
+                              const ClaimReading& reading) {
     LanguageOperand out = measured({part}, name.data());
     for (const Symbol letter : letters_of(part.language))
-        if (!morphism.count(letter))
+        if (!morphism.maps(letter))
             throw SyntaxError{name.data(),
                               "expected a morphism with an image for each letter of the language, "
                               "found none for " +
@@ -186,7 +186,7 @@ LanguageOperand image_operand(LanguageOperand part, const std::map<Symbol, Word>
     return out;
 }
 
-LanguageOperand inverse_image_operand(LanguageOperand part, const std::map<Symbol, Word>& morphism,
+LanguageOperand inverse_image_operand(LanguageOperand part, const Morphism& morphism,
                                       const char* where) {
     LanguageOperand out = measured({part}, where);
     out.language = inverse_image_language(std::move(part.language), morphism);
@@ -465,7 +465,7 @@ private:
         return out;
     }
 
-    LanguageOperand applied(const std::map<Symbol, Word>& morphism, std::string_view name) {
+    LanguageOperand applied(const Morphism& morphism, std::string_view name) {
         bool inverse = false;
         if (scanner_.take("^")) {
             inverse = scanner_.take("-1");

@@ -357,13 +357,6 @@ bool is_one_of(const std::vector<std::string>& all, std::string_view word) {
     return std::find(all.begin(), all.end(), word) != all.end();
 }
 
-std::string listed(const std::vector<std::string>& all) {
-    std::string text;
-    for (std::size_t i = 0; i < all.size(); ++i)
-        text += (i == 0 ? "" : i + 1 == all.size() ? " or " : ", ") + all[i];
-    return text;
-}
-
 /// The words up to a colon, with one blank between any two.
 std::string take_operation(ClaimScanner& scanner) {
     const std::string_view rest = scanner.rest();

@@ -168,10 +168,7 @@ private:
         std::set<std::size_t> sizes;
         for (const Word& word : words_of_generation(*ol_, n, std::nullopt, budget_))
             sizes.insert(word.size());
-        std::string text;
-        for (const std::size_t size : sizes)
-            text += (text.empty() ? "" : ",") + std::to_string(size);
-        return text;
+        return joined(sizes, ",", [](std::size_t size) { return std::to_string(size); });
     }
     static std::string coordinates(const std::vector<Coordinate>& found,
                                    const std::string& expected) {

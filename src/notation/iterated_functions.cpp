@@ -98,8 +98,7 @@ Map read_map(const RelativeFile& file, const RelativeStatement& statement,
     if (words.size() < least || words.size() > least + 1)
         file.fail(statement, "expected " + statement.key +
                                  (similar ? " ratio degrees e f" : " a b c d e f") +
-                                 " [probability], found " + std::to_string(words.size()) +
-                                 (words.size() == 1 ? " value" : " values"));
+                                 " [probability], found " + counted(words.size(), "value"));
     std::vector<Quantity> values;
     for (const RelativeWord& word : words) values.push_back(file.quantity(statement, word));
     if (values.size() > least) made.probability = values.back();

@@ -466,11 +466,6 @@ std::string_view trimmed(std::string_view text);
 /// "U+2212".
 std::string code_point_name(char32_t code);
 
-/// The text in quotation marks, cut after some forty bytes.
-///
-/// Example: quoted("x") == "'x'"
-std::string quoted(std::string_view text);
-
 /// How an error speaks of what stands at the start of `rest`: "'x'", a whole name or number, "the
 /// end of the line", with a hint where the character is a common mistake.
 std::string found(std::string_view rest);

@@ -65,12 +65,6 @@ std::string piece(const Quantity& number) {
     return text.find(' ') == std::string::npos ? text : '(' + text + ')';
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string out;
-    for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
-    return out;
-}
-
 }  // namespace
 
 std::string Printer::word(const ModuleWord& word) const {
@@ -94,9 +88,7 @@ std::string Printer::word(const ModuleWord& word) const {
 }
 
 std::string Printer::apart(const Word& symbols) const {
-    std::string out;
-    for (const Symbol symbol : symbols) out += (out.empty() ? "" : " ") + alphabet_.name(symbol);
-    return out;
+    return joined(symbols, " ", [&](Symbol symbol) { return alphabet_.name(symbol); });
 }
 
 std::string Printer::pattern(const Pattern& pattern, const char* separator) const {
@@ -152,11 +144,11 @@ std::string print_rule(const Alphabet& alphabet, const Production& rule) {
 std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
     std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
     for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
-    return joined(parts);
+    return joined(parts, " ");
 }
 
 std::string print_solid(const SolidSetting& solid) {
-    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures));
+    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures, " "));
 }
 
 std::string print_surface(const SurfaceSetting& surface) {
@@ -205,7 +197,7 @@ void add_rules(const LSystem& system, const Printer& printer, Lines& lines) {
         lines.rule(printer.rule(rule));
     }
     open_tables(system.tables.size());
-    lines.setting("schedule", joined(schedule_names(system)));
+    lines.setting("schedule", joined(schedule_names(system), " "));
 }
 
 void add_words(const LSystem& system, const Printer& printer, Lines& lines) {
@@ -215,7 +207,7 @@ void add_words(const LSystem& system, const Printer& printer, Lines& lines) {
 }
 
 std::string print_start(const Settings::Start& start) {
-    return joined({piece(start.x), piece(start.y), piece(start.heading)});
+    return joined({piece(start.x), piece(start.y), piece(start.heading)}, " ");
 }
 
 std::string print_range(const std::pair<std::uint64_t, std::uint64_t>& range) {
@@ -224,7 +216,7 @@ std::string print_range(const std::pair<std::uint64_t, std::uint64_t>& range) {
 }
 
 std::string print_direction(const Direction& direction) {
-    return joined({piece(direction.azimuth), piece(direction.elevation)});
+    return joined({piece(direction.azimuth), piece(direction.elevation)}, " ");
 }
 
 /// What symbols leave in space, and where steps bend to.
@@ -234,7 +226,7 @@ void add_space(const Settings& settings, const Printer& printer, Lines& lines) {
     for (const SurfaceSetting& surface : settings.surfaces)
         lines.setting("surface", printer.apart({surface.symbol}) + ' ' + print_surface(surface));
     if (const auto& to = settings.tropism)
-        lines.setting("tropism", joined({piece(to->x), piece(to->y), piece(to->z)}));
+        lines.setting("tropism", joined({piece(to->x), piece(to->y), piece(to->z)}, " "));
     lines.number("susceptibility", settings.susceptibility);
 }
 
@@ -244,7 +236,7 @@ void add_views(const Settings& settings, Lines& lines) {
         std::vector<std::string> parts{print_direction(camera->from)};
         if (camera->perspective) parts.emplace_back("perspective");
         if (camera->opening) parts.push_back(piece(*camera->opening));
-        lines.setting("camera", joined(parts));
+        lines.setting("camera", joined(parts, " "));
     }
     if (settings.light) lines.setting("light", print_direction(*settings.light));
     lines.number("fog", settings.fog);
@@ -263,7 +255,7 @@ void add_settings(const Settings& settings, const Printer& printer, Lines& lines
         lines.setting("stamp", printer.apart({stamp.symbol}) + ' ' + shape_name(stamp.shape));
     add_space(settings, printer, lines);
     lines.number("width", settings.width);
-    lines.setting("colour", joined(settings.colours));
+    lines.setting("colour", joined(settings.colours, " "));
     if (settings.clockwise) lines.setting("turn", "clockwise");
     add_views(settings, lines);
     if (settings.generations) lines.setting("generation", print_range(*settings.generations));
@@ -276,7 +268,7 @@ std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
     Lines lines;
     lines.setting("title", system.title);
     lines.setting("source", system.source);
-    lines.setting("id", joined(system.identifiers));
+    lines.setting("id", joined(system.identifiers, " "));
     lines.setting("alphabet", printer.apart(system.declared));
     for (const auto& [name, value] : system.constants)
         lines.setting("let", name + " = " + to_text(value.expression));

@@ -413,10 +413,7 @@ private:
     }
 
     void read_allowance(const ClaimClause& clause) {
-        std::string said;
-        for (const std::string_view piece : pieces(clause.text))
-            said += (said.empty() ? "" : " ") + std::string(piece);
-        if (said != "allow empty axiom")
+        if (joined(pieces(clause.text), " ") != "allow empty axiom")
             throw SyntaxError{clause.text.data(),
                               "expected 'allow empty axiom', found " + quoted(clause.text)};
         claim_.empty_axiom = true;

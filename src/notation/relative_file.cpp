@@ -20,16 +20,6 @@
 
 namespace algae {
 
-namespace {
-
-std::string shown(double value) {
-    char text[32];
-    const auto end = std::to_chars(text, text + sizeof text, value).ptr;
-    return {text, end};
-}
-
-}  // namespace
-
 const RelativeStatement* RelativeFile::find(std::string_view key) const {
     const auto found = std::find_if(statements.begin(), statements.end(),
                                     [&](const RelativeStatement& s) { return s.key == key; });
@@ -76,8 +66,8 @@ void RelativeFile::check_words(const RelativeStatement& statement, std::size_t l
                                std::size_t most, const std::string& arguments) const {
     const std::size_t found = statement.words.size();
     if (found >= least && found <= most) return;
-    fail(statement, "expected " + statement.key + " " + arguments + ", found " +
-                        std::to_string(found) + (found == 1 ? " value" : " values"));
+    fail(statement,
+         "expected " + statement.key + " " + arguments + ", found " + counted(found, "value"));
 }
 
 Quantity RelativeFile::quantity(const RelativeStatement& statement,
@@ -97,9 +87,10 @@ double RelativeFile::number(const RelativeStatement& statement, const RelativeWo
                             double least, double most) const {
     const double value = quantity(statement, word).value;
     if (value >= least && value <= most) return value;
-    const std::string wanted = std::isinf(most)    ? "of at least " + shown(least)
-                               : std::isinf(least) ? "of at most " + shown(most)
-                                                   : "from " + shown(least) + " to " + shown(most);
+    const std::string wanted =
+        std::isinf(most)    ? "of at least " + shortest_decimal(least)
+        : std::isinf(least) ? "of at most " + shortest_decimal(most)
+                            : "from " + shortest_decimal(least) + " to " + shortest_decimal(most);
     fail(statement, word,
          "expected " + statement.key + " with a number " + wanted + ", found " +
              algae::quoted(word.text));
@@ -252,12 +243,6 @@ std::vector<RelativeWord> words_of(std::string_view line, std::size_t begin, std
     return found;
 }
 
-std::string listed(const std::vector<RelativeKey>& keys) {
-    std::string out;
-    for (const RelativeKey& key : keys) out += (out.empty() ? "" : ", ") + key.name;
-    return out;
-}
-
 }  // namespace
 
 RelativeFile read_relative_file(std::string_view text, const std::string& name,
@@ -299,7 +284,8 @@ RelativeFile read_relative_file(std::string_view text, const std::string& name,
         if (known == keys.end()) {
             findings.add(offset + begin, "unknown statement " + algae::quoted(statement.key) +
                                              did_you_mean(statement.key, names) +
-                                             "; expected one of " + listed(keys));
+                                             "; expected one of " +
+                                             joined(keys, ", ", &RelativeKey::name));
             continue;
         }
         if (!known->repeats && !said.insert(statement.key).second) {

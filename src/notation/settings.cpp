@@ -38,14 +38,6 @@ Quantity quantity_of(std::string_view text, const Reading& reading) {
     return reading.quantity(parse_expression(text, reading.source));
 }
 
-/// What may stand there, as a message lists it.
-std::string listed(const std::vector<std::string>& names, const char* before_last = " or ") {
-    std::string out;
-    for (std::size_t i = 0; i < names.size(); ++i)
-        out += (i == 0 ? "" : i + 1 == names.size() ? before_last : ", ") + names[i];
-    return out;
-}
-
 [[noreturn]] void refuse(std::string_view found, const std::vector<std::string>& names) {
     throw SyntaxError{found.data(), "expected " + listed(names) + ", found " + quoted(found) +
                                         did_you_mean(found, names)};
@@ -318,8 +310,8 @@ Triple point_at(const char*& here, const char* end, Reading& reading) {
     const char* const begin = here;
     const std::vector<Expression> parts = parse_arguments(here, end, reading.source);
     if (parts.size() != 3)
-        throw SyntaxError{begin, "expected a point (x,y,z), found " + std::to_string(parts.size()) +
-                                     (parts.size() == 1 ? " number" : " numbers")};
+        throw SyntaxError{begin,
+                          "expected a point (x,y,z), found " + counted(parts.size(), "number")};
     return {reading.quantity(parts[0]), reading.quantity(parts[1]), reading.quantity(parts[2])};
 }
 

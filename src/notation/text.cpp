@@ -97,14 +97,6 @@ std::string code_point_name(char32_t code) {
     return "U+" + hexadecimal;
 }
 
-std::string quoted(std::string_view text) {
-    constexpr std::size_t longest = 40;
-    if (text.size() <= longest) return "'" + std::string(text) + "'";
-    std::size_t length = longest;
-    while (length > 0 && is_continuation(text[length])) --length;
-    return "'" + std::string(text.substr(0, length)) + "...'";
-}
-
 std::string found(std::string_view rest) {
     if (rest.empty()) return "the end of the line";
     const Character first = first_character(rest);
@@ -278,13 +270,9 @@ void Findings::throw_if_any() const {
     std::vector<Diagnostic> diagnostics;
     for (std::size_t i = 0; i < shown; ++i)
         diagnostics.push_back(source_.finding(sorted[i].offset, sorted[i].message));
-    if (count_ > shown) {
-        const std::size_t more = count_ - shown;
-        diagnostics.push_back({Place{source_.file(), 0, 0},
-                               std::to_string(more) + (more == 1 ? " more error" : " more errors"),
-                               {},
-                               0});
-    }
+    if (count_ > shown)
+        diagnostics.push_back(
+            {Place{source_.file(), 0, 0}, counted(count_ - shown, "more error"), {}, 0});
     throw Diagnostics(std::move(diagnostics));
 }
 

@@ -470,12 +470,10 @@ void write_webp(const Film& film, std::span<const std::uint32_t> hundredths, std
 constexpr double shortest_time = 0.02, longest_time = 600;  // seconds; programs slow down less
 
 std::uint32_t hundredths(const char* what, double seconds) {
-    if (!(seconds >= shortest_time && seconds <= longest_time)) {
-        char text[120];
-        std::snprintf(text, sizeof text, "the time of %s must be from %g to %g seconds, not %g",
-                      what, shortest_time, longest_time, seconds);
-        throw Error(text);
-    }
+    if (!(seconds >= shortest_time && seconds <= longest_time))
+        throw Error(std::string("the time of ") + what + " must be from " +
+                    rounded_decimal(shortest_time, 6) + " to " + rounded_decimal(longest_time, 6) +
+                    " seconds, not " + rounded_decimal(seconds, 6));
     return static_cast<std::uint32_t>(std::lround(100 * seconds));
 }
 

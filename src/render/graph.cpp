@@ -281,12 +281,10 @@ constexpr double pixels_of_a_point = 2;  // in png
 
 void check_side(const char* what, const std::optional<double>& side, PictureFormat format) {
     if (!side || (*side >= 10 && *side <= largest(format))) return;
-    char value[32];
-    std::snprintf(value, sizeof value, "%.10g", *side);
     throw Error(std::string("the ") + what + " must be from 10 to " +
                 std::to_string(static_cast<long>(largest(format))) +
                 (format == PictureFormat::png ? " pixels" : " points") + " in " +
-                format_name(format) + ", not " + value);
+                format_name(format) + ", not " + rounded_decimal(*side, 10));
 }
 
 /// From points of the page to units of the picture.

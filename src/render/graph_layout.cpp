@@ -37,13 +37,7 @@ constexpr double along = 0.6;  // of a straight edge, to its label: those of one
 // Graphviz takes texts as char*, and does not write to them.
 char* text(const std::string& value) { return const_cast<char*>(value.c_str()); }
 
-std::string number(double value) {
-    char digits[32];
-    std::snprintf(digits, sizeof digits, "%.6g", value);
-    return digits;
-}
-
-std::string inches(double points) { return number(points / inch); }
+std::string inches(double points) { return rounded_decimal(points / inch, 6); }
 
 std::string code(const Colour& colour) {
     char digits[8];
@@ -155,15 +149,15 @@ private:
         by_default(AGRAPH, "nodesep", graph_.trees ? "0.11" : "0.35");
         by_default(AGRAPH, "ranksep", graph_.trees ? "0.28" : "0.45");
         by_default(AGRAPH, "fontname", "DejaVu Sans");
-        by_default(AGRAPH, "fontsize", number(graph_small_letters));
+        by_default(AGRAPH, "fontsize", rounded_decimal(graph_small_letters, 6));
         by_default(AGNODE, "fontname", "DejaVu Sans");
-        by_default(AGNODE, "fontsize", number(graph_letters));
+        by_default(AGNODE, "fontsize", rounded_decimal(graph_letters, 6));
         by_default(AGNODE, "shape", "box");
         by_default(AGNODE, "style", "rounded,filled");
         by_default(AGNODE, "fillcolor", "white");
         by_default(AGNODE, "fixedsize", "true");
         by_default(AGEDGE, "fontname", "DejaVu Sans");
-        by_default(AGEDGE, "fontsize", number(graph_small_letters));
+        by_default(AGEDGE, "fontsize", rounded_decimal(graph_small_letters, 6));
         by_default(AGEDGE, "arrowsize", "0.6");
     }
 

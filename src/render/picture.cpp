@@ -34,21 +34,16 @@ namespace {
 constexpr std::array names{"svg", "pdf", "png", "ps", "eps"};
 constexpr double panel_line_width = 0.6;  // points, unless somebody says otherwise
 
-std::string number(double value) {
-    char text[32];
-    std::snprintf(text, sizeof text, "%.10g", value);
-    return text;
-}
-
 std::string with_unit(double value, PictureFormat format) {
-    return number(value) + (format == PictureFormat::png ? " pixels" : " points");
+    return rounded_decimal(value, 10) + (format == PictureFormat::png ? " pixels" : " points");
 }
 
 void check_length(const char* what, std::optional<double> value, double least, double most,
                   PictureFormat format) {
     if (!value || (*value >= least && *value <= most)) return;
-    throw Error(std::string("the ") + what + " must be from " + number(least) + " to " +
-                with_unit(most, format) + " in " + format_name(format) + ", not " + number(*value));
+    throw Error(std::string("the ") + what + " must be from " + rounded_decimal(least, 10) +
+                " to " + with_unit(most, format) + " in " + format_name(format) + ", not " +
+                rounded_decimal(*value, 10));
 }
 
 void check_options(const PictureOptions& options, PictureFormat format) {
@@ -86,8 +81,9 @@ double line_width(const Figure& figure, const PictureOptions& options, double un
     const std::optional<Quantity>& own = figure.settings().width;
     if (!own) return unset;
     if (!(own->value > 0 && own->value <= largest_vector))
-        throw Error("the setting width must be above 0 and at most " + number(largest_vector) +
-                    ", not " + number(own->value));
+        throw Error("the setting width must be above 0 and at most " +
+                    rounded_decimal(largest_vector, 10) + ", not " +
+                    rounded_decimal(own->value, 10));
     return own->value;
 }
 
@@ -99,8 +95,6 @@ public:
     void polygon(std::span<const Point>) override {}
     void width(double factor) override { factor_ = factor; }
     void width_as_length(double) override { factor_ = 0; }  // is part of the box
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
     double widest = 1;
 
 private:
@@ -148,9 +142,10 @@ void check_annotations(const Plate& plate, const PictureOptions& options) {
             "camera");
     for (const PointLabel& label : options.labels)
         if (!plate.figure->place(label.place))
-            throw Error("the label \"" + label.text + "\" at " + number(label.place.x) + ',' +
-                        number(label.place.y) + ',' + number(label.place.z) + " lies nowhere in " +
-                        plate.name + ", which stays in the plane");
+            throw Error(
+                "the label \"" + label.text + "\" at " + rounded_decimal(label.place.x, 10) + ',' +
+                rounded_decimal(label.place.y, 10) + ',' + rounded_decimal(label.place.z, 10) +
+                " lies nowhere in " + plate.name + ", which stays in the plane");
 }
 
 }  // namespace
@@ -170,7 +165,7 @@ double scale_bar_length(double breadth) {
     const double times = goal / power;
     const double round = times < 2 ? 1 : times < 5 ? 2 : 5;
     // Written out in decimals and read back, so that it is the nearest number to its name.
-    return std::stod(number(round * power));
+    return std::stod(rounded_decimal(round * power, 10));
 }
 
 const std::vector<std::string>& colours_of(const Figure& figure, const PictureOptions& options) {
@@ -261,8 +256,8 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     check_length("width", page.width, 1, largest(format), format);
     check_length("height", page.height, 1, largest(format), format);
     if (format == PictureFormat::png) {
-        const std::string what =
-            "a picture of " + number(page.width) + " x " + with_unit(page.height, format);
+        const std::string what = "a picture of " + rounded_decimal(page.width, 10) + " x " +
+                                 with_unit(page.height, format);
         budget.check_memory(static_cast<std::uint64_t>(4 * page.width * page.height), what.c_str());
     }
     return result;
@@ -302,7 +297,7 @@ void draw_scale_bar(cairo_t* context, const Plan& plan, const Cell& cell) {
     cairo_stroke(context);
     choose_letters(context, size);
     cairo_move_to(context, left + wide + size / 2, middle + 0.35 * size);
-    cairo_show_text(context, number(length).c_str());
+    cairo_show_text(context, rounded_decimal(length, 10).c_str());
     cairo_new_path(context);
     cairo_restore(context);
 }

@@ -29,8 +29,6 @@ namespace {
 constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 constexpr std::size_t most_bodies = 20'000;
 
-Vector unit(const Vector& v) { return (1 / length(v)) * v; }
-
 class SceneBuilder {
 public:
     SceneBuilder(const Scene& scene, const MeshOptions& options, const Budget& budget)

@@ -13,9 +13,7 @@ namespace algae {
 namespace {
 
 std::string digits(const std::vector<Integer>& values) {
-    std::vector<std::string> all;
-    for (const Integer& value : values) all.push_back(to_string(value));
-    return joined(all, ", ");
+    return joined(values, ", ", [](const Integer& value) { return to_string(value); });
 }
 
 constexpr std::size_t largest_matrix = 16;       // letters whose matrix is read aloud
@@ -408,15 +406,14 @@ std::string to_text(const FactorReport& found) {
                             to_string(found.order.at_least), to_string(found.order.at_most));
     text += fmt::format("                   {}\n", found.order.because);
     if (found.pusher)
-        text += fmt::format(
-            "pushy              yes: {0} leads to {1} in {2} step{3}, and {4} does not grow\n",
-            system.alphabet->name(found.pusher->letter),
-            found.pusher->left ? word(system, found.pusher->run) + " " +
-                                     system.alphabet->name(found.pusher->letter) + "..."
-                               : "..." + system.alphabet->name(found.pusher->letter) + " " +
-                                     word(system, found.pusher->run),
-            found.pusher->steps, found.pusher->steps == 1 ? "" : "s",
-            word(system, found.pusher->run));
+        text +=
+            fmt::format("pushy              yes: {0} leads to {1} in {2}, and {3} does not grow\n",
+                        system.alphabet->name(found.pusher->letter),
+                        found.pusher->left ? word(system, found.pusher->run) + " " +
+                                                 system.alphabet->name(found.pusher->letter) + "..."
+                                           : "..." + system.alphabet->name(found.pusher->letter) +
+                                                 " " + word(system, found.pusher->run),
+                        counted(found.pusher->steps, "step"), word(system, found.pusher->run));
     else
         text += "pushy              no: factors of letters that do not grow are bounded\n";
     if (found.repetitions.empty()) {

@@ -13,12 +13,6 @@ std::string readable(const Integer& value) {
     return digits.substr(0, 20) + "... (" + std::to_string(digits.size()) + " digits)";
 }
 
-std::string joined(const std::vector<std::string>& parts, const std::string& between) {
-    std::string text;
-    for (std::size_t i = 0; i < parts.size(); ++i) text += (i > 0 ? between : "") + parts[i];
-    return text;
-}
-
 using Value = nlohmann::ordered_json;
 
 Json::Json() : value_(std::make_unique<Value>()) {}

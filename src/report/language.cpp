@@ -133,11 +133,9 @@ std::string table_text(const ET0L& system, const TableUse& use) {
 
 /// The rules of a course, with their tables where `tables` says so.
 std::string course_text(const ET0L& system, const Course& course, bool tables) {
-    std::string text;
-    for (const TableUse& use : course)
-        text += (text.empty() ? "" : ", ") + (tables ? table_text(system, use) + ": " : "") +
-                rule_text(system, use);
-    return text;
+    return joined(course, ", ", [&](const TableUse& use) {
+        return (tables ? table_text(system, use) + ": " : "") + rule_text(system, use);
+    });
 }
 
 Json course_json(const ET0L& system, const Course& course) {
@@ -154,13 +152,12 @@ Json course_json(const ET0L& system, const Course& course) {
 }  // namespace
 
 std::string to_text(const EndlessRound& round, const OL& system) {
-    std::string text = "infinite: by ";
-    for (std::size_t i = 0; i < round.rules.size(); ++i)
-        text += (i == 0 ? "" : ", ") + rule_text(system, round.rules[i]);
+    const std::string rules =
+        joined(round.rules, ", ", [&](const auto& rule) { return rule_text(system, rule); });
     const std::string& name = system.alphabet->name(round.rules.front().letter);
     const std::string& other = system.alphabet->name(round.other);
-    return text + " the letter " + name + " has " + name + " in what it becomes, and beside it " +
-           other + ", which can go on for ever\n";
+    return "infinite: by " + rules + " the letter " + name + " has " + name +
+           " in what it becomes, and beside it " + other + ", which can go on for ever\n";
 }
 
 Json to_json(const EndlessRound& round, const OL& system) {

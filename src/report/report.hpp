@@ -24,9 +24,6 @@ namespace algae {
 /// The digits; of more than 60 the first ones and how many there are.
 std::string readable(const Integer& value);
 
-/// The parts with a text between.
-std::string joined(const std::vector<std::string>& parts, const std::string& between);
-
 /// A JSON value, whose keys stay in the order in which they were set. It keeps nlohmann/json out of the
 /// verbs: that header costs each file that includes it one to three seconds.
 class Json {

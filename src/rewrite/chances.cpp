@@ -159,9 +159,7 @@ std::size_t table_of(const std::vector<std::string>& tables, const std::string& 
     if (error == std::errc() && end == name.data() + name.size() && number >= 1 &&
         number <= tables.size())
         return number - 1;
-    std::string known;
-    for (const std::string& table : tables) known += (known.empty() ? "" : ", ") + table;
-    throw Error("expected a table (" + known + ", or a number from 1 to " +
+    throw Error("expected a table (" + joined(tables, ", ") + ", or a number from 1 to " +
                 std::to_string(tables.size()) + "), found \"" + name + '"');
 }
 

@@ -87,8 +87,8 @@ Refusal wrong_parts(const ShapeSuccessor& shape) {
         if (parts == 1) return {};
     }
     if (parts == cells) return {};
-    return " has " + std::to_string(parts) + (parts == 1 ? " part" : " parts") + " for the " +
-           std::to_string(cells) + (cells == 1 ? " place" : " places") + " that its sizes make";
+    return " has " + counted(parts, "part") + " for the " + counted(cells, "place") +
+           " that its sizes make";
 }
 
 Refusal beyond_shape(const Production& rule) {
@@ -98,8 +98,7 @@ Refusal beyond_shape(const Production& rule) {
     if (!rule.shape) return " makes a word, not div, repeat or I";
     const std::size_t parameters = rule.predecessor.parameters.size();
     if (parameters != 0 && parameters != 3)
-        return " has " + std::to_string(parameters) +
-               (parameters == 1 ? " parameter" : " parameters") +
+        return " has " + counted(parameters, "parameter") +
                ", and a box has three, its sizes along X, Y and Z";
     return wrong_parts(*rule.shape);
 }
@@ -114,8 +113,7 @@ Refusal beyond_shape(const LSystem& system) {
     for (const auto& [position, arguments] : system.axiom.arguments)
         if (arguments.size() != 3 && arguments.size() != 6)
             return "the axiom's '" + system.alphabet.name(system.axiom.letters[position]) +
-                   "' has " + std::to_string(arguments.size()) +
-                   (arguments.size() == 1 ? " argument" : " arguments") +
+                   "' has " + counted(arguments.size(), "argument") +
                    ", and a box has three, its sizes, or six, its origin "
                    "and its sizes";
     return {};

@@ -16,7 +16,7 @@
 namespace algae {
 
 Fates::Fates(const D0L& system)
-    : constant_(system.alphabet->size(), 0), gone_(lifetimes(system.rules.images)) {
+    : constant_(system.alphabet->size(), 0), gone_(lifetimes(system.rules)) {
     for (const Symbol a : system.letters) constant_[a] = system.successor(a) == Word{a};
 }
 

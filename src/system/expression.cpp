@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <functional>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -22,6 +23,8 @@
 
 namespace algae {
 
+namespace {
+
 /// A value on its way: exact as long as that is possible.
 struct Value {
     std::optional<Rational> exact;
@@ -29,10 +32,7 @@ struct Value {
 };
 
 /// Values with more bits than this, numerator and denominator together, go on as doubles.
-inline constexpr std::uint64_t longest_exact = 100'000;
-
-/// The value of a call with these arguments.
-Value call(const Expression& at, const std::vector<Value>& values);
+constexpr std::uint64_t longest_exact = 100'000;
 
 std::uint64_t bits(const Rational& value) {
     return bit_length(value.numerator()) + bit_length(value.denominator());
@@ -44,14 +44,7 @@ std::uint64_t bits(const Rational& value) {
 }
 
 /// The text of an expression, cut if it is long.
-std::string shown(const Expression& expression) {
-    constexpr std::size_t longest = 60;
-    std::string text = to_text(expression);
-    if (text.size() <= longest) return text;
-    std::size_t length = longest;
-    while ((static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
-    return text.substr(0, length) + "...";
-}
+std::string shown(const Expression& expression) { return beginning(to_text(expression), 60); }
 
 /// The value, if it is finite; otherwise fails at the expression.
 Value finite(Value value, const Expression& at) {
@@ -77,8 +70,6 @@ int compare(const Value& left, const Value& right) {
         return *left.exact < *right.exact ? -1 : *right.exact < *left.exact;
     return left.rounded < right.rounded ? -1 : left.rounded > right.rounded;
 }
-
-namespace {
 
 /// How tightly an operator binds; a number, a name or a call binds tightest.
 enum Binding {
@@ -147,12 +138,7 @@ void print(const Expression& expression, Binding least, std::string& out) {
             print_binary(expression, out);
             break;
         case Expression::Kind::call:
-            out += expression.name + '(';
-            for (std::size_t i = 0; i < expression.operands.size(); ++i) {
-                if (i > 0) out += ',';
-                print(expression.operands[i], loosest, out);
-            }
-            out += ')';
+            out += expression.name + '(' + joined(expression.operands, ",", to_text) + ')';
             break;
     }
     if (brackets) out += ')';
@@ -288,8 +274,7 @@ Value tangent(const Value& degrees, const Expression& at) {
     return finite({std::nullopt, std::tan(angle.rounded * std::numbers::pi / 180)}, at);
 }
 
-}  // namespace
-
+/// The value of a call with these arguments.
 Value call(const Expression& at, const std::vector<Value>& values) {
     const std::string& name = at.name;
     const Value& first = values.at(0);
@@ -322,6 +307,8 @@ Value call(const Expression& at, const std::vector<Value>& values) {
     if (std::abs(x) > 1) fail(at, "'" + shown(at) + "' needs a number from -1 to 1");
     return {std::nullopt, (name == "asin" ? std::asin(x) : std::acos(x)) * 180 / std::numbers::pi};
 }
+
+}  // namespace
 
 const std::vector<std::string>& function_names() {
     static const std::vector<std::string> names{
@@ -360,7 +347,11 @@ Value power(const Value& base, const Value& exponent, const Expression& at) {
 
 Value binary(const Expression& at, const Value& left, const Value& right) {
     const std::string& name = at.name;
-    const bool exact = left.exact && right.exact;
+    const auto arithmetic = [&](auto operation) {
+        return left.exact && right.exact
+                   ? exactly(operation(*left.exact, *right.exact), at)
+                   : finite({std::nullopt, operation(left.rounded, right.rounded)}, at);
+    };
     if (name == "|") return truth(!is_zero(left) || !is_zero(right));
     if (name == "&") return truth(!is_zero(left) && !is_zero(right));
     if (name == "=") return truth(compare(left, right) == 0);
@@ -373,17 +364,13 @@ Value binary(const Expression& at, const Value& left, const Value& right) {
     if (name == "/" && is_zero(right)) fail(at.operands[1], "division by 0 in '" + shown(at) + "'");
     switch (name[0]) {
         case '+':
-            if (exact) return exactly(*left.exact + *right.exact, at);
-            return finite({std::nullopt, left.rounded + right.rounded}, at);
+            return arithmetic(std::plus<>());
         case '-':
-            if (exact) return exactly(*left.exact - *right.exact, at);
-            return finite({std::nullopt, left.rounded - right.rounded}, at);
+            return arithmetic(std::minus<>());
         case '*':
-            if (exact) return exactly(*left.exact * *right.exact, at);
-            return finite({std::nullopt, left.rounded * right.rounded}, at);
+            return arithmetic(std::multiplies<>());
         default:
-            if (exact) return exactly(*left.exact / *right.exact, at);
-            return finite({std::nullopt, left.rounded / right.rounded}, at);
+            return arithmetic(std::divides<>());
     }
 }
 

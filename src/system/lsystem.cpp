@@ -76,16 +76,15 @@ std::size_t context_length(const Pattern& context, const Alphabet& alphabet) {
         }));
 }
 
-std::vector<Symbol> symbols(const Pattern& pattern) {
-    std::vector<Symbol> found;
-    for (const ModulePattern& module : pattern) found.push_back(module.symbol);
-    return found;
+Word letters(const Pattern& pattern) {
+    Word word;
+    for (const ModulePattern& module : pattern) word.push_back(module.symbol);
+    return word;
 }
 
 /// Whether two rules could both apply to a letter. Equal rules written twice are one rule.
 bool has_choice(const LSystem& system) {
-    using Key =
-        std::tuple<std::size_t, Symbol, std::size_t, std::vector<Symbol>, std::vector<Symbol>>;
+    using Key = std::tuple<std::size_t, Symbol, std::size_t, Word, Word>;
     std::set<Key> seen;
     std::vector<const Production*> unconditional;
     for (const Production& rule : system.rules)
@@ -94,7 +93,7 @@ bool has_choice(const LSystem& system) {
     std::set<std::pair<Key, Word>> successors;
     for (const Production* rule : unconditional) {
         const Key key{rule->table, rule->predecessor.symbol, rule->predecessor.parameters.size(),
-                      symbols(rule->left), symbols(rule->right)};
+                      letters(rule->left), letters(rule->right)};
         const bool fresh_key = seen.insert(key).second;
         const bool fresh_rule = successors.insert({key, rule->successor.letters}).second;
         if (!fresh_key && (fresh_rule || rule->shape || !rule->successor.arguments.empty()))
@@ -159,17 +158,80 @@ std::string at(const Place& place) {
     return place.line == 0 ? std::string("a rule") : "the rule at " + to_string(place);
 }
 
-std::string beyond_ol(const Production& rule, bool probabilities) {
-    if (!rule.left.empty() || !rule.right.empty()) return at(rule.place) + " has a context";
+/// Why a rule is not one of plain letters, in whatever context: the first construct that goes beyond. `probabilities`
+/// says whether those below 1 do.
+std::string beyond_letters(const Production& rule, bool probabilities) {
     if (!rule.elsewhere.empty()) return at(rule.place) + " has a context condition";
     if (rule.condition) return at(rule.place) + " has a condition";
-    if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty())
+    if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty() ||
+        has_parameters(rule.left) || has_parameters(rule.right))
         return at(rule.place) + " has parameters";
     if (!rule.successor.splices.empty()) return at(rule.place) + " splices a word in";
     if (rule.shape) return at(rule.place) + " is a shape rule";
     if (probabilities && rule.probability && *rule.probability != Rational(1))
         return at(rule.place) + " has a probability";
     return {};
+}
+
+/// The same of a system with one table and no terminals; `beyond_rule` says it of a rule.
+template <class BeyondRule>
+std::string beyond_letters(const LSystem& system, BeyondRule beyond_rule) {
+    if (!system.inner.empty()) return "there are systems within it";
+    if (!system.axiom.arguments.empty()) return "the axiom has parameters";
+    if (!system.axiom.splices.empty()) return "the axiom has a word spliced in";
+    if (!system.tables.empty()) return "it has tables";
+    if (!system.terminals.empty()) return "it has terminals";
+    for (const Production& rule : system.rules)
+        if (std::string reason = beyond_rule(rule); !reason.empty()) return reason;
+    return {};
+}
+
+/// A system of a class, with what all classes have of the one as written.
+template <class T>
+T begun(const LSystem& written) {
+    T system;
+    system.alphabet = std::make_shared<const Alphabet>(written.alphabet);
+    system.axiom = written.axiom.letters;
+    system.name = written.name;
+    return system;
+}
+
+/// Each table gets the identity for letters that have no successor in it.
+void complete(Table& table, std::size_t letters) {
+    table.resize(letters);
+    for (Symbol a = 0; a < letters; ++a)
+        if (table[a].empty()) table[a].push_back(Word{a});
+}
+
+void add_rule(Table& table, const Production& rule) {
+    auto& choices = table[rule.predecessor.symbol];
+    if (std::find(choices.begin(), choices.end(), rule.successor.letters) == choices.end())
+        choices.push_back(rule.successor.letters);
+}
+
+/// A system as written, with one character a letter.
+LSystem written(const std::string& axiom,
+                const std::vector<std::vector<std::pair<char, std::string>>>& tables,
+                const std::string& terminals = "") {
+    LSystem system;
+    const auto word = [&](const std::string& text) {
+        Word letters;
+        for (const char c : text) letters.push_back(system.alphabet.symbol(std::string(1, c)));
+        return letters;
+    };
+    system.axiom.letters = word(axiom);
+    for (std::size_t t = 0; t < tables.size(); ++t) {
+        if (tables.size() > 1) system.tables.push_back(std::to_string(t + 1));
+        for (const auto& [a, successor] : tables[t]) {
+            Production rule;
+            rule.predecessor.symbol = word(std::string(1, a)).front();
+            rule.successor.letters = word(successor);
+            rule.table = t;
+            system.rules.push_back(std::move(rule));
+        }
+    }
+    system.terminals = word(terminals);
+    return system;
 }
 
 bool is_balanced(const Word& word, const Brackets& brackets) {
@@ -200,34 +262,24 @@ std::optional<Brackets> lasting_brackets(const D0L& system) {
 }  // namespace
 
 std::string beyond_ol(const LSystem& system, bool probabilities) {
-    if (!system.inner.empty()) return "there are systems within it";
-    if (!system.axiom.arguments.empty()) return "the axiom has parameters";
-    if (!system.axiom.splices.empty()) return "the axiom has a word spliced in";
-    if (!system.tables.empty()) return "it has tables";
-    if (!system.terminals.empty()) return "it has terminals";
-    for (const Production& rule : system.rules)
-        if (std::string reason = beyond_ol(rule, probabilities); !reason.empty()) return reason;
-    for (const Symbol a : system.axiom.letters)
-        if (system.alphabet.name(a).size() > 1 && system.alphabet.name(a)[0] == '?')
-            return "the axiom has a communication module";
-    return {};
+    std::string reason = beyond_letters(system, [&](const Production& rule) {
+        return rule.left.empty() && rule.right.empty() ? beyond_letters(rule, probabilities)
+                                                       : at(rule.place) + " has a context";
+    });
+    if (!reason.empty()) return reason;
+    const bool asks =
+        std::any_of(system.axiom.letters.begin(), system.axiom.letters.end(),
+                    [&](Symbol a) { return is_communication(system.alphabet.name(a)); });
+    return asks ? "the axiom has a communication module" : "";
 }
 
 View<OL> as_ol(const LSystem& system) {
     if (std::string reason = beyond_ol(system); !reason.empty())
         return View<OL>::refused("not an 0L system: " + reason);
-    OL ol;
-    ol.alphabet = std::make_shared<const Alphabet>(system.alphabet);
-    ol.axiom = system.axiom.letters;
-    ol.name = system.name;
+    OL ol = begun<OL>(system);
     ol.successors.resize(ol.alphabet->size());
-    for (const Production& rule : system.rules) {
-        auto& choices = ol.successors[rule.predecessor.symbol];
-        if (std::find(choices.begin(), choices.end(), rule.successor.letters) == choices.end())
-            choices.push_back(rule.successor.letters);
-    }
-    for (Symbol a = 0; a < ol.successors.size(); ++a)
-        if (ol.successors[a].empty()) ol.successors[a].push_back(Word{a});
+    for (const Production& rule : system.rules) add_rule(ol.successors, rule);
+    complete(ol.successors, ol.alphabet->size());
     ol.letters = accessible(ol.axiom, ol.alphabet->size(), [&](Symbol a, auto see) {
         for (const Word& successor : ol.successors[a]) see(successor);
     });
@@ -250,54 +302,25 @@ View<D0L> as_d0l(const LSystem& system) {
 
 D0L make_d0l(std::shared_ptr<const Alphabet> alphabet, Word axiom, std::vector<Word> images,
              std::string name) {
-    D0L system{std::move(alphabet), std::move(axiom), {}, {}, std::move(name)};
-    system.rules = Morphism{Words{}, std::move(images)};
-    system.letters = accessible(system.axiom, system.rules.images.size(),
-                                [&](Symbol a, auto see) { see(system.rules.images[a]); });
-    system.rules.brackets = lasting_brackets(system);
+    D0L system{
+        std::move(alphabet), std::move(axiom), Morphism(std::move(images)), {}, std::move(name)};
+    system.letters = accessible(system.axiom, system.rules.size(),
+                                [&](Symbol a, auto see) { see(system.rules[a]); });
+    system.brackets = lasting_brackets(system);
     return system;
 }
 
 D0L d0l(const std::string& axiom, const std::vector<std::pair<char, std::string>>& productions) {
-    Alphabet alphabet;
-    const auto word = [&](const std::string& text) {
-        Word letters;
-        for (const char c : text) letters.push_back(alphabet.symbol(std::string(1, c)));
-        return letters;
-    };
-    Word start = word(axiom);
-    std::vector<std::pair<Symbol, Word>> rules;
-    for (const auto& [a, successor] : productions) {
-        const Symbol predecessor = word(std::string(1, a)).front();
-        rules.emplace_back(predecessor, word(successor));
-    }
-    std::vector<Word> images(alphabet.size());
-    for (Symbol a = 0; a < images.size(); ++a) images[a] = {a};
-    for (auto& [a, successor] : rules) images[a] = std::move(successor);
-    return make_d0l(std::make_shared<const Alphabet>(std::move(alphabet)), std::move(start),
-                    std::move(images));
+    return *as_d0l(written(axiom, {productions}));
 }
 
 OL ol(const std::string& axiom, const std::vector<std::pair<char, std::string>>& productions) {
-    LSystem system;
-    const auto word = [&](const std::string& text) {
-        Word letters;
-        for (const char c : text) letters.push_back(system.alphabet.symbol(std::string(1, c)));
-        return letters;
-    };
-    system.axiom.letters = word(axiom);
-    for (const auto& [a, successor] : productions) {
-        Production rule;
-        rule.predecessor.symbol = word(std::string(1, a)).front();
-        rule.successor.letters = word(successor);
-        system.rules.push_back(std::move(rule));
-    }
-    return *as_ol(system);
+    return *as_ol(written(axiom, {productions}));
 }
 
 bool is_propagating(const D0L& system) {
     return std::none_of(system.letters.begin(), system.letters.end(),
-                        [&](Symbol a) { return system.rules.images[a].empty(); });
+                        [&](Symbol a) { return system.rules[a].empty(); });
 }
 
 bool is_propagating(const OL& system) {
@@ -312,10 +335,7 @@ View<S0L> as_s0l(const LSystem& system) {
         return View<S0L>::refused("not a stochastic 0L system: " + reason);
     };
     if (std::string reason = beyond_ol(system, false); !reason.empty()) return refused(reason);
-    S0L out;
-    out.alphabet = std::make_shared<const Alphabet>(system.alphabet);
-    out.axiom = system.axiom.letters;
-    out.name = system.name;
+    S0L out = begun<S0L>(system);
     out.alternatives.resize(out.alphabet->size());
     for (const Production& rule : system.rules) {
         auto& known = out.alternatives[rule.predecessor.symbol];
@@ -340,19 +360,6 @@ View<S0L> as_s0l(const LSystem& system) {
 
 namespace {
 
-/// Each table gets the identity for letters that have no successor in it.
-void complete(Table& table, std::size_t letters) {
-    table.resize(letters);
-    for (Symbol a = 0; a < letters; ++a)
-        if (table[a].empty()) table[a].push_back(Word{a});
-}
-
-void add_rule(Table& table, Symbol letter, Word successor) {
-    auto& choices = table[letter];
-    if (std::find(choices.begin(), choices.end(), successor) == choices.end())
-        choices.push_back(std::move(successor));
-}
-
 /// Whether the successors of every accessible letter in every table are as `holds` says.
 template <class Holds>
 bool for_all_accessible(const ET0L& system, Holds holds) {
@@ -372,16 +379,12 @@ View<ET0L> as_et0l(const LSystem& written) {
     plain.terminals.clear();
     if (std::string reason = beyond_ol(plain); !reason.empty())
         return View<ET0L>::refused("not an ET0L system: " + reason);
-    ET0L system;
-    system.alphabet = std::make_shared<const Alphabet>(written.alphabet);
-    system.axiom = written.axiom.letters;
-    system.name = written.name;
+    ET0L system = begun<ET0L>(written);
     system.table_names = written.tables;
     if (system.table_names.empty()) system.table_names.emplace_back();
     const std::size_t letters = system.alphabet->size();
     system.tables.assign(system.table_names.size(), Table(letters));
-    for (const Production& rule : written.rules)
-        add_rule(system.tables.at(rule.table), rule.predecessor.symbol, rule.successor.letters);
+    for (const Production& rule : written.rules) add_rule(system.tables.at(rule.table), rule);
     for (Table& table : system.tables) complete(table, letters);
     system.terminal.assign(letters, written.terminals.empty());
     for (const Symbol a : written.terminals) system.terminal[a] = 1;
@@ -450,62 +453,10 @@ ET0L over(const ET0L& system, std::shared_ptr<const Alphabet> alphabet) {
 ET0L et0l(const std::string& axiom,
           const std::vector<std::vector<std::pair<char, std::string>>>& tables,
           const std::string& terminals) {
-    LSystem system;
-    const auto word = [&](const std::string& text) {
-        Word letters;
-        for (const char c : text) letters.push_back(system.alphabet.symbol(std::string(1, c)));
-        return letters;
-    };
-    system.axiom.letters = word(axiom);
-    for (std::size_t t = 0; t < tables.size(); ++t) {
-        if (tables.size() > 1) system.tables.push_back(std::to_string(t + 1));
-        for (const auto& [a, successor] : tables[t]) {
-            Production rule;
-            rule.predecessor.symbol = word(std::string(1, a)).front();
-            rule.successor.letters = word(successor);
-            rule.table = t;
-            system.rules.push_back(std::move(rule));
-        }
-    }
-    system.terminals = word(terminals);
-    return *as_et0l(system);
+    return *as_et0l(written(axiom, tables, terminals));
 }
 
 namespace {
-
-std::string beyond_il(const Production& rule) {
-    const auto plain = [](const Pattern& pattern) {
-        return std::all_of(pattern.begin(), pattern.end(),
-                           [](const ModulePattern& m) { return m.parameters.empty(); });
-    };
-    if (!rule.elsewhere.empty()) return at(rule.place) + " has a context condition";
-    if (rule.condition) return at(rule.place) + " has a condition";
-    if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty() ||
-        !plain(rule.left) || !plain(rule.right))
-        return at(rule.place) + " has parameters";
-    if (!rule.successor.splices.empty()) return at(rule.place) + " splices a word in";
-    if (rule.shape) return at(rule.place) + " is a shape rule";
-    if (rule.probability && *rule.probability != Rational(1))
-        return at(rule.place) + " has a probability";
-    return {};
-}
-
-Word letters(const Pattern& pattern) {
-    Word word;
-    for (const ModulePattern& module : pattern) word.push_back(module.symbol);
-    return word;
-}
-
-std::string beyond_il(const LSystem& system) {
-    if (!system.inner.empty()) return "there are systems within it";
-    if (!system.axiom.arguments.empty()) return "the axiom has parameters";
-    if (!system.axiom.splices.empty()) return "the axiom has a word spliced in";
-    if (!system.tables.empty()) return "it has tables";
-    if (!system.terminals.empty()) return "it has terminals";
-    for (const Production& rule : system.rules)
-        if (std::string reason = beyond_il(rule); !reason.empty()) return reason;
-    return {};
-}
 
 /// The brackets that make trees of words: none where both are ignored.
 std::optional<Brackets> fences(const LSystem& system) {
@@ -548,16 +499,17 @@ std::size_t letters_in(const IL::Rule& rule, const std::optional<Brackets>& brac
 }  // namespace
 
 View<IL> as_il(const LSystem& system) {
-    if (std::string reason = beyond_il(system); !reason.empty())
+    const auto refused = [](const std::string& reason) {
         return View<IL>::refused("not a deterministic IL system: " + reason);
-    IL il;
+    };
+    const std::string reason =
+        beyond_letters(system, [](const Production& rule) { return beyond_letters(rule, true); });
+    if (!reason.empty()) return refused(reason);
+    IL il = begun<IL>(system);
     il.brackets = fences(system);
     if (il.brackets)
-        if (std::string reason = beyond_trees(system, *il.brackets); !reason.empty())
-            return View<IL>::refused("not a deterministic IL system: " + reason);
-    il.alphabet = std::make_shared<const Alphabet>(system.alphabet);
-    il.axiom = system.axiom.letters;
-    il.name = system.name;
+        if (const std::string why = beyond_trees(system, *il.brackets); !why.empty())
+            return refused(why);
     il.rules.resize(il.alphabet->size());
     il.ignored.assign(il.alphabet->size(), 0);
     for (const Symbol a : system.ignored) il.ignored[a] = 1;
@@ -567,9 +519,8 @@ View<IL> as_il(const LSystem& system) {
         for (const IL::Rule& other : known)
             if (other.left == fresh.left && other.right == fresh.right &&
                 other.successor != fresh.successor)
-                return View<IL>::refused("not a deterministic IL system: " +
-                                         system.alphabet.name(rule.predecessor.symbol) +
-                                         " has two rules with the same contexts");
+                return refused(system.alphabet.name(rule.predecessor.symbol) +
+                               " has two rules with the same contexts");
         known.push_back(std::move(fresh));
     }
     for (auto& known : il.rules)

@@ -414,24 +414,6 @@ struct Class {
 /// O(size of the system).
 Class class_of(const LSystem& system);
 
-/// The letters that occur in some word derived from the axiom, in order of first access. `successors(a, see)`
-/// calls `see` with every word that the letter may become; `letters` is how many symbols there are.
-template <class Successors>
-std::vector<Symbol> accessible(const Word& axiom, std::size_t letters, Successors successors) {
-    std::vector<char> seen(letters, 0);
-    std::vector<Symbol> found;
-    const auto see = [&](const Word& word) {
-        for (const Symbol a : word)
-            if (!seen[a]) {
-                seen[a] = 1;
-                found.push_back(a);
-            }
-    };
-    see(axiom);
-    for (std::size_t i = 0; i < found.size(); ++i) successors(found[i], see);
-    return found;
-}
-
 /// A system seen as a narrower type, or the reason why it cannot be: "rule at a.lsys:3:1 has a
 /// context". Functions of the theory take the narrow types, so what they need is checked once.
 template <class T>
@@ -463,14 +445,15 @@ private:
 struct D0L {
     std::shared_ptr<const Alphabet> alphabet;
     Word axiom;
-    /// Total on the alphabet. Its brackets are set if they match in every word of the system
-    /// because no rule rewrites them and every successor matches its own; then a Branching fold
-    /// gives them their meaning, otherwise they are letters like any other.
-    Morphism rules;
+    Morphism rules;               // total on the alphabet
     std::vector<Symbol> letters;  // accessible from the axiom, in order of first access
     std::string name;             // for messages
+    /// Set if brackets match in every word of the system because no rule rewrites them and every
+    /// successor matches its own; then a Branching fold gives them their meaning, otherwise they are
+    /// letters like any other.
+    std::optional<Brackets> brackets = {};
 
-    const Word& successor(Symbol a) const { return rules.images[a]; }
+    const Word& successor(Symbol a) const { return rules[a]; }
 };
 
 /// The system as a D0L system, if it is one: no contexts, conditions, parameters, probabilities
@@ -716,7 +699,7 @@ template <Monoid M, class Letter>
 Hom<M> homomorphism(const D0L& system, const Lift<M, Letter>& lift) {
     Hom<M> phi{lift.monoid,
                std::vector<typename M::value_type>(system.alphabet->size(), lift.monoid.one()),
-               system.rules.brackets};
+               system.brackets};
     for (const Symbol a : system.letters) phi.images[a] = lift.letter(a);
     return phi;
 }

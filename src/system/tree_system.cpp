@@ -196,8 +196,8 @@ std::vector<OrderCount> order_counts(const AxialTree& tree) {
 View<TreeSystem> as_tree_system(const D0L& system) {
     TreeSystem trees;
     trees.alphabet = system.alphabet;
-    if (system.rules.brackets) {
-        trees.brackets = *system.rules.brackets;
+    if (system.brackets) {
+        trees.brackets = *system.brackets;
     } else if (brackets_of(*system.alphabet)) {
         return View<TreeSystem>::refused(
             "not a tree 0L-system: its brackets are rewritten, or do not match in the "

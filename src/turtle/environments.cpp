@@ -269,10 +269,8 @@ std::shared_ptr<Environment> environment_of(const EnvironmentSetting& setting) {
 }
 
 std::string in_words(const std::vector<std::size_t>& counts) {
-    std::string out;
-    for (const std::size_t count : counts)
-        out += (out.empty() ? "" : " or ") + std::to_string(count);
-    return out + (counts.back() == 1 ? " parameter" : " parameters");
+    return joined(counts, " or ", [](std::size_t count) { return std::to_string(count); }) +
+           (counts.back() == 1 ? " parameter" : " parameters");
 }
 
 }  // namespace

@@ -234,11 +234,8 @@ private:
 }  // namespace
 
 std::string rounded(double value) {
+    if (std::fabs(value) >= 1e15) return rounded_decimal(value, 6);
     char text[64];
-    if (std::fabs(value) >= 1e15) {
-        std::snprintf(text, sizeof text, "%.6g", value);
-        return text;
-    }
     std::snprintf(text, sizeof text, "%.4f", value);
     std::string out = text;
     while (out.ends_with('0')) out.pop_back();

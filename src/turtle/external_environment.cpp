@@ -309,8 +309,7 @@ private:
 
     std::vector<double> parameters(const json& answer, const Query& query) const {
         const std::size_t count = query.parameters.size();
-        const std::string expected = "expected an array of " + std::to_string(count) +
-                                     (count == 1 ? " number" : " numbers") + " for " +
+        const std::string expected = "expected an array of " + counted(count, "number") + " for " +
                                      place_of(query, course_) + ", found ";
         if (!answer.is_array() || answer.size() != count) fail(expected + shown(answer.dump()));
         std::vector<double> out;

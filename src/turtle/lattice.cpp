@@ -147,6 +147,25 @@ LatticeMotions::value_type LatticeMotions::turned(std::int64_t units) const {
     return value;
 }
 
+LatticeMotions::value_type LatticeMotions::of(Command command, const Compass& compass,
+                                              std::int64_t unit) const {
+    switch (command) {
+        case Command::draw:
+        case Command::draw_unmarked:
+            return step(true);
+        case Command::move:
+            return step(false);
+        case Command::left:
+            return turned(compass.turn() / unit);
+        case Command::right:
+            return turned(-compass.turn() / unit);
+        case Command::back:
+            return turned(compass.half() / unit);
+        default:
+            return one();
+    }
+}
+
 Coordinate::Coordinate(const CyclotomicRing& ring, CyclotomicInteger number, Part part,
                        Rational factor, Rational offset)
     : exact_(Exact{ring, std::move(number), part, std::move(factor), std::move(offset)}) {

@@ -70,7 +70,7 @@ public:
 
     /// Draws what is left of the letter after `left` steps, which are 0 or depth().
     void letter(Symbol a, std::uint64_t left) {
-        if (const auto& brackets = rules_.rules.brackets;
+        if (const auto& brackets = rules_.brackets;
             brackets && (a == brackets->open || a == brackets->close)) {
             bracket(a == brackets->open);
             return;

@@ -27,8 +27,6 @@ namespace algae {
 
 namespace {
 
-Vector unit(const Vector& v) { return (1 / length(v)) * v; }
-
 auto key(const Paint& paint) {
     const Colour colour = paint.colour.value_or(Colour{});
     return std::tuple(paint.colour.has_value(), paint.index, colour.red, colour.green, colour.blue);
@@ -115,25 +113,17 @@ void add_flat_end(MeshBuilder& builder, const Ring& ring, const Vector& normal, 
     Ring corners;
     for (const std::uint32_t corner : ring)
         corners.push_back(builder.corner(builder.point_of(corner), normal));
-    for (std::size_t k = 1; k + 1 < corners.size(); ++k) {
-        if (at_tip)
-            builder.triangle(corners[0], corners[k], corners[k + 1]);
-        else
-            builder.triangle(corners[0], corners[k + 1], corners[k]);
-    }
+    for (std::size_t k = 1; k + 1 < corners.size(); ++k)
+        builder.triangle(corners[0], corners[at_tip ? k : k + 1], corners[at_tip ? k + 1 : k]);
 }
 
-/// Closes a ring of corners by a cone of corners from it to a point with these outward normals, one
-/// for each side of the ring.
-void add_point_end(MeshBuilder& builder, const Ring& ring, std::uint32_t tip,
-                   const std::vector<Vector>& normals, bool at_tip) {
+/// Closes a ring of corners by a triangle from each of its sides to a point: `corner(k)` is the corner there of
+/// side k.
+template <class Corner>
+void add_point_end(MeshBuilder& builder, const Ring& ring, bool at_tip, Corner corner) {
     for (std::size_t k = 0; k < ring.size(); ++k) {
-        const std::size_t next = k + 1 == ring.size() ? 0 : k + 1;
-        const std::uint32_t corner = builder.corner(tip, normals[k]);
-        if (at_tip)
-            builder.triangle(ring[k], ring[next], corner);
-        else
-            builder.triangle(ring[next], ring[k], corner);
+        const std::uint32_t a = ring[k], b = ring[k + 1 == ring.size() ? 0 : k + 1];
+        builder.triangle(at_tip ? a : b, at_tip ? b : a, corner(k));
     }
 }
 
@@ -227,13 +217,7 @@ public:
         }
         const std::uint32_t pole =
             builder_.corner(builder_.point(node.point + node.radius * out), out);
-        for (std::size_t k = 0; k < corner_ring.size(); ++k) {
-            const std::size_t next = k + 1 == corner_ring.size() ? 0 : k + 1;
-            if (at_tip)
-                builder_.triangle(corner_ring[k], corner_ring[next], pole);
-            else
-                builder_.triangle(corner_ring[next], corner_ring[k], pole);
-        }
+        add_point_end(builder_, corner_ring, at_tip, [&](std::size_t) { return pole; });
     }
 
 private:
@@ -361,13 +345,13 @@ void add_cone(MeshBuilder& builder, const Solid& solid, const Circle& circle, do
     };
     const Vector half = (height / 2) * along;
     const Ring foot = ring(builder, circle, solid.middle - half, radius, solid.attitude, outward);
-    std::vector<Vector> normals;  // at the tip, that of the middle of each side
-    for (unsigned k = 0; k < circle.sides(); ++k) {
-        const auto& a = builder.mesh.corners[foot[k]];
-        const auto& b = builder.mesh.corners[foot[(k + 1) % circle.sides()]];
-        normals.push_back(unit(a.normal + b.normal));
-    }
-    add_point_end(builder, foot, builder.point(solid.middle + half), normals, true);
+    const std::uint32_t tip = builder.point(solid.middle + half);
+    add_point_end(
+        builder, foot, true, [&](std::size_t k) {  // with the normal of the middle of the side
+            const Vector normal = builder.mesh.corners[foot[k]].normal;
+            return builder.corner(
+                tip, unit(normal + builder.mesh.corners[foot[(k + 1) % foot.size()]].normal));
+        });
     add_flat_end(builder, foot, -1.0 * along, false);
 }
 
@@ -388,12 +372,10 @@ void add_sphere(MeshBuilder& builder, const Solid& solid, const Circle& circle, 
         if (i > 1)
             add_side(builder, lower, higher);
         else
-            for (std::size_t k = 0; k < higher.size(); ++k)
-                builder.triangle(higher[(k + 1) % higher.size()], higher[k], south);
+            add_point_end(builder, higher, false, [&](std::size_t) { return south; });
         lower = higher;
     }
-    for (std::size_t k = 0; k < lower.size(); ++k)
-        builder.triangle(lower[k], lower[(k + 1) % lower.size()], north);
+    add_point_end(builder, lower, true, [&](std::size_t) { return north; });
 }
 
 /// Adds a solid as a closed surface; measures of 0 become as thick as a line. Spheres have circles of
@@ -558,7 +540,7 @@ private:
         return cross(around[b] - around[a], around[c] - around[a]);
     }
     std::uint32_t corner(Meetings& meetings, std::uint32_t point, std::uint32_t face) {
-        const Vector own = (1 / length(areas_[face])) * areas_[face];
+        const Vector own = unit(areas_[face]);
         Vector normal = own;
         const auto faces = meetings.faces(point);
         if (faces.size() <= most_smoothed) {
@@ -568,7 +550,7 @@ private:
                 if (dot(area, own) >= crease_ * length(area) && !(area == Vector{}))
                     sum = sum + area;
             }
-            if (length(sum) > 0) normal = (1 / length(sum)) * sum;
+            if (length(sum) > 0) normal = unit(sum);
         }
         for (std::uint32_t& known : meetings.corners(point)) {
             if (known == none) return known = builder_.corner(point, normal);

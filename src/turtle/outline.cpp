@@ -134,10 +134,6 @@ public:
         from_ = to;
     }
     void polygon(std::span<const Point>) override {}
-    void width(double) override {}
-    void width_as_length(double) override {}
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
 
     Trace result() { return segments_.result(); }
 
@@ -200,10 +196,6 @@ public:
         make_set(polygon);
         check_size(outline.polygons.size());
     }
-    void width(double) override {}
-    void width_as_length(double) override {}
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
 
     Outline outline;
 
@@ -462,17 +454,14 @@ bool proves(const Outline::Lattice& left, const Outline::Lattice& right,
     return true;
 }
 
-std::string counted(std::size_t count, const std::string& noun) {
-    return std::to_string(count) + " different " + noun + (count == 1 ? "" : "s");
-}
-
 /// A sentence where the numbers of some parts differ.
 std::string number_difference(const Outline& left, const std::string& left_name,
                               const Outline& right, const std::string& right_name) {
     const auto told = [&](std::size_t l, std::size_t r, const std::string& noun) {
         return l == r ? std::string()
-                      : "The figure of " + left_name + " has " + counted(l, noun) + ", that of " +
-                            right_name + " has " + counted(r, noun) + ".";
+                      : "The figure of " + left_name + " has " + counted(l, "different " + noun) +
+                            ", that of " + right_name + " has " + counted(r, "different " + noun) +
+                            ".";
     };
     std::string found = told(left.strokes.size(), right.strokes.size(), "stroke");
     if (found.empty()) found = told(left.polygons.size(), right.polygons.size(), "filled polygon");

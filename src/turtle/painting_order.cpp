@@ -7,9 +7,6 @@
 #include <queue>
 #include <utility>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/strong_components.hpp>
-
 // The order in which things are painted: everything after what it hides.
 //
 // Only things whose boxes meet can hide each other. A board of squares over the picture, about as many as
@@ -165,13 +162,12 @@ PaintingOrder painting_order(std::span<const Extent> things, const Hiding& hidin
 
     std::vector<std::uint32_t> local(count, 0);
     for (std::uint32_t i = 0; i < left_over.size(); ++i) local[left_over[i]] = i + 1;
-    boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS> graph(left_over.size());
+    std::vector<std::vector<std::size_t>> under(left_over.size());
     for (const Pair& pair : pairs)
         if (local[pair.first] && local[pair.second])
-            boost::add_edge(local[pair.first] - 1, local[pair.second] - 1, graph);
-    std::vector<std::size_t> component(left_over.size());
-    const std::size_t components = boost::strong_components(graph, component.data());
-    std::vector<std::uint32_t> sizes(components, 0);
+            under[local[pair.first] - 1].push_back(local[pair.second] - 1);
+    const std::vector<std::size_t> component = strong_components(under);
+    std::vector<std::uint32_t> sizes(left_over.size(), 0);  // by component
     for (const std::size_t number : component) ++sizes[number];
     for (std::size_t i = 0; i < left_over.size(); ++i)
         if (sizes[component[i]] > 1) result.knotted.push_back(left_over[i]);

@@ -467,7 +467,7 @@ private:
     /// Whether every letter leaves the stack as it found it, brackets apart: then folds apply.
     bool is_foldable() const {
         if (commands_.uses(Command::cut)) return false;
-        const auto& brackets = rules_.rules.brackets;
+        const auto& brackets = rules_.brackets;
         bool pushes = false;
         for (const Symbol a : rules_.letters) {
             const auto& commands = commands_.of(a);
@@ -510,24 +510,10 @@ private:
 
     void measure_by_folding(const Budget& budget) {
         const LatticeMotions motions(compass_.order());
-        const auto value_of = [&](Command command) {
-            switch (command) {
-                case Command::draw:
-                case Command::draw_unmarked:
-                    return motions.step(true);
-                case Command::move:
-                    return motions.step(false);
-                case Command::left:
-                    return motions.turned(compass_.turn());
-                case Command::right:
-                    return motions.turned(-compass_.turn());
-                case Command::back:
-                    return motions.turned(compass_.half());
-                default:
-                    return motions.one();
-            }
+        const auto letter = [&](Symbol a) {
+            return product(motions, commands_.of(a),
+                           [&](Command command) { return motions.of(command, compass_); });
         };
-        const auto letter = [&](Symbol a) { return product(motions, commands_.of(a), value_of); };
         auto motion = motions.turned(compass_.start());
         motions.append(motion, fold(rules_, steps_, Lift{motions, letter}, budget));
 
@@ -645,14 +631,7 @@ private:
         // less than a thousandth of the line width.
         Pen<FloatingPosition> pen(surveyor, compass_, pen_);
         const double tolerance = std::abs(pen_.unit) * rows.back()(rules_.axiom).reach() * 1e-5;
-        std::uint64_t visits = 0;
-        walk(rules_, fates_, steps_, [&](Symbol a, std::uint64_t left) {
-            if (++visits % 65536 == 0) budget.check();
-            if (left == 0) {
-                pen.letter(commands_.of(a));
-                return true;
-            }
-            const auto& part = rows[left].images[a];
+        walk_parts(pen, rows, budget, [&](Symbol, std::uint64_t, const Pieces::value_type& part) {
             const double size = pen_.unit * pen.size();
             const auto centre = size * compass_.direction(pen.heading()) * part.centre;
             const double radius = std::abs(size) * part.radius - tolerance;
@@ -665,6 +644,20 @@ private:
             if (part.draws() && !inside) return true;
             pen.jump(part, false);
             return false;
+        });
+    }
+
+    /// Draws the letters of the word with a pen. Of a letter with steps to go, `looks_into(letter, steps, part)` says
+    /// whether to draw what it becomes.
+    template <class LooksInto>
+    void walk_parts(Pen<FloatingPosition>& pen, const std::vector<Hom<Pieces>>& rows,
+                    const Budget& budget, LooksInto looks_into) const {
+        std::uint64_t visits = 0;
+        walk(rules_, fates_, steps_, [&](Symbol a, std::uint64_t left) {
+            if (++visits % 65536 == 0) budget.check();
+            if (left > 0) return looks_into(a, left, rows[left].images[a]);
+            pen.letter(commands_.of(a));
+            return true;
         });
         pen.finish();
     }
@@ -687,14 +680,7 @@ private:
         const bool plain = !commands_.uses(Command::next_colour) &&
                            !commands_.uses(Command::narrow) && !commands_.uses(Command::scale);
         VisitedParts visited(resolution * 1e-3, budget);
-        std::uint64_t visits = 0;
-        walk(rules_, fates_, steps_, [&](Symbol a, std::uint64_t left) {
-            if (++visits % 65536 == 0) budget.check();
-            if (left == 0) {
-                pen.letter(commands_.of(a));
-                return true;
-            }
-            const auto& part = rows[left].images[a];
+        walk_parts(pen, rows, budget, [&](Symbol a, std::uint64_t left, const auto& part) {
             const double extent = part.extent() * std::abs(pen.size());
             if (extent <= limit) {
                 pen.jump(part, true);
@@ -707,7 +693,6 @@ private:
             }
             return true;
         });
-        pen.finish();
     }
 
     Settings settings_;

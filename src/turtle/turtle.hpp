@@ -59,6 +59,14 @@ inline Vector cross(const Vector& a, const Vector& b) {
 
 inline double length(const Vector& a) { return std::sqrt(dot(a, a)); }
 
+/// The vector of length 1 that way; nothing stays nothing.
+///
+/// Example: unit(Vector{0, 3, 0}) == Vector{0, 1, 0}
+inline Vector unit(const Vector& way) {
+    const double size = length(way);
+    return size > 0 ? (1 / size) * way : way;
+}
+
 /// What a turn by some angle needs.
 struct Turn {
     double cosine = 1, sine = 0;
@@ -111,9 +119,9 @@ private:
     }
     /// Makes the vectors orthonormal again (Gram and Schmidt); exactly orthonormal ones stay.
     void straighten() {
-        heading_ = (1 / length(heading_)) * heading_;
+        heading_ = unit(heading_);
         left_ = left_ - dot(heading_, left_) * heading_;
-        left_ = (1 / length(left_)) * left_;
+        left_ = unit(left_);
         up_ = cross(heading_, left_);
     }
 
@@ -126,6 +134,9 @@ struct Point {
     double x = 0, y = 0;
     bool operator==(const Point&) const = default;
 };
+
+/// Example: distance(Point{0, 0}, Point{3, 4}) == 5
+inline double distance(Point a, Point b) { return std::hypot(b.x - a.x, b.y - a.y); }
 
 /// The smallest box with sides parallel to the axes around something; `empty` when there is nothing.
 struct Box {
@@ -169,7 +180,8 @@ struct SpaceBox {
 // Figures in the plane
 
 /// What a figure is drawn on. A figure calls these in drawing order; a canvas knows picture
-/// formats, scales and strokes, a figure knows none of them.
+/// formats, scales and strokes, a figure knows none of them. Widths, colours and the position along
+/// the word are nothing to a canvas that does not say otherwise.
 class Canvas {
 public:
     virtual ~Canvas() = default;
@@ -183,16 +195,16 @@ public:
     virtual void polygon(std::span<const Point> corners) = 0;
 
     /// The line width from here on, as a multiple of the figure's own line width.
-    virtual void width(double factor) = 0;
+    virtual void width(double /*factor*/) {}
     /// The same as a length in the units of the file.
-    virtual void width_as_length(double length) = 0;
+    virtual void width_as_length(double /*length*/) {}
     /// The index of the colour in the figure's list, from here on.
-    virtual void colour(std::uint32_t index) = 0;
+    virtual void colour(std::uint32_t /*index*/) {}
     /// A colour that is in no list, from here on.
     virtual void paint(const Colour& /*colour*/) {}
     /// How far along the word the figure is, from 0 to 1: for a hue that runs with it, and for
     /// progress. Called before each stroke or polygon if `wants_position()`.
-    virtual void position(double fraction) = 0;
+    virtual void position(double /*fraction*/) {}
     virtual bool wants_position() const { return false; }
     /// The figure's own line width in the units of the file; 0 if the canvas has none.
     virtual double line_width() const { return 0; }
@@ -821,8 +833,7 @@ public:
     /// The unit vector from a place towards the camera.
     Vector to_camera(const Vector& place) const {
         if (distance_ == 0) return toward_;
-        const Vector way = eye_ - place;
-        return (1 / length(way)) * way;
+        return unit(eye_ - place);
     }
     /// What is to the right, upward and toward the camera in the picture.
     const Vector& right() const { return right_; }

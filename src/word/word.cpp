@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <boost/graph/adjacency_list.hpp>
+#include <boost/graph/strong_components.hpp>
 #include <cctype>
 #include <iterator>
 #include <numeric>
@@ -106,6 +108,78 @@ bool Spellings::begins_long_name(Symbol left, std::string_view right) const {
            });
 }
 
+Morphism::Morphism(std::vector<Word> images)
+    : images_(std::move(images)), mapped_(images_.size(), 1) {}
+
+Morphism::Morphism(std::initializer_list<std::pair<Symbol, Word>> images) {
+    for (const auto& [letter, image] : images) add(letter, image);
+}
+
+bool Morphism::add(Symbol letter, Word image) {
+    if (maps(letter)) return false;
+    if (letter >= size()) {
+        images_.resize(letter + std::size_t{1});
+        mapped_.resize(images_.size());
+    }
+    images_[letter] = std::move(image);
+    mapped_[letter] = 1;
+    return true;
+}
+
+std::vector<Symbol> Morphism::domain() const {
+    std::vector<Symbol> letters;
+    for (Symbol a = 0; a < size(); ++a)
+        if (maps(a)) letters.push_back(a);
+    return letters;
+}
+
+std::optional<Word> Morphism::image_of(const Word& word) const {
+    Word image;
+    for (const Symbol a : word) {
+        if (!maps(a)) return std::nullopt;
+        image.insert(image.end(), images_[a].begin(), images_[a].end());
+    }
+    return image;
+}
+
+Word Morphism::operator()(const Word& word) const {
+    std::optional<Word> image = image_of(word);
+    if (!image) throw Error("the morphism has no image for a letter of the word");
+    return *std::move(image);
+}
+
+std::vector<Symbol> Morphism::erased() const {
+    std::vector<Symbol> letters = domain();
+    std::erase_if(letters, [&](Symbol a) { return !images_[a].empty(); });
+    return letters;
+}
+
+Morphism Morphism::mirrored() const {
+    Morphism other = *this;
+    for (Word& image : other.images_) std::reverse(image.begin(), image.end());
+    return other;
+}
+
+std::string to_string(const Morphism& morphism, const Alphabet& alphabet) {
+    return "{ " +
+           joined(
+               morphism.domain(), "; ",
+               [&](Symbol a) { return alphabet.name(a) + " -> " + spell(alphabet, morphism[a]); }) +
+           " }";
+}
+
+std::vector<std::size_t> strong_components(
+    const std::vector<std::vector<std::size_t>>& successors) {
+    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
+    Graph graph(successors.size());
+    for (std::size_t from = 0; from < successors.size(); ++from)
+        for (const std::size_t to : successors[from]) boost::add_edge(from, to, graph);
+    std::vector<std::size_t> component(successors.size());
+    boost::strong_components(graph, boost::make_iterator_property_map(
+                                        component.begin(), boost::get(boost::vertex_index, graph)));
+    return component;
+}
+
 std::optional<Brackets> brackets_of(const Alphabet& alphabet) {
     const auto open = alphabet.find("["), close = alphabet.find("]");
     if (!open || !close) return std::nullopt;
@@ -127,7 +201,8 @@ Word replaced(Word word, const std::vector<Symbol>& letters) {
     return word;
 }
 
-std::vector<std::uint64_t> lifetimes(const std::vector<Word>& images) {
+std::vector<std::uint64_t> lifetimes(const Morphism& morphism) {
+    const std::vector<Word>& images = morphism.images();
     std::vector<std::uint64_t> lifetime(images.size(), lasts);
     std::vector<std::size_t> alive(
         images.size());  // letters of the image that are not known to die

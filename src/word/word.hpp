@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <cstdint>
+#include <initializer_list>
 #include <limits>
 #include <memory>
 #include <optional>
@@ -120,6 +121,78 @@ private:
     std::shared_ptr<const Rests> rests_;  // absent where no name is long
 };
 
+/// A morphism of free monoids: a letter of its domain goes to a word, a word over the domain to the images of its letters,
+/// one after the other. Of a D0L system the domain are all letters; of a morphism in a claim those that have an image.
+class Morphism {
+public:
+    Morphism() = default;
+    /// The domain are the letters 0, 1, ..., each with its image.
+    explicit Morphism(std::vector<Word> images);
+    /// Letters and their images.
+    ///
+    /// Example: Morphism({{0, {0, 1}}, {1, {0}}}) == Morphism(std::vector<Word>{{0, 1}, {0}})
+    Morphism(std::initializer_list<std::pair<Symbol, Word>> images);
+
+    /// Gives the letter an image; if it has one already that stays, and the answer is false.
+    bool add(Symbol letter, Word image);
+
+    /// Whether the letter has an image.
+    bool maps(Symbol letter) const { return letter < mapped_.size() && mapped_[letter] != 0; }
+    /// The letters that have an image, in increasing order.
+    std::vector<Symbol> domain() const;
+    /// One more than the greatest letter that has an image.
+    std::size_t size() const { return images_.size(); }
+    /// By symbol; the empty word for a letter below `size()` that has no image.
+    const std::vector<Word>& images() const { return images_; }
+    /// The image of a letter below `size()`.
+    const Word& operator[](Symbol letter) const { return images_[letter]; }
+
+    /// The image of a word. Throws Error if one of its letters has none.
+    ///
+    /// Example: Morphism({{0, {0, 1}}, {1, {0}}})({0, 1}) == Word{0, 1, 0}
+    Word operator()(const Word& word) const;
+    /// The image of a word; nothing if one of its letters has none.
+    std::optional<Word> image_of(const Word& word) const;
+
+    /// The letters whose image is the empty word.
+    std::vector<Symbol> erased() const;
+    /// The morphism with every image reversed.
+    Morphism mirrored() const;
+
+    bool operator==(const Morphism&) const = default;
+
+private:
+    std::vector<Word> images_;
+    std::vector<char> mapped_;  // by symbol, as long as images_
+};
+
+/// "{ a -> ab; b -> ε }".
+std::string to_string(const Morphism& morphism, const Alphabet& alphabet);
+
+/// The letters that occur in some word derived from the axiom, in order of first access. `successors(a, see)`
+/// calls `see` with every word that the letter may become; `letters` is how many symbols there are.
+template <class Successors>
+std::vector<Symbol> accessible(const Word& axiom, std::size_t letters, Successors successors) {
+    std::vector<char> seen(letters, 0);
+    std::vector<Symbol> found;
+    const auto see = [&](const Word& word) {
+        for (const Symbol a : word)
+            if (!seen[a]) {
+                seen[a] = 1;
+                found.push_back(a);
+            }
+    };
+    see(axiom);
+    for (std::size_t i = 0; i < found.size(); ++i) successors(found[i], see);
+    return found;
+}
+
+/// The strongly connected components of a directed graph, given by the successors of each node: the number of the
+/// component of each node. What a component leads to has smaller numbers. Linear time (Tarjan 1972).
+///
+/// Example: strong_components({{1}, {0, 2}, {}}) == std::vector<std::size_t>{1, 1, 0}
+std::vector<std::size_t> strong_components(const std::vector<std::vector<std::size_t>>& successors);
+
 /// The free monoid itself: words under concatenation.
 struct Words {
     using value_type = Word;
@@ -139,7 +212,9 @@ struct Brackets {
 /// The symbols named "[" and "]", if the alphabet has both.
 std::optional<Brackets> brackets_of(const Alphabet& alphabet);
 
-/// The homomorphism from words to M with these images of the letters, indexed by symbol.
+/// The homomorphism from words to M with these images of the letters, indexed by symbol: what a fold works out. It is no
+/// Morphism: M is a value with context of its own (a modulus, an angle), its elements need not be words, and brackets may
+/// have a meaning there.
 ///
 /// Where M is Branching and the alphabet has brackets, `[` u `]` is sent to branch(image of u), and
 /// the image of a word whose brackets do not match throws Error.
@@ -159,13 +234,13 @@ struct Hom {
 
     /// This homomorphism after h: a letter goes where its successor goes. Only the letters given
     /// are worked out, the others keep the neutral element.
-    Hom after(const Hom<Words>& h, const std::vector<Symbol>& letters) const {
+    Hom after(const Morphism& h, const std::vector<Symbol>& letters) const {
         Hom composed{monoid, std::vector<typename M::value_type>(images.size(), monoid.one()),
                      brackets};
         for (const Symbol a : letters) {
             if constexpr (Branching<M>)
                 if (brackets && (a == brackets->open || a == brackets->close)) continue;
-            composed.images[a] = (*this)(h.images.at(a));
+            composed.images[a] = (*this)(h[a]);
         }
         return composed;
     }
@@ -190,10 +265,6 @@ private:
     }
 };
 
-/// The rules of a deterministic system are a homomorphism
-/// from words to words.
-using Morphism = Hom<Words>;
-
 /// The symbols of the second alphabet that have the names of those of the first, by symbol. Throws Error if
 /// one is missing there.
 std::vector<Symbol> renaming(const Alphabet& from, const Alphabet& to);
@@ -206,12 +277,12 @@ Word replaced(Word word, const std::vector<Symbol>& letters);
 /// The lifetime of a letter that never dies.
 inline constexpr std::uint64_t lasts = UINT64_MAX;
 
-/// How many steps each letter lasts when letters go to these images, which are indexed by symbol:
-/// nothing is left of it from that many steps on; `lasts` if something always is (Rozenberg and
-/// Salomaa 1980, I.3: the other letters are mortal). O(size of the images).
+/// By symbol, how many steps each letter lasts when a step is the morphism: nothing is left of it from
+/// that many steps on; `lasts` if something always is (Rozenberg and Salomaa 1980, I.3: the other
+/// letters are mortal). O(size of the images).
 ///
-/// Example: lifetimes({{1}, {}}) == std::vector<std::uint64_t>{2, 1}
-std::vector<std::uint64_t> lifetimes(const std::vector<Word>& images);
+/// Example: lifetimes(Morphism({{0, {1}}, {1, {}}})) == std::vector<std::uint64_t>{2, 1}
+std::vector<std::uint64_t> lifetimes(const Morphism& morphism);
 
 /// Finite sets of words under union and concatenation, all words longer than `longest` left out:
 /// a semiring, because lengths add up. Sets are sorted in shortlex order over symbol numbers.

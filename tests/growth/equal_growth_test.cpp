@@ -26,7 +26,7 @@ TEST_CASE("growth equivalence agrees with many more lengths than the bound asks 
 TEST_CASE("turning all words round does not change how they grow") {
     CHECK(rc::check([] {
         const D0L system = any_small_system();
-        std::vector<Word> images = system.rules.images;
+        std::vector<Word> images = system.rules.images();
         for (Word& image : images) std::reverse(image.begin(), image.end());
         RC_ASSERT(
             equal_growth(system, make_d0l(system.alphabet, system.axiom, std::move(images))).equal);

@@ -22,7 +22,7 @@ Word rewritten(const D0L& system, Word word, std::uint64_t n) {
 }
 
 D0L from(const D0L& system, Symbol a) {
-    return make_d0l(system.alphabet, Word{a}, system.rules.images);
+    return make_d0l(system.alphabet, Word{a}, system.rules.images());
 }
 
 }  // namespace

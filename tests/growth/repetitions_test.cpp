@@ -41,11 +41,11 @@ TEST_CASE("a morphism is made injective without changing what it does") {
         const Iterated rest = skeleton(oracle::d0l_of(written));
         const Injective simple = made_injective(rest);
         Word word = rest.axiom, other = simple.system.axiom;
-        for (std::size_t n = 0; n < simple.steps; ++n) word = image(rest.images, word);
+        for (std::size_t n = 0; n < simple.steps; ++n) word = rest.rules(word);
         for (int n = 0; n < 5 && word.size() < 10'000; ++n) {
-            RC_ASSERT(image(simple.back, other) == word);
-            word = image(rest.images, word);
-            other = image(simple.system.images, other);
+            RC_ASSERT(simple.back(other) == word);
+            word = rest.rules(word);
+            other = simple.system.rules(other);
         }
     }));
 }

@@ -43,7 +43,7 @@ TEST_CASE("the powers of a D0L system take turns") {
         const unsigned last = oracle::last_generation_within(written, 200, 8);
         for (unsigned n = 0; n <= last; ++n) {
             const D0L& turn = turns[n % power];
-            Word word = oracle::rewritten(turn.axiom, turn.rules.images, n / power);
+            Word word = oracle::rewritten(turn.axiom, turn.rules.images(), n / power);
             RC_ASSERT(oracle::text_of(*turn.alphabet, word) == oracle::rewritten(written, n));
         }
     }));

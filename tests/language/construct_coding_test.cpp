@@ -14,9 +14,9 @@ constexpr std::size_t longest = 4;
 
 std::set<Word> coded_words(const CodedOL& coded) {
     oracle::Meaning meaning;
-    for (const auto& [letter, word] : coded.coding) {
-        RC_ASSERT(word.size() == 1u);
-        meaning[letter] = {word};
+    for (const Symbol letter : coded.coding.domain()) {
+        RC_ASSERT(coded.coding[letter].size() == 1u);
+        meaning[letter] = {coded.coding[letter]};
     }
     return words_of(as_et0l(coded.system), meaning, longest);
 }
@@ -34,7 +34,7 @@ TEST_CASE("an E0L language is a coding of an 0L language") {
         try {
             const CodedOL coded = coding_of_0l(system, budget);
             RC_ASSERT(coded_words(coded) == words);
-            RC_ASSERT(coded.coding.size() <= coded.system.alphabet->size());
+            RC_ASSERT(coded.coding.domain().size() <= coded.system.alphabet->size());
             ++small;
             if (words.size() > 2) ++several;
         } catch (const BoundReached&) {
@@ -65,7 +65,7 @@ TEST_CASE("sets that come again after several steps") {
                              "ab");
     const CodedOL coded = coding_of_0l(system);
     oracle::Meaning meaning;
-    for (const auto& [letter, word] : coded.coding) meaning[letter] = {word};
+    for (const Symbol letter : coded.coding.domain()) meaning[letter] = {coded.coding[letter]};
     const auto words = oracle::short_words(system, 4);
     REQUIRE(words);
     CHECK(words->size() == 2 + 3);  // a^2, a^4 and b, b^2, b^4

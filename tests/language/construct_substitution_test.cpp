@@ -23,7 +23,7 @@ TEST_CASE("inverse images are what they are on sets of words") {
     CHECK(rc::check("inverse image", [] {
         const ET0L system =
             any_system({*rc::gen::element(1, 1, 2), true, *rc::gen::arbitrary<bool>(), 2});
-        std::map<Symbol, Word> morphism{{0, any_word_over(2, 0, 2)}, {1, any_word_over(2, 0, 2)}};
+        const Morphism morphism{{0, any_word_over(2, 0, 2)}, {1, any_word_over(2, 0, 2)}};
         RC_LOG() << text_of(system);
         const auto words = words_of(system, 6);
         std::set<Word> expected;

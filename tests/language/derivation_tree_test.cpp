@@ -47,7 +47,7 @@ bool same(const DerivationTree& left, const DerivationTree& right) {
 
 ET0L with_choices(const D0L& system) {
     OL nondeterministic{system.alphabet, system.axiom, {}, system.letters, system.name};
-    for (const Word& image : system.rules.images) nondeterministic.successors.push_back({image});
+    for (const Word& image : system.rules.images()) nondeterministic.successors.push_back({image});
     return as_et0l(nondeterministic);
 }
 
@@ -55,7 +55,7 @@ Derivation derivation_of(const D0L& system, std::uint64_t n) {
     Derivation found{{system.axiom}, {}};
     for (std::uint64_t t = 0; t < n; ++t) {
         found.choices.emplace_back(found.words.back().size(), 0);
-        found.words.push_back(oracle::rewritten(found.words.back(), system.rules.images, 1));
+        found.words.push_back(oracle::rewritten(found.words.back(), system.rules.images(), 1));
     }
     return found;
 }

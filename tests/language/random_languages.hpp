@@ -93,11 +93,11 @@ public:
         return made;
     }
 
-    std::map<Symbol, Word> morphism() {
-        std::map<Symbol, Word> result{{0, word_of(*oracle::any_word("ab", 2))},
-                                      {1, word_of(*oracle::any_word("ab", 2))}};
-        if (*rc::gen::inRange(0, 6) == 0) result.erase(1);
-        return result;
+    Morphism morphism() {
+        const Word first = word_of(*oracle::any_word("ab", 2)),
+                   second = word_of(*oracle::any_word("ab", 2));
+        if (*rc::gen::inRange(0, 6) == 0) return {{0, first}};
+        return {{0, first}, {1, second}};
     }
 
     Languages made(std::vector<Language> all) {

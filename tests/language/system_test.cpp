@@ -94,7 +94,7 @@ std::vector<std::size_t> rewritten_lengths(const D0L& system, unsigned most) {
     Word word = system.axiom;
     for (unsigned n = 0; n < most && word.size() < 100'000; ++n) {
         found.push_back(word.size());
-        word = oracle::rewritten(word, system.rules.images, 1);
+        word = oracle::rewritten(word, system.rules.images(), 1);
     }
     return found;
 }
@@ -186,7 +186,7 @@ TEST_CASE("sequences and lengths of random systems are compared as their first g
                              }));
         const D0L left = as_d0l(*pair.first), right = as_d0l(*pair.second);
         const auto word = [](const D0L& system, unsigned n) {
-            return oracle::rewritten(system.axiom, system.rules.images, n);
+            return oracle::rewritten(system.axiom, system.rules.images(), n);
         };
         bool same = true;
         for (unsigned n = 0; n < 8; ++n) same = same && word(left, n) == word(right, n);

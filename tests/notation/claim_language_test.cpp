@@ -50,8 +50,8 @@ Language any_language(std::size_t letters, int depth) {
         const std::vector<Symbol> known = letters_of(inner);
         return known.empty() ? inner : complement_language(inner, known);
     }
-    std::map<Symbol, Word> morphism;
-    for (Symbol a = 0; a < letters; ++a) morphism[a] = any_word(letters);
+    Morphism morphism;
+    for (Symbol a = 0; a < letters; ++a) morphism.add(a, any_word(letters));
     return kind == 8 ? image_language(inner, morphism) : inverse_image_language(inner, morphism);
 }
 

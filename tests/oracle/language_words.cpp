@@ -17,6 +17,12 @@ using Kind = LanguageTree::Kind;
 constexpr std::size_t most_letters = 6;   // of words of a system, for images back
 constexpr std::size_t most_tables = 600;  // sequences of tables that differ
 
+Morphism map_of(const algae::Morphism& morphism) {
+    Morphism found;
+    for (const Symbol a : morphism.domain()) found[a] = morphism[a];
+    return found;
+}
+
 std::optional<Word> mapped(const Word& word, const Morphism& morphism) {
     Word result;
     for (const Symbol a : word) {
@@ -108,7 +114,7 @@ public:
             }
             case Kind::image: {
                 Morphism both;
-                for (const auto& [a, image] : tree.morphism)
+                for (const auto& [a, image] : map_of(tree.morphism))
                     if (auto further = mapped(image, morphism)) both[a] = *further;
                 return of(*tree.parts[0], both);
             }
@@ -147,7 +153,7 @@ private:
         if (tree.kind == Kind::inverse_image) {
             std::vector<Symbol> domain;
             std::size_t most = 0;
-            for (const auto& [a, image] : tree.morphism) {
+            for (const auto& [a, image] : map_of(tree.morphism)) {
                 domain.push_back(a);
                 most = std::max(most, image.size());
             }
@@ -155,7 +161,7 @@ private:
             const Found base = language_words(tree.parts[0], most * longest_);
             if (!base) return std::nullopt;
             for (const Word& word : over(domain, longest_))
-                if (base->contains(*mapped(word, tree.morphism))) found.insert(word);
+                if (base->contains(*mapped(word, map_of(tree.morphism)))) found.insert(word);
             return of_words(found, morphism);
         }
         const Found left = plain(0);
@@ -192,7 +198,7 @@ void add_derived(const ET0L& system, std::set<Symbol>& letters) {
 void add_letters(const LanguageTree& tree, std::set<Symbol>& letters) {
     for (const Word& word : tree.words) letters.insert(word.begin(), word.end());
     letters.insert(tree.letters.begin(), tree.letters.end());
-    for (const auto& [a, image] : tree.morphism) {
+    for (const auto& [a, image] : map_of(tree.morphism)) {
         letters.insert(a);
         letters.insert(image.begin(), image.end());
     }

@@ -61,7 +61,7 @@ TEST_CASE("texts of names that need blanks are read back as the word they are of
             rules.emplace_back(predecessor, any_names(3));
         const D0L system = named_d0l(names, any_names(4), rules);
         for (unsigned n = 0; n <= 5; ++n) {
-            const Word word = oracle::rewritten(system.axiom, system.rules.images, n);
+            const Word word = oracle::rewritten(system.axiom, system.rules.images(), n);
             const std::string text = derived_text(system, n);
             RC_ASSERT(oracle::names_in(text, {"wall", "all"}) == names_of(*system.alphabet, word));
             RC_ASSERT(text == (word.empty() ? "" : spell(*system.alphabet, word)));

@@ -112,13 +112,13 @@ TEST_CASE(
 }
 
 TEST_CASE("brackets are branches only if every word of the system matches its own") {
-    CHECK(d0l("F[F]", {{'F', "F[+F]"}}).rules.brackets);
-    CHECK(!d0l("F[F", {{'F', "F[+F]"}}).rules.brackets);
-    CHECK(!d0l("F[F]", {{'F', "F]F["}}).rules.brackets);
-    CHECK(!d0l("F[F]", {{'F', "F"}, {'[', ""}}).rules.brackets);
-    CHECK(!d0l("F", {{'F', "FF"}}).rules.brackets);
+    CHECK(d0l("F[F]", {{'F', "F[+F]"}}).brackets);
+    CHECK(!d0l("F[F", {{'F', "F[+F]"}}).brackets);
+    CHECK(!d0l("F[F]", {{'F', "F]F["}}).brackets);
+    CHECK(!d0l("F[F]", {{'F', "F"}, {'[', ""}}).brackets);
+    CHECK(!d0l("F", {{'F', "FF"}}).brackets);
     // What no word of the system reaches does not matter.
-    CHECK(d0l("F[F]", {{'F', "FF"}, {'X', "]"}}).rules.brackets);
+    CHECK(d0l("F[F]", {{'F', "FF"}, {'X', "]"}}).brackets);
 }
 
 TEST_CASE("the reason of a view is empty where there is a view") {

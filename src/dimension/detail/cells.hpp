@@ -270,10 +270,6 @@ public:
     }
     /// Its outline.
     void polygon(std::span<const Point> corners) override;
-    void width(double) override {}
-    void width_as_length(double) override {}
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
 
     std::vector<TouchedCells>& grids() { return grids_; }
     /// How many segments were drawn.
@@ -308,10 +304,6 @@ public:
         for (const Point corner : corners) line_to(corner);
         joined_ = false;
     }
-    void width(double) override {}
-    void width_as_length(double) override {}
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
 
 private:
     Use use_;

@@ -158,7 +158,7 @@ std::vector<D0L> powers(const D0L& system, unsigned power, const Budget& budget 
 /// An 0L system and a coding, a homomorphism to single letters.
 struct CodedOL {
     OL system;
-    std::map<Symbol, Word> coding;
+    Morphism coding;
 };
 
 /// An 0L system whose language has L(G) as its image under a coding: every E0L language with a non-empty
@@ -238,7 +238,7 @@ ET0L table_star(const ET0L& system);
 using Substitution = std::map<Symbol, std::vector<Word>>;
 
 /// Example: substitution({{0, {1, 1}}}).at(0) == std::vector<Word>{{1, 1}}
-Substitution substitution(const std::map<Symbol, Word>& morphism);
+Substitution substitution(const Morphism& morphism);
 
 /// E0L languages are closed under finite substitution, with that under homomorphisms, erasing or not
 /// (Herman and Rozenberg 1975; Rozenberg and Salomaa 1980, II.1). With letter-to-letter images and a
@@ -332,7 +332,6 @@ ET0L table_intersection(const ET0L& system, const RegularLanguage& language,
 /// Size and throws: as `table_gsm_image` with as many states as the images have letters.
 ///
 /// Example: table_inverse_image(et0l("ab", {{{'a', "aa"}}}), {{0, {0}}, {1, {1, 1}}}).tables.size() == 2
-ET0L table_inverse_image(const ET0L& system, const std::map<Symbol, Word>& morphism,
-                         const Budget& budget = {});
+ET0L table_inverse_image(const ET0L& system, const Morphism& morphism, const Budget& budget = {});
 
 }  // namespace algae

@@ -41,15 +41,6 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
 /// Whether a system occurs in the expression.
 bool has_system(const Language& language);
 
-/// The image of a word; nothing if one of its letters has none.
-std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& morphism);
-
-/// The letters that have an image, in increasing order.
-std::vector<Symbol> domain_of(const std::map<Symbol, Word>& morphism);
-
-/// The images by symbol, for operations on automata whose words have letters with images only.
-std::vector<Word> images_by_symbol(const std::map<Symbol, Word>& morphism);
-
 /// An ET0L system for the language of an expression, and by which constructions it was made, in a sentence.
 struct TableValue {
     ET0L system;

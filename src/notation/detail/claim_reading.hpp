@@ -34,7 +34,7 @@ struct ClaimName {
     std::shared_ptr<const SourceSystem> system;
     std::shared_ptr<const LSystem> rewriting;
     std::shared_ptr<const LSystem> written;  // of any system, with its turtle
-    std::map<Symbol, Word> morphism;
+    Morphism morphism;
 };
 
 /// A claim, or a single language, on its way from a text: what the readers of its parts share. They throw
@@ -105,7 +105,7 @@ Word parse_claimed_word(std::string_view text, ClaimReading& reading);
 bool is_morphism(ClaimScanner& scanner);
 
 /// Reads the morphism `{ a -> ab; b -> ε }` that stands next.
-std::map<Symbol, Word> parse_morphism(ClaimScanner& scanner, ClaimReading& reading);
+Morphism parse_morphism(ClaimScanner& scanner, ClaimReading& reading);
 
 /// Reads one language expression, up to where it cannot go on. Where `between_bars`, a `|` with `=` behind
 /// it ends the expression, as in `|A| = 3`. Throws `SyntaxError` or `DependsOnError`. Linear, but for

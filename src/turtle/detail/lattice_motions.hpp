@@ -11,6 +11,8 @@
 
 namespace algae {
 
+enum class Command : unsigned char;  // in the face of this room
+
 /// The directions a turtle of one generation can look: multiples of a full turn divided by `order`.
 /// A heading is a number of such units, counter-clockwise from +x, taken modulo the order.
 ///
@@ -89,6 +91,9 @@ public:
     value_type step(bool drawn) const;
     /// A turn by so many units, of any sign.
     value_type turned(std::int64_t units) const;
+    /// What a command does; nothing if it neither steps nor turns. Turns are those of the compass, of whose units
+    /// `unit` are one of these.
+    value_type of(Command command, const Compass& compass, std::int64_t unit = 1) const;
 
 private:
     CyclotomicInteger reach_of(const CyclotomicInteger& point, std::int64_t direction) const;

@@ -100,8 +100,6 @@ public:
     }
     void width(double) override { length_ = 0; }
     void width_as_length(double length) override { length_ = length; }
-    void colour(std::uint32_t) override {}
-    void position(double) override {}
 
     /// The length of the shortest stroke that has one; infinite if none has.
     double shortest() const { return std::sqrt(shortest_square_); }

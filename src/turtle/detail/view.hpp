@@ -14,12 +14,6 @@
 
 namespace algae {
 
-/// A vector of length 1 that way; nothing stays nothing.
-inline Vector unit(const Vector& way) {
-    const double size = length(way);
-    return size > 0 ? (1 / size) * way : way;
-}
-
 /// The unit vector from the figure towards something that stands there.
 ///
 /// Example: direction_of(-90, 0) == Vector{0, -1, 0}

@@ -1,0 +1,58 @@
+#include <array>
+#include <charconv>
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "exact/exact.hpp"
+
+// The pieces that sentences and messages are made of, for all rooms: lists, counts, quotations, and machine numbers as decimals.
+// Decimals are written by std::to_chars, so that they do not depend on a program's locale.
+
+namespace algae {
+
+std::string joined(const std::vector<std::string>& texts, std::string_view between) {
+    return joined(texts, between, std::identity());
+}
+
+std::string listed(const std::vector<std::string>& texts, std::string_view before_last) {
+    std::string all;
+    for (std::size_t i = 0; i < texts.size(); ++i) {
+        if (i > 0) all += i + 1 == texts.size() ? before_last : ", ";
+        all += texts[i];
+    }
+    return all;
+}
+
+std::string counted(std::uint64_t count, std::string_view noun) {
+    return std::to_string(count) + ' ' + std::string(noun) + (count == 1 ? "" : "s");
+}
+
+std::string with_article(const std::string& name) {
+    return (!name.empty() && (name.front() == 'E' || name.front() == 'I') ? "an " : "a ") + name;
+}
+
+std::string beginning(std::string_view text, std::size_t longest) {
+    if (text.size() <= longest) return std::string(text);
+    std::size_t length = longest;
+    while (length > 0 && (static_cast<unsigned char>(text[length]) & 0xC0) == 0x80) --length;
+    return std::string(text.substr(0, length)) + "...";
+}
+
+std::string quoted(std::string_view text) { return '\'' + beginning(text, 40) + '\''; }
+
+std::string shortest_decimal(double value) {
+    std::array<char, 32> digits;
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr};
+}
+
+std::string rounded_decimal(double value, int significant_digits) {
+    std::array<char, 64> digits;
+    return {digits.data(), std::to_chars(digits.data(), digits.data() + digits.size(), value,
+                                         std::chars_format::general, significant_digits)
+                               .ptr};
+}
+
+}  // namespace algae

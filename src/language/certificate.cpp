@@ -118,67 +118,80 @@ Json pair_json(const LanguageTree& tree, const Alphabet& alphabet) {
     return Json::array({to_json(tree.parts[0], alphabet), to_json(tree.parts[1], alphabet)});
 }
 
-Json number_json(const Integer& number) { return to_string(number); }
+/// What a statement says, without its negation.
+struct StatementWriter {
+    const Alphabet& alphabet;
 
-Json body(const Statement& statement, const Alphabet& alphabet) {
-    const auto language = [&](std::size_t i) {
-        return to_json(statement.languages.at(i), alphabet);
-    };
-    const auto system = [&](std::size_t i) { return Json(statement.systems.at(i)->name); };
-    switch (statement.kind) {
-        case Statement::Kind::family:
-            return {{"is", statement.family}, {"language", language(0)}};
-        case Statement::Kind::finite:
-            return {{"is", "finite"}, {"language", language(0)}};
-        case Statement::Kind::empty:
-            return {{"is", "empty"}, {"language", language(0)}};
-        case Statement::Kind::equal:
-            return {{"equal", Json::array({language(0), language(1)})}};
-        case Statement::Kind::included:
-            return {{"included", Json::array({language(0), language(1)})}};
-        case Statement::Kind::member:
-            return {{"member", certificate_text(alphabet, statement.word)},
-                    {"language", language(0)}};
-        case Statement::Kind::size:
-            return {{"size", number_json(*statement.size)}, {"language", language(0)}};
-        case Statement::Kind::derives: {
-            Json result{{"derives", certificate_text(alphabet, statement.word)},
-                        {"system", system(0)}};
-            if (statement.from) result["from"] = certificate_text(alphabet, *statement.from);
-            if (statement.steps) result["steps"] = *statement.steps;
-            return result;
-        }
-        case Statement::Kind::rewrites:
-        case Statement::Kind::chance: {
-            Json result{{"derives", word_json(statement.modules, {*statement.rewriting, {}})},
-                        {"system", statement.rewriting->name}};
-            if (statement.modules_from)
-                result["from"] = word_json(*statement.modules_from, {*statement.rewriting, {}});
-            result["steps"] = *statement.steps;
-            if (statement.probability) result["probability"] = to_string(*statement.probability);
-            return result;
-        }
-        case Statement::Kind::equal_sequences:
-            return {{"equal sequences", Json::array({system(0), system(1)})}};
-        case Statement::Kind::equal_growth:
-            return {{"equal growth", Json::array({system(0), system(1)})}};
-        case Statement::Kind::growth_formula:
-            return {{"growth", system(0)}, {"equals", to_text(*statement.formula)}};
-        case Statement::Kind::growth_class: {
-            Json result{{"growth", system(0)}, {"class", statement.family}};
-            if (statement.size) result["degree"] = number_json(*statement.size);
-            return result;
-        }
-        case Statement::Kind::dimension:
-        case Statement::Kind::boundary: {
-            const bool of_all = statement.kind == Statement::Kind::dimension;
-            return {
-                {of_all ? "dimension" : "boundary", statement.drawn->name},
-                {statement.dimension->at_most ? "at most" : "equals", statement.dimension->text}};
-        }
+    Json written(const Language& language) const { return to_json(language, alphabet); }
+    Json pair(const Language& left, const Language& right) const {
+        return Json::array({written(left), written(right)});
     }
-    return {};
-}
+
+    Json operator()(const InFamily& said) const {
+        return {{"is", said.family}, {"language", written(said.language)}};
+    }
+    Json operator()(const IsFinite& said) const {
+        return {{"is", "finite"}, {"language", written(said.language)}};
+    }
+    Json operator()(const IsEmpty& said) const {
+        return {{"is", "empty"}, {"language", written(said.language)}};
+    }
+    Json operator()(const EqualLanguages& said) const {
+        return {{"equal", pair(said.left, said.right)}};
+    }
+    Json operator()(const IncludedIn& said) const {
+        return {{"included", pair(said.inner, said.outer)}};
+    }
+    Json operator()(const HasWord& said) const {
+        return {{"member", certificate_text(alphabet, said.word)},
+                {"language", written(said.language)}};
+    }
+    Json operator()(const HasSize& said) const {
+        return {{"size", to_string(said.size)}, {"language", written(said.language)}};
+    }
+    Json operator()(const Derives& said) const {
+        Json result{{"derives", certificate_text(alphabet, said.word)},
+                    {"system", said.system->name}};
+        if (said.from) result["from"] = certificate_text(alphabet, *said.from);
+        if (said.steps) result["steps"] = *said.steps;
+        return result;
+    }
+    Json operator()(const Rewrites& said) const {
+        const Scope scope{*said.system, {}};
+        Json result{{"derives", word_json(said.word, scope)}, {"system", said.system->name}};
+        if (said.from) result["from"] = word_json(*said.from, scope);
+        result["steps"] = said.steps;
+        return result;
+    }
+    Json operator()(const HasChance& said) const {
+        Json result = (*this)(said.derivation);
+        result["probability"] = to_string(said.probability);
+        return result;
+    }
+    Json operator()(const EqualSequences& said) const {
+        return {{"equal sequences", Json::array({said.left->name, said.right->name})}};
+    }
+    Json operator()(const EqualGrowth& said) const {
+        return {{"equal growth", Json::array({said.left->name, said.right->name})}};
+    }
+    Json operator()(const HasGrowthFormula& said) const {
+        return {{"growth", said.system->name}, {"equals", to_text(said.formula)}};
+    }
+    Json operator()(const HasGrowthClass& said) const {
+        Json result{{"growth", said.system->name}, {"class", said.growth}};
+        if (said.degree) result["degree"] = to_string(*said.degree);
+        return result;
+    }
+    Json operator()(const HasDimension& said) const {
+        return dimension("dimension", *said.system, said.dimension);
+    }
+    Json operator()(const BoundaryHasDimension& said) const {
+        return dimension("boundary", *said.system, said.dimension);
+    }
+    static Json dimension(const char* of, const LSystem& system, const ClaimedDimension& claimed) {
+        return {{of, system.name}, {claimed.at_most ? "at most" : "equals", claimed.text}};
+    }
+};
 
 }  // namespace
 
@@ -260,7 +273,7 @@ Json to_json(const Language& language, const Alphabet& alphabet) {
 }
 
 Json to_json(const Statement& statement, const Alphabet& alphabet) {
-    Json result = body(statement, alphabet);
+    Json result = std::visit(StatementWriter{alphabet}, statement.says);
     return statement.negated ? Json{{"not", result}} : result;
 }
 

@@ -42,59 +42,65 @@ Judgement opposite(Judgement judgement) {
 
 namespace {
 
-Judgement affirmed(const Statement& statement, const Claim& claim, const Budget& budget) {
+/// What a statement says, each form to its judge.
+struct Judge {
+    const Claim& claim;
+    const Budget& budget;
     const Alphabet& alphabet = *claim.alphabet;
-    const auto language = [&](std::size_t i) -> const Language& {
-        return statement.languages.at(i);
-    };
-    const auto system = [&](std::size_t i) -> const SourceSystem& {
-        return *statement.systems.at(i);
-    };
-    switch (statement.kind) {
-        case Statement::Kind::family:
-            return judge_family(language(0), {statement.family, claim.empty_axiom, claim.systems},
-                                alphabet, budget);
-        case Statement::Kind::finite:
-            return judge_finite(language(0), alphabet, budget);
-        case Statement::Kind::empty:
-            return judge_empty(language(0), alphabet, budget);
-        case Statement::Kind::equal:
-            return judge_equality(language(0), language(1), alphabet, budget);
-        case Statement::Kind::included:
-            return judge_inclusion(language(0), language(1), alphabet, budget);
-        case Statement::Kind::member:
-            return judge_membership(language(0), statement.word, alphabet, budget);
-        case Statement::Kind::size:
-            return judge_size(language(0), *statement.size, alphabet, budget);
-        case Statement::Kind::derives:
-            return judge_derivation(system(0), statement.word, statement.from, statement.steps,
-                                    alphabet, budget);
-        case Statement::Kind::rewrites:
-            return judge_rewriting(statement, budget);
-        case Statement::Kind::chance:
-            return judge_chance(statement, budget);
-        case Statement::Kind::equal_sequences:
-            return judge_sequences(system(0), system(1), alphabet, budget);
-        case Statement::Kind::equal_growth:
-            return judge_growth(system(0), system(1), budget);
-        case Statement::Kind::growth_formula:
-            return judge_growth_formula(system(0), *statement.formula, budget);
-        case Statement::Kind::growth_class:
-            return judge_growth_class(system(0), statement.family, statement.size, budget);
-        case Statement::Kind::dimension:
-            return judge_dimension(*statement.drawn, *statement.dimension, budget);
-        case Statement::Kind::boundary:
-            return judge_boundary(*statement.drawn, *statement.dimension, budget);
+
+    Judgement operator()(const InFamily& said) const {
+        return judge_family(said.language, {said.family, claim.empty_axiom, claim.systems},
+                            alphabet, budget);
     }
-    return Judgement::undecided({});
-}
+    Judgement operator()(const IsFinite& said) const {
+        return judge_finite(said.language, alphabet, budget);
+    }
+    Judgement operator()(const IsEmpty& said) const {
+        return judge_empty(said.language, alphabet, budget);
+    }
+    Judgement operator()(const EqualLanguages& said) const {
+        return judge_equality(said.left, said.right, alphabet, budget);
+    }
+    Judgement operator()(const IncludedIn& said) const {
+        return judge_inclusion(said.inner, said.outer, alphabet, budget);
+    }
+    Judgement operator()(const HasWord& said) const {
+        return judge_membership(said.language, said.word, alphabet, budget);
+    }
+    Judgement operator()(const HasSize& said) const {
+        return judge_size(said.language, said.size, alphabet, budget);
+    }
+    Judgement operator()(const Derives& said) const {
+        return judge_derivation(said, alphabet, budget);
+    }
+    Judgement operator()(const EqualSequences& said) const {
+        return judge_sequences(*said.left, *said.right, alphabet, budget);
+    }
+    Judgement operator()(const EqualGrowth& said) const {
+        return judge_growth(*said.left, *said.right, budget);
+    }
+    Judgement operator()(const HasGrowthFormula& said) const {
+        return judge_growth_formula(*said.system, said.formula, budget);
+    }
+    Judgement operator()(const HasGrowthClass& said) const {
+        return judge_growth_class(said, budget);
+    }
+    Judgement operator()(const Rewrites& said) const { return judge_rewriting(said, budget); }
+    Judgement operator()(const HasChance& said) const { return judge_chance(said, budget); }
+    Judgement operator()(const HasDimension& said) const {
+        return judge_dimension(*said.system, said.dimension, budget);
+    }
+    Judgement operator()(const BoundaryHasDimension& said) const {
+        return judge_boundary(*said.system, said.dimension, budget);
+    }
+};
 
 }  // namespace
 
 //> decide
 Judgement decide(const Statement& statement, const Claim& claim, const Budget& budget) {
     try {
-        Judgement found = affirmed(statement, claim, budget);
+        Judgement found = std::visit(Judge{claim, budget}, statement.says);
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
         return Judgement::undecided({error.what()});
@@ -137,9 +143,9 @@ Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& che
 Word begun_from(const Claim& claim, const SourceSystem& system) {
     Word letters;
     for (const ClaimedStatement& claimed : claim.statements)
-        if (claimed.statement.from && claimed.statement.systems.front()->name == system.name)
-            letters.insert(letters.end(), claimed.statement.from->begin(),
-                           claimed.statement.from->end());
+        if (const auto* said = std::get_if<Derives>(&claimed.statement.says);
+            said && said->from && said->system->name == system.name)
+            letters.insert(letters.end(), said->from->begin(), said->from->end());
     return letters;
 }
 

@@ -150,14 +150,15 @@ std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
 
 /// Whether a statement says of another family what one of the claim says of this one.
 bool is_about_another(const Claim& claim, const Statement& statement, const std::string& family) {
-    if (statement.kind != Statement::Kind::family || statement.family == family) return false;
+    const auto* said = std::get_if<InFamily>(&statement.says);
+    if (!said || said->family == family) return false;
     return std::any_of(claim.statements.begin(), claim.statements.end(),
-                       [&](const ClaimedStatement& other) {
-                           return other.statement.kind == Statement::Kind::family &&
-                                  other.statement.family == family &&
-                                  other.statement.negated == statement.negated &&
-                                  to_string(other.statement.languages[0], *claim.alphabet) ==
-                                      to_string(statement.languages[0], *claim.alphabet);
+                       [&](const ClaimedStatement& claimed) {
+                           const auto* other = std::get_if<InFamily>(&claimed.statement.says);
+                           return other && other->family == family &&
+                                  claimed.statement.negated == statement.negated &&
+                                  to_string(other->language, *claim.alphabet) ==
+                                      to_string(said->language, *claim.alphabet);
                        });
 }
 

@@ -54,7 +54,7 @@ std::string agree(const std::string& left, const std::string& right) {
 Judgement judge_exact(const std::string& what, const DimensionFormula& value,
                       const ClaimedDimension& claimed, std::vector<std::string> argument,
                       const nlohmann::ordered_json& by) {
-    const Order order = compared(value, claimed.value);
+    const Order order = compared(value, *claimed.value);
     const std::string known = text_of(value);
     const std::string line = what + " is " + known;
     if (order == Order::unknown) {
@@ -74,8 +74,8 @@ Judgement judge_exact(const std::string& what, const DimensionFormula& value,
 Judgement judge_bounded(const std::string& what, const ExactDimension& found,
                         const ClaimedDimension& claimed, std::vector<std::string> argument) {
     const bool above_plane = compare(found.value->enclosure(64), Ball(2, 64)) == Order::greater;
-    const Order order = above_plane ? compare(DimensionValue(Rational(2)), claimed.value)
-                                    : compared(*found.value, claimed.value);
+    const Order order = above_plane ? compare(DimensionValue(Rational(2)), *claimed.value)
+                                    : compared(*found.value, *claimed.value);
     const std::string bound =
         above_plane ? "2, as for every set in the plane" : text_of(*found.value);
     argument.push_back(what + " is at most " + bound + ".");

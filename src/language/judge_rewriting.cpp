@@ -47,17 +47,17 @@ std::pair<ModuleString, ModuleString> parted(const ModuleString& word, const Mod
             {{letter, word.kinds.end()}, {value, word.values.end()}}};
 }
 
-Derived course(const Statement& statement) {
-    LSystem both = *statement.rewriting;  // its axiom: the two words one after the other
-    if (statement.modules_from) both.axiom = *statement.modules_from;
+Derived course(const Rewrites& said) {
+    LSystem both = *said.system;  // its axiom: the two words one after the other
+    if (said.from) both.axiom = *said.from;
     const std::size_t first = both.axiom.letters.size();
-    const ModuleWord& goal = statement.modules;
+    const ModuleWord& goal = said.word;
     both.axiom.letters.insert(both.axiom.letters.end(), goal.letters.begin(), goal.letters.end());
     for (const auto& [position, arguments] : goal.arguments)
         both.axiom.arguments[first + position] = arguments;
     Rewriting rewriting(both);
     auto [from, to] = parted(rewriting.axiom(), rewriting.rules().kinds, first);
-    return {std::move(rewriting), std::move(from), std::move(to), *statement.steps, both.name};
+    return {std::move(rewriting), std::move(from), std::move(to), said.steps, both.name};
 }
 
 nlohmann::ordered_json proof() { return {{"by", "rewriting"}}; }
@@ -105,9 +105,9 @@ Judgement derived(const Derived& course, const Budget& budget) {
 }
 
 /// The words of an open system, whose communication modules its environments fill.
-Judgement developed(const Statement& statement, const Derived& course, const Budget& budget) {
-    LSystem own = *statement.rewriting;
-    if (statement.modules_from) own.axiom = *statement.modules_from;
+Judgement developed(const Rewrites& said, const Derived& course, const Budget& budget) {
+    LSystem own = *said.system;
+    if (said.from) own.axiom = *said.from;
     OpenDevelopment development(own, {}, nullptr, budget);
     const auto text = [&] {
         return ModuleText(development.rules().system->alphabet, development.rules().kinds)
@@ -136,9 +136,9 @@ bool is_random(const Derived& course) {
 
 }  // namespace
 
-Judgement judge_rewriting(const Statement& statement, const Budget& budget) {
-    const Derived begun = course(statement);
-    if (class_of(*statement.rewriting).open) return developed(statement, begun, budget);
+Judgement judge_rewriting(const Rewrites& said, const Budget& budget) {
+    const Derived begun = course(said);
+    if (class_of(*said.system).open) return developed(said, begun, budget);
     if (!is_random(begun)) return derived(begun, budget);
     const Chance chance = chance_of(begun, budget);
     const std::vector<std::string> argument{chance_sentence(begun, chance)};
@@ -146,12 +146,12 @@ Judgement judge_rewriting(const Statement& statement, const Budget& budget) {
                                         : Judgement::proved(argument, proof());
 }
 
-Judgement judge_chance(const Statement& statement, const Budget& budget) {
-    const Derived begun = course(statement);
+Judgement judge_chance(const HasChance& said, const Budget& budget) {
+    const Derived begun = course(said.derivation);
     const Chance chance = chance_of(begun, budget);
     const std::vector<std::string> argument{chance_sentence(begun, chance)};
-    return chance.probability == *statement.probability ? Judgement::proved(argument, proof())
-                                                        : Judgement::refuted(argument, proof());
+    return chance.probability == said.probability ? Judgement::proved(argument, proof())
+                                                  : Judgement::refuted(argument, proof());
 }
 
 }  // namespace algae

@@ -304,9 +304,9 @@ D0L as_d0l(const SourceSystem& system) {
     return make_d0l(system.tables->alphabet, system.tables->axiom, std::move(images), system.name);
 }
 
-Judgement judge_derivation(const SourceSystem& system, const Word& word,
-                           const std::optional<Word>& from, std::optional<std::uint64_t> steps,
-                           const Alphabet& alphabet, const Budget& budget) {
+Judgement judge_derivation(const Derives& said, const Alphabet& alphabet, const Budget& budget) {
+    const auto& [source, word, from, steps] = said;
+    const SourceSystem& system = *source;
     if (system.interactive) {
         SourceSystem moved = system;
         if (from) moved.interactive->axiom = *from;
@@ -402,13 +402,12 @@ Judgement judge_growth_formula(const SourceSystem& system, const Expression& for
         {{"by", "terms"}, {"terms", powers}});
 }
 
-Judgement judge_growth_class(const SourceSystem& system, const std::string& kind,
-                             const std::optional<Integer>& degree, const Budget& budget) {
-    const GrowthClass found = growth_class(as_d0l(system), budget);
-    const bool right =
-        to_string(found.order.kind) == kind && (!degree || Integer(found.order.degree) == *degree);
+Judgement judge_growth_class(const HasGrowthClass& said, const Budget& budget) {
+    const GrowthClass found = growth_class(as_d0l(*said.system), budget);
+    const bool right = to_string(found.order.kind) == said.growth &&
+                       (!said.degree || Integer(found.order.degree) == *said.degree);
     const std::vector<std::string> argument{
-        "The length of generation n of " + system.name + " grows like " + found.order.text() +
+        "The length of generation n of " + said.system->name + " grows like " + found.order.text() +
         ": " + to_string(found.order.kind) +
         (found.order.kind == GrowthKind::polynomial
              ? " of degree " + std::to_string(found.order.degree)

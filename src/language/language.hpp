@@ -16,14 +16,16 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
 #include "system/system.hpp"
 #include "word/word.hpp"
 
 namespace algae {
+
+class DimensionValue;
 
 // --- Languages as values ---
 
@@ -491,50 +493,117 @@ Word leaves(const DerivationTree& tree, const Budget& budget = {});
 
 /// What a dimension is compared with.
 struct ClaimedDimension {
-    DimensionValue value;
+    std::shared_ptr<const DimensionValue> value;
     std::string text;  // as written
     bool at_most = false;
 };
 
-/// One thing that is said of languages and systems, true or false.
-struct Statement {
-    enum class Kind {
-        family,    // languages[0] is of the family `family`
-        finite,    // languages[0] is a finite language
-        empty,     // languages[0] has no word
-        equal,     // languages[0] == languages[1]
-        included,  // languages[0] <= languages[1]
-        member,    // `word` is in languages[0]
-        size,      // languages[0] has exactly `size` words
-        derives,  // systems[0] derives `word` from `from` (or its axiom) in `steps` steps (or some number)
-        equal_sequences,  // systems[0] and systems[1], D0L: the same word in every generation
-        equal_growth,     // the same length in every generation
-        growth_formula,  // the length of generation n of systems[0] is `formula`, an expression in n
-        rewrites,  // `rewriting` derives `modules` from `modules_from` (or its axiom) in `steps` steps
-        chance,  // it does so with exactly this `probability`
-        growth_class,  // the growth of systems[0] is of class `family`: zero, bounded, polynomial, exponential;
-                       // polynomial of degree `size` if given
-        dimension,  // the limit set that `drawn` draws has this `dimension`, or one at most as large
-        boundary,   // its boundary has
-    };
-    Kind kind = Kind::family;
-    bool negated = false;
-    std::vector<Language> languages;
-    std::vector<std::shared_ptr<const SourceSystem>> systems;
+// What a statement says: one struct for each form, true or false.
+
+/// The language is of the family.
+struct InFamily {
+    Language language;
     std::string family;
+};
+
+struct IsFinite {
+    Language language;
+};
+
+/// The language has no word.
+struct IsEmpty {
+    Language language;
+};
+
+/// left == right.
+struct EqualLanguages {
+    Language left, right;
+};
+
+/// inner <= outer.
+struct IncludedIn {
+    Language inner, outer;
+};
+
+struct HasWord {
+    Language language;
     Word word;
-    std::optional<Word> from;
-    std::optional<std::uint64_t> steps;
-    std::optional<Integer> size;
-    std::optional<Expression> formula;
-    std::shared_ptr<const LSystem> rewriting;  // its alphabet has all letters of both words
-    ModuleWord modules;
-    std::optional<ModuleWord> modules_from;
-    std::optional<Rational> probability;
-    std::shared_ptr<const LSystem> drawn;  // with the turtle
-    std::optional<ClaimedDimension> dimension;
-    std::string text;  // as written
-    Place place;
+};
+
+/// The language has exactly so many words.
+struct HasSize {
+    Language language;
+    Integer size;
+};
+
+/// The system derives the word: from `from` or its axiom, in so many steps or some number of them.
+struct Derives {
+    std::shared_ptr<const SourceSystem> system;
+    Word word;
+    std::optional<Word> from = {};
+    std::optional<std::uint64_t> steps = {};
+};
+
+/// Two D0L systems have the same word in every generation.
+struct EqualSequences {
+    std::shared_ptr<const SourceSystem> left, right;
+};
+
+/// Two D0L systems have words of the same length in every generation.
+struct EqualGrowth {
+    std::shared_ptr<const SourceSystem> left, right;
+};
+
+/// The length of generation n is `formula`, an expression in n.
+struct HasGrowthFormula {
+    std::shared_ptr<const SourceSystem> system;
+    Expression formula;
+};
+
+/// The growth is zero, bounded, polynomial (of this degree, if one is given) or exponential.
+struct HasGrowthClass {
+    std::shared_ptr<const SourceSystem> system;
+    std::string growth;
+    std::optional<Integer> degree = {};
+};
+
+/// A system whose words are derived module by module derives the word: from `from` or its axiom, in so many
+/// steps. The alphabet of the system has all letters of both words.
+struct Rewrites {
+    std::shared_ptr<const LSystem> system;
+    ModuleWord word;
+    std::optional<ModuleWord> from = {};
+    std::uint64_t steps = 0;
+};
+
+/// The derivation has exactly this probability.
+struct HasChance {
+    Rewrites derivation;
+    Rational probability;
+};
+
+/// The limit set that the system draws has this dimension, or one at most as large.
+struct HasDimension {
+    std::shared_ptr<const LSystem> system;  // with the turtle
+    ClaimedDimension dimension;
+};
+
+/// The boundary of the limit set has.
+struct BoundaryHasDimension {
+    std::shared_ptr<const LSystem> system;
+    ClaimedDimension dimension;
+};
+
+/// One thing that is said of languages and systems, true or false. A new form is a new alternative: the compiler
+/// lists the judges and readers that miss it.
+struct Statement {
+    std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, Derives,
+                 EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, Rewrites, HasChance,
+                 HasDimension, BoundaryHasDimension>
+        says;
+    bool negated = false;
+    std::string text = {};  // as written
+    Place place = {};
 };
 
 /// A statement and what the claim says of it.

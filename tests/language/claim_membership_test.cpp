@@ -53,10 +53,7 @@ TEST_CASE("membership of all short words in random expressions is that of the de
 TEST_CASE("membership of short words in random expressions has certificates that verify checks") {
     CHECK(rc::check([] {
         const random::Languages made = *random::any_language();
-        Statement statement;
-        statement.kind = Statement::Kind::member;
-        statement.languages = made.all;
-        statement.word = random::word_of(*oracle::any_word("ab", 4));
+        Statement statement{HasWord{made.all.front(), random::word_of(*oracle::any_word("ab", 4))}};
         statement.negated = *rc::gen::arbitrary<bool>();
         const random::Certified found = random::sound(random::claim_of(statement, made.systems));
         RC_TAG(found.rule() + ": " + verify::to_string(found.finding.outcome));
@@ -149,11 +146,8 @@ TEST_CASE("membership in systems with contexts is that of the generations, and v
         const Generations generations = generations_of(system, longest);
         for (const std::string& word : words_to_try(generations)) {
             RC_LOG() << system << "; " << word << '\n';
-            Statement statement;
-            statement.kind = Statement::Kind::member;
-            statement.languages = {generated_language(source)};
-            statement.word = context_word(word);
-            Claim claim = random::claim_of(statement, {source});
+            Claim claim = random::claim_of(
+                {HasWord{generated_language(source), context_word(word)}}, {source});
             claim.alphabet = context_letters();
             const random::Certified found = random::sound(claim);
             const Truth truth = found.judgement.truth;

@@ -143,9 +143,8 @@ Judgement judge_equality(const Language& left, const Language& right, const Alph
 
 /// Whether the system derives the word: from a word or its axiom, in so many steps or any number of them. For a
 /// system without context decided by the table of factors, for one with context by deriving.
-Judgement judge_derivation(const SourceSystem& system, const Word& word,
-                           const std::optional<Word>& from, std::optional<std::uint64_t> steps,
-                           const Alphabet& alphabet, const Budget& budget = {});
+Judgement judge_derivation(const Derives& said, const Alphabet& alphabet,
+                           const Budget& budget = {});
 
 /// Whether two D0L systems have the same word in every generation.
 Judgement judge_sequences(const SourceSystem& left, const SourceSystem& right,
@@ -160,8 +159,7 @@ Judgement judge_growth_formula(const SourceSystem& system, const Expression& for
                                const Budget& budget = {});
 
 /// Whether the growth of a D0L system is of this class: zero, bounded, polynomial (of this degree), exponential.
-Judgement judge_growth_class(const SourceSystem& system, const std::string& kind,
-                             const std::optional<Integer>& degree, const Budget& budget = {});
+Judgement judge_growth_class(const HasGrowthClass& said, const Budget& budget = {});
 
 /// The system as a D0L system. Throws Error that names it if it is not one.
 D0L as_d0l(const SourceSystem& system);
@@ -185,10 +183,10 @@ ExponentialPolynomial exponential_polynomial(const Expression& expression);
 /// many steps: by deriving; where there are probabilities, whether the word has one above 0. Parameters
 /// are numbers as Program computes them, and the same only where all their digits are. Throws what
 /// Rewriting::next throws.
-Judgement judge_rewriting(const Statement& statement, const Budget& budget = {});
+Judgement judge_rewriting(const Rewrites& said, const Budget& budget = {});
 
 /// Whether the word has exactly this probability in that generation (see distribution). Throws the same.
-Judgement judge_chance(const Statement& statement, const Budget& budget = {});
+Judgement judge_chance(const HasChance& said, const Budget& budget = {});
 
 /// Whether the limit set that the system draws has this dimension, or one at most as large: by
 /// `exact_dimension`, and exactly. Where the rules give an upper bound only, nothing below it is said

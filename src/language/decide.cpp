@@ -1,43 +1,19 @@
-#include "language/detail/judge.hpp"
-
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "exact/exact.hpp"
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
 
-// From a claim to its verdicts and its certificate: each statement goes to its judge, a bound that is reached
+// From a claim to its verdicts: each statement goes to its judge, a bound that is reached
 // leaves it undecided, and an error gets the place of the statement. Also the table of closure that claims
 // settle together.
 
 namespace algae {
 
-namespace {
-
-Judgement judged(Truth truth, std::vector<std::string> argument,
-                 const nlohmann::ordered_json& proof) {
-    return {truth, std::move(argument), std::make_shared<const nlohmann::ordered_json>(proof)};
-}
-
-}  // namespace
-
-Judgement Judgement::proved(std::vector<std::string> argument,
-                            const nlohmann::ordered_json& proof) {
-    return judged(Truth::proved, std::move(argument), proof);
-}
-
-Judgement Judgement::refuted(std::vector<std::string> argument,
-                             const nlohmann::ordered_json& proof) {
-    return judged(Truth::refuted, std::move(argument), proof);
-}
-
-Judgement Judgement::undecided(std::vector<std::string> tried) {
-    return {Truth::undecided, std::move(tried), nullptr};
-}
-
-Judgement opposite(Judgement judgement) {
-    judgement.truth = opposite(judgement.truth);
-    return judgement;
+Answer opposite(Answer answer) {
+    answer.truth = opposite(answer.truth);
+    return answer;
 }
 
 namespace {
@@ -48,49 +24,47 @@ struct Judge {
     const Budget& budget;
     const Alphabet& alphabet = *claim.alphabet;
 
-    Judgement operator()(const InFamily& said) const {
+    Answer operator()(const InFamily& said) const {
         return judge_family(said.language, {said.family, claim.empty_axiom, claim.systems},
                             alphabet, budget);
     }
-    Judgement operator()(const IsFinite& said) const {
+    Answer operator()(const IsFinite& said) const {
         return judge_finite(said.language, alphabet, budget);
     }
-    Judgement operator()(const IsEmpty& said) const {
+    Answer operator()(const IsEmpty& said) const {
         return judge_empty(said.language, alphabet, budget);
     }
-    Judgement operator()(const EqualLanguages& said) const {
+    Answer operator()(const EqualLanguages& said) const {
         return judge_equality(said.left, said.right, alphabet, budget);
     }
-    Judgement operator()(const IncludedIn& said) const {
+    Answer operator()(const IncludedIn& said) const {
         return judge_inclusion(said.inner, said.outer, alphabet, budget);
     }
-    Judgement operator()(const HasWord& said) const {
+    Answer operator()(const HasWord& said) const {
         return judge_membership(said.language, said.word, alphabet, budget);
     }
-    Judgement operator()(const HasSize& said) const {
+    Answer operator()(const HasSize& said) const {
         return judge_size(said.language, said.size, alphabet, budget);
     }
-    Judgement operator()(const Derives& said) const {
+    Answer operator()(const Derives& said) const {
         return judge_derivation(said, alphabet, budget);
     }
-    Judgement operator()(const EqualSequences& said) const {
-        return judge_sequences(*said.left, *said.right, alphabet, budget);
+    Answer operator()(const EqualSequences& said) const {
+        return judge_sequences(*said.left, *said.right, budget);
     }
-    Judgement operator()(const EqualGrowth& said) const {
+    Answer operator()(const EqualGrowth& said) const {
         return judge_growth(*said.left, *said.right, budget);
     }
-    Judgement operator()(const HasGrowthFormula& said) const {
+    Answer operator()(const HasGrowthFormula& said) const {
         return judge_growth_formula(*said.system, said.formula, budget);
     }
-    Judgement operator()(const HasGrowthClass& said) const {
-        return judge_growth_class(said, budget);
-    }
-    Judgement operator()(const Rewrites& said) const { return judge_rewriting(said, budget); }
-    Judgement operator()(const HasChance& said) const { return judge_chance(said, budget); }
-    Judgement operator()(const HasDimension& said) const {
+    Answer operator()(const HasGrowthClass& said) const { return judge_growth_class(said, budget); }
+    Answer operator()(const Rewrites& said) const { return judge_rewriting(said, budget); }
+    Answer operator()(const HasChance& said) const { return judge_chance(said, budget); }
+    Answer operator()(const HasDimension& said) const {
         return judge_dimension(*said.system, said.dimension, budget);
     }
-    Judgement operator()(const BoundaryHasDimension& said) const {
+    Answer operator()(const BoundaryHasDimension& said) const {
         return judge_boundary(*said.system, said.dimension, budget);
     }
 };
@@ -98,12 +72,12 @@ struct Judge {
 }  // namespace
 
 //> decide
-Judgement decide(const Statement& statement, const Claim& claim, const Budget& budget) {
+Answer decide(const Statement& statement, const Claim& claim, const Budget& budget) {
     try {
-        Judgement found = std::visit(Judge{claim, budget}, statement.says);
+        Answer found = std::visit(Judge{claim, budget}, statement.says);
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
-        return Judgement::undecided({error.what()});
+        return undecided(error.what());
     } catch (const Error& error) {
         const std::string what = error.what(), file = statement.place.file;
         if (statement.place.line == 0 || (!file.empty() && what.starts_with(file + ":"))) throw;
@@ -115,7 +89,6 @@ Judgement decide(const Statement& statement, const Claim& claim, const Budget& b
 namespace {
 
 using Outcome = CheckedStatement::Outcome;
-using Json = nlohmann::ordered_json;
 
 Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
     if (truth == Truth::undecided)
@@ -123,30 +96,6 @@ Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
     const Truth expected =
         claimed.purpose == ClaimedStatement::Purpose::refute ? Truth::refuted : Truth::proved;
     return truth == expected ? Outcome::stands : Outcome::wrong;
-}
-
-Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& checked,
-                    const Alphabet& alphabet) {
-    Json result{{"text", claimed.statement.text},
-                {"statement", to_json(claimed.statement, alphabet)}};
-    if (checked.outcome == Outcome::cited) {
-        result["verdict"] = "cited";
-        result["citation"] = claimed.citation;
-        return result;
-    }
-    result["verdict"] = to_string(checked.judgement.truth);
-    if (checked.judgement.proof) result["proof"] = *checked.judgement.proof;
-    return result;
-}
-
-/// The words that statements let the system begin from.
-Word begun_from(const Claim& claim, const SourceSystem& system) {
-    Word letters;
-    for (const ClaimedStatement& claimed : claim.statements)
-        if (const auto* said = std::get_if<Derives>(&claimed.statement.says);
-            said && said->from && said->system->name == system.name)
-            letters.insert(letters.end(), said->from->begin(), said->from->end());
-    return letters;
 }
 
 }  // namespace
@@ -161,8 +110,8 @@ CheckedClaim check(Claim claim, const Budget& budget) {
     CheckedClaim checked;
     for (const ClaimedStatement& claimed : claim.statements) {
         CheckedStatement found;
-        found.judgement = decide(claimed.statement, claim, budget);
-        found.outcome = outcome(claimed, found.judgement.truth);
+        found.answer = decide(claimed.statement, claim, budget);
+        found.outcome = outcome(claimed, found.answer.truth);
         checked.statements.push_back(std::move(found));
     }
     checked.claim = std::move(claim);
@@ -177,25 +126,6 @@ std::string to_string(CheckedStatement::Outcome outcome) {
 std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked) {
     const bool refuted = statement.purpose == ClaimedStatement::Purpose::refute;
     return checked.outcome == Outcome::stands && refuted ? "refuted" : to_string(checked.outcome);
-}
-
-nlohmann::ordered_json certificate(const CheckedClaim& checked) {
-    const Claim& claim = checked.claim;
-    Json letters = Json::array(), systems = Json::object(), statements = Json::array();
-    for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
-    for (const auto& system : claim.systems)
-        systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
-    for (const auto& system : claim.rewritings) systems[system->name] = to_json(*system);
-    for (std::size_t i = 0; i < checked.statements.size(); ++i)
-        statements.push_back(
-            statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
-    Json result{
-        {"format", "algae certificate 1"}, {"claim", claim.title}, {"source", claim.source}};
-    if (claim.empty_axiom) result["empty axiom"] = true;
-    result["alphabet"] = std::move(letters);
-    result["systems"] = std::move(systems);
-    result["statements"] = std::move(statements);
-    return result;
 }
 
 const std::vector<std::string>& closure_operations() {

@@ -196,7 +196,7 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
                                    ".",
                                0);
         if (found.outcome == CheckedStatement::Outcome::cited) continue;
-        const std::vector<std::string>& argument = found.judgement.argument;
+        const std::vector<std::string> argument = sentences(found.answer, *claim.alphabet);
         std::size_t first = 0;
         while (first + 1 < argument.size() && said.contains(argument[first])) ++first;
         for (std::size_t line = first; line < argument.size(); ++line)

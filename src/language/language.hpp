@@ -636,27 +636,42 @@ struct Claim {
     std::vector<ClosureFact> closure;
 };
 
-/// What is known of a statement and why: the argument in sentences, and the proof that a certificate
-/// holds (CERTIFICATES.md), which the room `verify` checks again. The proof is of the statement where it is
-/// proved and of its opposite where it is refuted; there is none where it is undecided.
-struct Judgement {
-    Truth truth = Truth::undecided;
-    /// One sentence or line each; an indented line belongs to the one before.
-    std::vector<std::string> argument;
-    std::shared_ptr<const nlohmann::ordered_json> proof;
+struct Proof;
 
-    static Judgement proved(std::vector<std::string> argument, const nlohmann::ordered_json& proof);
-    static Judgement refuted(std::vector<std::string> argument,
-                             const nlohmann::ordered_json& proof);
-    static Judgement undecided(std::vector<std::string> tried);
+/// What is known of a statement, and how. The proof is of the statement where it is proved and of its opposite
+/// where it is refuted; there is none where it is undecided. Three functions read it: `sentences`,
+/// `certificate` and `latex`.
+struct Answer {
+    Truth truth = Truth::undecided;
+    std::shared_ptr<const Proof> proof;
+    std::vector<std::string> tried;  // where it is undecided
 };
 
-/// The judgement on the opposite statement, by the same proof.
-Judgement opposite(Judgement judgement);
+/// The answer to the opposite statement, by the same proof.
+Answer opposite(Answer answer);
 
-/// What is known of a statement of a claim. A bound that is reached makes it undecided, and the judgement says
+/// The argument, or what was tried, over the alphabet of the languages: one sentence or line each; an indented
+/// line belongs to the one before.
+std::vector<std::string> sentences(const Answer& answer, const Alphabet& alphabet);
+
+/// The proof as a certificate holds it (CERTIFICATES.md), which the room `verify` checks again; null where there
+/// is none.
+nlohmann::ordered_json certificate(const Answer& answer, const Alphabet& alphabet);
+
+/// The argument as LaTeX: paragraphs with words, systems, languages and numbers in mathematics, for documents that
+/// load amsmath. Indented lines are indented paragraphs.
+std::string latex(const Answer& answer, const Alphabet& alphabet);
+
+/// An answer that has been put into sentences.
+struct Judgement {
+    Truth truth = Truth::undecided;
+    std::vector<std::string> argument;
+};
+Judgement in_sentences(const Answer& answer, const Alphabet& alphabet);
+
+/// What is known of a statement of a claim. A bound that is reached makes it undecided, and the answer says
 /// which. Throws Interrupted if the work was asked to stop, Error where the statement cannot be about its systems.
-Judgement decide(const Statement& statement, const Claim& claim, const Budget& budget = {});
+Answer decide(const Statement& statement, const Claim& claim, const Budget& budget = {});
 
 /// What may be used besides the language itself.
 struct FamilyQuestion {
@@ -672,29 +687,27 @@ struct FamilyQuestion {
 /// of a D0L system that is too sparse to be regular or context-free; otherwise the question is undecided.
 ///
 /// Throws Error if the family has no such name, what budget.check throws, BoundReached where a table is too large.
-Judgement judge_family(const Language& language, const FamilyQuestion& question,
-                       const Alphabet& alphabet, const Budget& budget = {});
+Answer judge_family(const Language& language, const FamilyQuestion& question,
+                    const Alphabet& alphabet, const Budget& budget = {});
 
 // How many words a language has. All throw what budget.check throws, BoundReached where a table is too large.
 
 /// Whether the language is finite: worked out where it can be, otherwise by a part of it that is not.
-Judgement judge_finite(const Language& language, const Alphabet& alphabet,
-                       const Budget& budget = {});
+Answer judge_finite(const Language& language, const Alphabet& alphabet, const Budget& budget = {});
 
 /// Whether it has no word.
-Judgement judge_empty(const Language& language, const Alphabet& alphabet,
-                      const Budget& budget = {});
+Answer judge_empty(const Language& language, const Alphabet& alphabet, const Budget& budget = {});
 
 /// Whether it has exactly so many words.
-Judgement judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
-                     const Budget& budget = {});
+Answer judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
+                  const Budget& budget = {});
 
 /// The result for one statement of a claim. It stands if it is as the claim says: proved, or refuted where the claim
 /// says `refute`. A statement is cited if it is undecided here and rests on a source that the claim names.
 struct CheckedStatement {
     enum class Outcome { stands, cited, undecided, wrong };
     Outcome outcome = Outcome::undecided;
-    Judgement judgement;
+    Answer answer;
 };
 
 /// The result for a claim: one entry for each of its statements.
@@ -722,6 +735,10 @@ std::string explanation(const CheckedClaim& checked, const std::string& family =
 
 /// The claim as a certificate (CERTIFICATES.md).
 nlohmann::ordered_json certificate(const CheckedClaim& checked);
+
+/// The claim as LaTeX, a section for a document that loads amsmath and amsthm: each statement as a numbered
+/// paragraph with its verdict, and a `proof` environment with the argument where it stands.
+std::string latex(const CheckedClaim& checked);
 
 /// The operations and the families of the table of closure, in its order.
 ///

@@ -55,7 +55,7 @@ void compare(const random::Languages& made, bool inclusion) {
     }
     if (found.judgement.truth == Truth::refuted) {
         RC_ASSERT(found.rule() == "word");
-        const Word word = certificate_word(found.judgement.proof->at("word").get<std::string>());
+        const Word word = certificate_word(found.proof.at("word").get<std::string>());
         const auto in_left = contains(left, word), in_right = contains(right, word);
         if (in_left && in_right) RC_ASSERT(*in_left != *in_right);
         if (inclusion && in_left) RC_ASSERT(*in_left);

@@ -177,8 +177,9 @@ public:
         if (!own_) return;
         for (const ClaimedStatement& claimed : own_->statements) {
             const bool refutes = claimed.purpose == ClaimedStatement::Purpose::refute;
-            Judgement judgement = decide(claimed.statement, *own_, budget_);
-            if (refutes) judgement = opposite(std::move(judgement));
+            Judgement judgement =
+                in_sentences(decide(claimed.statement, *own_, budget_), *own_->alphabet);
+            if (refutes) judgement.truth = opposite(judgement.truth);
             marked.demands.push_back(
                 {(refutes ? "your own: refute " : "your own: ") + claimed.statement.text, "",
                  std::move(judgement)});
@@ -194,7 +195,7 @@ public:
         const Claim claim = claim_up_to(line, before);
         for (const ClaimedStatement& claimed : claim.statements)
             if (claimed.statement.place.line == line)
-                return decide(claimed.statement, claim, budget_);
+                return in_sentences(decide(claimed.statement, claim, budget_), *claim.alphabet);
         throw Error(to_string(demand.place) + ": expected a statement, found '" + demand.text +
                     "'");
     }

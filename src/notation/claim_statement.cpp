@@ -2,8 +2,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "dimension/dimension.hpp"
 #include "notation/detail/claim_reading.hpp"
 #include "turtle/turtle.hpp"
 
@@ -24,22 +26,21 @@ namespace algae {
 
 namespace {
 
-using Kind = Statement::Kind;
-
 std::string_view before(std::string_view text, std::size_t offset) {
     return text.substr(0, offset);
 }
 
-/// `growth(G)` or `sequence(G)`; the system is added to the statement.
-void parse_subject(ClaimScanner& scanner, std::string_view word, Statement& statement,
-                   ClaimReading& reading) {
+/// The system of `growth(G)` or `sequence(G)`.
+std::shared_ptr<const SourceSystem> parse_subject(ClaimScanner& scanner, std::string_view word,
+                                                  ClaimReading& reading) {
     if (!scanner.take_word(word))
         throw unexpected(quoted(word) + " and a system between brackets", scanner.here);
     if (!scanner.take("(")) throw unexpected("'(' after " + quoted(word), scanner.here);
     const std::string_view name = scanner.take_name();
     if (name.empty()) throw unexpected("the name of a system", scanner.here);
-    statement.systems.push_back(reading.system(name));
+    auto system = reading.system(name);
     if (!scanner.take(")")) throw unexpected("')'", scanner.here);
+    return system;
 }
 
 /// Throws if the formula has names other than n.
@@ -51,7 +52,7 @@ void check_names(const Expression& formula, const ClaimReading& reading) {
     for (const Expression& operand : formula.operands) check_names(operand, reading);
 }
 
-void parse_class(ClaimScanner& scanner, Statement& statement) {
+HasGrowthClass parse_class(ClaimScanner& scanner, std::shared_ptr<const SourceSystem> system) {
     const char* const where = scanner.rest().data();
     const std::string_view found = scanner.take_name();
     static const std::vector<std::string> all{"zero", "bounded", "polynomial", "exponential"};
@@ -60,10 +61,9 @@ void parse_class(ClaimScanner& scanner, Statement& statement) {
     if (std::find(all.begin(), all.end(), found) == all.end())
         throw SyntaxError{
             where, "expected " + expected + ", found " + quoted(found) + did_you_mean(found, all)};
-    statement.kind = Kind::growth_class;
-    statement.family = found;
-    if (found == "polynomial" && !scanner.at_end())
-        statement.size = parse_number(scanner, "a degree");
+    HasGrowthClass said{std::move(system), std::string(found)};
+    if (found == "polynomial" && !scanner.at_end()) said.degree = parse_number(scanner, "a degree");
+    return said;
 }
 
 /// Reads what is said of the sequence or the growth of systems, `growth(G) = 2^n`, into the statement.
@@ -71,22 +71,29 @@ void parse_class(ClaimScanner& scanner, Statement& statement) {
 void parse_growth(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
     const std::string_view word = scanner.name();
     const bool growth = word == "growth";
-    parse_subject(scanner, word, statement, reading);
+    const auto system = parse_subject(scanner, word, reading);
     statement.negated = scanner.take("!=");
     if (statement.negated || scanner.take("==")) {
-        statement.kind = growth ? Kind::equal_growth : Kind::equal_sequences;
-        return parse_subject(scanner, word, statement, reading);
+        const auto other = parse_subject(scanner, word, reading);
+        if (growth)
+            statement.says = EqualGrowth{system, other};
+        else
+            statement.says = EqualSequences{system, other};
+        return;
     }
     if (!growth) throw unexpected("'==' or '!='", scanner.here);
-    if (scanner.take("~")) return parse_class(scanner, statement);
+    if (scanner.take("~")) {
+        statement.says = parse_class(scanner, system);
+        return;
+    }
     if (!scanner.take("=")) throw unexpected("'=', '==', '!=' or '~'", scanner.here);
     if (scanner.name() == "growth")
         throw SyntaxError{scanner.here, "expected '==' before another growth, found '='"};
-    statement.kind = Kind::growth_formula;
-    const std::string_view formula = scanner.rest();
-    if (formula.empty()) throw unexpected("an expression in n", scanner.here);
-    statement.formula = parse_expression(formula, reading.source);
-    check_names(*statement.formula, reading);
+    const std::string_view text = scanner.rest();
+    if (text.empty()) throw unexpected("an expression in n", scanner.here);
+    const Expression formula = parse_expression(text, reading.source);
+    check_names(formula, reading);
+    statement.says = HasGrowthFormula{system, formula};
     scanner.here = scanner.end;
 }
 
@@ -94,22 +101,23 @@ void parse_growth(ClaimScanner& scanner, Statement& statement, ClaimReading& rea
 /// `dimension(G) = log 4 / log 3`, into the statement. Throws `SyntaxError` or `DependsOnError`.
 void parse_dimension(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
     const std::string_view word = scanner.take_name();
-    statement.kind = word == "dimension" ? Statement::Kind::dimension : Statement::Kind::boundary;
     if (!scanner.take("(")) throw unexpected("'(' after " + quoted(word), scanner.here);
     const std::string_view name = scanner.take_name();
     if (name.empty()) throw unexpected("the name of a system", scanner.here);
-    statement.drawn = reading.written(name);
+    const auto system = reading.written(name);
     if (!scanner.take(")")) throw unexpected("')'", scanner.here);
     const bool at_most = scanner.take("<=");
     statement.negated = !at_most && scanner.take("!=");
     if (!at_most && !statement.negated && !scanner.take("="))
         throw unexpected("'=', '!=' or '<=' and a number", scanner.here);
     const std::string_view text = scanner.rest();
-    const DimensionValue value = parse_dimension_value(scanner);
-    statement.dimension = ClaimedDimension{
-        value,
-        std::string(trimmed(text.substr(0, static_cast<std::size_t>(scanner.here - text.data())))),
-        at_most};
+    ClaimedDimension claimed{std::make_shared<const DimensionValue>(parse_dimension_value(scanner)),
+                             "", at_most};
+    claimed.text = trimmed(text.substr(0, static_cast<std::size_t>(scanner.here - text.data())));
+    if (word == "dimension")
+        statement.says = HasDimension{system, std::move(claimed)};
+    else
+        statement.says = BoundaryHasDimension{system, std::move(claimed)};
 }
 
 const char* place_of(const Expression& expression, const ClaimReading& reading) {
@@ -158,26 +166,26 @@ bool is_chance(std::string_view text) {
            text.find("==>") != std::string_view::npos;
 }
 
-/// Reads what is derived, `WORD in n steps`, into a statement on a system of these, and the word it begins
-/// with if it is no axiom. Throws `SyntaxError`.
-void parse_rewriting(const std::shared_ptr<const LSystem>& system,
-                     const std::optional<std::string_view>& from, std::string_view word,
-                     std::optional<std::uint64_t> steps, Statement& statement,
-                     ClaimReading& reading) {
-    statement.kind = Statement::Kind::rewrites;
+/// Reads what is derived, `WORD in n steps`, by a system of these, and the word it begins with if it is no
+/// axiom. Throws `SyntaxError`.
+Rewrites parse_rewriting(const std::shared_ptr<const LSystem>& system,
+                         const std::optional<std::string_view>& from, std::string_view word,
+                         std::optional<std::uint64_t> steps, ClaimReading& reading) {
+    Rewrites said;
     LSystem with_all_letters = *system;
-    if (from) statement.modules_from = parse_modules(*from, with_all_letters, reading);
-    statement.modules = parse_modules(word, with_all_letters, reading);
+    if (from) said.from = parse_modules(*from, with_all_letters, reading);
+    said.word = parse_modules(word, with_all_letters, reading);
     if (!steps)
         throw unexpected("'in' and a number of steps, as " + system->name +
                              " has probabilities, parameters or contexts of trees",
                          word.data() + word.size());
-    statement.steps = steps;
-    statement.rewriting = std::make_shared<const LSystem>(std::move(with_all_letters));
+    said.steps = *steps;
+    said.system = std::make_shared<const LSystem>(std::move(with_all_letters));
+    return said;
 }
 
 /// Reads `G ==> W in 3 steps` or `G : U ==> W`. Throws `SyntaxError`.
-void parse_derivation(std::string_view text, Statement& statement, ClaimReading& reading) {
+std::variant<Derives, Rewrites> parse_derivation(std::string_view text, ClaimReading& reading) {
     const std::size_t arrow = text.find("==>");
     const std::string_view left = before(text, arrow);
     const std::size_t colon = left.find(':');
@@ -186,41 +194,41 @@ void parse_derivation(std::string_view text, Statement& statement, ClaimReading&
     std::optional<std::string_view> from;
     if (colon != std::string_view::npos) from = left.substr(colon + 1);
     std::string_view word = text.substr(arrow + 3);
+    std::optional<std::uint64_t> number_of_steps;
     if (const std::size_t in = find_word(word, "in"); in != std::string_view::npos) {
         ClaimScanner steps(word.substr(in + 2));
         const char* const where = steps.rest().data();
         const Integer number = parse_number(steps, "a number of steps");
         if (!number.fits_uint64())
             throw SyntaxError{where, "expected a number of steps below 2^64"};
-        statement.steps = number.to_uint64();
+        number_of_steps = number.to_uint64();
         if (!steps.take_word("steps") && !steps.take_word("step"))
             throw unexpected("'steps'", steps.here);
         if (!steps.at_end()) throw unexpected("the end of the statement", steps.here);
         word = before(word, in);
     }
     if (const auto rewriting = reading.rewriting(name))
-        return parse_rewriting(rewriting, from, word, statement.steps, statement, reading);
-    statement.kind = Kind::derives;
-    statement.systems.push_back(reading.system(name));
-    if (from) statement.from = parse_claimed_word(*from, reading);
-    statement.word = parse_claimed_word(word, reading);
+        return parse_rewriting(rewriting, from, word, number_of_steps, reading);
+    Derives said{reading.system(name), {}, {}, number_of_steps};
+    if (from) said.from = parse_claimed_word(*from, reading);
+    said.word = parse_claimed_word(word, reading);
+    return said;
 }
 
 /// Reads `P(G ==> W in n steps) = NUMBER`, or `!=`. Throws `SyntaxError`.
 void parse_chance(std::string_view text, Statement& statement, ClaimReading& reading) {
     const std::size_t open = text.find('('), close = closing_bracket(text);
     const std::string_view inside = text.substr(open + 1, close - open - 1);
-    parse_derivation(inside, statement, reading);
-    if (!statement.rewriting)
+    const auto derivation = parse_derivation(inside, reading);
+    if (const auto* said = std::get_if<Derives>(&derivation))
         throw SyntaxError{inside.data() + inside.find_first_not_of(' '),
                           "expected a system with probabilities (S0L, PS0L, parametric), found '" +
-                              statement.systems.front()->name + "', which has none"};
-    if (class_of(*statement.rewriting).open)
+                              said->system->name + "', which has none"};
+    const Rewrites& said = std::get<Rewrites>(derivation);
+    if (class_of(*said.system).open)
         throw SyntaxError{inside.data() + inside.find_first_not_of(' '),
                           "expected a system without communication modules, found '" +
-                              statement.rewriting->name +
-                              "', whose environments leave nothing to chance"};
-    statement.kind = Statement::Kind::chance;
+                              said.system->name + "', whose environments leave nothing to chance"};
     ClaimScanner scanner(text.substr(close + 1));
     statement.negated = scanner.take("!=");
     if (!statement.negated && !scanner.take("="))
@@ -234,7 +242,7 @@ void parse_chance(std::string_view text, Statement& statement, ClaimReading& rea
         throw SyntaxError{
             number.data(),
             "expected a probability, an exact number from 0 to 1, found " + quoted(number)};
-    statement.probability = value.exact;
+    statement.says = HasChance{said, *value.exact};
 }
 
 /// Where a word that is written before `in` ends: in front of that, and of `not`.
@@ -258,18 +266,17 @@ std::optional<InPlace> find_in(std::string_view text) {
 }
 
 /// `E is ...`, from behind `is`.
-void parse_property(ClaimScanner& scanner, Statement& statement) {
+void parse_property(ClaimScanner& scanner, const Language& language, Statement& statement) {
     statement.negated = scanner.take_word("not");
     const char* const where = scanner.rest().data();
     const std::string_view property = scanner.take_piece();
     if (property == "finite" || property == "infinite") {
-        statement.kind = Kind::finite;
+        statement.says = IsFinite{language};
         if (property == "infinite") statement.negated = !statement.negated;
     } else if (property == "empty") {
-        statement.kind = Kind::empty;
+        statement.says = IsEmpty{language};
     } else if (const auto family = language_family(property)) {
-        statement.kind = Kind::family;
-        statement.family = *family;
+        statement.says = InFamily{language, *family};
     } else {
         const std::string expected =
             "a family (0L, PD0L, ET0L, regular, ...), finite, infinite or empty";
@@ -283,43 +290,42 @@ void parse_property(ClaimScanner& scanner, Statement& statement) {
 
 /// What is said of one language, or of two.
 void parse_about_languages(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
-    statement.languages.push_back(parse_language(scanner, reading).language);
-    if (scanner.take_word("is")) return parse_property(scanner, statement);
-    if (scanner.take("==")) {
-        statement.kind = Kind::equal;
-    } else if (scanner.take("!=")) {
-        statement.kind = Kind::equal;
-        statement.negated = true;
-    } else if (scanner.take("<=")) {
-        statement.kind = Kind::included;
-    } else {
+    const Language left = parse_language(scanner, reading).language;
+    if (scanner.take_word("is")) return parse_property(scanner, left, statement);
+    const bool included = scanner.take("<=");
+    statement.negated = scanner.take("!=");
+    if (!included && !statement.negated && !scanner.take("=="))
         throw unexpected("an operator, 'is', '==', '!=' or '<='", scanner.here);
-    }
-    statement.languages.push_back(parse_language(scanner, reading).language);
+    const Language right = parse_language(scanner, reading).language;
+    if (included)
+        statement.says = IncludedIn{left, right};
+    else
+        statement.says = EqualLanguages{left, right};
 }
 
 void parse_size(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
-    statement.kind = Kind::size;
     scanner.take("|");
-    statement.languages.push_back(parse_language(scanner, reading, true).language);
+    const Language language = parse_language(scanner, reading, true).language;
     if (!scanner.take("|")) throw unexpected("an operator or '|' and '='", scanner.here);
     statement.negated = scanner.take("!=");
     if (!statement.negated && !scanner.take("="))
         throw unexpected("'=' and a number of words", scanner.here);
-    statement.size = parse_number(scanner, "a number of words");
+    statement.says = HasSize{language, parse_number(scanner, "a number of words")};
 }
 
 void parse_body(std::string_view text, Statement& statement, ClaimReading& reading) {
     ClaimScanner scanner(text);
     if (is_chance(text)) return parse_chance(text, statement, reading);
-    if (text.find("==>") != std::string_view::npos)
-        return parse_derivation(text, statement, reading);
+    if (text.find("==>") != std::string_view::npos) {
+        std::visit([&](const auto& said) { statement.says = said; },
+                   parse_derivation(text, reading));
+        return;
+    }
     if (const auto in = find_in(text)) {
-        statement.kind = Kind::member;
         statement.negated = in->negated;
-        statement.word = parse_claimed_word(before(text, in->word_end), reading);
+        Word word = parse_claimed_word(before(text, in->word_end), reading);
         scanner.here = text.data() + in->behind;
-        statement.languages.push_back(parse_language(scanner, reading).language);
+        statement.says = HasWord{parse_language(scanner, reading).language, std::move(word)};
     } else if (scanner.name() == "growth" || scanner.name() == "sequence") {
         parse_growth(scanner, statement, reading);
     } else if (scanner.name() == "dimension" || scanner.name() == "boundary") {

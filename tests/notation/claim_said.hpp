@@ -41,6 +41,18 @@ inline std::string claim_messages(const std::string& lines) {
     return all;
 }
 
+/// Whether this form of statement is said.
+template <typename Form>
+bool is_said(const algae::Statement& statement) {
+    return std::holds_alternative<Form>(statement.says);
+}
+
+/// What a statement of this form says. Throws if it is of another form.
+template <typename Form>
+Form said_in(const algae::Statement& statement) {
+    return std::get<Form>(statement.says);
+}
+
 /// The language of an expression, as it is printed.
 inline std::string read_back(const std::string& expression) {
     const algae::WrittenLanguage written = algae::read_language(expression, gallery_system);

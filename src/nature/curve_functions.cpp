@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <numbers>
 
@@ -26,15 +25,6 @@ namespace {
 
 using Status = ExactDimension::Status;
 using Entry = RatioSum::Entry;
-
-std::vector<bool> reached(const IteratedFunctions& system) {
-    std::vector<bool> found(system.states.size());
-    found[0] = true;
-    for (std::size_t round = 0; round < system.states.size(); ++round)
-        for (const auto& map : system.maps)
-            if (found[map.from]) found[map.to] = true;
-    return found;
-}
 
 /// The square of a ratio, where that is a rational number.
 std::optional<Rational> rational_square(const Expression& ratio) {
@@ -71,7 +61,8 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
             found.conditions.push_back(map.name + " is no similarity");
             return found;
         }
-    const std::vector<bool> is_reached = reached(system);
+    std::vector<bool> is_reached = reachable(system).front();
+    is_reached.front() = true;
     std::vector<Entry> entries;
     for (const auto& map : system.maps) entries.push_back({map.from, map.to, *map.ratio});
     const Components all = RatioSum::components(system.states.size(), entries, budget);
@@ -110,9 +101,7 @@ namespace {
 Quantity decimal(double value) {
     const double whole = std::round(value);
     if (std::fabs(value - whole) < 1e-13) return quantity(Rational(static_cast<long>(whole)));
-    char text[32];
-    const char* const end = std::to_chars(text, text + sizeof text, value).ptr;
-    return quantity(Rational(std::string_view(text, static_cast<std::size_t>(end - text))));
+    return quantity(Rational(fmt::format("{}", value)));
 }
 
 /// 1/|mu|, exactly where |mu|^2 is a whole number.
@@ -137,12 +126,9 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
     const double turn = map.similarity->second.value / 180 * std::numbers::pi;
     const double c = ratio.value * std::cos(turn), s = ratio.value * std::sin(turn);
     const Quantity x = decimal(offset.real()), y = decimal(offset.imag());
-    map.numbers = {quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   x,
-                   y};
+    map.numbers.fill(quantity(0));
+    map.numbers[4] = x;
+    map.numbers[5] = y;
     map.map = {c, -s, s, c, x.value, y.value};
     return map;
 }

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
 
@@ -20,6 +21,11 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
     return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),
             from.blue + share * (to.blue - from.blue)};
 }
+
+RelativeFact::RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known)
+    : key(std::move(of)),
+      text(std::move(said)),
+      value(std::make_shared<const nlohmann::ordered_json>(known)) {}
 
 void PlainFigure::take_corners() {
     if (box_.empty) return;

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/iterated_functions.hpp"
 #include "rewrite/rewrite.hpp"

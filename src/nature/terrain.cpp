@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
 #include "nature/detail/height_field.hpp"

@@ -26,15 +26,6 @@ namespace {
 using Status = ExactDimension::Status;
 using Entry = RatioSum::Entry;
 
-std::vector<bool> reached(const IteratedFunctions& system) {
-    std::vector<bool> found(system.states.size());
-    found[0] = true;
-    for (std::size_t round = 0; round < system.states.size(); ++round)
-        for (const auto& map : system.maps)
-            if (found[map.from]) found[map.to] = true;
-    return found;
-}
-
 /// The square of a ratio, where that is a rational number.
 std::optional<Rational> rational_square(const Expression& ratio) {
     if (const auto plain = rational_value(shortened(ratio))) return *plain * *plain;
@@ -70,7 +61,8 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
             found.conditions.push_back(map.name + " is no similarity");
             return found;
         }
-    const std::vector<bool> is_reached = reached(system);
+    std::vector<bool> is_reached = reachable(system).front();
+    is_reached.front() = true;
     std::vector<Entry> entries;
     for (const auto& map : system.maps) entries.push_back({map.from, map.to, *map.ratio});
     const Components all = RatioSum::components(system.states.size(), entries, budget);
@@ -134,12 +126,9 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
     const double turn = map.similarity->second.value / 180 * std::numbers::pi;
     const double c = ratio.value * std::cos(turn), s = ratio.value * std::sin(turn);
     const Quantity x = decimal(offset.real()), y = decimal(offset.imag());
-    map.numbers = {quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   x,
-                   y};
+    map.numbers.fill(quantity(0));
+    map.numbers[4] = x;
+    map.numbers[5] = y;
     map.map = {c, -s, s, c, x.value, y.value};
     return map;
 }

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
@@ -17,6 +16,11 @@
 // last dot there; the cells are then drawn colour by colour.
 
 namespace algae {
+
+Colour mixed(const Colour& from, const Colour& to, double share) {
+    return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),
+            from.blue + share * (to.blue - from.blue)};
+}
 
 RelativeFact::RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known)
     : key(std::move(of)),
@@ -198,6 +202,30 @@ void LinkFigure::draw(Canvas& canvas, double, const Budget& budget) const {
         canvas.move_to(link.from);
         canvas.line_to(link.to);
     }
+}
+
+RelativeFigure pictured(const Relative& of, std::unique_ptr<Figure> figure,
+                        const std::string& what) {
+    return {std::move(figure), of.heading() + ", " + what, what};
+}
+
+RelativeFigure pictured(const Relative& of, std::vector<Path> paths, const std::string& what) {
+    return pictured(of, std::make_unique<PathFigure>(std::move(paths), of.settings), what);
+}
+
+BestLine best_line(const std::vector<Point>& points) {
+    Point mean;
+    for (const Point& point : points) {
+        mean.x += point.x / static_cast<double>(points.size());
+        mean.y += point.y / static_cast<double>(points.size());
+    }
+    double over = 0, under = 0;
+    for (const Point& point : points) {
+        over += (point.x - mean.x) * (point.y - mean.y);
+        under += (point.x - mean.x) * (point.x - mean.x);
+    }
+    if (!(under > 0)) return {0, mean.y, true};
+    return {over / under, mean.y - over / under * mean.x, false};
 }
 
 std::vector<Point> graph_path(const std::vector<double>& values, double breadth) {

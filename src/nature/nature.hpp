@@ -11,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -174,6 +175,12 @@ struct CellRule {
     bool operator==(const CellRule&) const = default;
 };
 
+/// The states of the local configuration of a number, from that of the first cell on.
+///
+/// Example: local_configuration(6, 2, 4) == std::vector<std::uint8_t>{0, 1, 1, 0}
+std::vector<std::uint8_t> local_configuration(std::size_t number, std::uint32_t states,
+                                              std::size_t cells);
+
 /// The cells at most `radius` away on a line, from left to right.
 std::vector<CellOffset> line_neighbourhood(int radius);
 
@@ -255,6 +262,11 @@ public:
 ///
 /// Example: state_character(11) == 'b'
 char state_character(std::uint8_t state);
+
+/// The characters of several states.
+///
+/// Example: state_text(local_configuration(6, 2, 4)) == "0110"
+std::string state_text(std::span<const std::uint8_t> states);
 
 /// The rows of a grid, a character for each cell, with a line break behind each.
 std::string grid_text(const CellGrid& grid);

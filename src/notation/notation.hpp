@@ -429,6 +429,43 @@ private:
     std::size_t count_ = 0;
 };
 
+/// The operators of a notation: how they are written, and how tightly they bind. The grammar of expressions
+/// takes them as a parameter, so that our notation and those of other programs are read by the same one.
+struct ExpressionDialect {
+    /// Loosest first.
+    enum class Binding { disjunction, conjunction, relation, sum, product, prefix, power };
+    struct Operator {
+        const char* written;
+        const char* name;  // in an Expression; a prefix that changes nothing has none, ""
+        Binding binding;
+    };
+    /// How a^b^c is read: as a^(b^c), as (a^b)^c, or not at all. In the last case an exponent takes
+    /// one sign.
+    enum class Powers { to_the_right, to_the_left, in_brackets };
+
+    std::vector<Operator> infixes, prefixes;
+    Powers powers = Powers::to_the_right;
+    bool spaced = false;  // an infix operator counts only with white space behind it
+};
+
+/// What a reader of another program's text adds to the operators of its dialect.
+struct ExpressionReader {
+    /// Where the next token begins, behind white space and comments.
+    std::function<const char*(const char* here)> next;
+    /// Reads what stands between operators, brackets and calls too, and moves `here` behind it.
+    std::function<Expression(const char*& here)> operand;
+    /// Is told where each operator stands, from left to right.
+    std::function<void(const char* where)> met;
+    /// What stands for an operator and its operands, those innermost first.
+    std::function<Expression(Expression)> made;
+};
+
+/// Reads operands with operators of the dialect before and between them, from `here` on up to where they
+/// cannot go on, and moves `here` there. Throws `SyntaxError` where powers ask for brackets, and
+/// what the reader throws. Linear.
+Expression read_expression(const char*& here, const char* end, const Source& source,
+                           const ExpressionDialect& dialect, const ExpressionReader& reader);
+
 /// The fewest insertions, deletions, replacements and exchanges of neighbours that turn one text
 /// into the other (restricted Damerau-Levenshtein distance). Time the product of the lengths.
 ///

@@ -2,9 +2,20 @@
 
 // Figures that are not drawn by a turtle: lines and polygons, points, links.
 
+#include <cmath>
+
+#include "nature/detail/checks.hpp"
 #include "nature/nature.hpp"
 
 namespace algae {
+
+/// Example: distance(Point{3, 4}, Point{0, 0}) == 5
+inline double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
+
+/// The colour so far on the way from one to the other.
+///
+/// Example: mixed({0, 0, 0}, {1, 1, 1}, 0.25).red == 0.25
+Colour mixed(const Colour& from, const Colour& to, double share);
 
 /// A figure that knows its box and its facts from the beginning.
 class PlainFigure : public Figure {
@@ -95,6 +106,21 @@ private:
     std::vector<Link> links_;
     double thickness_;
 };
+
+/// A figure of a relative among others: messages call it by both names, and its own stands underneath.
+RelativeFigure pictured(const Relative& of, std::unique_ptr<Figure> figure,
+                        const std::string& what);
+RelativeFigure pictured(const Relative& of, std::vector<Path> paths, const std::string& what);
+
+/// The line through points with the least squares of their vertical distances from it. Where all lie
+/// above each other none is best, and it is level.
+struct BestLine {
+    double slope = 0, height = 0;  // height at 0
+    bool is_level = true;
+};
+
+/// Example: best_line({{0, 1}, {1, 3}, {2, 5}}).slope == 2
+BestLine best_line(const std::vector<Point>& points);
 
 /// The graph of evenly spaced values, as a line in a box of `breadth` by 1: its lowest value is at
 /// the bottom and its highest at the top. Values that are all the same lie at the bottom.

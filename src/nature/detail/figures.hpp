@@ -9,9 +9,6 @@
 
 namespace algae {
 
-/// Example: distance(Point{3, 4}, Point{0, 0}) == 5
-inline double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
-
 /// The colour so far on the way from one to the other.
 ///
 /// Example: mixed({0, 0, 0}, {1, 1, 1}, 0.25).red == 0.25

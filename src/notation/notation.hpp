@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "exact/exact.hpp"
@@ -218,10 +219,17 @@ struct RelativeFile {
                            const std::string& message) const;
     [[noreturn]] void fail(const RelativeStatement& statement, const std::string& message) const;
     [[noreturn]] void fail(const std::string& message) const;
+    /// The same: "expected KEY `wanted`, found 'WORD'", and a hint.
+    [[noreturn]] void refuse(const RelativeStatement& statement, const RelativeWord& word,
+                             const std::string& wanted, const std::string& hint = {}) const;
 
     /// The number of words; throws unless from `least` to `most`.
     void check_words(const RelativeStatement& statement, std::size_t least, std::size_t most,
                      const std::string& arguments) const;
+
+    /// The word of a statement that has one; throws if it has not.
+    const RelativeWord& only_word(const RelativeStatement& statement,
+                                  const std::string& arguments) const;
 
     /// A word as a number: any expression without names, `1/3`, `sqrt(3)/6`, `cos(60)`. Exact where
     /// `evaluate` is.
@@ -231,6 +239,11 @@ struct RelativeFile {
                   double most) const;
     std::uint64_t natural(const RelativeStatement& statement, const RelativeWord& word,
                           std::uint64_t least, std::uint64_t most) const;
+    /// `N` or `N..M`, both at most `most`.
+    std::pair<std::uint64_t, std::uint64_t> range(const RelativeStatement& statement,
+                                                  const RelativeWord& word,
+                                                  std::uint64_t most) const;
+    Colour colour(const RelativeStatement& statement, const RelativeWord& word) const;
     /// `(1,2)` as two numbers.
     Point point(const RelativeStatement& statement, const RelativeWord& word) const;
 
@@ -392,6 +405,13 @@ struct SyntaxError {
 /// "expected `expectation`, found ..." with what stands at `where` or behind the blanks there.
 SyntaxError unexpected(const std::string& expectation, const char* where);
 
+/// "expected `expectation`, found 'WORD'", with the known word that could have been meant.
+SyntaxError unknown_word(const std::string& expectation, std::string_view found,
+                         const std::vector<std::string>& known);
+
+/// "'KEYWORD' is given twice, first in line 3", where the first of both stands.
+SyntaxError given_twice(std::string_view keyword, const char* first, const Source& source);
+
 /// The findings about one text, gathered while it is read further.
 class Findings {
 public:
@@ -405,6 +425,15 @@ public:
         add(source_.offset(place), std::move(message));
     }
     void add(const SyntaxError& error);
+    /// Calls `read` and adds what it throws as a `SyntaxError`.
+    template <class Read>
+    void gather(Read read) {
+        try {
+            read();
+        } catch (const SyntaxError& error) {
+            add(error);
+        }
+    }
 
     bool empty() const { return count_ == 0; }
     std::size_t count() const { return count_; }
@@ -529,27 +558,51 @@ struct ClaimClause {
 /// not counted, and one that is never closed does not hide the lines below it. Linear.
 std::vector<ClaimClause> claim_clauses(std::string_view text);
 
-/// A place in a clause of a claim that moves on over what is read there.
-struct ClaimScanner {
-    const char* here;
-    const char* end;
-
-    explicit ClaimScanner(std::string_view text)
-        : here(text.data()), end(text.data() + text.size()) {}
-
-    /// What is still to be read, after blanks.
-    std::string_view rest();
-    bool at_end() { return rest().empty(); }
-
-    /// Moves over the token if it stands next.
-    bool take(std::string_view token);
-    /// Moves over the word if it stands next and nothing sticks to it.
-    bool take_word(std::string_view word);
-    /// The name that stands next: a letter, then letters, digits, `_` and `'`; empty if there is none.
-    std::string_view name();
-    std::string_view take_name();
-    /// Moves over what stands up to the next blank.
-    std::string_view take_piece();
+/// Statements that exercises have and claims have not, about a system called `answer`: `answer is D0L`.
+struct AnswerIs {
+    std::string form;
 };
+
+/// `answer has at most 2 rules`.
+struct AnswerHas {
+    enum class Counted { rules, letters, axiom_symbols };
+    Counted counted = Counted::rules;
+    bool at_most = false;
+    std::uint64_t count = 0;
+};
+
+/// `figure(answer, 4) is similar to figure(koch, 4)`.
+struct FiguresAre {
+    enum class Relation { similar, congruent, same };
+    struct Figure {
+        std::string system;      // `answer`, or what a system is opened by
+        std::size_t offset = 0;  // where its name stands in the statement, in bytes
+        std::uint64_t generation = 0;
+    };
+    Figure left, right;
+    Relation relation = Relation::same;
+};
+
+using OwnStatement = std::variant<AnswerIs, AnswerHas, FiguresAre>;
+
+/// Whether a text begins as such a statement does. What begins with `answer` is a statement of claims unless the answer
+/// is a system (`of_system`).
+///
+/// Example: is_own_statement("answer has 2 rules", true)
+/// Example: !is_own_statement("growth(answer) = 2^n", true)
+bool is_own_statement(std::string_view text, bool of_system);
+
+/// The statement that a text says which begins so, without comments. Throws `SyntaxError`.
+OwnStatement read_own_statement(std::string_view text);
+
+/// The pieces of a text between blanks.
+///
+/// Example: blank_separated(" a  b ").size() == 2
+std::vector<std::string_view> blank_separated(std::string_view text);
+
+/// Whether a text is a name in claims: a letter, then letters, digits, `_` and `'`.
+///
+/// Example: is_claim_name("h_1'") && !is_claim_name("1a")
+bool is_claim_name(std::string_view text);
 
 }  // namespace algae

@@ -1,6 +1,11 @@
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <iterator>
+#include <regex>
+
 #include "notation/claim_said.hpp"
+#include "notation/detail/claim_reading.hpp"
 
 using namespace algae;
 
@@ -128,4 +133,14 @@ TEST_CASE("systems are over the alphabet of the claim") {
     CHECK(read.systems[3]->tables);
     CHECK(said_in<HasWord>(read.statements[0].statement).word ==
           Word{0, *read.alphabet->find("z")});
+}
+
+TEST_CASE("NOTATION.md shows each form of statements") {
+    std::ifstream file(std::string(ALGAE_SOURCE_DIR) + "/NOTATION.md");
+    const std::string notation(std::istreambuf_iterator<char>(file), {});
+    CHECK(written_statements().size() == 9);
+    for (const std::string& written : written_statements())
+        CHECK_MESSAGE(notation.find("`" + std::regex_replace(written, std::regex("[|]"), "\\|") +
+                                    "`") != std::string::npos,
+                      written);
 }

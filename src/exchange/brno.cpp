@@ -11,6 +11,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/plain_rules.hpp"
 #include "exchange/detail/scanner.hpp"
+#include "model/model.hpp"
 
 // Text files of a geometric interpreter of D0L systems (Brno, 2008).
 //
@@ -255,7 +256,7 @@ public:
     Reader(std::string_view text, const std::string& name)
         : name_(name), source_(text, name), findings_(source_), scanner_(text, name, comments()) {}
 
-    LSystem read() {
+    Model read() {
         try {
             section("modules", "at the beginning", [&] { read_module(); });
             keyword("axiom", "behind the modules");
@@ -482,7 +483,7 @@ std::string brno_text(BrnoSystem system, const std::string& title) {
 /// Finds what a system says that a file can say, and throws Error where it cannot.
 class Writer : FormatWriter {
 public:
-    explicit Writer(const LSystem& system) : FormatWriter(system, "brno") {}
+    explicit Writer(const Model& system) : FormatWriter(system, "brno") {}
 
     BrnoSystem written() {
         check_plain_rules(false);
@@ -509,13 +510,13 @@ public:
 
 private:
     void check_start() const {
-        const Settings& settings = system_.settings;
-        if (settings.clockwise) refuse("that + turns clockwise");
-        if (!is_usual(settings.shrink, 1))
+        const Drawing& drawing = system_.drawing;
+        if (drawing.clockwise) refuse("that + turns clockwise");
+        if (!is_usual(drawing.shrink, 1))
             refuse("that steps shrink from one generation to the next");
-        if (!is_usual(settings.spin, 0))
+        if (!is_usual(drawing.spin, 0))
             refuse("that the start turns from one generation to the next");
-        if (const auto& start = settings.start)
+        if (const auto& start = drawing.start)
             if (start->x.value != 0 || start->y.value != 0 || start->heading.value != 0)
                 refuse("where the turtle starts, expected 'start 0 0 0'");
     }
@@ -546,19 +547,19 @@ private:
     }
     bool acts(const TurtleModule& module) const {
         const std::string& of = name(module.symbol);
-        const Settings& settings = system_.settings;
-        if (std::ranges::count(settings.stamps, module.symbol, &Settings::Stamp::symbol) > 0)
+        const Drawing& drawing = system_.drawing;
+        if (std::ranges::count(drawing.stamps, module.symbol, &Drawing::Stamp::symbol) > 0)
             return true;
         if (solid(module.symbol) || steps(of)) return true;
-        if (of == "*") return !module.parameters.empty() || settings.scale;
-        if (of == "!") return !module.parameters.empty() || settings.narrow;
+        if (of == "*") return !module.parameters.empty() || drawing.scale;
+        if (of == "!") return !module.parameters.empty() || drawing.narrow;
         return of.size() == 1 && std::strchr("G+-&^\\/|$@[]{}.%", of[0]);
     }
     static bool steps(const std::string& of) {
         return of == "F" || of == "f" || of.starts_with("F_") || of.starts_with("f_");
     }
     const SolidSetting* solid(Symbol symbol) const {
-        for (const SolidSetting& setting : system_.settings.solids)
+        for (const SolidSetting& setting : system_.drawing.solids)
             if (setting.symbol == symbol) return &setting;
         return nullptr;
     }
@@ -613,7 +614,7 @@ private:
             refuse("the ball " + name(symbol) + " between braces, where turns and lines stand");
         return {'S', pixels(symbol, 2 * radius * step(), "the diameter"), 0};
     }
-    double step() const { return system_.settings.step ? system_.settings.step->value : 1; }
+    double step() const { return system_.drawing.step ? system_.drawing.step->value : 1; }
 
     long whole(double value, long least, long most, const std::string& what) const {
         if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) ||
@@ -654,7 +655,7 @@ private:
     long turned(char turn, Symbol symbol) const {
         const std::vector<TurtleModule> all = deeds(symbol);
         if (all.size() != 1 || name(all[0].symbol) != std::string(1, turn)) refuse_meaning(turn);
-        const auto& angle = system_.settings.angle;
+        const auto& angle = system_.drawing.angle;
         const double degrees = !all[0].parameters.empty() ? all[0].parameters[0].value
                                : angle                    ? angle->value
                                                           : 90;
@@ -682,11 +683,11 @@ private:
 
 }  // namespace
 
-LSystem read_brno(std::string_view text, const std::string& name) {
+Model read_brno(std::string_view text, const std::string& name) {
     return Reader(readable(text), name).read();
 }
 
-std::string print_brno(const LSystem& system) {
+std::string print_brno(const Model& system) {
     return brno_text(Writer(system).written(), system.title);
 }
 

@@ -9,6 +9,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/maple.hpp"
 #include "exchange/detail/plain_rules.hpp"
+#include "model/model.hpp"
 
 // Systems as Maple worksheets.
 //
@@ -98,11 +99,11 @@ private:
 /// Refuses what none of the procedures says.
 class Check : FormatWriter {
 public:
-    explicit Check(const LSystem& system) : FormatWriter(system, "maple"), form_(form()) {}
+    explicit Check(const Model& system) : FormatWriter(system, "maple"), form_(form()) {}
 
     MapleForm all() const {
         rules();
-        settings();
+        drawing();
         symbols(system_.axiom);
         for (const Production& rule : system_.rules) {
             check_name(name(rule.predecessor.symbol));
@@ -141,15 +142,15 @@ private:
         }
     }
 
-    void settings() const {
+    void drawing() const {
         check_plain_settings();
-        const Settings& settings = system_.settings;
-        if (!is_usual(settings.shrink, 1)) refuse("steps that shrink");
-        if (!is_usual(settings.spin, 0)) refuse("a spin");
-        if (settings.clockwise) refuse("that + turns clockwise");
-        if (!settings.stamps.empty()) refuse("stamps");
-        if (!settings.solids.empty()) refuse("solids");
-        if (form_ == MapleForm::parametric && !is_usual(settings.step, 1))
+        const Drawing& drawing = system_.drawing;
+        if (!is_usual(drawing.shrink, 1)) refuse("steps that shrink");
+        if (!is_usual(drawing.spin, 0)) refuse("a spin");
+        if (drawing.clockwise) refuse("that + turns clockwise");
+        if (!drawing.stamps.empty()) refuse("stamps");
+        if (!drawing.solids.empty()) refuse("solids");
+        if (form_ == MapleForm::parametric && !is_usual(drawing.step, 1))
             refuse("a step beside lengths as parameters");
     }
 
@@ -168,8 +169,8 @@ private:
             if (meaning == MapleMeaning::same && silent && maple_need(name) != MapleNeed::any)
                 refuse("the interpretation of " + name);
             if (form_ == MapleForm::parametric || silent) continue;
-            if (name == "*" && system_.settings.scale) refuse("the scale of the symbol *");
-            if (name == "!" && system_.settings.narrow) refuse("the setting narrow");
+            if (name == "*" && system_.drawing.scale) refuse("the scale of the symbol *");
+            if (name == "!" && system_.drawing.narrow) refuse("the setting narrow");
         }
     }
 
@@ -197,7 +198,7 @@ private:
 
 class Worksheet : FormatWriter {
 public:
-    explicit Worksheet(const LSystem& system)
+    explicit Worksheet(const Model& system)
         : FormatWriter(system, "maple"), form_(Check(system).all()) {}
 
     std::string all() {
@@ -211,7 +212,7 @@ public:
             if (form_ == MapleForm::stochastic) call += probabilities() + ", ";
             call += number(angle()) + ", ";
         }
-        const auto& generations = system_.settings.generations;
+        const auto& generations = system_.drawing.generations;
         call += (generations ? std::to_string(generations->second) : "N") + ");\n";
         const std::string start = this->start();
         return commented("# ", {system_.title, system_.source}) + constants() + functions_ + start +
@@ -250,8 +251,7 @@ private:
     }
 
     Expression angle() const {
-        return system_.settings.angle ? system_.settings.angle->expression
-                                      : quantity(90).expression;
+        return system_.drawing.angle ? system_.drawing.angle->expression : quantity(90).expression;
     }
 
     /// The text of an expression without parameters; its constants will be assigned.
@@ -351,8 +351,8 @@ private:
     /// Where GRAFICO starts, if not as it is printed.
     std::string start() {
         const bool upward = form_ == MapleForm::stochastic;
-        Settings::Start start{quantity(0), quantity(0), quantity(0)};
-        if (system_.settings.start) start = *system_.settings.start;
+        Drawing::Start start{quantity(0), quantity(0), quantity(0)};
+        if (system_.drawing.start) start = *system_.drawing.start;
         for (const Quantity* one : {&start.x, &start.y, &start.heading})
             if (!one->exact) refuse("the start " + to_text(one->expression) + ", no fraction");
         std::string text;
@@ -361,7 +361,7 @@ private:
                     shortest_text(*start.y.exact) + "]:\n";
         if (*start.heading.exact != (upward ? 90 : 0))
             text += "ANGULO := " + shortest_text(*start.heading.exact) + "*Pi/180:\n";
-        const auto& step = system_.settings.step;
+        const auto& step = system_.drawing.step;
         if (step && step->value != 1) text += "SEGMENTO := " + number(step->expression) + ":\n";
         return text.empty() ? text : "# where the turtle of GRAFICO starts\n" + text;
     }
@@ -384,6 +384,6 @@ private:
 
 }  // namespace
 
-std::string print_maple(const LSystem& system) { return Worksheet(system).all(); }
+std::string print_maple(const Model& system) { return Worksheet(system).all(); }
 
 }  // namespace algae

@@ -1,3 +1,8 @@
+#include <algorithm>
+#include <set>
+
+#include "model/model.hpp"
+
 #include "exchange/detail/plain_rules.hpp"
 
 #include <set>
@@ -47,11 +52,11 @@ void FormatWriter::check_plain_rules(bool choices) const {
 }
 
 void FormatWriter::check_plain_settings() const {
-    const Settings& settings = system_.settings;
+    const Drawing& drawing = system_.drawing;
     if (!system_.environments.empty()) refuse("environments");
-    if (settings.tropism) refuse("a tropism");
-    if (!settings.surfaces.empty()) refuse("surfaces");
-    if (!settings.plotters.empty()) refuse("plots");
+    if (drawing.tropism) refuse("a tropism");
+    if (!drawing.surfaces.empty()) refuse("surfaces");
+    if (!drawing.plotters.empty()) refuse("plots");
 }
 
 void FormatWriter::interpret(const TurtleModule& module, std::size_t depth, std::size_t& steps,

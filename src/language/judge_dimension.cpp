@@ -1,6 +1,7 @@
 #include "dimension/dimension.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
+#include "model/model.hpp"
 
 // Statements about the dimension of limit sets and of their boundaries: by `exact_dimension`, and exactly.
 //
@@ -46,7 +47,7 @@ Answer judge_bounded(steps::LimitSet said) {
     return open(said);
 }
 
-steps::LimitSet limit_set(const LSystem& system, const ClaimedDimension& claimed, bool boundary,
+steps::LimitSet limit_set(const Model& system, const ClaimedDimension& claimed, bool boundary,
                           const Budget& budget) {
     return {system.name, std::make_shared<const ExactDimension>(exact_dimension(system, budget)),
             boundary, claimed, Order::unknown};
@@ -58,7 +59,7 @@ bool exceeds_plane(const ExactDimension& found) {
     return compare(found.value->enclosure(64), Ball(2, 64)) == Order::greater;
 }
 
-Answer judge_dimension(const LSystem& system, const ClaimedDimension& claimed,
+Answer judge_dimension(const Model& system, const ClaimedDimension& claimed,
                        const Budget& budget) {
     const steps::LimitSet said = limit_set(system, claimed, false, budget);
     if (said.found->status == Status::exact) return judge_exact(*said.found->value, said);
@@ -66,7 +67,7 @@ Answer judge_dimension(const LSystem& system, const ClaimedDimension& claimed,
     return open(said);
 }
 
-Answer judge_boundary(const LSystem& system, const ClaimedDimension& claimed,
+Answer judge_boundary(const Model& system, const ClaimedDimension& claimed,
                       const Budget& budget) {
     const steps::LimitSet said = limit_set(system, claimed, true, budget);
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);

@@ -26,6 +26,7 @@
 namespace algae {
 
 class DimensionValue;
+struct Model;
 
 // --- Languages as values ---
 
@@ -584,13 +585,13 @@ struct HasChance {
 
 /// The limit set that the system draws has this dimension, or one at most as large.
 struct HasDimension {
-    std::shared_ptr<const LSystem> system;  // with the turtle
+    std::shared_ptr<const Model> system;  // with the turtle
     ClaimedDimension dimension;
 };
 
 /// The boundary of the limit set has.
 struct BoundaryHasDimension {
-    std::shared_ptr<const LSystem> system;
+    std::shared_ptr<const Model> system;
     ClaimedDimension dimension;
 };
 

@@ -6,6 +6,7 @@
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "lesson/lesson.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/turtle.hpp"
 
@@ -340,7 +341,7 @@ public:
 
 private:
     /// The system of this name. Throws FileElsewhere where it may be known later.
-    LSystem opened(const std::string& name) const {
+    Model opened(const std::string& name) const {
         try {
             return open_(name);
         } catch (const Diagnostics&) {

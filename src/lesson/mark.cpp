@@ -6,6 +6,7 @@
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "lesson/lesson.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
@@ -91,7 +92,7 @@ struct NamedFigure {
     Outline outline;
 };
 
-NamedFigure named_figure(const FiguresAre::Figure& figure, const LSystem& answer,
+NamedFigure named_figure(const FiguresAre::Figure& figure, const Model& answer,
                          const SystemSource& open, const Budget& budget) {
     const std::uint64_t n = figure.generation;
     const std::string generation = "generation " + std::to_string(n) + " of ";
@@ -265,7 +266,7 @@ private:
     const std::string& name_;
     const SystemSource& open_;
     const Budget& budget_;
-    std::optional<LSystem> system_;
+    std::optional<Model> system_;
     std::string own_text_;
     std::optional<Claim> own_;
 };

@@ -218,7 +218,7 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
 RelativeFigure BoxCover::measured_figure(const Budget& budget) const {
     std::vector<Path> paths;
     for (Stroke& stroke : strokes(budget)) paths.push_back({.points = std::move(stroke)});
-    return {std::make_unique<PathFigure>(std::move(paths), settings), heading(), ""};
+    return {std::make_unique<PathFigure>(std::move(paths), style), heading(), ""};
 }
 
 std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {

@@ -234,7 +234,7 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
             std::unique_ptr<Figure> figure;
             std::string what;
             const auto paths = [&](std::vector<Path> drawn, const char* view_name) {
-                figure = std::make_unique<PathFigure>(std::move(drawn), settings);
+                figure = std::make_unique<PathFigure>(std::move(drawn), style);
                 what = view_name;
             };
             switch (view) {
@@ -254,8 +254,8 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
                     ViewChoices choices;
                     choices.camera = camera;
                     figure = std::make_unique<SpaceView>(
-                        relief_scene(heights, relief, shown_squares, budget), settings,
-                        SceneFacts{}, choices, budget);
+                        relief_scene(heights, relief, shown_squares, budget), style, SceneFacts{},
+                        choices, budget);
                     what = "solid view";
                     break;
                 }

@@ -100,11 +100,11 @@ std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
 
 namespace {
 
-/// A rod without thickness from each place to the next, in the colours of the settings.
+/// A rod without thickness from each place to the next, in the colours of the style.
 Scene path_scene(const std::vector<Vector>& places, const Relative& walker) {
     Scene made;
     made.name = walker.heading();
-    made.colours = walker.settings.colours;
+    made.colours = walker.style.colours;
     for (std::uint32_t i = 1; i < places.size(); ++i) {
         Rod rod;
         rod.from = places[i - 1];

@@ -88,7 +88,7 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
 RelativeFigure WeierstrassFunction::measured_figure(const Budget& budget) const {
     check();
     return {std::make_unique<PathFigure>(
-                graph(*this, from, to, most_terms, measured_points, budget), settings),
+                graph(*this, from, to, most_terms, measured_points, budget), style),
             heading() + ", the graph by " + std::to_string(measured_points) + " segments", ""};
 }
 

@@ -200,12 +200,12 @@ void RelativeFile::describe(Relative& relative) const {
     if (const RelativeStatement* colours = find("colour"))
         for (const RelativeWord& word : colours->words) {
             if (word.text != "along") colour(*colours, word);
-            relative.settings.colours.push_back(word.text);
+            relative.style.colours.push_back(word.text);
         }
     if (const RelativeStatement* width = find("width")) {
         const RelativeWord& points = only_word(*width, "POINTS");
         number(*width, points, 0.001, 1000);
-        relative.settings.width = quantity(*width, points);
+        relative.style.width = quantity(*width, points);
     }
 }
 

@@ -7,6 +7,7 @@
 
 #include <cmath>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;

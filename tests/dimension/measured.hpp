@@ -8,6 +8,7 @@
 
 #include "dimension/detail/measures.hpp"
 #include "dimension/dimension.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/turtle.hpp"
 

@@ -54,7 +54,7 @@ TEST_CASE("what dimensions are compared by") {
     CHECK(statement("dimension(G) != 1").negated);
     CHECK(statement("not dimension(G) <= 1").negated);
     CHECK(said_in<HasDimension>(statement("dimension(G) <= 1")).dimension.at_most);
-    CHECK(said_in<HasDimension>(statement("dimension(G) = 1")).system->settings.angle.has_value());
+    CHECK(said_in<HasDimension>(statement("dimension(G) = 1")).system->drawing.angle.has_value());
 }
 
 TEST_CASE("what cannot be read is said with its place") {

@@ -8,6 +8,8 @@
 
 namespace algae {
 
+struct Model;
+
 /// A module as the turtle meets it: a symbol and the values of its parameters.
 struct TurtleModule {
     Symbol symbol = 0;
@@ -22,7 +24,7 @@ std::string beyond_plain(const Production& rule, bool parameters);
 class FormatWriter {
 protected:
     /// `format` is what errors call it: "brno".
-    FormatWriter(const LSystem& system, const char* format) : system_(system), format_(format) {}
+    FormatWriter(const Model& system, const char* format) : system_(system), format_(format) {}
 
     /// Throws Error: "bush: brno cannot say ...", with the system's name if it has one.
     [[noreturn]] void refuse(const std::string& what) const;
@@ -51,7 +53,7 @@ protected:
         return !setting || setting->value == value;
     }
 
-    const LSystem& system_;
+    const Model& system_;
 
 private:
     void interpret(const TurtleModule& module, std::size_t depth, std::size_t& steps,

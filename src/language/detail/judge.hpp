@@ -155,14 +155,14 @@ Answer judge_chance(const HasChance& said, const Budget& budget = {});
 /// `exact_dimension`, and exactly. Where the rules give an upper bound only, nothing below it is said
 /// to be the dimension, nor that it is one. Undecided with the reasons where the rules give no
 /// formula, and where two logarithms agree in 200 digits but no proof of their equality was found.
-Answer judge_dimension(const LSystem& system, const ClaimedDimension& claimed,
+Answer judge_dimension(const Model& system, const ClaimedDimension& claimed,
                        const Budget& budget = {});
 
 /// Whether what the rules say of the dimension is more than that of the plane.
 bool exceeds_plane(const ExactDimension& found);
 
 /// The same of the boundary of a limit set with interior points.
-Answer judge_boundary(const LSystem& system, const ClaimedDimension& claimed,
+Answer judge_boundary(const Model& system, const ClaimedDimension& claimed,
                       const Budget& budget = {});
 
 }  // namespace algae

@@ -10,6 +10,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/plain_rules.hpp"
 #include "exchange/detail/scanner.hpp"
+#include "model/model.hpp"
 
 // Text files of a geometric interpreter of D0L systems (Brno, 2008).
 //
@@ -256,7 +257,7 @@ public:
     Reader(std::string_view text, const std::string& name)
         : name_(name), source_(text, name), findings_(source_), scanner_(text, name, comments()) {}
 
-    LSystem read() {
+    Model read() {
         try {
             section("modules", "at the beginning", [&] { read_module(); });
             keyword("axiom", "behind the modules");
@@ -502,7 +503,7 @@ constexpr const char* format = "brno";
 /// Finds what a system says that a file can say, and throws Error where it cannot.
 class Writer {
 public:
-    explicit Writer(const LSystem& system) : system_(system) {}
+    explicit Writer(const Model& system) : system_(system) {}
 
     BrnoSystem written() {
         check_plain_rules(system_, format, false);
@@ -532,14 +533,14 @@ private:
     [[noreturn]] void refuse(const std::string& what) const { cannot_say(system_, format, what); }
 
     void check_start() const {
-        const Settings& settings = system_.settings;
+        const Drawing& drawing = system_.drawing;
         const auto is = [](const std::optional<Quantity>& number, double value) {
             return !number || number->value == value;
         };
-        if (settings.clockwise) refuse("that + turns clockwise");
-        if (!is(settings.shrink, 1)) refuse("that steps shrink from one generation to the next");
-        if (!is(settings.spin, 0)) refuse("that the start turns from one generation to the next");
-        if (const auto& start = settings.start)
+        if (drawing.clockwise) refuse("that + turns clockwise");
+        if (!is(drawing.shrink, 1)) refuse("that steps shrink from one generation to the next");
+        if (!is(drawing.spin, 0)) refuse("that the start turns from one generation to the next");
+        if (const auto& start = drawing.start)
             if (start->x.value != 0 || start->y.value != 0 || start->heading.value != 0)
                 refuse("where the turtle starts, expected 'start 0 0 0'");
     }
@@ -570,19 +571,19 @@ private:
     }
     bool acts(const TurtleModule& module) const {
         const std::string& of = name(module.symbol);
-        const Settings& settings = system_.settings;
-        for (const Settings::Stamp& stamp : settings.stamps)
+        const Drawing& drawing = system_.drawing;
+        for (const Drawing::Stamp& stamp : drawing.stamps)
             if (stamp.symbol == module.symbol) return true;
         if (solid(module.symbol) || steps(of)) return true;
-        if (of == "*") return !module.parameters.empty() || settings.scale;
-        if (of == "!") return !module.parameters.empty() || settings.narrow;
+        if (of == "*") return !module.parameters.empty() || drawing.scale;
+        if (of == "!") return !module.parameters.empty() || drawing.narrow;
         return of.size() == 1 && std::strchr("G+-&^\\/|$@[]{}.%", of[0]);
     }
     static bool steps(const std::string& of) {
         return of == "F" || of == "f" || of.starts_with("F_") || of.starts_with("f_");
     }
     const SolidSetting* solid(Symbol symbol) const {
-        for (const SolidSetting& setting : system_.settings.solids)
+        for (const SolidSetting& setting : system_.drawing.solids)
             if (setting.symbol == symbol) return &setting;
         return nullptr;
     }
@@ -637,7 +638,7 @@ private:
             refuse("the ball " + name(symbol) + " between braces, where turns and lines stand");
         return {'S', pixels(symbol, 2 * radius * step(), "the diameter"), 0};
     }
-    double step() const { return system_.settings.step ? system_.settings.step->value : 1; }
+    double step() const { return system_.drawing.step ? system_.drawing.step->value : 1; }
 
     long whole(double value, long least, long most, const std::string& what) const {
         if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) ||
@@ -680,7 +681,7 @@ private:
     long turned(char turn, Symbol symbol) const {
         const std::vector<TurtleModule> all = deeds(symbol);
         if (all.size() != 1 || name(all[0].symbol) != std::string(1, turn)) refuse_meaning(turn);
-        const auto& angle = system_.settings.angle;
+        const auto& angle = system_.drawing.angle;
         const double degrees = !all[0].parameters.empty() ? all[0].parameters[0].value
                                : angle                    ? angle->value
                                                           : 90;
@@ -699,7 +700,7 @@ private:
         if (!same) refuse_meaning(letter);
     }
 
-    const LSystem& system_;
+    const Model& system_;
     std::map<char, Symbol> symbols_;  // of the words
     std::set<char> fenced_;           // written between braces
     PolygonLetters drawn_;
@@ -709,11 +710,11 @@ private:
 
 }  // namespace
 
-LSystem read_brno(std::string_view text, const std::string& name) {
+Model read_brno(std::string_view text, const std::string& name) {
     return Reader(readable(text), name).read();
 }
 
-std::string print_brno(const LSystem& system) {
+std::string print_brno(const Model& system) {
     return brno_text(Writer(system).written(), system.title);
 }
 

@@ -4,6 +4,7 @@
 
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
+#include "model/model.hpp"
 
 // What can become what: the registry of formats and the conversions between them.
 //
@@ -72,7 +73,7 @@ std::string word(const std::vector<std::uint8_t>& states, std::size_t first, std
 
 }  // namespace
 
-LSystem system_of_cells(const CellularAutomaton& automaton) {
+Model system_of_cells(const CellularAutomaton& automaton) {
     const CellRule& rule = automaton.rule;
     if (rule.dimensions != 1)
         throw Error(automaton.name + ": lies in the plane, and the letters of a word on a line");
@@ -242,7 +243,7 @@ std::string converted(std::string_view text, const std::string& name, const std:
         return table->print(*relative_of(from, text, name));
     const SystemFormat *source = system_format("." + from), *target = system_format("." + to);
     if ((source || from == "lsys") && (target || to == "lsys") && (source || target)) {
-        const LSystem system = source ? source->read(text, name) : read_lsystem(text, name);
+        const Model system = source ? source->read(text, name) : read_lsystem(text, name);
         return target ? target->print(system) : print_lsystem(system);
     }
     refuse(name, from, to);

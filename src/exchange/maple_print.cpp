@@ -9,6 +9,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/maple.hpp"
 #include "exchange/detail/plain_rules.hpp"
+#include "model/model.hpp"
 
 // Systems as Maple worksheets.
 //
@@ -98,11 +99,11 @@ private:
 /// Refuses what none of the procedures says.
 class Check {
 public:
-    explicit Check(const LSystem& system) : system_(system), form_(form()) {}
+    explicit Check(const Model& system) : system_(system), form_(form()) {}
 
     MapleForm all() const {
         rules();
-        settings();
+        drawing();
         symbols(system_.axiom);
         for (const Production& rule : system_.rules) {
             check_name(name(rule.predecessor.symbol));
@@ -152,18 +153,18 @@ private:
         }
     }
 
-    void settings() const {
+    void drawing() const {
         check_plain_settings(system_, "maple");
-        const Settings& settings = system_.settings;
+        const Drawing& drawing = system_.drawing;
         const auto is_one = [](const std::optional<Quantity>& said) {
             return !said || said->value == 1;
         };
-        if (!is_one(settings.shrink)) refuse("steps that shrink");
-        if (settings.spin && settings.spin->value != 0) refuse("a spin");
-        if (settings.clockwise) refuse("that + turns clockwise");
-        if (!settings.stamps.empty()) refuse("stamps");
-        if (!settings.solids.empty()) refuse("solids");
-        if (form_ == MapleForm::parametric && !is_one(settings.step))
+        if (!is_one(drawing.shrink)) refuse("steps that shrink");
+        if (drawing.spin && drawing.spin->value != 0) refuse("a spin");
+        if (drawing.clockwise) refuse("that + turns clockwise");
+        if (!drawing.stamps.empty()) refuse("stamps");
+        if (!drawing.solids.empty()) refuse("solids");
+        if (form_ == MapleForm::parametric && !is_one(drawing.step))
             refuse("a step beside lengths as parameters");
     }
 
@@ -182,8 +183,8 @@ private:
             if (meaning == MapleMeaning::same && silent && maple_need(name) != MapleNeed::any)
                 refuse("the interpretation of " + name);
             if (form_ == MapleForm::parametric || silent) continue;
-            if (name == "*" && system_.settings.scale) refuse("the scale of the symbol *");
-            if (name == "!" && system_.settings.narrow) refuse("the setting narrow");
+            if (name == "*" && system_.drawing.scale) refuse("the scale of the symbol *");
+            if (name == "!" && system_.drawing.narrow) refuse("the setting narrow");
         }
     }
 
@@ -207,13 +208,13 @@ private:
         return silent;
     }
 
-    const LSystem& system_;
+    const Model& system_;
     const MapleForm form_;
 };
 
 class Worksheet {
 public:
-    explicit Worksheet(const LSystem& system) : system_(system), form_(Check(system).all()) {}
+    explicit Worksheet(const Model& system) : system_(system), form_(Check(system).all()) {}
 
     std::string all() {
         std::string call;
@@ -226,7 +227,7 @@ public:
             if (form_ == MapleForm::stochastic) call += probabilities() + ", ";
             call += number(angle()) + ", ";
         }
-        const auto& generations = system_.settings.generations;
+        const auto& generations = system_.drawing.generations;
         call += (generations ? std::to_string(generations->second) : "N") + ");\n";
         const std::string start = this->start();
         return comments() + constants() + functions_ + start + call;
@@ -273,8 +274,7 @@ private:
     }
 
     Expression angle() const {
-        return system_.settings.angle ? system_.settings.angle->expression
-                                      : quantity(90).expression;
+        return system_.drawing.angle ? system_.drawing.angle->expression : quantity(90).expression;
     }
 
     /// The text of an expression without parameters; its constants will be assigned.
@@ -379,8 +379,8 @@ private:
     /// Where GRAFICO starts, if not as it is printed.
     std::string start() {
         const bool upward = form_ == MapleForm::stochastic;
-        Settings::Start start{quantity(0), quantity(0), quantity(0)};
-        if (system_.settings.start) start = *system_.settings.start;
+        Drawing::Start start{quantity(0), quantity(0), quantity(0)};
+        if (system_.drawing.start) start = *system_.drawing.start;
         for (const Quantity* one : {&start.x, &start.y, &start.heading})
             if (!one->exact) refuse("the start " + to_text(one->expression) + ", no fraction");
         std::string text;
@@ -389,7 +389,7 @@ private:
                     shortest_text(*start.y.exact) + "]:\n";
         if (*start.heading.exact != (upward ? 90 : 0))
             text += "ANGULO := " + shortest_text(*start.heading.exact) + "*Pi/180:\n";
-        const auto& step = system_.settings.step;
+        const auto& step = system_.drawing.step;
         if (step && step->value != 1) text += "SEGMENTO := " + number(step->expression) + ":\n";
         return text.empty() ? text : "# where the turtle of GRAFICO starts\n" + text;
     }
@@ -412,7 +412,7 @@ private:
         return text;
     }
 
-    const LSystem& system_;
+    const Model& system_;
     const MapleForm form_;
     std::string functions_;
     std::set<std::string> constants_, staying_;
@@ -420,6 +420,6 @@ private:
 
 }  // namespace
 
-std::string print_maple(const LSystem& system) { return Worksheet(system).all(); }
+std::string print_maple(const Model& system) { return Worksheet(system).all(); }
 
 }  // namespace algae

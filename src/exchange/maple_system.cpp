@@ -5,6 +5,7 @@
 
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/maple.hpp"
+#include "model/model.hpp"
 
 // Systems from Maple worksheets: the three procedures Lsystem and what their arguments mean.
 //
@@ -87,7 +88,7 @@ private:
 /// Adds axiom and rules of strings.
 class WordReader {
 public:
-    WordReader(MapleValues& values, LSystem& system)
+    WordReader(MapleValues& values, Model& system)
         : values_(values),
           scanner_(values.scanner()),
           system_(system),
@@ -200,7 +201,7 @@ private:
 
     MapleValues& values_;
     const Scanner& scanner_;
-    LSystem& system_;
+    Model& system_;
     MapleForm form_;
     std::set<Symbol> predecessors_;
     std::optional<bool> round_;
@@ -211,7 +212,7 @@ constexpr std::size_t most_parameters = 1000;
 /// Adds an axiom of modules and the functions that it calls.
 class ModuleReader {
 public:
-    ModuleReader(MapleValues& values, LSystem& system)
+    ModuleReader(MapleValues& values, Model& system)
         : values_(values), scanner_(values.scanner()), system_(system) {}
 
     void all() {
@@ -389,7 +390,7 @@ private:
 
     MapleValues& values_;
     const Scanner& scanner_;
-    LSystem& system_;
+    Model& system_;
     std::map<std::string, Seen> seen_;
     std::vector<std::string> open_;  // letters whose functions are still to be read
     std::map<std::string, Production> rules_;
@@ -404,7 +405,7 @@ bool is_vector(const MapleValues& values, const MapleValue& list, const std::vec
     return same;
 }
 
-void read_position(const MapleValues& values, const MapleValue& said, Settings::Start& start) {
+void read_position(const MapleValues& values, const MapleValue& said, Drawing::Start& start) {
     const MapleValue& point = values.list(said, "the position, a list of coordinates");
     if (point.items.size() != 2 && point.items.size() != 3)
         values.fail(
@@ -424,9 +425,9 @@ Quantity degrees(const MapleValues& values, const MapleValue& said) {
 
 /// Where the turtle starts: as GRAFICO says, if the worksheet holds it; otherwise along x, in the
 /// stochastic procedure upward.
-void read_start(MapleValues& values, MapleForm form, LSystem& system) {
-    Settings::Start start{quantity(0), quantity(0),
-                          quantity(form == MapleForm::stochastic ? 90 : 0)};
+void read_start(MapleValues& values, MapleForm form, Model& system) {
+    Drawing::Start start{quantity(0), quantity(0),
+                         quantity(form == MapleForm::stochastic ? 90 : 0)};
     const auto& said = values.sheet().start;
     if (const auto found = said.find("PONTOA"); found != said.end())
         read_position(values, found->second, start);
@@ -442,27 +443,27 @@ void read_start(MapleValues& values, MapleForm form, LSystem& system) {
                                                "along x, with z up");
     const bool at_rest =
         start.x.exact->is_zero() && start.y.exact->is_zero() && start.heading.exact->is_zero();
-    if (!at_rest) system.settings.start = start;
+    if (!at_rest) system.drawing.start = start;
     if (const auto found = said.find("SEGMENTO"); found != said.end()) {
         const Quantity step = values.setting(found->second, "the length of a step");
         if (!(step.value > 0)) values.fail(found->second, "expected a length above 0");
-        if (step.value != 1) system.settings.step = step;
+        if (step.value != 1) system.drawing.step = step;
     }
 }
 
-void read_generation(const MapleValues& values, const MapleValue& said, LSystem& system) {
+void read_generation(const MapleValues& values, const MapleValue& said, Model& system) {
     if (bare_name(said) == "N" && !values.sheet().find("N")) return;
     const Rational count = values.rational(said, "the number of steps");
     if (!count.is_integer() || sign(count) < 0 || count >= power(Rational(2), 63))
         values.fail(said, "expected a whole number of steps from 0 to 2^63 - 1, found " +
                               shortest_text(count));
     const std::uint64_t generation = std::stoull(to_string(count));
-    system.settings.generations = {generation, generation};
+    system.drawing.generations = {generation, generation};
 }
 
 }  // namespace
 
-LSystem read_maple(std::string_view text, const std::string& name) {
+Model read_maple(std::string_view text, const std::string& name) {
     Scanner scanner(text, name, {"#"}, '>');
     const MapleWorksheet sheet = read_maple_worksheet(scanner);
     MapleValues values(scanner, sheet);
@@ -475,13 +476,13 @@ LSystem read_maple(std::string_view text, const std::string& name) {
     const MapleForm form = arguments.size() == 2   ? MapleForm::parametric
                            : arguments.size() == 4 ? MapleForm::strings
                                                    : MapleForm::stochastic;
-    LSystem system;
+    Model system;
     if (form == MapleForm::parametric)
         ModuleReader(values, system).all();
     else
         WordReader(values, system).all();
     if (form != MapleForm::parametric)
-        system.settings.angle =
+        system.drawing.angle =
             values.setting(arguments[arguments.size() - 2], "the increment, degrees");
     read_start(values, form, system);
     read_generation(values, arguments.back(), system);

@@ -13,6 +13,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/plain_rules.hpp"
 #include "exchange/detail/scanner.hpp"
+#include "model/model.hpp"
 
 // Setup procedures of NetLogo models of L-systems.
 //
@@ -456,7 +457,7 @@ public:
     Reader(std::string_view text, const std::string& name)
         : name_(name), source_(text, name), findings_(source_), scanner_(text, name, {";"}) {}
 
-    LSystem read() {
+    Model read() {
         while (!scanner_.at_end() && rules_.size() <= most_rules) {
             const std::size_t from = scanner_.offset();
             try {
@@ -676,7 +677,7 @@ constexpr const char* format = "netlogo";
 
 class Writer {
 public:
-    explicit Writer(const LSystem& system) : system_(system) {}
+    explicit Writer(const Model& system) : system_(system) {}
 
     std::string text() {
         check_plain_rules(system_, format, true);
@@ -707,7 +708,7 @@ public:
 
 private:
     const std::string& name(Symbol symbol) const { return system_.alphabet.name(symbol); }
-    bool has_scale() const { return system_.settings.scale.has_value(); }
+    bool has_scale() const { return system_.drawing.scale.has_value(); }
     [[noreturn]] void refuse(const std::string& what) const { cannot_say(system_, format, what); }
 
     void see(Symbol symbol, const std::string& where) {
@@ -767,7 +768,7 @@ private:
     }
     std::string command_of(Symbol symbol, const TurtleModule& module) const {
         const std::string& of = name(module.symbol);
-        const Settings& settings = system_.settings;
+        const Drawing& drawing = system_.drawing;
         const auto is = [&](double value) {
             return module.parameters.empty() ||
                    (module.parameters.size() == 1 && module.parameters[0].value == value);
@@ -778,17 +779,17 @@ private:
             if (module.symbol != symbol) what += ", for which " + name(symbol) + " stands";
             refuse(what + ": its commands are F f + - [ ] *, and S for a square");
         };
-        for (const Settings::Stamp& stamp : settings.stamps)
+        for (const Drawing::Stamp& stamp : drawing.stamps)
             if (stamp.symbol == module.symbol) {
                 if (stamp.shape != StampShape::square || !is(2)) fails();
                 return "S";
             }
-        for (const SolidSetting& solid : settings.solids)
+        for (const SolidSetting& solid : drawing.solids)
             if (solid.symbol == module.symbol) fails();
         if (of == "F" || of.starts_with("F_") || of == "G") return is(1) ? "F" : (fails(), "");
         if (of == "f" || of.starts_with("f_")) return is(1) ? "f" : (fails(), "");
         if (of.size() != 1) return "";
-        const double angle = settings.angle ? settings.angle->value : 90;
+        const double angle = drawing.angle ? drawing.angle->value : 90;
         switch (of[0]) {
             case '+':
             case '-':
@@ -799,10 +800,10 @@ private:
                 return of;
             case '*':
                 if (!has_scale() && module.parameters.empty()) return "";
-                if (!has_scale() || !is(settings.scale->value)) fails();
+                if (!has_scale() || !is(drawing.scale->value)) fails();
                 return of;
             case '!':
-                if (settings.narrow || !module.parameters.empty()) fails();
+                if (drawing.narrow || !module.parameters.empty()) fails();
                 return "";
             default:
                 if (std::strchr("|{}.%&^\\/$@", of[0])) fails();
@@ -811,34 +812,34 @@ private:
     }
 
     std::string numbers() const {
-        const Settings& settings = system_.settings;
+        const Drawing& drawing = system_.drawing;
         const auto set = [](const char* name, const Quantity& number) {
             return "set " + (name + (' ' + netlogo_number(number))) + "\n";
         };
         const Quantity zero = quantity(0), one = quantity(1);
-        const Quantity angle = settings.angle.value_or(quantity(90));
-        const Settings::Start start = settings.start.value_or(Settings::Start{zero, zero, zero});
-        std::string out = set("d", settings.step.value_or(one)) +
-                          set("delta", settings.clockwise ? negated(angle) : angle) +
+        const Quantity angle = drawing.angle.value_or(quantity(90));
+        const Drawing::Start start = drawing.start.value_or(Drawing::Start{zero, zero, zero});
+        std::string out = set("d", drawing.step.value_or(one)) +
+                          set("delta", drawing.clockwise ? negated(angle) : angle) +
                           set("x0", start.x) + set("y0", start.y) +
                           set("delta-0", turned_compass(start.heading)) +
-                          set("k-shorten", settings.shrink.value_or(one));
-        if (settings.spin) out += set("d-delta", negated(*settings.spin));
-        if (settings.scale) out += set("k", *settings.scale);
+                          set("k-shorten", drawing.shrink.value_or(one));
+        if (drawing.spin) out += set("d-delta", negated(*drawing.spin));
+        if (drawing.scale) out += set("k", *drawing.scale);
         return out;
     }
 
-    const LSystem& system_;
+    const Model& system_;
     std::vector<Symbol> seen_;  // in the order of the words
     std::map<Symbol, std::vector<const Production*>> rules_;
 };
 
 }  // namespace
 
-LSystem read_netlogo(std::string_view text, const std::string& name) {
+Model read_netlogo(std::string_view text, const std::string& name) {
     return Reader(text, name).read();
 }
 
-std::string print_netlogo(const LSystem& system) { return Writer(system).text(); }
+std::string print_netlogo(const Model& system) { return Writer(system).text(); }
 
 }  // namespace algae

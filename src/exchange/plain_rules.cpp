@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <set>
 
+#include "model/model.hpp"
+
 #include "exchange/detail/plain_rules.hpp"
 
 namespace algae {
@@ -104,12 +106,12 @@ std::vector<TurtleModule> interpreted(const LSystem& system, Symbol letter,
     return std::move(interpreter.modules);
 }
 
-void check_plain_settings(const LSystem& system, const std::string& format) {
-    const Settings& settings = system.settings;
+void check_plain_settings(const Model& system, const std::string& format) {
+    const Drawing& drawing = system.drawing;
     if (!system.environments.empty()) cannot_say(system, format, "environments");
-    if (settings.tropism) cannot_say(system, format, "a tropism");
-    if (!settings.surfaces.empty()) cannot_say(system, format, "surfaces");
-    if (!settings.plotters.empty()) cannot_say(system, format, "plots");
+    if (drawing.tropism) cannot_say(system, format, "a tropism");
+    if (!drawing.surfaces.empty()) cannot_say(system, format, "surfaces");
+    if (!drawing.plotters.empty()) cannot_say(system, format, "plots");
 }
 
 }  // namespace algae

@@ -4,6 +4,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "model/model.hpp"
 #include "rewrite/rewrite.hpp"
 #include "verify/verify.hpp"
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "dimension/dimension.hpp"
+#include "model/model.hpp"
 
 // Statements about the dimension of limit sets and of their boundaries: by `exact_dimension`, and exactly.
 //
@@ -38,7 +39,7 @@ std::string text_of(const DimensionFormula& formula) {
 }
 
 /// The conditions as sentences.
-std::vector<std::string> sentences(const LSystem& system, const ExactDimension& found) {
+std::vector<std::string> sentences(const Model& system, const ExactDimension& found) {
     std::vector<std::string> all;
     for (const std::string& condition : found.conditions)
         all.push_back(system.name + ": " + condition + ".");
@@ -91,7 +92,7 @@ Judgement judge_bounded(const std::string& what, const ExactDimension& found,
 
 }  // namespace
 
-Judgement judge_dimension(const LSystem& system, const ClaimedDimension& claimed,
+Judgement judge_dimension(const Model& system, const ClaimedDimension& claimed,
                           const Budget& budget) {
     const ExactDimension found = exact_dimension(system, budget);
     std::vector<std::string> argument = sentences(system, found);
@@ -105,7 +106,7 @@ Judgement judge_dimension(const LSystem& system, const ClaimedDimension& claimed
     return Judgement::undecided(std::move(argument));
 }
 
-Judgement judge_boundary(const LSystem& system, const ClaimedDimension& claimed,
+Judgement judge_boundary(const Model& system, const ClaimedDimension& claimed,
                          const Budget& budget) {
     const ExactDimension found = exact_dimension(system, budget);
     std::vector<std::string> argument = sentences(system, found);

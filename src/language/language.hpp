@@ -25,6 +25,8 @@
 
 namespace algae {
 
+struct Model;
+
 // --- Languages as values ---
 
 /// An L-system that a language or a statement speaks of: without context (ET0L and all that it
@@ -531,7 +533,7 @@ struct Statement {
     ModuleWord modules;
     std::optional<ModuleWord> modules_from;
     std::optional<Rational> probability;
-    std::shared_ptr<const LSystem> drawn;  // with the turtle
+    std::shared_ptr<const Model> drawn;  // with the turtle
     std::optional<ClaimedDimension> dimension;
     std::string text;  // as written
     Place place;

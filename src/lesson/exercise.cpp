@@ -5,6 +5,7 @@
 
 #include "exact/exact.hpp"
 #include "lesson/lesson.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 // Files `*.exercise`: how they are read, and what can be wrong with them before there is an answer.
@@ -447,7 +448,7 @@ public:
 
 private:
     /// The system of this name. Throws FileElsewhere where it may be known later.
-    LSystem opened(const std::string& name) const {
+    Model opened(const std::string& name) const {
         try {
             return open_(name);
         } catch (const Diagnostics&) {

@@ -5,6 +5,7 @@
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "lesson/lesson.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
@@ -78,7 +79,7 @@ struct NamedFigure {
     Outline outline;
 };
 
-NamedFigure named_figure(const OwnStatement::Figure& figure, const LSystem& answer,
+NamedFigure named_figure(const OwnStatement::Figure& figure, const Model& answer,
                          const SystemSource& open, const Budget& budget) {
     const std::uint64_t n = figure.generation;
     const std::string generation = "generation " + std::to_string(n) + " of ";
@@ -100,7 +101,7 @@ std::string all_parts(const Outline& outline) {
     return text;
 }
 
-Judgement judge_figures(const OwnStatement& asked, const LSystem& answer, const SystemSource& open,
+Judgement judge_figures(const OwnStatement& asked, const Model& answer, const SystemSource& open,
                         const Budget& budget) {
     using Relation = OwnStatement::Relation;
     const Relation relation = asked.relation;
@@ -120,7 +121,7 @@ Judgement judge_figures(const OwnStatement& asked, const LSystem& answer, const 
 
 /// Whether a statement of an exercise's own holds of the system. `open` knows the systems that figures are compared with.
 /// Refuted with what the answer has instead. Throws what `open` and `outline` throw.
-Judgement judge_own_statement(const OwnStatement& asked, const LSystem& answer,
+Judgement judge_own_statement(const OwnStatement& asked, const Model& answer,
                               const SystemSource& open, const Budget& budget) {
     switch (asked.kind) {
         case OwnStatement::Kind::form:
@@ -270,7 +271,7 @@ private:
     const std::string& name_;
     const SystemSource& open_;
     const Budget& budget_;
-    std::optional<LSystem> system_;
+    std::optional<Model> system_;
     std::string own_text_;
     std::optional<Claim> own_;
 };

@@ -109,7 +109,7 @@ std::vector<Link> Aggregates::grown(std::uint64_t count, const Budget& budget) c
 std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
     check();
     const auto& all = links(*std::max_element(particles.begin(), particles.end()), budget);
-    Settings drawn = settings;
+    FigureStyle drawn = style;
     if (drawn.colours.empty()) drawn.colours = shades_of_age();
     std::vector<RelativeFigure> made;
     for (const std::uint64_t wanted : particles) {

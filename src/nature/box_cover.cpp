@@ -203,8 +203,8 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     std::vector<RelativeFigure> made;
     const Colour ink{0.12, 0.23, 0.37}, box{0.86, 0.91, 0.96}, edge{0.55, 0.66, 0.78};
     const auto add = [&](std::vector<Path> paths, const std::string& what) {
-        made.push_back({std::make_unique<PathFigure>(std::move(paths), settings),
-                        heading() + ", " + what, what});
+        made.push_back(
+            {std::make_unique<PathFigure>(std::move(paths), style), heading() + ", " + what, what});
     };
     std::vector<Point> counts;
     for (const double side : cells) {
@@ -265,7 +265,7 @@ RelativeFigure BoxCover::measured_figure(const Budget& budget) const {
         path.points = std::move(stroke);
         paths.push_back(std::move(path));
     }
-    return {std::make_unique<PathFigure>(std::move(paths), settings), heading(), ""};
+    return {std::make_unique<PathFigure>(std::move(paths), style), heading(), ""};
 }
 
 std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {

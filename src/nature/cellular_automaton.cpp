@@ -380,8 +380,8 @@ std::vector<Run> runs(const CellGrid& grid, std::size_t row) {
 /// State 0 is left blank, state s has the colour of index s - 1. Other paths may be drawn besides.
 class CellFigure final : public PlainFigure {
 public:
-    CellFigure(CellGrid grid, std::vector<Path> besides, Settings settings)
-        : PlainFigure(std::move(settings)), grid_(std::move(grid)), besides_(std::move(besides)) {
+    CellFigure(CellGrid grid, std::vector<Path> besides, FigureStyle style)
+        : PlainFigure(std::move(style)), grid_(std::move(grid)), besides_(std::move(besides)) {
         std::uint64_t strokes = 0;
         box_.add(Point{0, -static_cast<double>(grid_.rows)});
         box_.add(Point{static_cast<double>(grid_.columns), 0});
@@ -432,7 +432,7 @@ public:
             above = std::move(here);
         }
         if (colour != 0) canvas.colour(0);
-        if (!besides_.empty()) PathFigure(besides_, settings_).draw(canvas, resolution, budget);
+        if (!besides_.empty()) PathFigure(besides_, style_).draw(canvas, resolution, budget);
     }
 
 private:
@@ -469,11 +469,11 @@ std::vector<Path> table_paths(const CellRule& rule, double columns) {
     return filled;
 }
 
-Settings with_colours(Settings settings, std::uint32_t states) {
-    if (settings.colours.empty() && states > 2)
-        settings.colours = {"black",    "firebrick", "steelblue", "goldenrod",
-                            "seagreen", "orchid",    "sienna",    "grey"};
-    return settings;
+FigureStyle with_colours(FigureStyle style, std::uint32_t states) {
+    if (style.colours.empty() && states > 2)
+        style.colours = {"black",    "firebrick", "steelblue", "goldenrod",
+                         "seagreen", "orchid",    "sienna",    "grey"};
+    return style;
 }
 
 std::size_t alive(const CellGrid& grid) {
@@ -505,7 +505,7 @@ CellGrid CellularAutomaton::generation(std::uint64_t n, const Budget& budget) co
 
 std::vector<RelativeFigure> CellularAutomaton::figures(const Budget& budget) const {
     const std::string what = title.empty() ? rule.text : title;
-    const Settings own = with_colours(settings, rule.states);
+    const FigureStyle own = with_colours(style, rule.states);
     std::vector<RelativeFigure> found;
     if (rule.dimensions == 1) {
         CellGrid all = space_time(generations.front(), generations.back(), budget);

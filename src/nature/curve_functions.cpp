@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/model.hpp"
+
 #include "nature/detail/iterated_functions.hpp"
 
 // What is known exactly of iterated function systems: their similarity dimension, and which of them
@@ -148,7 +150,7 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
 }
 
 /// The recurrent set of a system's figure; errors name the system.
-RecurrentSet set_of(const LSystem& system, const D0L& rules, const Budget& budget) {
+RecurrentSet set_of(const Model& system, const D0L& rules, const Budget& budget) {
     try {
         return RecurrentSet(system, rules, budget);
     } catch (const Error& error) {
@@ -164,7 +166,7 @@ double normal(double degrees) {
 
 }  // namespace
 
-IteratedFunctions functions_of_curve(const LSystem& system, const Budget& budget) {
+IteratedFunctions functions_of_curve(const Model& system, const Budget& budget) {
     const View<D0L> rules = as_d0l(system);
     if (!rules) throw Error(system.name + ": " + rules.reason());
     const RecurrentSet set = set_of(system, *rules, budget);

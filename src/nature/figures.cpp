@@ -29,8 +29,8 @@ void PlainFigure::take_corners() {
     facts_.high = {Coordinate(box_.high.x), Coordinate(box_.high.y)};
 }
 
-PathFigure::PathFigure(std::vector<Path> paths, Settings settings)
-    : PlainFigure(std::move(settings)), paths_(std::move(paths)) {
+PathFigure::PathFigure(std::vector<Path> paths, FigureStyle style)
+    : PlainFigure(std::move(style)), paths_(std::move(paths)) {
     std::uint64_t lines = 0, polygons = 0;
     double length = 0;
     for (const Path& path : paths_) {
@@ -103,8 +103,8 @@ void draw_dot(Canvas& canvas, Point place) {
 
 }  // namespace
 
-PointFigure::PointFigure(SendDots send, std::uint64_t count, const Box& box, Settings settings)
-    : PlainFigure(std::move(settings)), send_(std::move(send)) {
+PointFigure::PointFigure(SendDots send, std::uint64_t count, const Box& box, FigureStyle style)
+    : PlainFigure(std::move(style)), send_(std::move(send)) {
     strokes_ = count;
     box_ = box;
     facts_.segments = Integer(count);
@@ -171,8 +171,8 @@ void PointFigure::draw_cells(Canvas& canvas, double resolution, const Budget& bu
     }
 }
 
-LinkFigure::LinkFigure(std::vector<Link> links, double thickness, double detail, Settings settings)
-    : PlainFigure(std::move(settings)), links_(std::move(links)), thickness_(thickness) {
+LinkFigure::LinkFigure(std::vector<Link> links, double thickness, double detail, FigureStyle style)
+    : PlainFigure(std::move(style)), links_(std::move(links)), thickness_(thickness) {
     for (const Link& link : links_) {
         box_.add(link.from);
         box_.add(link.to);

@@ -271,7 +271,7 @@ std::unique_ptr<PathFigure> copies(const IteratedFunctions& system, std::uint64_
     }
     std::vector<Path> paths;
     for (const Copy& copy : made) paths.push_back(image(copy.map, system.start, copy.colour));
-    return std::make_unique<PathFigure>(std::move(paths), system.settings);
+    return std::make_unique<PathFigure>(std::move(paths), system.style);
 }
 
 namespace {
@@ -342,7 +342,7 @@ std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::ui
         [game = std::move(game)](const TakeDots& take, const Budget& within) {
             game.play(take, within);
         },
-        count, box, system.settings);
+        count, box, system.style);
 }
 
 }  // namespace algae

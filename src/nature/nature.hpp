@@ -23,6 +23,8 @@
 
 namespace algae {
 
+struct Model;
+
 /// One picture of a relative: what messages call it, and what is written underneath.
 struct RelativeFigure {
     std::unique_ptr<Figure> figure;
@@ -50,7 +52,7 @@ public:
     /// The title, or the name where there is none.
     std::string heading() const { return title.empty() ? name : title; }
     /// How its figures want to be drawn: `colour` and `width`.
-    Settings settings;
+    FigureStyle style;
 
     /// The pictures that a page of it shows, at least one. Throws what making them throws.
     virtual std::vector<RelativeFigure> figures(const Budget& budget) const = 0;
@@ -145,7 +147,7 @@ public:
 /// out.
 ///
 /// Throws what RecurrentSet throws where the system has none, and Error if it is not a D0L system.
-IteratedFunctions functions_of_curve(const LSystem& system, const Budget& budget = {});
+IteratedFunctions functions_of_curve(const Model& system, const Budget& budget = {});
 
 // Cellular automata.
 

@@ -282,7 +282,7 @@ std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>
         for (const Particle& particle : states[at])
             painter.paint(particle, system.kinds[particle.kind]);
         const std::string what = fmt::format("frame {}", frame);
-        made.push_back({std::make_unique<PathFigure>(std::move(painter).paths(), settings),
+        made.push_back({std::make_unique<PathFigure>(std::move(painter).paths(), style),
                         heading() + ", " + what, what});
     }
     return made;

@@ -250,7 +250,7 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
             std::unique_ptr<Figure> figure;
             std::string what;
             const auto paths = [&](std::vector<Path> drawn, const char* view_name) {
-                figure = std::make_unique<PathFigure>(std::move(drawn), settings);
+                figure = std::make_unique<PathFigure>(std::move(drawn), style);
                 what = view_name;
             };
             switch (view) {
@@ -270,8 +270,8 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
                     ViewChoices choices;
                     choices.camera = camera;
                     figure = std::make_unique<SpaceView>(
-                        relief_scene(heights, relief, shown_squares, budget), settings,
-                        SceneFacts{}, choices, budget);
+                        relief_scene(heights, relief, shown_squares, budget), style, SceneFacts{},
+                        choices, budget);
                     what = "solid view";
                     break;
                 }
@@ -290,7 +290,7 @@ RelativeFigure Terrain::measured_figure(const Budget& budget) const {
     const HeightField heights = field(surface.levels, budget);
     std::vector<Stroke> coast = contour_lines(heights, height_at_share(heights, water), budget);
     if (coast.empty()) throw Error(name + ": there is no coast, as there is no water or no land");
-    return {std::make_unique<PathFigure>(lines_of(coast, {}, 1), settings), heading() + ", coast",
+    return {std::make_unique<PathFigure>(lines_of(coast, {}, 1), style), heading() + ", coast",
             "coast"};
 }
 

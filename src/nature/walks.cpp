@@ -94,11 +94,11 @@ std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
 
 namespace {
 
-/// A rod without thickness from each place to the next, in the colours of the settings.
+/// A rod without thickness from each place to the next, in the colours of the style.
 Scene path_scene(const std::vector<Vector>& places, const Relative& walker) {
     Scene made;
     made.name = walker.heading();
-    made.colours = walker.settings.colours;
+    made.colours = walker.style.colours;
     for (std::uint32_t i = 1; i < places.size(); ++i) {
         Rod rod;
         rod.from = places[i - 1];
@@ -166,7 +166,7 @@ std::vector<RelativeFigure> RandomWalks::figures(const Budget& budget) const {
         const std::string what =
             fmt::format("{} step{}, seed {}", count, count == 1 ? "" : "s", walk.seed);
         made.push_back({std::make_unique<PathFigure>(
-                            std::vector<Path>{walk_path(places, walk.dimensions)}, settings),
+                            std::vector<Path>{walk_path(places, walk.dimensions)}, style),
                         heading() + ", " + what, what});
     }
     return made;
@@ -354,7 +354,7 @@ std::vector<RelativeFigure> BrownianPaths::figures(const Budget& budget) const {
             if (levels.first != levels.second)
                 caption = fmt::format("{}{}{} displacement{}", hurst.size() > 1 ? caption : "",
                                       hurst.size() > 1 ? ", " : "", level, level == 1 ? "" : "s");
-            made.push_back({std::make_unique<PathFigure>(std::move(paths), settings),
+            made.push_back({std::make_unique<PathFigure>(std::move(paths), style),
                             heading() + ", " + caption, caption});
         }
     return made;

@@ -75,9 +75,9 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
     check();
     std::vector<RelativeFigure> made;
     const auto add = [&](double left, double right, std::uint64_t count, const std::string& what) {
-        made.push_back({std::make_unique<PathFigure>(
-                            graph(*this, left, right, count, points, budget), settings),
-                        heading() + ", " + what, what});
+        made.push_back(
+            {std::make_unique<PathFigure>(graph(*this, left, right, count, points, budget), style),
+             heading() + ", " + what, what});
     };
     for (const std::uint64_t count : terms)
         add(from, to, count, fmt::format("{} term{}", count, count == 1 ? "" : "s"));
@@ -98,7 +98,7 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
 RelativeFigure WeierstrassFunction::measured_figure(const Budget& budget) const {
     check();
     return {std::make_unique<PathFigure>(
-                graph(*this, from, to, most_terms, measured_points, budget), settings),
+                graph(*this, from, to, most_terms, measured_points, budget), style),
             heading() + ", the graph by " + std::to_string(measured_points) + " segments", ""};
 }
 

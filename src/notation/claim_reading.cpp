@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "model/model.hpp"
+
 #include "notation/detail/claim_reading.hpp"
 
 // Claims on their way from their text: clauses, the scanner within a clause, and the names that a claim
@@ -298,7 +300,7 @@ std::shared_ptr<const LSystem> ClaimReading::rewriting(std::string_view name) co
     return known ? known->rewriting : nullptr;
 }
 
-std::shared_ptr<const LSystem> ClaimReading::written(std::string_view name) const {
+std::shared_ptr<const Model> ClaimReading::written(std::string_view name) const {
     const ClaimName& known = expect(name);
     if (!known.written)
         throw SyntaxError{
@@ -313,7 +315,7 @@ Symbol ClaimReading::declare(std::string_view name) {
     return lexicon.declare(name);
 }
 
-LSystem ClaimReading::opened(const std::string& name, const char* where) const {
+Model ClaimReading::opened(const std::string& name, const char* where) const {
     if (!open)
         throw SyntaxError{where,
                           "expected a system between braces: none can be opened by its name here"};

@@ -25,6 +25,11 @@
 
 namespace algae {
 
+struct Model;
+struct SolidSetting;
+struct SurfaceSetting;
+enum class StampShape : unsigned char;
+
 // Systems: `.lsys` files.
 
 /// The system that the text of a `.lsys` file says. `file_name` is named in errors and becomes the
@@ -35,7 +40,7 @@ namespace algae {
 /// the axiom, the rules, `ignore`, `terminals`, `interpret`.
 ///
 /// Example: read_lsystem("axiom a; a -> ab", "thread.lsys").rules.size() == 1
-LSystem read_lsystem(std::string_view text, const std::string& file_name);
+Model read_lsystem(std::string_view text, const std::string& file_name);
 
 /// A word in the form in which words are printed, `F_l[+A(1,0.5)]`; `ε` is the empty word. New
 /// symbols are added to the alphabet; names in it that are longer than the notation knows by
@@ -63,7 +68,7 @@ std::string format_lsystem(std::string_view text, const std::string& file_name);
 /// line, with a line break at the end of each. It reads back as the same system, and its own canonical
 /// text is itself. Throws nothing on systems that were read; title, source, names and values of a system
 /// made otherwise must be such as can be written in the notation.
-std::string print_lsystem(const LSystem& system);
+std::string print_lsystem(const Model& system);
 
 /// One rule, as in the canonical text, without a line break.
 std::string print_rule(const Alphabet& alphabet, const Production& rule);
@@ -118,13 +123,13 @@ struct Disappointment {
 /// parameters of a word too; a fraction there for the double nearest to it. Systems with choices derive
 /// the word of the first seed of their setting `seed`, or of seed 1. The word of a system of shape rules
 /// is that of its boxes' symbols. An unknown kind, and a value that cannot be read, is a disappointment too.
-std::vector<Disappointment> unmet_expectations(const LSystem& system, const Budget& budget = {});
+std::vector<Disappointment> unmet_expectations(const Model& system, const Budget& budget = {});
 
 // Claims: `.claim` files, and languages as claims write them.
 
 /// The system that is known by a name: of a gallery entry, or a path, as a claim writes it. What it throws as
 /// `Error` becomes a finding at the place of the name; `Stopped` is passed on.
-using SystemSource = std::function<LSystem(const std::string& name)>;
+using SystemSource = std::function<Model(const std::string& name)>;
 
 /// The claim that the text of a `.claim` file makes (NOTATION.md), over one alphabet. Errors name
 /// `file_name`. Throws `Diagnostics` with everything that is wrong with the text, at most twenty findings

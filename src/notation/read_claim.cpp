@@ -6,6 +6,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/model.hpp"
+
 #include "notation/detail/claim_reading.hpp"
 
 // A `.claim` file from its text, and whether a system fits the family that its definition names.
@@ -177,15 +179,15 @@ struct ClaimDefinition {
 };
 
 /// The system of a definition and the place of what it was read from.
-LSystem system_of(const ClaimDefinition& definition, std::string_view rest, ClaimReading& reading) {
+Model system_of(const ClaimDefinition& definition, std::string_view rest, ClaimReading& reading) {
     const std::string name(definition.name);
     if (!rest.starts_with('{')) return reading.opened(std::string(rest), rest.data());
     const char* const close = closing_brace(rest.data(), rest.data() + rest.size());
     if (close + 1 != rest.data() + rest.size())
         throw unexpected("the end of the definition", close + 1);
     const std::size_t faults = reading.findings.count();
-    LSystem system = read_system(rest.substr(1, rest.size() - 2), reading.source, reading.findings,
-                                 name, reading.long_names);
+    Model system = read_system(rest.substr(1, rest.size() - 2), reading.source, reading.findings,
+                               name, reading.long_names);
     if (reading.findings.count() > faults) throw DependsOnError();
     return system;
 }
@@ -203,9 +205,9 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
     if (rest.empty())
         throw unexpected("a system between braces or the name of one",
                          family.data() + family.size());
-    LSystem system = system_of(definition, rest, reading);
+    Model system = system_of(definition, rest, reading);
     system.name = definition.name;
-    definition.meaning->written = std::make_shared<const LSystem>(system);
+    definition.meaning->written = std::make_shared<const Model>(system);
     const bool is_rewriting = is_rewriting_family(family);
     const auto refuse = [&](const std::string& reason) {
         throw SyntaxError{family.data(), std::string(definition.name) + " is called a " +

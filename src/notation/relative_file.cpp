@@ -195,12 +195,12 @@ void RelativeFile::describe(Relative& relative) const {
             } catch (const Error& error) {
                 fail(*colours, word, error.what());
             }
-            relative.settings.colours.push_back(word.text);
+            relative.style.colours.push_back(word.text);
         }
     if (const RelativeStatement* width = find("width")) {
         check_words(*width, 1, 1, "POINTS");
         number(*width, width->words.front(), 0.001, 1000);
-        relative.settings.width = quantity(*width, width->words.front());
+        relative.style.width = quantity(*width, width->words.front());
     }
 }
 

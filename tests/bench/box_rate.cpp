@@ -12,6 +12,7 @@
 #include <exception>
 
 #include "dimension/dimension.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 namespace {

@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;

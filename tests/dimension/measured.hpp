@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "dimension/detail/measures.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/turtle.hpp"
 

@@ -52,7 +52,7 @@ TEST_CASE("what dimensions are compared by") {
     CHECK(statement("dimension(G) != 1").negated);
     CHECK(statement("not dimension(G) <= 1").negated);
     CHECK(statement("dimension(G) <= 1").dimension->at_most);
-    CHECK(statement("dimension(G) = 1").drawn->settings.angle.has_value());
+    CHECK(statement("dimension(G) = 1").drawn->drawing.angle.has_value());
 }
 
 TEST_CASE("what cannot be read is said with its place") {

@@ -3,10 +3,11 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 /// The systems that the tests of claims open by name: those of the gallery.
-inline algae::LSystem gallery_system(const std::string& name) {
+inline algae::Model gallery_system(const std::string& name) {
     for (const algae::GalleryEntry& entry : algae::gallery())
         if (entry.name == name) return algae::read_lsystem(entry.text, name + ".lsys");
     throw algae::Error("no file \"" + name + "\", and nothing of that name in the gallery");

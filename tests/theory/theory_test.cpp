@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "language/language.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "verify/verify.hpp"
 
@@ -17,7 +18,7 @@ using namespace algae;
 
 namespace {
 
-LSystem from_gallery(const std::string& name) {
+Model from_gallery(const std::string& name) {
     for (const GalleryEntry& entry : gallery())
         if (entry.name == name) return read_lsystem(entry.text, name);
     throw Error("there is no " + name + " in the gallery");

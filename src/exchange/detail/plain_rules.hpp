@@ -8,6 +8,8 @@
 
 namespace algae {
 
+struct Model;
+
 /// A module as the turtle meets it: a symbol and the values of its parameters.
 struct TurtleModule {
     Symbol symbol = 0;
@@ -29,7 +31,7 @@ std::vector<TurtleModule> interpreted(const LSystem& system, Symbol letter,
 /// The settings that move every figure but are no matter of words: throws Error where a format
 /// cannot say that there are a tropism, environments, solids of this system and so on. Titles,
 /// colours, cameras, line widths, seeds and what is expected are left out by all formats.
-void check_plain_settings(const LSystem& system, const std::string& format);
+void check_plain_settings(const Model& system, const std::string& format);
 
 /// Throws Error: "bush: brno cannot say ...", with the system's name if it has one.
 [[noreturn]] void cannot_say(const LSystem& system, const std::string& format,

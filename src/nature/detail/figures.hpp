@@ -13,14 +13,14 @@ public:
     const Integer& segments() const override { return facts_.segments; }
     const Facts& facts() const override { return facts_; }
     std::optional<std::uint64_t> strokes() const override { return strokes_; }
-    const Settings& settings() const override { return settings_; }
+    const FigureStyle& style() const override { return style_; }
 
 protected:
-    explicit PlainFigure(Settings settings) : settings_(std::move(settings)) {}
+    explicit PlainFigure(FigureStyle style) : style_(std::move(style)) {}
     /// Makes the corners of the box, unless it is empty, those of the facts.
     void take_corners();
 
-    Settings settings_;
+    FigureStyle style_;
     Box box_;
     Facts facts_;
     std::optional<std::uint64_t> strokes_;
@@ -42,7 +42,7 @@ struct Path {
 /// a segment among its facts is the mean of all.
 class PathFigure : public PlainFigure {
 public:
-    explicit PathFigure(std::vector<Path> paths, Settings settings = {});
+    explicit PathFigure(std::vector<Path> paths, FigureStyle style = {});
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
     const std::vector<Path>& paths() const { return paths_; }
@@ -72,7 +72,7 @@ class PointFigure : public PlainFigure {
 public:
     /// The dots are made whenever they are drawn; `count` of them, within `box`. Colours beyond 255
     /// start again from 1 where there is a resolution.
-    PointFigure(SendDots send, std::uint64_t count, const Box& box, Settings settings = {});
+    PointFigure(SendDots send, std::uint64_t count, const Box& box, FigureStyle style = {});
 
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
@@ -87,7 +87,7 @@ private:
 class LinkFigure : public PlainFigure {
 public:
     /// `thickness` is a length in the plane, or 0 for the line width; `detail` that of a link.
-    LinkFigure(std::vector<Link> links, double thickness, double detail, Settings settings = {});
+    LinkFigure(std::vector<Link> links, double thickness, double detail, FigureStyle style = {});
 
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 

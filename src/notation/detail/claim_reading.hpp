@@ -31,7 +31,7 @@ struct ClaimName {
     LanguageOperand language;
     std::shared_ptr<const SourceSystem> system;
     std::shared_ptr<const LSystem> rewriting;
-    std::shared_ptr<const LSystem> written;  // of any system, with its turtle
+    std::shared_ptr<const Model> written;  // of any system, with its turtle
     std::map<Symbol, Word> morphism;
 };
 
@@ -65,7 +65,7 @@ public:
     std::shared_ptr<const LSystem> rewriting(std::string_view name) const;
 
     /// The system of this name as it was written. Throws if it is a name of something else.
-    std::shared_ptr<const LSystem> written(std::string_view name) const;
+    std::shared_ptr<const Model> written(std::string_view name) const;
 
     /// A symbol that counts as declared from now on if it has to.
     Symbol declare(std::string_view name);
@@ -73,7 +73,7 @@ public:
     std::shared_ptr<const SourceSystem> add_system(const std::string& name, const LSystem& written,
                                                    const char* where);
     /// The system that `open` knows by this name, which stands at `where`.
-    LSystem opened(const std::string& name, const char* where) const;
+    Model opened(const std::string& name, const char* where) const;
     /// Puts all systems over the alphabet as it is now.
     void finish();
 

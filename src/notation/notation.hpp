@@ -30,6 +30,8 @@ struct LanguageTree;
 using Language = std::shared_ptr<const LanguageTree>;
 struct SystemForm;
 struct Point;
+struct Colour;
+struct Drawing;
 class Relative;
 class IteratedFunctions;
 struct Model;

@@ -8,6 +8,7 @@
 #include "model/model.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/detail/reading.hpp"
+#include "turtle/turtle.hpp"
 
 // The statements of a `.lsys` file that begin with a keyword, all but `system`, which is read like a file of
 // its own (read.cpp).

@@ -6,6 +6,7 @@
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
 #include "language/language.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 #include "system/system.hpp"

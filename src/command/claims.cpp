@@ -82,7 +82,8 @@ std::string summary(const CheckedClaim& checked) {
         const ClaimedStatement& claimed = checked.claim.statements[i];
         text += "    " + to_string(claimed.statement.place) + ": " + claimed.statement.text + ": " +
                 verdict_text(claimed, found) + '\n';
-        for (const std::string& line : found.judgement.argument) text += "        " + line + '\n';
+        for (const std::string& line : sentences(found.answer, *checked.claim.alphabet))
+            text += "        " + line + '\n';
     }
     return text;
 }
@@ -94,7 +95,7 @@ Json as_json(const CheckedClaim& checked) {
         const CheckedStatement& found = checked.statements[i];
         Json entry{{"text", claimed.statement.text}, {"verdict", verdict_text(claimed, found)}};
         if (!claimed.citation.empty()) entry.set("citation", claimed.citation);
-        entry.set("argument", found.judgement.argument);
+        entry.set("argument", sentences(found.answer, *checked.claim.alphabet));
         statements.add(std::move(entry));
     }
     return {{"claim", checked.claim.title},
@@ -278,9 +279,12 @@ int closure(const ClosureOptions& options) {
         }
         const auto cell = theory.cell(families[0], operations[0]);
         Json proof = Json::array();
-        if (cell)
-            for (const CheckedStatement& statement : theory.checked(cell->claim).statements)
-                for (const std::string& line : statement.judgement.argument) proof.add(line);
+        if (cell) {
+            const CheckedClaim& checked = theory.checked(cell->claim);
+            for (const CheckedStatement& statement : checked.statements)
+                for (const std::string& line : sentences(statement.answer, *checked.claim.alphabet))
+                    proof.add(line);
+        }
         print(Json{{"verdict", !cell                  ? "not settled"
                                : !theory.is_decided() ? "undecided"
                                : cell->closed         ? "closed"

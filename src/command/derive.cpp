@@ -14,6 +14,7 @@
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "model/model.hpp"
 #include "rewrite/rewrite.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
@@ -122,7 +123,7 @@ std::vector<std::size_t> tables(const DeriveOptions& options, const LSystem& sys
 /// The word of one generation after the other.
 class Generations {
 public:
-    Generations(const LSystem& system, const RewritingChoices& choices, const std::string& program,
+    Generations(const Model& system, const RewritingChoices& choices, const std::string& program,
                 std::vector<std::size_t> sequence, const Budget& budget)
         : development_(system, choices, external_environment(program, system), budget),
           text_(development_.rules().system->alphabet, development_.rules().kinds),
@@ -147,7 +148,7 @@ void check_long_enough(const std::vector<std::size_t>& sequence, std::uint64_t n
                     " steps, found " + std::to_string(sequence.size()));
 }
 
-void derive_modules(const DeriveOptions& options, const LSystem& system, const Budget& budget) {
+void derive_modules(const DeriveOptions& options, const Model& system, const Budget& budget) {
     const auto sequence = tables(options, system);
     if (options.seeds) {
         const std::uint64_t n = one_generation(options, "--seeds");
@@ -307,7 +308,7 @@ void derive_all_words(const DeriveOptions& options, const LSystem& system, const
 
 int derive_verb(const DeriveOptions& options) {
     const Budget budget = options.bounds.budget();
-    const LSystem system = open_system(options.file, budget);
+    const Model system = open_model(options.file, budget);
     if (class_of(system).shape) {
         derive_shapes(options, system, budget);
         return success;

@@ -18,11 +18,13 @@
 #include "command/detail/verb.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "nature/nature.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
 #include "report/report.hpp"
 #include "system/system.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae::command {
 
@@ -158,7 +160,7 @@ constexpr std::uint64_t table_cells = 50'000;  // touched in the finest scale, a
 
 struct Entry {
     std::string name;
-    LSystem system;
+    Model system;
 };
 
 /// All systems of the gallery, or of a folder, in order of their names.
@@ -180,7 +182,7 @@ std::vector<Entry> entries(const std::string& folder, const Budget& budget) {
     if (files.empty()) throw Error(folder + ": expected .lsys files in this folder, found none");
     std::sort(files.begin(), files.end());
     for (const auto& file : files)
-        all.push_back({file.stem().string(), open_system(file.string(), budget)});
+        all.push_back({file.stem().string(), open_model(file.string(), budget)});
     return all;
 }
 
@@ -249,7 +251,7 @@ std::size_t scales_down_to(double detail, double whole) {
 }
 
 /// The generation asked for; else the last one that draws no more than is usual.
-std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& system,
+std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const Model& system,
                                                                 const Options& options,
                                                                 const Budget& budget) {
     FigureChoices choices;
@@ -275,7 +277,7 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const LSystem& s
 }
 
 /// The limit of all generations, from the rules alone.
-DimensionReport measure_limit(const LSystem& system, const ExactDimension& exact,
+DimensionReport measure_limit(const Model& system, const ExactDimension& exact,
                               const Options& options, const Budget& budget) {
     LimitCounting counting;
     counting.places = options.places();
@@ -295,7 +297,7 @@ struct NamedFigure {
     std::string what;
 };
 
-NamedFigure drawn(const LSystem& system, const Options& options, const Budget& budget) {
+NamedFigure drawn(const Model& system, const Options& options, const Budget& budget) {
     auto [n, figure] = chosen_figure(system, options, budget);
     const std::string name = system.title.empty() ? system.name : system.title;
     if (figure->box().empty)
@@ -312,7 +314,7 @@ NamedFigure drawn(const LSystem& system, const Options& options, const Budget& b
     return {n, std::move(figure), std::move(what)};
 }
 
-DimensionReport measure(const LSystem& system, const Options& options, const Budget& budget) {
+DimensionReport measure(const Model& system, const Options& options, const Budget& budget) {
     const auto [n, figure, what] = drawn(system, options, budget);
     DimensionReport found;
     found.generation = n;
@@ -352,7 +354,7 @@ bool is_named_as_points(std::string_view file) {
            file.ends_with(".xyz");
 }
 
-DimensionReport measured(const LSystem& system, const Options& options, const Budget& budget) {
+DimensionReport measured(const Model& system, const Options& options, const Budget& budget) {
     ExactDimension exact = exact_dimension(system, budget);
     DimensionReport found;
     if (options.generation.empty() && exact.limit) {
@@ -368,7 +370,7 @@ DimensionReport measured(const LSystem& system, const Options& options, const Bu
 /// What FILE holds.
 struct Input {
     std::string name;
-    std::variant<LSystem, PointSet> content;
+    std::variant<Model, PointSet> content;
 };
 
 Input input(const Options& options, const Budget& budget) {
@@ -417,7 +419,7 @@ DimensionReport measured_relative(const Options& options, const Budget& budget) 
 DimensionReport measured(const Options& options, const Budget& budget) {
     if (is_relative(options.file)) return measured_relative(options, budget);
     const Input read = input(options, budget);
-    if (const auto* system = std::get_if<LSystem>(&read.content))
+    if (const auto* system = std::get_if<Model>(&read.content))
         return measured(*system, options, budget);
     DimensionReport found = measure(std::get<PointSet>(read.content), read.name, options, budget);
     found.fit = fit_dimension(found.counts);
@@ -438,7 +440,7 @@ ScalingReport other_measured(const Options& options, const Budget& budget) {
                                   read.name + ": " + std::to_string(points->points.size()) + " " +
                                       (points->part == "pixel" ? "pixels of ink" : "points"),
                                   *points, options.places(), budget);
-    const NamedFigure named = drawn(std::get<LSystem>(read.content), options, budget);
+    const NamedFigure named = drawn(std::get<Model>(read.content), options, budget);
     return measured_otherwise(options.measure, named.what, *named.figure, options.places(), budget);
 }
 

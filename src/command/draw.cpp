@@ -16,6 +16,7 @@
 #include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "render/render.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/turtle.hpp"
@@ -79,7 +80,7 @@ PictureOptions picture_options(const Options& options) {
     return picture;
 }
 
-PlateChoices choices_of(const Options& options, const LSystem& system) {
+PlateChoices choices_of(const Options& options, const Model& system) {
     PlateChoices found;
     if (!options.seed.empty() && options.seeds)
         throw Error("--seed and --seeds: expected one of them");
@@ -128,9 +129,9 @@ std::string needed_format(const Options& options) {
 
 /// The word of a generation with the choices of the command line, or of the file. Throws what
 /// open_modules throws.
-DerivedModules word_to_walk(const LSystem& system, std::uint64_t n, const PlateChoices& choices,
+DerivedModules word_to_walk(const Model& system, std::uint64_t n, const PlateChoices& choices,
                             const Budget& budget) {
-    const auto seeds = choices.seeds ? choices.seeds : system.settings.seeds;
+    const auto seeds = choices.seeds ? choices.seeds : system.drawing.seeds;
     FigureChoices found;
     if (seeds) found.seed = seeds->first;
     found.tables = choices.tables;
@@ -142,7 +143,7 @@ DerivedModules word_to_walk(const LSystem& system, std::uint64_t n, const PlateC
 // --explain
 
 /// The word of a generation, if it is short enough to be explained.
-std::optional<DerivedModules> short_word(const LSystem& system, std::uint64_t n,
+std::optional<DerivedModules> short_word(const Model& system, std::uint64_t n,
                                          const PlateChoices& choices, Budget budget,
                                          std::string& length) {
     constexpr std::uint64_t countable = 1'000'000;
@@ -159,7 +160,7 @@ std::optional<DerivedModules> short_word(const LSystem& system, std::uint64_t n,
 }
 
 /// The last generation up to this one of those that begin with short words.
-std::optional<std::uint64_t> last_short(const LSystem& system, std::uint64_t most,
+std::optional<std::uint64_t> last_short(const Model& system, std::uint64_t most,
                                         const PlateChoices& choices, const Budget& budget) {
     constexpr std::uint64_t enough = 200;
     std::optional<std::uint64_t> found;
@@ -230,13 +231,13 @@ int draw_explained(const Options& options) {
     if (!options.output.empty()) named_format(options.output, options.format);
     check_motion(options, false);
     const Budget budget = options.bounds.budget();
-    const LSystem system = open_system(options.file, budget);
+    const Model system = open_model(options.file, budget);
     const PlateChoices choices = choices_of(options, system);
     if (!leaves_plane(system)) choices.space.check_unused(system.name);
     std::uint64_t n = 0;
     if (options.generation.empty()) {
         const std::uint64_t shown =
-            system.settings.generations ? system.settings.generations->second : 0;
+            system.drawing.generations ? system.drawing.generations->second : 0;
         n = last_short(system, shown, choices, budget).value_or(0);
     } else {
         const auto wished = range("-n", options.generation);
@@ -260,7 +261,7 @@ int draw_explained(const Options& options) {
     if (!options.output.empty()) {
         const PictureFormat format = picture_format(named_format(options.output, options.format));
         PictureOptions picture = picture_options(options);
-        if (picture.colours.empty()) picture.colours = system.settings.colours;
+        if (picture.colours.empty()) picture.colours = system.drawing.colours;
         const std::string title =
             (system.title.empty() ? system.name : system.title) + ", n = " + std::to_string(n);
         drawn_to(options.output, [&](auto& target) {
@@ -277,7 +278,7 @@ int draw_explained(const Options& options) {
 // --progressive
 
 /// The one generation that --progressive shows.
-std::uint64_t shown_generation(const LSystem& system, const std::string& written) {
+std::uint64_t shown_generation(const Model& system, const std::string& written) {
     if (written.empty()) return shown_generations(system).second;
     const Range wished = range("-n", written);
     if (!wished.is_single()) throw Error("-n " + written + ": --progressive shows one generation");
@@ -285,7 +286,7 @@ std::uint64_t shown_generation(const LSystem& system, const std::string& written
 }
 
 /// The symbols of a word one by one, as text.
-std::vector<std::string> symbol_texts(const LSystem& system, const DerivedModules& derived) {
+std::vector<std::string> symbol_texts(const Model& system, const DerivedModules& derived) {
     const ModuleText text(system.alphabet, derived.kinds);
     std::vector<std::string> found;
     const double* values = derived.word.values.data();
@@ -305,15 +306,15 @@ std::string padded(std::size_t number, std::size_t largest) {
 }
 
 /// A system in the colours of the picture: scenes have their own.
-LSystem painted(LSystem system, const PictureOptions& picture) {
-    if (!picture.colours.empty()) system.settings.colours = picture.colours;
+Model painted(Model system, const PictureOptions& picture) {
+    if (!picture.colours.empty()) system.drawing.colours = picture.colours;
     return system;
 }
 
 int draw_progressive(const Options& options) {
     const std::string named = needed_format(options);
     const Budget budget = options.bounds.budget();
-    const LSystem system = open_system(options.file, budget);
+    const Model system = open_model(options.file, budget);
     const PlateChoices choices = choices_of(options, system);
     const PictureOptions picture = picture_options(options);
     const auto animation = animation_format(named);
@@ -386,9 +387,9 @@ int draw_progressive(const Options& options) {
 // A file of a figure in space.
 
 /// The scene of one word of a system.
-Scene scene_of_word(const Options& options, const LSystem& system, std::uint64_t generation,
+Scene scene_of_word(const Options& options, const Model& system, std::uint64_t generation,
                     const Budget& budget) {
-    const auto seeds = system.settings.seeds;
+    const auto seeds = system.drawing.seeds;
     FigureChoices choices;
     if (!options.seed.empty())
         choices.seed = natural("--seed", options.seed);
@@ -438,7 +439,7 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
         scene =
             scene_of(*open_relative(options.file, budget, options.statements()), format, budget);
     } else {
-        const LSystem system = open_system(options.file, budget);
+        const Model system = open_model(options.file, budget);
         std::uint64_t generation = 0;
         if (options.generation.empty()) {
             generation = shown_generations(system).second;
@@ -488,8 +489,8 @@ Json as_json(const FigurePlates& plates, const Drawn& drawn, const std::string& 
 }
 
 /// The generations of a picture; an animation begins with generation 0.
-std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options,
-                                                       const LSystem& system, bool moves) {
+std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, const Model& system,
+                                                       bool moves) {
     if (!options.generation.empty()) {
         const Range wished = range("-n", options.generation);
         return {wished.first, wished.last};
@@ -535,7 +536,7 @@ int draw(const Options& options) {
     const PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
     if (is_relative(options.file)) return draw_relative_file(options, format, picture, budget);
-    const LSystem system = open_system(options.file, budget);
+    const Model system = open_model(options.file, budget);
     const auto generations = generations_of(options, system, animation.has_value());
     FigurePlates plates(system, generations, choices_of(options, system), budget);
     if (!options.caption.empty())

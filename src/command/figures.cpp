@@ -18,6 +18,8 @@
 #include "exact/exact.hpp"
 #include "exchange/exchange.hpp"
 #include "language/language.hpp"
+#include "nature/nature.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
 
@@ -150,7 +152,7 @@ void draw_relative_file(const Options& options, Outcome& outcome, const Budget& 
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     if (options.page) outcome.text = file_text(outcome.file.string(), budget);
     if (is_relative(outcome.file.string())) return draw_relative_file(options, outcome, budget);
-    const LSystem system = open_system(outcome.file.string(), budget);
+    const Model system = open_model(outcome.file.string(), budget);
     outcome.title = system.title;
     outcome.source = system.source;
     for (const Disappointment& unmet : unmet_expectations(system, budget)) {

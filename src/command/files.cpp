@@ -7,6 +7,7 @@
 // statements in the file.
 
 #include "command/detail/files.hpp"
+#include "nature/nature.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -18,6 +19,7 @@
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "exchange/exchange.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/turtle.hpp"
 
@@ -90,7 +92,7 @@ SourceText open_text(const std::string& file, const Budget& budget) {
                 did_you_mean(file, names) + "; `algae gallery` lists them");
 }
 
-LSystem open_system(const std::string& file, const Budget& budget) {
+Model open_model(const std::string& file, const Budget& budget) {
     const SourceText source = open_text(file, budget);
     if (const RelativeKind* kind = relative_kind(source.name))
         throw Error(source.name + " is " + kind->what + ", expected an L-system");
@@ -101,19 +103,23 @@ LSystem open_system(const std::string& file, const Budget& budget) {
     return read_lsystem(source.text, source.name);
 }
 
+LSystem open_system(const std::string& file, const Budget& budget) {
+    return open_model(file, budget);
+}
+
 std::string folder_of(const std::string& file) {
     const std::string folder = std::filesystem::path(file).parent_path().string();
     return file == "-" || folder.empty() ? "." : folder;
 }
 
-std::function<LSystem(const std::string&)> systems_from(const std::vector<std::string>& folders,
-                                                        const Budget& budget) {
+std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
+                                                      const Budget& budget) {
     return [folders, budget](const std::string& name) {
         for (const std::string& folder : folders) {
             const std::filesystem::path beside = std::filesystem::path(folder) / name;
-            if (exists(beside.string())) return open_system(beside.string(), budget);
+            if (exists(beside.string())) return open_model(beside.string(), budget);
         }
-        return open_system(name, budget);
+        return open_model(name, budget);
     };
 }
 

@@ -14,6 +14,7 @@
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
 #include "report/report.hpp"
@@ -60,7 +61,7 @@ int growth_interaction(const IL& system, const Range& generations, bool json,
 
 /// The system as a file says it.
 std::string text_of(const D0L& rules, const std::string& title) {
-    LSystem system;
+    Model system;
     system.title = title;
     system.alphabet = *rules.alphabet;
     system.axiom.letters = rules.axiom;
@@ -145,7 +146,7 @@ int print_lengths(const D0L& system, const Options& options, const Budget& budge
 }
 
 /// Lengths, how often each letter occurs, and how many segments are drawn.
-int print_counts(const LSystem& system, const D0L& rules, const Options& options,
+int print_counts(const Model& system, const D0L& rules, const Options& options,
                  const Budget& budget) {
     if (!options.generation) throw Error("--counts needs a generation: -n");
     const Commands commands(system, rules.letters);
@@ -197,7 +198,7 @@ int growth(const Options& options) {
     if (options.file.empty())
         throw Error(
             "expected FILE, or --realise with a sequence; `algae growth --help` shows examples");
-    const LSystem system = open_system(options.file, budget);
+    const Model system = open_model(options.file, budget);
     if (options.words) {
         const FactorReport report = factor_report(*as_d0l(system), budget);
         print(options.json ? to_json(report).text() : to_text(report));

@@ -127,13 +127,13 @@ struct EqualOptions {
 };
 
 /// What is printed.
-struct Answer {
+struct Comparison {
     bool equal = false;
     Json witness;
     std::string text;
 };
 
-Answer growth_answer(const D0L& left, const D0L& right, const Budget& budget) {
+Comparison growth_answer(const D0L& left, const D0L& right, const Budget& budget) {
     const GrowthComparison found = equal_growth(left, right, budget);
     Json witness{{"bound", found.bound}};
     if (found.difference)
@@ -142,7 +142,7 @@ Answer growth_answer(const D0L& left, const D0L& right, const Budget& budget) {
     return {found.equal, std::move(witness), to_text(found)};
 }
 
-Answer sequence_answer(const D0L& left, const D0L& right, const Budget& budget) {
+Comparison sequence_answer(const D0L& left, const D0L& right, const Budget& budget) {
     const SequenceEquality found = equal_sequences(left, right, budget);
     const auto alphabet = over_common_alphabet(left, right).alphabet;
     Json witness(found.equal ? balance_certificate(*found.balance, *alphabet)
@@ -157,7 +157,7 @@ Answer sequence_answer(const D0L& left, const D0L& right, const Budget& budget) 
     return {found.equal, std::move(witness), to_text(found, *alphabet)};
 }
 
-Answer language_answer(const D0L& left, const D0L& right, const Budget& budget) {
+Comparison language_answer(const D0L& left, const D0L& right, const Budget& budget) {
     const LanguageEquality found = equal_languages(left, right, budget);
     const auto alphabet = over_common_alphabet(left, right).alphabet;
     if (found.equal)
@@ -179,7 +179,7 @@ int equal(const EqualOptions& options) {
         const auto answer_of = options.as == As::growth     ? growth_answer
                                : options.as == As::sequence ? sequence_answer
                                                             : language_answer;
-        const Answer found = answer_of(*left, *right, budget);
+        const Comparison found = answer_of(*left, *right, budget);
         const Json out{{"verdict", found.equal ? "equal" : "different"},
                        {"witness", found.witness}};
         print(options.json ? out.text() : found.text);
@@ -199,7 +199,7 @@ struct IsOptions {
     Bounds bounds;
 };
 
-Judgement judged(const IsOptions& options, const WrittenLanguage& written, const Budget& budget) {
+Answer judged(const IsOptions& options, const WrittenLanguage& written, const Budget& budget) {
     if (options.family == "finite")
         return judge_finite(written.language, *written.alphabet, budget);
     if (options.family == "infinite")
@@ -215,16 +215,18 @@ Judgement judged(const IsOptions& options, const WrittenLanguage& written, const
 int is(const IsOptions& options) {
     const Budget budget = options.bounds.budget();
     const WrittenLanguage written = read_language(options.expression, systems_from({"."}, budget));
-    const Judgement found = judged(options, written, budget);
+    const Answer found = judged(options, written, budget);
     std::string text = found.truth == Truth::proved    ? "yes"
                        : found.truth == Truth::refuted ? "no"
                                                        : "undecided";
     text += '\n';
-    for (const std::string& line : found.argument) text += line + '\n';
+    const std::vector<std::string> argument = sentences(found, *written.alphabet);
+    for (const std::string& line : argument) text += line + '\n';
     if (options.json) {
-        Json out{{"verdict", to_string(found.truth)}, {"argument", found.argument}};
-        if (found.truth == Truth::proved) out.set("witness", *found.proof);
-        if (found.truth == Truth::refuted) out.set("obstruction", *found.proof);
+        Json out{{"verdict", to_string(found.truth)}, {"argument", argument}};
+        if (found.proof)
+            out.set(found.truth == Truth::proved ? "witness" : "obstruction",
+                    certificate(found, *written.alphabet));
         text = out.text();
     }
     print(text);

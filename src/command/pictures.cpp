@@ -12,6 +12,7 @@
 
 #include "command/detail/files.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
 
@@ -103,9 +104,9 @@ void SpaceOptions::check_unused(const std::string& name) const {
                     " stay in the plane");
 }
 
-ViewChoices view_choices(const SpaceOptions& options, const LSystem& system,
+ViewChoices view_choices(const SpaceOptions& options, const Model& system,
                          const std::optional<std::string>& background) {
-    ViewChoices choices = view_choices(system.settings);
+    ViewChoices choices = view_choices(system.drawing);
     if (options.camera) choices.camera = *options.camera;
     if (options.light) choices.light = *options.light;
     if (options.fog) choices.fog = *options.fog;
@@ -144,15 +145,14 @@ void refuse_on_mesh(const std::vector<std::pair<const char*, bool>>& given, Mesh
                         " is no picture; it holds one figure in space");
 }
 
-FigurePlates::FigurePlates(const LSystem& system,
-                           std::pair<std::uint64_t, std::uint64_t> generations,
+FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::uint64_t> generations,
                            const PlateChoices& choices, const Budget& budget)
     : title_(system.title.empty() ? system.name : system.title) {
-    if (const auto& angle = system.settings.angle) {
+    if (const auto& angle = system.drawing.angle) {
         const auto decimal = angle->exact ? exact_decimal(*angle->exact) : std::nullopt;
         angle_ = (decimal ? *decimal : to_text(angle->expression)) + "°";
     }
-    const auto seeds = choices.seeds ? choices.seeds : system.settings.seeds;
+    const auto seeds = choices.seeds ? choices.seeds : system.drawing.seeds;
     if (!seeds && choices.tables.empty()) {
         if (const View<D0L> rules = as_d0l(system); !rules && as_ol(system))
             throw Error(rules.reason() + "; say --seed S to draw one word picked at random");
@@ -164,14 +164,14 @@ FigurePlates::FigurePlates(const LSystem& system,
     many_seeds_ = seeds && seeds->first != seeds->second;
     const bool in_space = leaves_plane(system);
     if (!in_space) choices.space.check_unused(system.name);
-    LSystem painted = system;
-    if (!choices.colours.empty()) painted.settings.colours = choices.colours;
+    Model painted = system;
+    if (!choices.colours.empty()) painted.drawing.colours = choices.colours;
     const ViewChoices view_of = view_choices(choices.space, system, choices.background);
     const auto view = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
         SpaceDerivation found =
             scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()},
                   external_environment(choices.environment, system));
-        return std::make_unique<SpaceView>(std::move(found.scene), painted.settings,
+        return std::make_unique<SpaceView>(std::move(found.scene), style_of(painted.drawing),
                                            SceneFacts{found.end.position, found.facts.step},
                                            view_of, budget);
     };
@@ -215,13 +215,13 @@ std::vector<Plate> FigurePlates::plates() const {
     return found;
 }
 
-std::pair<std::uint64_t, std::uint64_t> shown_generations(const LSystem& system) {
-    if (!system.settings.generations)
+std::pair<std::uint64_t, std::uint64_t> shown_generations(const Model& system) {
+    if (!system.drawing.generations)
         throw Error(system.name +
                     " does not say which generation its figure shows; expected a line such as "
                     "`generation 4` in it, or "
                     "-n of `algae draw`");
-    return *system.settings.generations;
+    return *system.drawing.generations;
 }
 
 namespace {

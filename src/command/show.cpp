@@ -16,6 +16,7 @@
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "exchange/exchange.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "report/report.hpp"
 #include "system/system.hpp"
@@ -35,7 +36,7 @@ struct ShowOptions {
 
 /// How many axes and edges of each order the axial tree of generation n has. Edges are the symbols
 /// whose names begin with a letter; signs such as + only say how the turtle turns.
-void print_axes(const LSystem& system, std::uint64_t n, bool json, const Budget& budget) {
+void print_axes(const Model& system, std::uint64_t n, bool json, const Budget& budget) {
     const View<TreeSystem> trees = as_tree_system(*as_d0l(system));
     std::vector<char> edges;
     for (Symbol a = 0; a < system.alphabet.size(); ++a)
@@ -61,7 +62,7 @@ void print_axes(const LSystem& system, std::uint64_t n, bool json, const Budget&
 
 int show(const ShowOptions& options) {
     const Budget budget = options.bounds.budget();
-    const LSystem system = open_system(options.file, budget);
+    const Model system = open_model(options.file, budget);
     if (options.axes != options.generation.has_value()) throw Error("--axes and -n go together");
     if (options.axes) {
         print_axes(system, *options.generation, options.json, budget);
@@ -153,7 +154,7 @@ int list_gallery(const GalleryOptions& options) {
             {{"name", entry.name}, {"title", title}, {"source", source}, {"path", entry.path}});
     };
     for (const GalleryEntry& entry : gallery()) {
-        const LSystem system = read_lsystem(entry.text, std::string(entry.name));
+        const Model system = read_lsystem(entry.text, std::string(entry.name));
         add(entry, entry.name, system.title, system.source);
     }
     for (const GalleryEntry& entry : relative_gallery()) {

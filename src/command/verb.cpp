@@ -19,6 +19,7 @@
 #include "exact/exact.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae::command {
 

@@ -27,6 +27,8 @@
 
 namespace algae {
 
+struct Model;
+
 // Numbers that dimensions are made of.
 
 /// A positive real algebraic integer: a root of a monic polynomial with integer coefficients.
@@ -209,7 +211,7 @@ struct ExactDimension {
 /// Throws BoundReached past the deadline, Interrupted: neither says anything about the rules.
 ///
 /// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
-ExactDimension exact_dimension(const LSystem& system, const Budget& budget = {});
+ExactDimension exact_dimension(const Model& system, const Budget& budget = {});
 
 // Dimensions as numbers to compare with, and ratios as expressions.
 
@@ -375,7 +377,7 @@ public:
 
     /// Throws what `Unfolding` and `Displacement` throw; tries more phases where scaling factors
     /// are equally large.
-    RecurrentSet(const LSystem& system, const D0L& rules, const Budget& budget = {});
+    RecurrentSet(const Model& system, const D0L& rules, const Budget& budget = {});
 
     const Unfolding& unfolding() const { return unfolding_; }
     const Displacement& displacement() const { return displacement_; }

@@ -2,6 +2,7 @@
 
 #include "dimension/detail/ratio_graph.hpp"
 #include "dimension/detail/recurrent_set.hpp"
+#include "model/model.hpp"
 
 // The exact dimension of the limit curve of a system.
 //
@@ -53,7 +54,7 @@ bool vanishes(const std::vector<RatioSum::Entry>& cycle, const WayGrowth& growth
 /// whether parts overlap is not looked at; segments that stay segments have the dimension 1.
 ///
 /// Throws what `ratio_graph`, `WayGrowth` and `RatioSum` throw.
-ExactDimension parametric_dimension(const LSystem& system, const Budget& budget) {
+ExactDimension parametric_dimension(const Model& system, const Budget& budget) {
     const RatioGraph graph = ratio_graph(system, budget);
     if (const auto equal = with_equal_lengths(graph)) {
         ExactDimension found = exact_dimension(*equal, budget);
@@ -220,7 +221,7 @@ bool has_parameters(const LSystem& system) {
 
 }  // namespace
 
-ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
+ExactDimension exact_dimension(const Model& system, const Budget& budget) {
     ExactDimension none;
     const View<D0L> rules = as_d0l(system);
     if (!rules && !has_parameters(system)) {
@@ -228,10 +229,10 @@ ExactDimension exact_dimension(const LSystem& system, const Budget& budget) {
         return none;
     }
     try {
-        const Settings& settings = system.settings;
-        if (settings.tropism) throw Error("strokes bend to a tropism");
-        if (!settings.solids.empty()) throw Error("symbols leave solids");
-        if (!settings.surfaces.empty()) throw Error("symbols leave surfaces");
+        const Drawing& drawing = system.drawing;
+        if (drawing.tropism) throw Error("strokes bend to a tropism");
+        if (!drawing.solids.empty()) throw Error("symbols leave solids");
+        if (!drawing.surfaces.empty()) throw Error("symbols leave surfaces");
         if (!rules) return parametric_dimension(system, budget);
         const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);
         ExactDimension found = Search(*limit, budget).result();

@@ -4,6 +4,7 @@
 
 #include "dimension/detail/ratio_graph.hpp"
 #include "dimension/detail/recurrent_set.hpp"
+#include "model/model.hpp"
 
 // What becomes of lengths in a parametric system: is every module a scaled copy of one of finitely
 // many?
@@ -203,7 +204,7 @@ using Meaning = ParameterMeanings::Meaning;
 /// Builds the graph from the axiom onward.
 class Builder {
 public:
-    Builder(const LSystem& system, const Budget& budget)
+    Builder(const Model& system, const Budget& budget)
         : system_(system), budget_(budget), meanings_(system) {
         check();
     }
@@ -311,10 +312,10 @@ private:
         const auto has = [&](const auto& list, const auto& is) {
             return std::any_of(list.begin(), list.end(), is);
         };
-        const Settings& settings = system_.settings;
-        if (has(settings.plotters, [&](Symbol a) { return a == key.symbol; }))
+        const Drawing& drawing = system_.drawing;
+        if (has(drawing.plotters, [&](Symbol a) { return a == key.symbol; }))
             throw Error("the symbol " + name + " draws to points that it names");
-        if (has(settings.stamps, [&](const auto& stamp) { return stamp.symbol == key.symbol; }))
+        if (has(drawing.stamps, [&](const auto& stamp) { return stamp.symbol == key.symbol; }))
             throw Error("the symbol " + name + " stamps a shape");
         const Step step = step_of(system_.alphabet, key.symbol);
         state.draws = step == Step::draw;
@@ -322,17 +323,17 @@ private:
         if (name.size() != 1) return state;
         if (std::string("&^\\/$@").find(name) != std::string::npos)
             throw Error("the symbol " + name + " makes a figure in space");
-        if (name == "*" && (key.arity > 0 || settings.scale))
+        if (name == "*" && (key.arity > 0 || drawing.scale))
             throw Error("the symbol * changes the turtle's step");
         if (name == "%") throw Error("the symbol % leaves branches out");
         if (name == "|") state.degrees = 180;
         if (name == "+" || name == "-") {
-            if (key.arity == 0 && settings.angle && !settings.angle->exact)
+            if (key.arity == 0 && drawing.angle && !drawing.angle->exact)
                 throw Error("the angle is no rational number of degrees");
-            state.degrees = key.arity > 0    ? key.numbers[0]
-                            : settings.angle ? *settings.angle->exact
-                                             : Rational(90);
-            if ((name == "-") != settings.clockwise) state.degrees = -state.degrees;
+            state.degrees = key.arity > 0   ? key.numbers[0]
+                            : drawing.angle ? *drawing.angle->exact
+                                            : Rational(90);
+            if ((name == "-") != drawing.clockwise) state.degrees = -state.degrees;
         }
         return state;
     }
@@ -399,7 +400,7 @@ private:
                             states[whole].name + " is no multiple of its length");
     }
 
-    const LSystem& system_;
+    const Model& system_;
     const Budget& budget_;
     ParameterMeanings meanings_;
     Expression unit_ = quantity(Rational(1)).expression;
@@ -412,7 +413,7 @@ private:
 
 }  // namespace
 
-RatioGraph ratio_graph(const LSystem& system, const Budget& budget) {
+RatioGraph ratio_graph(const Model& system, const Budget& budget) {
     return Builder(system, budget).graph();
 }
 
@@ -457,13 +458,13 @@ Rational common_angle(const RatioGraph& graph) {
 
 }  // namespace
 
-std::optional<LSystem> with_equal_lengths(const RatioGraph& graph) {
+std::optional<Model> with_equal_lengths(const RatioGraph& graph) {
     constexpr long most_directions = 720;
     if (!has_one_ratio(graph)) return std::nullopt;
     const Rational unit = common_angle(graph);
     if (unit * Rational(most_directions) < Rational(360)) return std::nullopt;
-    LSystem system;
-    system.settings.angle = quantity(unit);
+    Model system;
+    system.drawing.angle = quantity(unit);
     std::vector<Word> words;
     for (std::size_t k = 0; k < graph.states.size(); ++k) {
         const RatioGraph::State& state = graph.states[k];

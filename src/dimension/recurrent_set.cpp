@@ -3,6 +3,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "model/model.hpp"
+
 #include "dimension/detail/recurrent_set.hpp"
 
 // From a system to the set that its curves approach.
@@ -37,8 +39,8 @@ using Kind = Unfolding::Item::Kind;
 constexpr std::size_t most_levels = 10'000;
 
 /// Why directions are not exact.
-std::string inexact(const Settings& settings) {
-    const auto& angle = settings.angle;
+std::string inexact(const Drawing& drawing) {
+    const auto& angle = drawing.angle;
     const std::string is_no = " no rational part of a turn with a denominator up to 360";
     if (angle && !(angle->exact && (*angle->exact / Rational(360)).denominator() <= 360))
         return "the angle " + to_text(angle->expression) + " is" + is_no;
@@ -48,12 +50,12 @@ std::string inexact(const Settings& settings) {
 /// Reads a system's letters as commands of a turtle with exact turns.
 class Reader {
 public:
-    Reader(const LSystem& system, const D0L& rules)
+    Reader(const Model& system, const D0L& rules)
         : rules_(rules),
-          compass_(system.settings, 0),
+          compass_(system.drawing, 0),
           commands_(system, rules.letters),
           place_(system.alphabet.size(), none) {
-        if (!compass_.is_exact()) throw Error(inexact(system.settings));
+        if (!compass_.is_exact()) throw Error(inexact(system.drawing));
         if (commands_.uses(Command::scale)) throw Error("the symbol * changes the turtle's step");
         if (commands_.uses(Command::cut)) throw Error("the symbol % leaves branches out");
         for (const Symbol a : rules.letters)
@@ -190,7 +192,7 @@ std::int64_t normal_heading(std::int64_t heading, std::int64_t order) {
     return heading < 0 ? heading + order : heading;
 }
 
-Unfolding unfolding(const LSystem& system, const D0L& rules, std::size_t phase_factor) {
+Unfolding unfolding(const Model& system, const D0L& rules, std::size_t phase_factor) {
     const Reader reader(system, rules);
     const std::size_t count = reader.letters.size();
     const LatticeMotions motions(reader.order(), false);
@@ -246,7 +248,7 @@ Unfolding unfolding(const LSystem& system, const D0L& rules, std::size_t phase_f
 namespace {
 
 /// The unfolding with as few phases as part the scaling factors, and its displacement.
-std::pair<Unfolding, Displacement> unfolded(const LSystem& system, const D0L& rules,
+std::pair<Unfolding, Displacement> unfolded(const Model& system, const D0L& rules,
                                             const Budget& budget) {
     for (const std::size_t factor : {1u, 2u, 3u, 4u, 5u, 6u, 8u, 10u, 12u}) {
         Unfolding found = unfolding(system, rules, factor);
@@ -286,7 +288,7 @@ RecurrentSet::Disc around(const std::vector<RecurrentSet::Disc>& discs) {
 
 }  // namespace
 
-RecurrentSet::RecurrentSet(const LSystem& system, const D0L& rules, const Budget& budget)
+RecurrentSet::RecurrentSet(const Model& system, const D0L& rules, const Budget& budget)
     : RecurrentSet(unfolded(system, rules, budget), budget) {}
 
 RecurrentSet::RecurrentSet(std::pair<Unfolding, Displacement> parts, const Budget& budget)

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <ranges>
 #include <set>
 #include <string>
 #include <utility>
@@ -10,6 +11,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/plain_rules.hpp"
 #include "exchange/detail/scanner.hpp"
+#include "model/model.hpp"
 
 // Text files of a geometric interpreter of D0L systems (Brno, 2008).
 //
@@ -30,31 +32,29 @@ namespace algae {
 namespace {
 
 bool braces_match(const std::string& word) {
-    std::size_t depth = 0;
-    for (const char letter : word) {
-        if (letter == '{') ++depth;
-        if (letter == '}' && depth-- == 0) return false;
-    }
-    return depth == 0;
+    long depth = 0, least = 0;
+    for (const char letter : word)
+        least = std::min(least, depth += letter == '{' ? 1 : letter == '}' ? -1 : 0);
+    return depth == 0 && least == 0;
 }
 
 }  // namespace
 
 PolygonLetters polygon_letters(const std::string& axiom, const std::map<char, std::string>& rules) {
-    const bool match = braces_match(axiom) &&
-                       std::all_of(rules.begin(), rules.end(),
-                                   [](const auto& rule) { return braces_match(rule.second); });
+    const bool match =
+        braces_match(axiom) && std::ranges::all_of(std::views::values(rules), braces_match);
     PolygonLetters letters;
     // Words still to be looked at, and whether they stand inside a polygon as a whole.
     std::vector<std::pair<const std::string*, bool>> words{{&axiom, false}};
     while (!words.empty()) {
         const auto [word, fenced] = words.back();
         words.pop_back();
-        std::size_t depth = fenced ? 1 : 0;
+        long depth = fenced ? 1 : 0;
         for (const char letter : *word) {
-            if (letter == '{' && match) ++depth;
-            if (letter == '}' && match) --depth;
-            if (letter == '{' || letter == '}') continue;
+            if (letter == '{' || letter == '}') {
+                if (match) depth += letter == '{' ? 1 : -1;
+                continue;
+            }
             const bool is_new =
                 (depth > 0 ? letters.inside : letters.outside).insert(letter).second;
             const auto rule = rules.find(letter);
@@ -94,9 +94,7 @@ class Interpretations {
 public:
     explicit Interpretations(const BrnoSystem& system)
         : system_(system), letters_(letters_of(system)) {
-        std::map<char, std::string> rules;
-        for (const auto& rule : system.rules) rules.insert(rule);
-        drawn_ = polygon_letters(system.axiom, rules).outside;
+        drawn_ = polygon_letters(system.axiom, {system.rules.begin(), system.rules.end()}).outside;
     }
 
     std::string text() {
@@ -143,8 +141,8 @@ private:
 
     std::string measured(char letter) {
         const BrnoPrimitive of = primitive(letter);
-        const std::string length = '(' + std::to_string(of.length) + ')';
-        if (of.kind == 'C') return "!(" + std::to_string(of.diameter) + ")F" + length;
+        const std::string length = fmt::format("({})", of.length);
+        if (of.kind == 'C') return fmt::format("!({})F{}", of.diameter, length);
         if (of.kind == 'P' && is_side(letter)) return 'f' + length;
         if (of.kind == 'P') return (has_cylinders() ? "!(1)F" : "F") + length;
         if (of.kind != 'S') return "ε";
@@ -155,9 +153,8 @@ private:
         return ball + '(' + shortest_text(Rational(of.diameter, 2)) + ')';
     }
     bool has_cylinders() const {
-        for (const char letter : letters_)
-            if (primitive(letter).kind == 'C') return true;
-        return false;
+        return std::ranges::any_of(letters_,
+                                   [&](char letter) { return primitive(letter).kind == 'C'; });
     }
 
     /// Interprets turns by other angles than the first that is needed, which it gives.
@@ -207,9 +204,10 @@ void check_polygons(const PlacedWord& word, const BrnoSystem& system, Findings& 
         if (depths[i] == 0 || module == system.modules.end()) continue;
         const char kind = module->second.kind;
         if (kind == 'C' || kind == 'S')
-            findings.add(word.offsets[i],
-                         std::string("expected turns and lines between '{' and '}', found '") +
-                             word.text[i] + "', a " + (kind == 'C' ? "cylinder" : "ball"));
+            findings.add(
+                word.offsets[i],
+                fmt::format("expected turns and lines between '{{' and '}}', found '{}', a {}",
+                            word.text[i], kind == 'C' ? "cylinder" : "ball"));
     }
 }
 
@@ -225,9 +223,9 @@ void check_brno_word(const PlacedWord& word, const BrnoSystem& system, std::set<
         if (at == std::string::npos || system.angles.contains(vector) ||
             !missing.insert(vector).second)
             continue;
-        findings.add(word.offsets[at], std::string("expected the angle ") + vector +
-                                           " among the angles, as '" + word.text[at] +
-                                           "' turns by it");
+        findings.add(word.offsets[at],
+                     fmt::format("expected the angle {} among the angles, as '{}' turns by it",
+                                 vector, word.text[at]));
     }
 }
 
@@ -236,18 +234,20 @@ constexpr long most_pixels = 1'000'000;
 
 bool is_module(char c) { return std::isalpha(static_cast<unsigned char>(c)); }
 
+/// Whether a line begins with the word `END` here, or what stands behind one of these.
+bool is_end(std::string_view text, std::size_t at, std::string_view behind = "\n") {
+    if (!text.substr(at).starts_with("END")) return false;
+    const std::size_t before = text.substr(0, at).find_last_not_of(" \t\r");
+    return (before == std::string_view::npos || behind.find(text[before]) != behind.npos) &&
+           (at + 3 == text.size() || !std::isalnum(static_cast<unsigned char>(text[at + 3])));
+}
+
 /// Behind `END` anything may follow, text or not: then the text up to there.
 std::string_view readable(std::string_view text) {
     if (Source(text, "").bad_bytes().empty()) return text;
     for (std::size_t at = text.find("END"); at != std::string_view::npos;
-         at = text.find("END", at + 3)) {
-        const std::size_t before = text.substr(0, at).find_last_not_of(" \t\r");
-        const bool begins =
-            before == std::string_view::npos || text[before] == ';' || text[before] == '\n';
-        const bool ends =
-            at + 3 == text.size() || !std::isalnum(static_cast<unsigned char>(text[at + 3]));
-        if (begins && ends) return text.substr(0, at + 3);
-    }
+         at = text.find("END", at + 3))
+        if (is_end(text, at, ";\n")) return text.substr(0, at + 3);
     return text;
 }
 
@@ -256,7 +256,7 @@ public:
     Reader(std::string_view text, const std::string& name)
         : name_(name), source_(text, name), findings_(source_), scanner_(text, name, comments()) {}
 
-    LSystem read() {
+    Model read() {
         try {
             section("modules", "at the beginning", [&] { read_module(); });
             keyword("axiom", "behind the modules");
@@ -266,7 +266,7 @@ public:
             section("rules", "behind the angles", [&] { read_rule(); });
             if (!scanner_.take_word("END")) scanner_.fail("'END' behind the rules");
         } catch (const Diagnostics& error) {
-            note(error);
+            add(findings_, error);
         } catch (const CannotGoOn&) {
         }
         std::set<char> missing;
@@ -286,19 +286,10 @@ private:
 
     static std::vector<std::string> comments() { return {"//", "\\\\"}; }
 
-    void note(const Diagnostics& error) {
-        for (const Diagnostic& finding : error.findings())
-            findings_.add(finding.place, finding.message);
-    }
-
     void keyword(const std::string& name, const std::string& where) {
         const std::size_t at = scanner_.offset();
         if (scanner_.take_word(name)) return scanner_.expect(":", "behind '" + name + "'");
-        scanner_.fail_at(at, "expected '" + name + ":' " + where + ", found " + found_next());
-    }
-    std::string found_next() {
-        const std::string_view rest = scanner_.rest();
-        return rest.empty() ? "the end of the file" : found(rest.substr(0, rest.find('\n')));
+        scanner_.fail_at(at, "expected '{}:' {}, found {}", name, where, scanner_.found_next());
     }
 
     /// A keyword, then items with ',' between them and ';' behind the last. Goes on behind a faulty
@@ -312,7 +303,7 @@ private:
                 item();
                 if (!at_item_end()) scanner_.fail("',' or ';'");
             } catch (const Diagnostics& error) {
-                note(error);
+                add(findings_, error);
                 scanner_.set_comments(comments());
                 while (!at_item_end() || at_measure()) {
                     if (scanner_.at_end() || at_keyword()) throw CannotGoOn();
@@ -338,12 +329,7 @@ private:
         const std::string_view rest = scanner_.rest();
         for (const char* name : {"modules:", "axiom:", "angles:", "rules:"})
             if (rest.starts_with(name)) return true;
-        if (!rest.starts_with("END")) return false;
-        const std::size_t at = scanner_.offset();
-        const std::string_view before = source_.text().substr(0, at);
-        const std::size_t last = before.find_last_not_of(" \t\r");
-        return (last == std::string_view::npos || before[last] == '\n') &&
-               (rest.size() == 3 || !std::isalnum(static_cast<unsigned char>(rest[3])));
+        return is_end(source_.text(), scanner_.offset());
     }
 
     char letter(const std::string& expectation) {
@@ -358,7 +344,7 @@ private:
         const std::size_t at = scanner_.offset();
         const Rational value = scanner_.number(what, least, most);
         if (!value.is_integer())
-            scanner_.fail_at(at, "expected " + what + ", found '" + shortest_text(value) + "'");
+            scanner_.fail_at(at, "expected {}, found '{}'", what, shortest_text(value));
         return static_cast<long>(value.numerator().to_int64());
     }
     long pixels(const std::string& what) {
@@ -376,7 +362,7 @@ private:
             throw;
         }
         if (!system_.modules.emplace(name, primitive).second)
-            findings_.add(at, std::string("the module ") + name + " is declared twice");
+            findings_.add(at, fmt::format("the module {} is declared twice", name));
     }
     BrnoPrimitive read_primitive() {
         const std::string what = "C(diameter, height), P(length) or S(diameter)";
@@ -385,8 +371,7 @@ private:
         BrnoPrimitive primitive;
         const char kind = static_cast<char>(std::toupper(static_cast<unsigned char>(letter(what))));
         primitive.kind = kind;
-        const std::string behind = std::string("behind ") + kind;
-        scanner_.expect("(", behind);
+        scanner_.expect("(", fmt::format("behind {}", kind));
         if (kind != 'P') primitive.diameter = pixels("a diameter");
         if (kind == 'C') scanner_.expect(",", "behind the diameter");
         if (kind != 'S') primitive.length = pixels(kind == 'C' ? "a height" : "a length");
@@ -400,30 +385,27 @@ private:
         const std::size_t at = scanner_.offset();
         const char name = letter("an angle, L, U or H");
         if (!std::strchr("LUH", name))
-            scanner_.fail_at(at, std::string("expected an angle, L, U or H, found '") + name + "'");
-        scanner_.expect("=", std::string("behind the angle ") + name);
+            scanner_.fail_at(at, "expected an angle, L, U or H, found '{}'", name);
+        scanner_.expect("=", fmt::format("behind the angle {}", name));
         const long degrees = whole("a whole number of degrees", 0, 360);
         if (!system_.angles.emplace(name, degrees).second)
-            findings_.add(at, std::string("the angle ") + name + " is given twice");
+            findings_.add(at, fmt::format("the angle {} is given twice", name));
     }
 
     void read_rule() {
         const std::size_t at = scanner_.offset();
         const char name = letter("a rule, which begins with a module");
         check_declared(name, at);
-        scanner_.expect("->", std::string("behind ") + name);
-        for (std::size_t i = 1; i < words_.size(); ++i)
-            if (words_[i].first == name) {
-                findings_.add(at, std::string("the second rule for ") + name + ", expected one");
-                break;
-            }
-        words_.emplace_back(name, word(std::string("the rule for ") + name));
+        scanner_.expect("->", fmt::format("behind {}", name));
+        if (std::ranges::count(words_, name, &std::pair<char, PlacedWord>::first) > 0)
+            findings_.add(at, fmt::format("the second rule for {}, expected one", name));
+        words_.emplace_back(name, word(fmt::format("the rule for {}", name)));
     }
 
     void check_declared(char letter, std::size_t at, const std::string& hint = "") {
         if (system_.modules.contains(letter)) return;
         const std::string message =
-            std::string("expected a declared module, found '") + letter + "'" + hint;
+            fmt::format("expected a declared module, found '{}'{}", letter, hint);
         if (!hint.empty()) scanner_.fail_at(at, message);
         if (undeclared_.insert(letter).second) findings_.add(at, message);
     }
@@ -441,8 +423,10 @@ private:
             if (is_module(letter))
                 check_declared(letter, at, hint);
             else if (letter == 0 || !std::strchr(brno_turtle_symbols, letter))
-                scanner_.fail_at(at, "expected a module, a symbol of the turtle, ',' or ';' in " +
-                                         what + ", found " + algae::quoted(character) + hint);
+                scanner_.fail_at(at,
+                                 "expected a module, a symbol of the turtle, ',' or ';' in {}, "
+                                 "found {}{}",
+                                 what, algae::quoted(character), hint);
             if ((letter == '/' || letter == '\\') && word.text.ends_with(letter))
                 hint = "; in words two rolls begin no comment";
             word.add(character, at);
@@ -461,11 +445,10 @@ private:
 };
 
 std::string text_of(const BrnoPrimitive& primitive) {
-    const std::string diameter = std::to_string(primitive.diameter);
-    const std::string length = std::to_string(primitive.length);
-    if (primitive.kind == 'C') return " = C(" + diameter + "," + length + ")";
-    if (primitive.kind == 'P') return " = P(" + length + ")";
-    return primitive.kind == 'S' ? " = S(" + diameter + ")" : "";
+    const auto& [kind, diameter, length] = primitive;
+    if (kind == 'C') return fmt::format(" = C({},{})", diameter, length);
+    if (kind == 'P') return fmt::format(" = P({})", length);
+    return kind == 'S' ? fmt::format(" = S({})", diameter) : "";
 }
 
 /// The same system as a file. No section is empty: what one would say of nothing is added.
@@ -478,7 +461,7 @@ std::string brno_text(BrnoSystem system, const std::string& title) {
     std::string out = title.empty() ? "" : "// " + title + "\n\n";
     const char* before = "modules:\n    ";
     for (const auto& [letter, primitive] : system.modules) {
-        out += before + std::string(1, letter) + text_of(primitive);
+        out += before + (letter + text_of(primitive));
         before = ", ";
     }
     out += ";\n\naxiom:\n    " + system.axiom;
@@ -486,27 +469,25 @@ std::string brno_text(BrnoSystem system, const std::string& title) {
     before = "";
     for (const char vector : {'L', 'U', 'H'})
         if (system.angles.contains(vector)) {
-            out += before + std::string(1, vector) + " = " + std::to_string(system.angles[vector]);
+            out += fmt::format("{}{} = {}", before, vector, system.angles[vector]);
             before = ", ";
         }
     before = ";\n\nrules:\n    ";
     for (const auto& [letter, successor] : system.rules) {
-        out += before + std::string(1, letter) + " -> " + successor;
+        out += fmt::format("{}{} -> {}", before, letter, successor);
         before = ",\n    ";
     }
     return out + ";\n\nEND\n";
 }
 
-constexpr const char* format = "brno";
-
 /// Finds what a system says that a file can say, and throws Error where it cannot.
-class Writer {
+class Writer : FormatWriter {
 public:
-    explicit Writer(const LSystem& system) : system_(system) {}
+    explicit Writer(const Model& system) : FormatWriter(system, "brno") {}
 
     BrnoSystem written() {
-        check_plain_rules(system_, format, false);
-        check_plain_settings(system_, format);
+        check_plain_rules(false);
+        check_plain_settings();
         check_start();
         out_.axiom = letters(system_.axiom.letters, "the axiom");
         std::map<char, std::string> rules;
@@ -528,18 +509,14 @@ public:
     }
 
 private:
-    const std::string& name(Symbol symbol) const { return system_.alphabet.name(symbol); }
-    [[noreturn]] void refuse(const std::string& what) const { cannot_say(system_, format, what); }
-
     void check_start() const {
-        const Settings& settings = system_.settings;
-        const auto is = [](const std::optional<Quantity>& number, double value) {
-            return !number || number->value == value;
-        };
-        if (settings.clockwise) refuse("that + turns clockwise");
-        if (!is(settings.shrink, 1)) refuse("that steps shrink from one generation to the next");
-        if (!is(settings.spin, 0)) refuse("that the start turns from one generation to the next");
-        if (const auto& start = settings.start)
+        const Drawing& drawing = system_.drawing;
+        if (drawing.clockwise) refuse("that + turns clockwise");
+        if (!is_usual(drawing.shrink, 1))
+            refuse("that steps shrink from one generation to the next");
+        if (!is_usual(drawing.spin, 0))
+            refuse("that the start turns from one generation to the next");
+        if (const auto& start = drawing.start)
             if (start->x.value != 0 || start->y.value != 0 || start->heading.value != 0)
                 refuse("where the turtle starts, expected 'start 0 0 0'");
     }
@@ -551,8 +528,8 @@ private:
             const bool known = letter.size() == 1 && (is_module(letter[0]) ||
                                                       std::strchr(brno_turtle_symbols, letter[0]));
             if (!known)
-                refuse("the symbol " + letter + " in " + where + ", expected letters and " +
-                       brno_turtle_symbols);
+                refuse(fmt::format("the symbol {} in {}, expected letters and {}", letter, where,
+                                   brno_turtle_symbols));
             symbols_.emplace(letter[0], symbol);
             out += letter;
         }
@@ -564,25 +541,25 @@ private:
 
     /// What a letter makes the turtle do, without colours and what it ignores.
     std::vector<TurtleModule> deeds(Symbol symbol) const {
-        std::vector<TurtleModule> all = interpreted(system_, symbol, format);
+        std::vector<TurtleModule> all = interpreted(symbol);
         std::erase_if(all, [&](const TurtleModule& module) { return !acts(module); });
         return all;
     }
     bool acts(const TurtleModule& module) const {
         const std::string& of = name(module.symbol);
-        const Settings& settings = system_.settings;
-        for (const Settings::Stamp& stamp : settings.stamps)
-            if (stamp.symbol == module.symbol) return true;
+        const Drawing& drawing = system_.drawing;
+        if (std::ranges::count(drawing.stamps, module.symbol, &Drawing::Stamp::symbol) > 0)
+            return true;
         if (solid(module.symbol) || steps(of)) return true;
-        if (of == "*") return !module.parameters.empty() || settings.scale;
-        if (of == "!") return !module.parameters.empty() || settings.narrow;
+        if (of == "*") return !module.parameters.empty() || drawing.scale;
+        if (of == "!") return !module.parameters.empty() || drawing.narrow;
         return of.size() == 1 && std::strchr("G+-&^\\/|$@[]{}.%", of[0]);
     }
     static bool steps(const std::string& of) {
         return of == "F" || of == "f" || of.starts_with("F_") || of.starts_with("f_");
     }
     const SolidSetting* solid(Symbol symbol) const {
-        for (const SolidSetting& setting : system_.settings.solids)
+        for (const SolidSetting& setting : system_.drawing.solids)
             if (setting.symbol == symbol) return &setting;
         return nullptr;
     }
@@ -609,8 +586,8 @@ private:
             } else if (outside && out.diameter == 1 && of != "G") {
                 lines_.insert(letter);
             } else {
-                refuse("the cylinder " + name(symbol) +
-                       " between braces, where turns and lines stand");
+                refuse(fmt::format("the cylinder {} between braces, where turns and lines stand",
+                                   name(symbol)));
             }
         } else if (of[0] == 'f' && outside) {
             refuse(name(symbol) + ", a step that draws nothing");
@@ -637,13 +614,12 @@ private:
             refuse("the ball " + name(symbol) + " between braces, where turns and lines stand");
         return {'S', pixels(symbol, 2 * radius * step(), "the diameter"), 0};
     }
-    double step() const { return system_.settings.step ? system_.settings.step->value : 1; }
+    double step() const { return system_.drawing.step ? system_.drawing.step->value : 1; }
 
     long whole(double value, long least, long most, const std::string& what) const {
         if (!(value >= static_cast<double>(least) && value <= static_cast<double>(most)) ||
             value != std::floor(value))
-            refuse(what + ", expected a whole number from " + std::to_string(least) + " to " +
-                   std::to_string(most));
+            refuse(fmt::format("{}, expected a whole number from {} to {}", what, least, most));
         return static_cast<long>(value);
     }
     long pixels(Symbol symbol, double value, const char* what) const {
@@ -652,16 +628,15 @@ private:
 
     /// Among cylinders lines are one wide, and they are so only there.
     void check_widths() const {
-        bool cylinders = false;
-        for (const auto& [letter, primitive] : out_.modules)
-            cylinders = cylinders || primitive.kind == 'C';
+        const bool cylinders =
+            std::ranges::count(std::views::values(out_.modules), 'C', &BrnoPrimitive::kind) > 0;
         if (!cylinders && !lines_.empty())
-            refuse(std::string("the width of ") + *lines_.begin() +
-                   ", a line where there are no cylinders");
+            refuse(fmt::format("the width of {}, a line where there are no cylinders",
+                               *lines_.begin()));
         for (const auto& [letter, primitive] : out_.modules)
             if (cylinders && primitive.kind == 'P' && drawn_.outside.contains(letter) &&
                 !lines_.contains(letter))
-                refuse(std::string("the width of ") + letter + ", a line among cylinders");
+                refuse(fmt::format("the width of {}, a line among cylinders", letter));
     }
 
     void add_angle(char vector) {
@@ -671,8 +646,8 @@ private:
             if (symbol == symbols_.end()) continue;
             const long angle = turned(*turn, symbol->second);
             if (found && *found != angle)
-                refuse(std::string("that ") + brno_turns(vector)[0] + " and " +
-                       brno_turns(vector)[1] + " turn by different angles");
+                refuse(fmt::format("that {} and {} turn by different angles", brno_turns(vector)[0],
+                                   brno_turns(vector)[1]));
             found = angle;
         }
         if (found) out_.angles[vector] = *found;
@@ -680,14 +655,14 @@ private:
     long turned(char turn, Symbol symbol) const {
         const std::vector<TurtleModule> all = deeds(symbol);
         if (all.size() != 1 || name(all[0].symbol) != std::string(1, turn)) refuse_meaning(turn);
-        const auto& angle = system_.settings.angle;
+        const auto& angle = system_.drawing.angle;
         const double degrees = !all[0].parameters.empty() ? all[0].parameters[0].value
                                : angle                    ? angle->value
                                                           : 90;
-        return whole(degrees, 0, 360, std::string("the angle of ") + turn);
+        return whole(degrees, 0, 360, fmt::format("the angle of {}", turn));
     }
     [[noreturn]] void refuse_meaning(char letter) const {
-        refuse(std::string("another meaning of ") + letter);
+        refuse(fmt::format("another meaning of {}", letter));
     }
     void check_meaning(char letter) const {
         const auto symbol = symbols_.find(letter);
@@ -699,7 +674,6 @@ private:
         if (!same) refuse_meaning(letter);
     }
 
-    const LSystem& system_;
     std::map<char, Symbol> symbols_;  // of the words
     std::set<char> fenced_;           // written between braces
     PolygonLetters drawn_;
@@ -709,11 +683,11 @@ private:
 
 }  // namespace
 
-LSystem read_brno(std::string_view text, const std::string& name) {
+Model read_brno(std::string_view text, const std::string& name) {
     return Reader(readable(text), name).read();
 }
 
-std::string print_brno(const LSystem& system) {
+std::string print_brno(const Model& system) {
     return brno_text(Writer(system).written(), system.title);
 }
 

@@ -4,6 +4,8 @@
 
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
+#include "nature/nature.hpp"
+#include "model/model.hpp"
 
 // What can become what: the registry of formats and the conversions between them.
 //
@@ -26,10 +28,20 @@ const std::vector<SystemFormat>& system_formats() {
     return all;
 }
 
+namespace {
+
+/// The format whose files end as this name does; nullptr if none of them is it.
+template <class Format>
+const Format* ending(std::string_view file_name, const std::vector<Format>& formats) {
+    const auto found = std::ranges::find_if(
+        formats, [&](const Format& one) { return file_name.ends_with("." + one.name); });
+    return found == formats.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
 const SystemFormat* system_format(std::string_view file_name) {
-    for (const SystemFormat& one : system_formats())
-        if (file_name.ends_with("." + one.name)) return &one;
-    return nullptr;
+    return ending(file_name, system_formats());
 }
 
 const std::vector<RelativeFormat>& relative_formats() {
@@ -41,22 +53,12 @@ const std::vector<RelativeFormat>& relative_formats() {
 }
 
 const RelativeFormat* relative_format(std::string_view file_name) {
-    for (const RelativeFormat& one : relative_formats())
-        if (file_name.ends_with("." + one.name)) return &one;
-    return nullptr;
+    return ending(file_name, relative_formats());
 }
 
 namespace {
 
 constexpr std::size_t most_rules = 20'000;
-
-/// The states of a number's digits in base `states`, `count` of them.
-std::vector<std::uint8_t> digits(std::size_t number, std::uint32_t states, std::size_t count) {
-    std::vector<std::uint8_t> found(count);
-    for (std::size_t i = count; i-- > 0; number /= states)
-        found[i] = static_cast<std::uint8_t>(number % states);
-    return found;
-}
 
 std::size_t power(std::size_t base, std::size_t exponent) {
     std::size_t product = 1;
@@ -64,15 +66,9 @@ std::size_t power(std::size_t base, std::size_t exponent) {
     return product;
 }
 
-std::string word(const std::vector<std::uint8_t>& states, std::size_t first, std::size_t count) {
-    std::string text;
-    for (std::size_t i = first; i < first + count; ++i) text += state_character(states[i]);
-    return text;
-}
-
 }  // namespace
 
-LSystem system_of_cells(const CellularAutomaton& automaton) {
+Model system_of_cells(const CellularAutomaton& automaton) {
     const CellRule& rule = automaton.rule;
     if (rule.dimensions != 1)
         throw Error(automaton.name + ": lies in the plane, and the letters of a word on a line");
@@ -89,24 +85,25 @@ LSystem system_of_cells(const CellularAutomaton& automaton) {
     std::string text;
     if (!automaton.title.empty()) text += "title " + automaton.title + "\n";
     if (!automaton.source.empty()) text += "source " + automaton.source + "\n";
-    text += "axiom " + word(automaton.start.cells, 0, automaton.start.cells.size()) + "\n";
+    text += "axiom " + state_text(automaton.start.cells) + "\n";
     // The longest contexts first.
     for (std::size_t size = 2 * radius + 1; size-- > 0;)
         for (std::size_t left = size > radius ? size - radius : 0; left <= std::min(size, radius);
              ++left) {
             const std::size_t right = size - left;
             for (std::size_t number = 0; number < power(rule.states, size + 1); ++number) {
-                const auto seen = digits(number, rule.states, size + 1);
+                const auto seen = local_configuration(number, rule.states, size + 1);
                 std::size_t local = 0;
                 for (std::size_t i = 0; i < 2 * radius + 1; ++i) {
                     const bool inside = i + left >= radius && i <= radius + right;
                     local = local * rule.states +
                             (inside ? seen[i + left - radius] : automaton.boundary.outside);
                 }
-                if (left > 0) text += word(seen, 0, left) + " < ";
-                text += state_character(seen[left]);
-                if (right > 0) text += " > " + word(seen, left + 1, right);
-                text += std::string(" -> ") + state_character(rule.table[local]) + "\n";
+                const std::string word = state_text(seen);
+                if (left > 0) text += word.substr(0, left) + " < ";
+                text += word[left];
+                if (right > 0) text += " > " + word.substr(left + 1);
+                text += fmt::format(" -> {}\n", state_character(rule.table[local]));
             }
         }
     return read_lsystem(text, automaton.name);
@@ -153,7 +150,7 @@ const RelativeFormat* table_of(const std::string& name, const std::string& kind)
 std::vector<std::string> targets(const std::string& from) {
     std::vector<std::string> all;
     const auto add = [&](const std::string& to) {
-        if (to != from && std::find(all.begin(), all.end(), to) == all.end()) all.push_back(to);
+        if (to != from && std::ranges::count(all, to) == 0) all.push_back(to);
     };
     for (const Conversion& one : conversions())
         if (one.from == from) add(one.to);
@@ -174,22 +171,19 @@ std::vector<std::string> format_names() {
 
 [[noreturn]] void refuse(const std::string& name, const std::string& from, const std::string& to) {
     const std::vector<std::string> known = format_names();
-    const auto is_known = [&](const std::string& format) {
-        return std::find(known.begin(), known.end(), format) != known.end();
+    const auto check = [&](const std::string& format, const std::vector<std::string>& expected) {
+        if (std::ranges::count(known, format) == 0)
+            throw Error(fmt::format("{}: {} is no format; expected {}{}", name,
+                                    algae::quoted(format), expected.size() > 1 ? "one of " : "",
+                                    fmt::join(expected, ", ")));
     };
-    const auto no_format = [&](const std::string& format,
-                               const std::vector<std::string>& expected) {
-        return Error(name + ": " + algae::quoted(format) + " is no format; expected " +
-                     (expected.size() > 1 ? "one of " : "") + listed(expected, ", "));
-    };
-    if (!is_known(from)) throw no_format(from, known);
+    check(from, known);
     std::vector<std::string> possible = targets(from);
-    if (!is_known(to)) {
-        possible.push_back(from);
-        throw no_format(to, possible);
-    }
-    throw Error(name + ": cannot convert " + from + " to " + to + "; " + from + " converts to " +
-                (possible.empty() ? "nothing" : listed(possible, " and ")));
+    possible.push_back(from);
+    check(to, possible);
+    possible.pop_back();
+    throw Error(fmt::format("{0}: cannot convert {1} to {2}; {1} converts to {3}", name, from, to,
+                            possible.empty() ? "nothing" : enumerated(possible)));
 }
 
 /// The text of a format in its canonical form; nothing where that takes another way.
@@ -235,7 +229,7 @@ std::string converted(std::string_view text, const std::string& name, const std:
         return table->print(*relative_of(from, text, name));
     const SystemFormat *source = system_format("." + from), *target = system_format("." + to);
     if ((source || from == "lsys") && (target || to == "lsys") && (source || target)) {
-        const LSystem system = source ? source->read(text, name) : read_lsystem(text, name);
+        const Model system = source ? source->read(text, name) : read_lsystem(text, name);
         return target ? target->print(system) : print_lsystem(system);
     }
     refuse(name, from, to);

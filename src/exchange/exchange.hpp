@@ -15,6 +15,8 @@
 
 namespace algae {
 
+struct Model;
+
 /// A way from one text format to another: what the end of a file's name says, and what is made of it.
 struct Conversion {
     std::string from, to;
@@ -39,10 +41,10 @@ struct SystemFormat {
     std::string what;  // "a text file of the geometric interpreter"
     /// The system that the text says; `name` is what errors call the file. Throws `Diagnostics` with
     /// every fault it can name.
-    LSystem (*read)(std::string_view text, const std::string& name);
+    Model (*read)(std::string_view text, const std::string& name);
     /// The text of a system; it reads back as a system with the same words and figures. Throws Error
     /// that names what the format cannot say.
-    std::string (*print)(const LSystem& system);
+    std::string (*print)(const Model& system);
 };
 
 /// All of them.
@@ -79,6 +81,6 @@ const RelativeFormat* relative_format(std::string_view file_name);
 ///
 /// Throws Error if the edges are joined, which no context reaches over, if there are two dimensions,
 /// or if there would be more than 20,000 rules.
-LSystem system_of_cells(const CellularAutomaton& automaton);
+Model system_of_cells(const CellularAutomaton& automaton);
 
 }  // namespace algae

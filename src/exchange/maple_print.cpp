@@ -9,6 +9,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/maple.hpp"
 #include "exchange/detail/plain_rules.hpp"
+#include "model/model.hpp"
 
 // Systems as Maple worksheets.
 //
@@ -82,11 +83,11 @@ private:
             std::find_if(std::begin(maple_functions), std::end(maple_functions),
                          [&](const MapleFunction& one) { return expression.name == one.name; });
         if (function == std::end(maple_functions)) fail(expression);
+        std::vector<std::string> arguments;
         const bool angle = function->angle == MapleFunction::Angle::argument;
-        const std::string arguments = joined(expression.operands, ",", [&](const Expression& one) {
-            return text(one, angle ? product : sign);
-        });
-        const std::string call = function->maple + ("(" + arguments);
+        for (const Expression& one : expression.operands)
+            arguments.push_back(text(one, angle ? product : sign));
+        const std::string call = fmt::format("{}({}", function->maple, fmt::join(arguments, ","));
         if (angle) return {call + "*Pi/180)", atom};
         if (function->angle == MapleFunction::Angle::value) return {call + ")*180/Pi", product};
         return {call + ")", atom};
@@ -96,13 +97,13 @@ private:
 };
 
 /// Refuses what none of the procedures says.
-class Check {
+class Check : FormatWriter {
 public:
-    explicit Check(const LSystem& system) : system_(system), form_(form()) {}
+    explicit Check(const Model& system) : FormatWriter(system, "maple"), form_(form()) {}
 
     MapleForm all() const {
         rules();
-        settings();
+        drawing();
         symbols(system_.axiom);
         for (const Production& rule : system_.rules) {
             check_name(name(rule.predecessor.symbol));
@@ -112,12 +113,6 @@ public:
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& what) const { cannot_say(system_, "maple", what); }
-    [[noreturn]] void refuse(const Production& rule, const std::string& why) const {
-        cannot_say(system_, "maple", rule, why);
-    }
-    const std::string& name(Symbol symbol) const { return system_.alphabet.name(symbol); }
-
     MapleForm form() const {
         bool parametric = !system_.axiom.arguments.empty(), stochastic = false;
         for (const Production& rule : system_.rules) {
@@ -131,16 +126,11 @@ private:
     }
 
     void rules() const {
-        if (!system_.inner.empty()) refuse("systems within a system");
-        if (!system_.tables.empty()) refuse("tables");
-        if (!system_.terminals.empty()) refuse("terminals");
+        check_parts();
         if (!system_.axiom.splices.empty()) refuse("the axiom's words");
         std::map<Symbol, const Production*> first;
         for (const Production& rule : system_.rules) {
-            if (!rule.left.empty() || !rule.right.empty()) refuse(rule, "it has a context");
-            if (!rule.elsewhere.empty()) refuse(rule, "it has a context condition");
-            if (rule.condition) refuse(rule, "it has a condition");
-            if (rule.shape) refuse(rule, "it is a shape rule");
+            if (const std::string why = beyond_plain(rule, true); !why.empty()) refuse(rule, why);
             if (!rule.successor.splices.empty()) refuse(rule, "it holds words");
             if (rule.probability && form_ == MapleForm::parametric)
                 refuse(rule, "it has a probability beside modules with parameters");
@@ -152,18 +142,15 @@ private:
         }
     }
 
-    void settings() const {
-        check_plain_settings(system_, "maple");
-        const Settings& settings = system_.settings;
-        const auto is_one = [](const std::optional<Quantity>& said) {
-            return !said || said->value == 1;
-        };
-        if (!is_one(settings.shrink)) refuse("steps that shrink");
-        if (settings.spin && settings.spin->value != 0) refuse("a spin");
-        if (settings.clockwise) refuse("that + turns clockwise");
-        if (!settings.stamps.empty()) refuse("stamps");
-        if (!settings.solids.empty()) refuse("solids");
-        if (form_ == MapleForm::parametric && !is_one(settings.step))
+    void drawing() const {
+        check_plain_settings();
+        const Drawing& drawing = system_.drawing;
+        if (!is_usual(drawing.shrink, 1)) refuse("steps that shrink");
+        if (!is_usual(drawing.spin, 0)) refuse("a spin");
+        if (drawing.clockwise) refuse("that + turns clockwise");
+        if (!drawing.stamps.empty()) refuse("stamps");
+        if (!drawing.solids.empty()) refuse("solids");
+        if (form_ == MapleForm::parametric && !is_usual(drawing.step, 1))
             refuse("a step beside lengths as parameters");
     }
 
@@ -182,14 +169,13 @@ private:
             if (meaning == MapleMeaning::same && silent && maple_need(name) != MapleNeed::any)
                 refuse("the interpretation of " + name);
             if (form_ == MapleForm::parametric || silent) continue;
-            if (name == "*" && system_.settings.scale) refuse("the scale of the symbol *");
-            if (name == "!" && system_.settings.narrow) refuse("the setting narrow");
+            if (name == "*" && system_.drawing.scale) refuse("the scale of the symbol *");
+            if (name == "!" && system_.drawing.narrow) refuse("the setting narrow");
         }
     }
 
     void check_name(const std::string& name) const {
-        if (first_character(name).bytes != name.size())
-            refuse("the symbol " + name + ", which has several characters");
+        if (!is_character(name)) refuse("the symbol " + name + ", which has several characters");
         if (name == "\"") refuse("the symbol \", which ends a string");
     }
 
@@ -207,13 +193,13 @@ private:
         return silent;
     }
 
-    const LSystem& system_;
     const MapleForm form_;
 };
 
-class Worksheet {
+class Worksheet : FormatWriter {
 public:
-    explicit Worksheet(const LSystem& system) : system_(system), form_(Check(system).all()) {}
+    explicit Worksheet(const Model& system)
+        : FormatWriter(system, "maple"), form_(Check(system).all()) {}
 
     std::string all() {
         std::string call;
@@ -226,19 +212,14 @@ public:
             if (form_ == MapleForm::stochastic) call += probabilities() + ", ";
             call += number(angle()) + ", ";
         }
-        const auto& generations = system_.settings.generations;
+        const auto& generations = system_.drawing.generations;
         call += (generations ? std::to_string(generations->second) : "N") + ");\n";
         const std::string start = this->start();
-        return comments() + constants() + functions_ + start + call;
+        return commented("# ", {system_.title, system_.source}) + constants() + functions_ + start +
+               call;
     }
 
 private:
-    [[noreturn]] void refuse(const std::string& what) const { cannot_say(system_, "maple", what); }
-    [[noreturn]] void refuse(const Production& rule, const std::string& why) const {
-        cannot_say(system_, "maple", rule, why);
-    }
-    const std::string& name(Symbol symbol) const { return system_.alphabet.name(symbol); }
-
     std::string character(Symbol symbol) const {
         const std::string& text = name(symbol);
         return text == "\\" ? "?" : text;
@@ -251,31 +232,26 @@ private:
 
     std::string rules() const {
         const bool many = system_.rules.size() > 1;
-        return "[" +
-               joined(system_.rules, ",",
-                      [&](const Production& rule) {
-                          return (many ? "\n  " : "") + string({rule.predecessor.symbol}) + ", " +
-                                 string(rule.successor.letters);
-                      }) +
-               (many ? "\n]" : "]");
+        std::vector<std::string> texts;
+        for (const Production& rule : system_.rules)
+            texts.push_back((many ? "\n  " : "") + string({rule.predecessor.symbol}) + ", " +
+                            string(rule.successor.letters));
+        return fmt::format("[{}{}]", fmt::join(texts, ","), many ? "\n" : "");
     }
 
     /// Percentages where they are whole, as the procedure draws from 1 to 100; otherwise fractions.
     std::string probabilities() const {
-        bool whole = true;
+        const bool whole = std::ranges::all_of(system_.rules, [](const Production& rule) {
+            return (*rule.probability * 100).is_integer();
+        });
+        std::vector<std::string> texts;
         for (const Production& rule : system_.rules)
-            whole = whole && (*rule.probability * 100).is_integer();
-        return "[" +
-               joined(system_.rules, ",",
-                      [&](const Production& rule) {
-                          return shortest_text(whole ? *rule.probability * 100 : *rule.probability);
-                      }) +
-               "]";
+            texts.push_back(shortest_text(*rule.probability * (whole ? 100 : 1)));
+        return fmt::format("[{}]", fmt::join(texts, ","));
     }
 
     Expression angle() const {
-        return system_.settings.angle ? system_.settings.angle->expression
-                                      : quantity(90).expression;
+        return system_.drawing.angle ? system_.drawing.angle->expression : quantity(90).expression;
     }
 
     /// The text of an expression without parameters; its constants will be assigned.
@@ -320,22 +296,19 @@ private:
     }
 
     std::string modules(const ModuleWord& word, const std::vector<std::string>& parameters) {
-        std::string text;
+        std::vector<std::string> texts;
         for (std::size_t i = 0; i < word.letters.size(); ++i) {
             const std::string module = character(word.letters[i]);
-            const bool capital = is_maple_capital(module);
-            const auto arguments = word.arguments.find(i);
-            text += (text.empty() ? "[\"" : ", [\"") + module + '"';
-            std::string list;
-            const std::size_t arity =
-                arguments == word.arguments.end() ? 0 : arguments->second.size();
-            for (std::size_t k = 0; k < arity; ++k)
-                list += (list.empty() ? "" : ",") + this->text(arguments->second[k], parameters);
-            if (arity > 0 || capital) text += ",[" + list + "]";
-            text += "]";
-            check_module(word.letters[i], arity);
+            std::vector<std::string> list;
+            if (const auto arguments = word.arguments.find(i); arguments != word.arguments.end())
+                for (const Expression& argument : arguments->second)
+                    list.push_back(text(argument, parameters));
+            const bool has_list = !list.empty() || is_maple_capital(module);
+            texts.push_back(fmt::format(
+                "[\"{}\"{}]", module, has_list ? fmt::format(",[{}]", fmt::join(list, ",")) : ""));
+            check_module(word.letters[i], list.size());
         }
-        return "[" + text + "]";
+        return fmt::format("[{}]", fmt::join(texts, ", "));
     }
 
     void check_module(Symbol symbol, std::size_t arity) {
@@ -344,17 +317,15 @@ private:
             refuse("the module " + name + " without a parameter beside modules that have some");
         if (maple_need(name) == MapleNeed::none && arity > 0)
             refuse("parameters of the module " + name);
-        const Production* rule = rule_of(symbol);
-        if (!rule && is_maple_capital(name)) staying_.insert(name);
-        if (rule && rule->predecessor.parameters.size() != arity)
-            refuse(*rule, "a module " + name + " with another number of parameters, " +
-                              std::to_string(arity) + ", would not stay");
-    }
-
-    const Production* rule_of(Symbol symbol) const {
-        for (const Production& rule : system_.rules)
-            if (rule.predecessor.symbol == symbol) return &rule;
-        return nullptr;
+        const auto rule = std::ranges::find(
+            system_.rules, symbol, [](const Production& one) { return one.predecessor.symbol; });
+        const bool has_rule = rule != system_.rules.end();
+        if (!has_rule && is_maple_capital(name)) staying_.insert(name);
+        if (has_rule && rule->predecessor.parameters.size() != arity)
+            refuse(*rule,
+                   fmt::format("a module {} with another number of parameters, {}, would not "
+                               "stay",
+                               name, arity));
     }
 
     std::string function(const Production& rule) {
@@ -380,8 +351,8 @@ private:
     /// Where GRAFICO starts, if not as it is printed.
     std::string start() {
         const bool upward = form_ == MapleForm::stochastic;
-        Settings::Start start{quantity(0), quantity(0), quantity(0)};
-        if (system_.settings.start) start = *system_.settings.start;
+        Drawing::Start start{quantity(0), quantity(0), quantity(0)};
+        if (system_.drawing.start) start = *system_.drawing.start;
         for (const Quantity* one : {&start.x, &start.y, &start.heading})
             if (!one->exact) refuse("the start " + to_text(one->expression) + ", no fraction");
         std::string text;
@@ -390,7 +361,7 @@ private:
                     shortest_text(*start.y.exact) + "]:\n";
         if (*start.heading.exact != (upward ? 90 : 0))
             text += "ANGULO := " + shortest_text(*start.heading.exact) + "*Pi/180:\n";
-        const auto& step = system_.settings.step;
+        const auto& step = system_.drawing.step;
         if (step && step->value != 1) text += "SEGMENTO := " + number(step->expression) + ":\n";
         return text.empty() ? text : "# where the turtle of GRAFICO starts\n" + text;
     }
@@ -406,14 +377,6 @@ private:
         return text;
     }
 
-    std::string comments() const {
-        std::string text;
-        for (const std::string* line : {&system_.title, &system_.source})
-            if (!line->empty()) text += "# " + *line + "\n";
-        return text;
-    }
-
-    const LSystem& system_;
     const MapleForm form_;
     std::string functions_;
     std::set<std::string> constants_, staying_;
@@ -421,6 +384,6 @@ private:
 
 }  // namespace
 
-std::string print_maple(const LSystem& system) { return Worksheet(system).all(); }
+std::string print_maple(const Model& system) { return Worksheet(system).all(); }
 
 }  // namespace algae

@@ -5,6 +5,7 @@
 
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/maple.hpp"
+#include "model/model.hpp"
 
 // Systems from Maple worksheets: the three procedures Lsystem and what their arguments mean.
 //
@@ -60,7 +61,7 @@ std::string maple_symbol(const Scanner& scanner, MapleForm form, std::string_vie
     if (character == "\\")
         scanner.fail_at(offset, "expected '?', which stands for the backslash, found '\\'");
     if (undeclared_length(character) != character.size())
-        scanner.fail_at(offset, "expected a symbol, found " + algae::quoted(character));
+        scanner.fail_at(offset, "expected a symbol, found {}", algae::quoted(character));
     return std::string(character);
 }
 
@@ -87,7 +88,7 @@ private:
 /// Adds axiom and rules of strings.
 class WordReader {
 public:
-    WordReader(MapleValues& values, LSystem& system)
+    WordReader(MapleValues& values, Model& system)
         : values_(values),
           scanner_(values.scanner()),
           system_(system),
@@ -106,14 +107,13 @@ private:
     Word word(const MapleValue& text) {
         Word letters;
         MapleBrackets brackets(scanner_);
-        for (std::size_t i = 0; i < text.text.size();) {
-            const std::string_view rest = std::string_view(text.text).substr(i);
-            const std::size_t bytes = first_character(rest).bytes, offset = text.offset + 1 + i;
-            const std::string symbol = maple_symbol(scanner_, form_, rest.substr(0, bytes), offset);
-            if (symbol == "[" || symbol == "]") check_kind(rest[0], offset);
+        std::size_t offset = text.offset + 1;
+        for (const std::string_view character : characters(text.text)) {
+            const std::string symbol = maple_symbol(scanner_, form_, character, offset);
+            if (symbol == "[" || symbol == "]") check_kind(character[0], offset);
             brackets.meet(symbol, offset);
             letters.push_back(known(symbol, offset));
-            i += bytes;
+            offset += character.size();
         }
         brackets.end();
         return letters;
@@ -124,9 +124,8 @@ private:
         const bool round = character == '(' || character == ')';
         if (!round_) round_ = round;
         if (*round_ != round)
-            scanner_.fail_at(offset, std::string("brackets are written ") +
-                                         (*round_ ? "( )" : "[ ]") + " before, found '" +
-                                         character + "'");
+            scanner_.fail_at(offset, "brackets are written {} before, found '{}'",
+                             *round_ ? "( )" : "[ ]", character);
     }
 
     Symbol known(const std::string& name, std::size_t offset) {
@@ -135,8 +134,8 @@ private:
         const MapleMeaning meaning = maple_meaning(form_, name);
         if (meaning == MapleMeaning::refused)
             scanner_.fail_at(offset,
-                             algae::quoted(name) +
-                                 " turns the turtle in space, and is nothing to this procedure");
+                             "{} turns the turtle in space, and is nothing to this procedure",
+                             algae::quoted(name));
         if (meaning == MapleMeaning::none) {
             Production silent;
             silent.predecessor.symbol = symbol;
@@ -150,11 +149,11 @@ private:
             const MapleValue& left = values_.text(list.items[i], "a predecessor, a string");
             const Word predecessor = word(left);
             if (predecessor.size() != 1)
-                values_.fail(list.items[i], "expected a predecessor of one character, found " +
-                                                algae::quoted(left.text));
+                values_.fail(list.items[i], "expected a predecessor of one character, found {}",
+                             algae::quoted(left.text));
             if (i + 1 == list.items.size())
-                values_.fail(list.items[i],
-                             "the predecessor " + algae::quoted(left.text) + " has no successor");
+                values_.fail(list.items[i], "the predecessor {} has no successor",
+                             algae::quoted(left.text));
             check_new(list.items[i], predecessor.front());
             Production rule;
             rule.predecessor.symbol = predecessor.front();
@@ -169,38 +168,38 @@ private:
             return algae::quoted(system_.alphabet.name(symbol));
         };
         if (form_ == MapleForm::strings && !is_new)
-            values_.fail(left, "a second rule for " + name(predecessor) +
-                                   ", which the procedure never uses");
+            values_.fail(left, "a second rule for {}, which the procedure never uses",
+                         name(predecessor));
         if (form_ == MapleForm::stochastic && predecessors_.size() > 1)
             values_.fail(left,
-                         "a rule for " + name(predecessor) + " behind one for " +
-                             name(system_.rules.front().predecessor.symbol) +
-                             "; the probabilities are those of all rules, for one predecessor");
+                         "a rule for {} behind one for {}; the probabilities are those of all "
+                         "rules, for one predecessor",
+                         name(predecessor), name(system_.rules.front().predecessor.symbol));
     }
 
     void probabilities(const MapleValue& argument, const MapleValue& list) {
         if (list.items.size() != system_.rules.size())
-            values_.fail(argument, "expected a probability for each of the " +
-                                       std::to_string(system_.rules.size()) + " rules, found " +
-                                       std::to_string(list.items.size()));
+            values_.fail(argument, "expected a probability for each of the {} rules, found {}",
+                         system_.rules.size(), list.items.size());
         Rational sum;
         for (const MapleValue& item : list.items) {
             const Rational probability = values_.rational(item, "a probability");
             if (sign(probability) <= 0)
-                values_.fail(item,
-                             "expected a probability above 0, found " + shortest_text(probability));
+                values_.fail(item, "expected a probability above 0, found {}",
+                             shortest_text(probability));
             sum += probability;
         }
         if (!list.items.empty() && sum != 1 && sum != 100)
-            values_.fail(argument, "the probabilities add up to " + shortest_text(sum) +
-                                       ", expected 100, of percentages, or 1");
+            values_.fail(argument,
+                         "the probabilities add up to {}, expected 100, of percentages, or 1",
+                         shortest_text(sum));
         for (std::size_t i = 0; i < list.items.size(); ++i)
             system_.rules[i].probability = values_.rational(list.items[i], "a probability") / sum;
     }
 
     MapleValues& values_;
     const Scanner& scanner_;
-    LSystem& system_;
+    Model& system_;
     MapleForm form_;
     std::set<Symbol> predecessors_;
     std::optional<bool> round_;
@@ -211,7 +210,7 @@ constexpr std::size_t most_parameters = 1000;
 /// Adds an axiom of modules and the functions that it calls.
 class ModuleReader {
 public:
-    ModuleReader(MapleValues& values, LSystem& system)
+    ModuleReader(MapleValues& values, Model& system)
         : values_(values), scanner_(values.scanner()), system_(system) {}
 
     void all() {
@@ -241,8 +240,9 @@ private:
             const MapleValue& module = values_.list(item, "a module, such as [\"F\",[1]]");
             if (module.items.empty() || module.items.size() > 2)
                 values_.fail(item,
-                             "expected the name of a module and a list of its parameters, found " +
-                                 std::to_string(module.items.size()) + " values");
+                             "expected the name of a module and a list of its parameters, found {} "
+                             "values",
+                             module.items.size());
             const std::string symbol = name(module.items[0]);
             std::vector<Expression> arguments;
             const bool has_list = module.items.size() == 2;
@@ -258,9 +258,9 @@ private:
 
     std::string name(const MapleValue& value) const {
         const MapleValue& text = values_.text(value, "the name of a module, a string");
-        if (text.text.empty() || first_character(text.text).bytes != text.text.size())
-            values_.fail(value, "expected the name of a module, one character, found " +
-                                    algae::quoted(text.text));
+        if (!is_character(text.text))
+            values_.fail(value, "expected the name of a module, one character, found {}",
+                         algae::quoted(text.text));
         return maple_symbol(scanner_, MapleForm::parametric, text.text, text.offset + 1);
     }
 
@@ -274,8 +274,8 @@ private:
         }
         for (const MapleValue& item : values_.list(value, "a list of parameters").items) {
             if (item.expression.most_index > parameters)
-                values_.fail(item, "uses parameter " + std::to_string(item.expression.most_index) +
-                                       " of a module that has " + std::to_string(parameters));
+                values_.fail(item, "uses parameter {} of a module that has {}",
+                             item.expression.most_index, parameters);
             found.push_back(values_.number(item, "a parameter, a number"));
         }
         if (found.size() > most_parameters)
@@ -284,22 +284,19 @@ private:
     }
 
     static Expression entry(const std::string& list, std::size_t i) {
-        Expression made;
-        made.kind = Expression::Kind::name;
-        made.name = list + "[" + std::to_string(i) + "]";
-        return made;
+        return made_expression(Expression::Kind::name, fmt::format("{}[{}]", list, i), {});
     }
 
     /// What a module needs: parameters for the turtle, and a capital letter a function.
     void check(const std::string& symbol, std::size_t arity, bool has_list, std::size_t offset) {
         const MapleMeaning meaning = maple_meaning(MapleForm::parametric, symbol);
         if (meaning == MapleMeaning::refused)
-            scanner_.fail_at(offset,
-                             algae::quoted(symbol) + " is nothing to this procedure, expected '@'");
+            scanner_.fail_at(offset, "{} is nothing to this procedure, expected '@'",
+                             algae::quoted(symbol));
         if (maple_need(symbol) == MapleNeed::one && arity == 0)
-            scanner_.fail_at(offset, "the module " + shown(symbol) + " has no parameter");
+            scanner_.fail_at(offset, "the module {} has no parameter", shown(symbol));
         if (maple_need(symbol) == MapleNeed::none && has_list)
-            scanner_.fail_at(offset, "the module " + symbol + " takes no parameters");
+            scanner_.fail_at(offset, "the module {} takes no parameters", symbol);
         if (meaning == MapleMeaning::none && silent_.insert({symbol, arity}).second) {
             Production silent;
             silent.predecessor.symbol = system_.alphabet.symbol(symbol);
@@ -312,26 +309,25 @@ private:
         if (!is_maple_capital(symbol)) {
             if (has_function)
                 values_.fail(*function,
-                             "the procedure rewrites capital letters alone, and never calls " +
-                                 algae::quoted(symbol));
+                             "the procedure rewrites capital letters alone, and never calls {}",
+                             algae::quoted(symbol));
             return;
         }
         if (!has_function)
-            scanner_.fail_at(offset, "no function is assigned to the capital letter " + symbol +
-                                         "; one that stays needs " + symbol + " := L -> [[\"" +
-                                         symbol + "\",L]]");
+            scanner_.fail_at(offset,
+                             "no function is assigned to the capital letter {0}; one that stays "
+                             "needs {0} := L -> [[\"{0}\",L]]",
+                             symbol);
         if (!has_list)
-            scanner_.fail_at(offset, "the module " + symbol +
-                                         " has no list for its function, expected [\"" + symbol +
-                                         "\",[]]");
+            scanner_.fail_at(offset,
+                             "the module {0} has no list for its function, expected [\"{0}\",[]]",
+                             symbol);
         if (is_identity(*function, symbol)) return;
         const auto [seen, is_new] = seen_.emplace(symbol, Seen{arity, offset});
         if (seen->second.arity != arity)
-            scanner_.fail_at(offset,
-                             "the module " + symbol + " has " + std::to_string(arity) +
-                                 " parameters here and " + std::to_string(seen->second.arity) +
-                                 " in line " +
-                                 std::to_string(scanner_.source().place(seen->second.offset).line));
+            scanner_.fail_at(offset, "the module {} has {} parameters here and {} in line {}",
+                             symbol, arity, seen->second.arity,
+                             scanner_.source().place(seen->second.offset).line);
         if (is_new) open_.push_back(symbol);
     }
 
@@ -354,14 +350,10 @@ private:
         for (std::size_t i = 1; i <= arity; ++i)
             rule.predecessor.parameters.push_back(entry(function.parameters, i).name);
         rule.successor = word(function.items.front(), arity);
-        bool stays = rule.successor.letters == Word{rule.predecessor.symbol};
-        const auto arguments = rule.successor.arguments.find(0);
-        const std::size_t kept =
-            arguments == rule.successor.arguments.end() ? 0 : arguments->second.size();
-        stays = stays && kept == arity;
-        for (std::size_t i = 0; stays && i < arity; ++i)
-            stays = arguments->second[i] == entry(function.parameters, i + 1);
-        if (!stays) rules_.emplace(letter, std::move(rule));
+        ModuleWord same{{rule.predecessor.symbol}, {}};
+        for (std::size_t i = 1; i <= arity; ++i)
+            same.arguments[0].push_back(entry(function.parameters, i));
+        if (rule.successor != same) rules_.emplace(letter, std::move(rule));
     }
 
     /// L[1] becomes p1, or a longer name where a constant is called so.
@@ -389,7 +381,7 @@ private:
 
     MapleValues& values_;
     const Scanner& scanner_;
-    LSystem& system_;
+    Model& system_;
     std::map<std::string, Seen> seen_;
     std::vector<std::string> open_;  // letters whose functions are still to be read
     std::map<std::string, Production> rules_;
@@ -398,17 +390,15 @@ private:
 
 /// Whether the three numbers of a vector are these.
 bool is_vector(const MapleValues& values, const MapleValue& list, const std::vector<int>& entries) {
-    bool same = list.items.size() == entries.size();
-    for (std::size_t i = 0; same && i < entries.size(); ++i)
-        same = values.rational(list.items[i], "a number") == entries[i];
-    return same;
+    return std::ranges::equal(list.items, entries, [&](const MapleValue& item, int entry) {
+        return values.rational(item, "a number") == entry;
+    });
 }
 
-void read_position(const MapleValues& values, const MapleValue& said, Settings::Start& start) {
+void read_position(const MapleValues& values, const MapleValue& said, Drawing::Start& start) {
     const MapleValue& point = values.list(said, "the position, a list of coordinates");
     if (point.items.size() != 2 && point.items.size() != 3)
-        values.fail(
-            said, "expected two or three coordinates, found " + std::to_string(point.items.size()));
+        values.fail(said, "expected two or three coordinates, found {}", point.items.size());
     if (point.items.size() == 3 &&
         !values.rational(point.items[2], "the third coordinate").is_zero())
         values.fail(point.items[2], "expected 0: figures begin in the plane of x and y");
@@ -424,9 +414,9 @@ Quantity degrees(const MapleValues& values, const MapleValue& said) {
 
 /// Where the turtle starts: as GRAFICO says, if the worksheet holds it; otherwise along x, in the
 /// stochastic procedure upward.
-void read_start(MapleValues& values, MapleForm form, LSystem& system) {
-    Settings::Start start{quantity(0), quantity(0),
-                          quantity(form == MapleForm::stochastic ? 90 : 0)};
+void read_start(MapleValues& values, MapleForm form, Model& system) {
+    Drawing::Start start{quantity(0), quantity(0),
+                         quantity(form == MapleForm::stochastic ? 90 : 0)};
     const auto& said = values.sheet().start;
     if (const auto found = said.find("PONTOA"); found != said.end())
         read_position(values, found->second, start);
@@ -437,32 +427,33 @@ void read_start(MapleValues& values, MapleForm form, LSystem& system) {
     for (const auto& [name, entries] : frame)
         if (const auto found = said.find(name); found != said.end())
             if (!is_vector(values, values.list(found->second, "a vector"), entries))
-                values.fail(found->second, std::string("expected ") + name +
-                                               " as in the procedure: figures in space begin "
-                                               "along x, with z up");
+                values.fail(found->second,
+                            "expected {} as in the procedure: figures in space begin along x, with "
+                            "z up",
+                            name);
     const bool at_rest =
         start.x.exact->is_zero() && start.y.exact->is_zero() && start.heading.exact->is_zero();
-    if (!at_rest) system.settings.start = start;
+    if (!at_rest) system.drawing.start = start;
     if (const auto found = said.find("SEGMENTO"); found != said.end()) {
         const Quantity step = values.setting(found->second, "the length of a step");
         if (!(step.value > 0)) values.fail(found->second, "expected a length above 0");
-        if (step.value != 1) system.settings.step = step;
+        if (step.value != 1) system.drawing.step = step;
     }
 }
 
-void read_generation(const MapleValues& values, const MapleValue& said, LSystem& system) {
+void read_generation(const MapleValues& values, const MapleValue& said, Model& system) {
     if (bare_name(said) == "N" && !values.sheet().find("N")) return;
     const Rational count = values.rational(said, "the number of steps");
     if (!count.is_integer() || sign(count) < 0 || count >= power(Rational(2), 63))
-        values.fail(said, "expected a whole number of steps from 0 to 2^63 - 1, found " +
-                              shortest_text(count));
+        values.fail(said, "expected a whole number of steps from 0 to 2^63 - 1, found {}",
+                    shortest_text(count));
     const std::uint64_t generation = std::stoull(to_string(count));
-    system.settings.generations = {generation, generation};
+    system.drawing.generations = {generation, generation};
 }
 
 }  // namespace
 
-LSystem read_maple(std::string_view text, const std::string& name) {
+Model read_maple(std::string_view text, const std::string& name) {
     Scanner scanner(text, name, {"#"}, '>');
     const MapleWorksheet sheet = read_maple_worksheet(scanner);
     MapleValues values(scanner, sheet);
@@ -470,18 +461,18 @@ LSystem read_maple(std::string_view text, const std::string& name) {
     if (arguments.size() != 2 && arguments.size() != 4 && arguments.size() != 5)
         scanner.fail_at(sheet.call,
                         "expected Lsystem(AXIOMA, REGRAS, INCREMENTO, N), Lsystem(AXIOMA, REGRAS, "
-                        "PROB, INCREMENTO, N) or Lsystem(AXIOMA, N), found " +
-                            std::to_string(arguments.size()) + " arguments");
+                        "PROB, INCREMENTO, N) or Lsystem(AXIOMA, N), found {} arguments",
+                        arguments.size());
     const MapleForm form = arguments.size() == 2   ? MapleForm::parametric
                            : arguments.size() == 4 ? MapleForm::strings
                                                    : MapleForm::stochastic;
-    LSystem system;
+    Model system;
     if (form == MapleForm::parametric)
         ModuleReader(values, system).all();
     else
         WordReader(values, system).all();
     if (form != MapleForm::parametric)
-        system.settings.angle =
+        system.drawing.angle =
             values.setting(arguments[arguments.size() - 2], "the increment, degrees");
     read_start(values, form, system);
     read_generation(values, arguments.back(), system);
@@ -489,8 +480,8 @@ LSystem read_maple(std::string_view text, const std::string& name) {
     try {
         return read_lsystem(print_lsystem(system), name);
     } catch (const Diagnostics& error) {
-        scanner.fail_at(sheet.call, "this system cannot be said in the notation: " +
-                                        error.findings().front().message);
+        scanner.fail_at(sheet.call, "this system cannot be said in the notation: {}",
+                        error.findings().front().message);
     }
 }
 

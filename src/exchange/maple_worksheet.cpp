@@ -21,16 +21,15 @@ namespace algae {
 namespace {
 
 constexpr std::size_t most_depth = 100, most_operations = 150, longest_number = 1000;
+constexpr const char nothing_assigned[] = "nothing is assigned to {} before";
 
 /// A letter or `_`, then letters, digits and `_`; empty if the next token is none. Not gone past.
 std::string next_maple_name(Scanner& scanner) {
     const std::string_view rest = scanner.rest();
-    std::size_t size = 0;
-    while (size < rest.size() &&
-           (std::isalpha(static_cast<unsigned char>(rest[size])) || rest[size] == '_' ||
-            (size > 0 && std::isdigit(static_cast<unsigned char>(rest[size])))))
-        ++size;
-    return std::string(rest.substr(0, size));
+    if (!rest.empty() && is_digit(static_cast<unsigned char>(rest[0]))) return "";
+    const auto* end =
+        std::ranges::find_if_not(rest, [](unsigned char c) { return std::isalnum(c) || c == '_'; });
+    return {rest.begin(), end};
 }
 
 Expression binary(const std::string& name, Expression left, Expression right) {
@@ -57,6 +56,16 @@ Expression scaled(Expression x, const Expression& first, const Expression& secon
     return binary("/", binary("*", std::move(x), first), second);
 }
 
+using Binding = ExpressionDialect::Binding;
+const ExpressionDialect maple{{{"+", "+", Binding::sum},
+                               {"-", "-", Binding::sum},
+                               {"*", "*", Binding::product},
+                               {"/", "/", Binding::product},
+                               {"^", "^", Binding::power},
+                               {"**", "^", Binding::power}},
+                              {{"+", "", Binding::prefix}, {"-", "-", Binding::prefix}},
+                              ExpressionDialect::Powers::in_brackets};
+
 /// Reads an expression. `parameters` is the name of the list of the function in which it stands, or
 /// empty. Fails on what it does not know, on brackets more than 100 deep, and on more than 150 operators
 /// and calls.
@@ -75,69 +84,26 @@ public:
 private:
     void count(std::size_t offset) {
         if (++operations_ > most_operations)
-            scanner_.fail_at(offset, "an expression with more than " +
-                                         std::to_string(most_operations) + " operators and calls");
+            scanner_.fail_at(offset, "an expression with more than {} operators and calls",
+                             most_operations);
     }
 
     Expression sum() {
         if (++depth_ > most_depth)
-            scanner_.fail_at(scanner_.offset(), "an expression nested more than " +
-                                                    std::to_string(most_depth) + " deep");
-        Expression left = product();
-        for (;;) {
-            const std::size_t where = scanner_.offset();
-            const bool plus = scanner_.take("+");
-            if (!plus && !scanner_.take("-")) break;
-            count(where);
-            left = binary(plus ? "+" : "-", std::move(left), product());
-        }
+            scanner_.fail_at(scanner_.offset(), "an expression nested more than {} deep",
+                             most_depth);
+        Expression read = scanner_.expression(
+            maple, [&] { return atom(); }, [&](std::size_t offset) { count(offset); }, unscaled);
         --depth_;
-        return left;
+        return read;
     }
 
-    Expression product() {
-        Expression left = signed_power();
-        for (;;) {
-            const std::size_t where = scanner_.offset();
-            const bool times = scanner_.take("*");
-            if (!times && !scanner_.take("/")) return left;
-            count(where);
-            Expression right = signed_power();
-            if (!times && right == pi() && left.kind == Expression::Kind::binary &&
-                left.name == "*" && left.operands[1] == number_expression(180))
-                left = scaled(Expression(left.operands[0]), number_expression(180), pi());
-            else
-                left = binary(times ? "*" : "/", std::move(left), std::move(right));
-        }
-    }
-
-    Expression signed_power() {
-        const std::size_t where = scanner_.offset();
-        if (scanner_.take("+")) {
-            count(where);
-            return signed_power();
-        }
-        if (!scanner_.take("-")) return power();
-        count(where);
-        return made_expression(Expression::Kind::unary, "-", {signed_power()});
-    }
-
-    Expression power() {
-        Expression base = atom();
-        const std::size_t where = scanner_.offset();
-        if (!scanner_.take("^") && !scanner_.take("**")) return base;
-        count(where);
-        const std::size_t minus = scanner_.offset();
-        Expression exponent;
-        if (scanner_.take("-")) {
-            count(minus);
-            exponent = made_expression(Expression::Kind::unary, "-", {atom()});
-        } else {
-            exponent = atom();
-        }
-        if (scanner_.rest().starts_with("^") || scanner_.rest().starts_with("**"))
-            scanner_.fail("brackets that say which power is taken first");
-        return binary("^", std::move(base), std::move(exponent));
+    /// x where it is x*180/Pi of an x that is scaled already.
+    static Expression unscaled(Expression read) {
+        static const Expression half_turn = number_expression(180);
+        return is_scaled(read, half_turn, pi())
+                   ? scaled(Expression(read.operands[0].operands[0]), half_turn, pi())
+                   : read;
     }
 
     Expression atom() {
@@ -167,38 +133,18 @@ private:
     }
 
     Expression literal() {
-        const std::string_view rest = scanner_.rest();
-        const auto digits = [&](std::size_t from) {
-            while (from < rest.size() && std::isdigit(static_cast<unsigned char>(rest[from])))
-                ++from;
-            return from;
-        };
-        std::size_t size = digits(0);
-        std::string text(rest.substr(0, size));
-        if (rest.substr(size).starts_with('.')) {
-            const std::size_t end = digits(size + 1);
-            if (end == 1) scanner_.fail("a number");
-            if (end > size + 1) text += rest.substr(size, end - size);
-            size = end;
-        }
-        if (size < rest.size() && (rest[size] == 'e' || rest[size] == 'E')) {
-            const bool sign =
-                size + 1 < rest.size() && (rest[size + 1] == '-' || rest[size + 1] == '+');
-            const std::size_t first = size + (sign ? 2 : 1), end = digits(first);
-            if (end > first) {
-                text += rest.substr(size, end - size);
-                size = end;
-            }
-        }
+        const std::string_view number = scanner_.rest().substr(0, number_size(scanner_.rest()));
+        if (number.empty()) scanner_.fail("a number");
+        const std::string text = plain_number(number);
         Rational value;
         try {
             if (text.size() > longest_number) throw Error("");
             value = Rational(text);
         } catch (const Error&) {
-            scanner_.fail_at(scanner_.offset(),
-                             "the number " + algae::quoted(text) + " is out of range");
+            scanner_.fail_at(scanner_.offset(), "the number {} is out of range",
+                             algae::quoted(text));
         }
-        scanner_.take(rest.substr(0, size));
+        scanner_.take(number);
         return number_expression(value);
     }
 
@@ -208,7 +154,7 @@ private:
         const std::size_t where = scanner_.offset();
         const Rational index = scanner_.number("the number of a parameter", 1, 1000);
         if (!index.is_integer())
-            scanner_.fail_at(where, "expected a whole number, found " + to_string(index));
+            scanner_.fail_at(where, "expected a whole number, found {}", to_string(index));
         scanner_.expect("]", "");
         const std::string text = to_string(index);
         read_.most_index = std::max(read_.most_index, std::stoul(text));
@@ -223,8 +169,8 @@ private:
         if (function == std::end(maple_functions) && name != "evalf") {
             std::string known;
             for (const MapleFunction& one : maple_functions) known += std::string(one.maple) + ", ";
-            scanner_.fail_at(where, "expected one of " + known + "evalf, found the function " +
-                                        algae::quoted(name));
+            scanner_.fail_at(where, "expected one of {}evalf, found the function {}", known,
+                             algae::quoted(name));
         }
         scanner_.expect("(", "");
         std::vector<Expression> arguments{sum()};
@@ -256,27 +202,16 @@ private:
 };
 
 const char* kind_name(const MapleValue& value) {
-    switch (value.kind) {
-        case MapleValue::Kind::text:
-            return "a string";
-        case MapleValue::Kind::list:
-            return "a list";
-        case MapleValue::Kind::function:
-            return "a function";
-        case MapleValue::Kind::parameters:
-            return "the list of parameters";
-        case MapleValue::Kind::expression:
-            break;
-    }
-    return "a number";
+    constexpr const char* names[] = {"a number", "a string", "a list", "a function",
+                                     "the list of parameters"};
+    return names[static_cast<std::size_t>(value.kind)];
 }
 
 const char* const statements_known = "an assignment, restart, with(...) or a call Lsystem(...)";
 
-bool is_start(const std::string& name) {
-    for (const char* known : {"PONTOA", "ANGULO", "SEGMENTO", "vH", "vL", "vU"})
-        if (name == known) return true;
-    return false;
+bool is_start(std::string_view name) {
+    constexpr std::string_view known[] = {"PONTOA", "ANGULO", "SEGMENTO", "vH", "vL", "vU"};
+    return std::ranges::count(known, name) > 0;
 }
 
 class Reader {
@@ -323,8 +258,7 @@ private:
         } else if (name == "Lsystem") {
             call(where);
         } else if (name != "restart") {
-            scanner_.fail_at(where, std::string("expected ") + statements_known + ", found " +
-                                        algae::quoted(name));
+            scanner_.fail_at(where, "expected {}, found {}", statements_known, algae::quoted(name));
         }
         if (!scanner_.take(";") && !scanner_.take(":"))
             scanner_.fail("';' or ':' at the end of the statement");
@@ -333,14 +267,15 @@ private:
     void assign(const std::string& name, std::size_t where) {
         for (const char* kept : {"D", "I", "Pi"})
             if (name == kept)
-                scanner_.fail_at(where, "Maple keeps the name " + name +
-                                            " for itself: nothing can be assigned to it");
+                scanner_.fail_at(
+                    where, "Maple keeps the name {} for itself: nothing can be assigned to it",
+                    name);
         MapleValue read = value("", 0);
         if (is_start(name) && calls_.empty()) sheet_.start[name] = read;
         const auto [at, is_new] = sheet_.assigned.emplace(name, sheet_.assignments.size());
         if (!is_new)
-            scanner_.fail_at(where, algae::quoted(name) + " is assigned twice, first in " +
-                                        line_of(sheet_.assignments[at->second].offset));
+            scanner_.fail_at(where, "{} is assigned twice, first in {}", algae::quoted(name),
+                             line_of(sheet_.assignments[at->second].offset));
         sheet_.assignments.push_back({name, where, std::move(read)});
     }
 
@@ -392,8 +327,7 @@ private:
 
     MapleValue value(const std::string& parameters, std::size_t depth) {
         if (depth > most_depth)
-            scanner_.fail_at(scanner_.offset(),
-                             "lists nested more than " + std::to_string(most_depth) + " deep");
+            scanner_.fail_at(scanner_.offset(), "lists nested more than {} deep", most_depth);
         MapleValue read;
         read.offset = scanner_.offset();
         const std::string_view rest = scanner_.rest();
@@ -452,8 +386,7 @@ private:
     void check_names(const MapleValue& value) const {
         for (const auto& [name, where] : value.expression.names)
             if (!sheet_.assigned.contains(name) && !(in_call_ && name == "N"))
-                scanner_.fail_at(where,
-                                 "nothing is assigned to " + algae::quoted(name) + " before");
+                scanner_.fail_at(where, nothing_assigned, algae::quoted(name));
         for (const MapleValue& item : value.items) check_names(item);
     }
 
@@ -493,37 +426,26 @@ const MapleValue& MapleValues::resolved(const MapleValue& value) const {
     const std::string name = bare_name(value);
     if (name.empty()) return value;
     const auto found = ends_.find(name);
-    if (found == ends_.end())
-        fail(value, "nothing is assigned to " + algae::quoted(name) + " before");
+    if (found == ends_.end()) fail(value, nothing_assigned, algae::quoted(name));
     return found->second->kind == MapleValue::Kind::expression ? value : *found->second;
 }
 
-const MapleValue& MapleValues::text(const MapleValue& value, const std::string& what) const {
+const MapleValue& MapleValues::of_kind(MapleValue::Kind kind, const MapleValue& value,
+                                       const std::string& what) const {
     const MapleValue& found = resolved(value);
-    if (found.kind != MapleValue::Kind::text)
-        fail(value, "expected " + what + ", found " + kind_name(found));
-    return found;
-}
-
-const MapleValue& MapleValues::list(const MapleValue& value, const std::string& what) const {
-    const MapleValue& found = resolved(value);
-    if (found.kind != MapleValue::Kind::list)
-        fail(value, "expected " + what + ", found " + kind_name(found));
+    if (found.kind != kind) fail(value, "expected {}, found {}", what, kind_name(found));
     return found;
 }
 
 const MapleExpression& MapleValues::checked(const MapleValue& value,
                                             const std::string& what) const {
-    const MapleValue& found = resolved(value);
-    if (found.kind != MapleValue::Kind::expression)
-        fail(value, "expected " + what + ", found " + kind_name(found));
+    of_kind(MapleValue::Kind::expression, value, what);
     for (const auto& [name, offset] : value.expression.names)
         if (!numbers_.contains(name)) {
             const MapleValue* assigned = sheet_.find(name);
-            scanner_.fail_at(
-                offset, assigned ? "expected a number, and " + algae::quoted(name) + " is " +
-                                       kind_name(resolved(*assigned))
-                                 : "nothing is assigned to " + algae::quoted(name) + " before");
+            if (!assigned) scanner_.fail_at(offset, nothing_assigned, algae::quoted(name));
+            scanner_.fail_at(offset, "expected a number, and {} is {}", algae::quoted(name),
+                             kind_name(resolved(*assigned)));
         }
     return value.expression;
 }
@@ -564,7 +486,7 @@ Quantity MapleValues::setting(const MapleValue& value, const std::string& what) 
 
 Rational MapleValues::rational(const MapleValue& value, const std::string& what) const {
     const Quantity found = quantity(value, what);
-    if (!found.exact) fail(value, "expected " + what + " without roots and functions");
+    if (!found.exact) fail(value, "expected {} without roots and functions", what);
     return *found.exact;
 }
 

@@ -5,6 +5,7 @@
 #include <cstring>
 #include <map>
 #include <optional>
+#include <ranges>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/plain_rules.hpp"
 #include "exchange/detail/scanner.hpp"
+#include "model/model.hpp"
 
 // Setup procedures of NetLogo models of L-systems.
 //
@@ -39,68 +41,40 @@ const std::map<std::string, std::string>& reporters() {
     return all;
 }
 
-bool is_digit_of(std::string_view text, std::size_t at) {
-    return at < text.size() && text[at] >= '0' && text[at] <= '9';
-}
+using Binding = ExpressionDialect::Binding;
+const ExpressionDialect netlogo{{{"+", "+", Binding::sum},
+                                 {"-", "-", Binding::sum},
+                                 {"*", "*", Binding::product},
+                                 {"/", "/", Binding::product},
+                                 {"^", "^", Binding::power}},
+                                {},
+                                ExpressionDialect::Powers::to_the_left,
+                                true};
 
-/// The bytes of the number that the text begins with; 0 if it begins with none.
-std::size_t number_size(std::string_view text) {
-    std::size_t size = text.starts_with('-') ? 1 : 0;
-    const auto digits = [&] {
-        const std::size_t before = size;
-        while (is_digit_of(text, size)) ++size;
-        return size > before;
-    };
-    bool any = digits();
-    if (size < text.size() && text[size] == '.') {
-        ++size;
-        any = digits() || any;
-    }
-    if (!any) return 0;
-    const std::size_t mantissa = size;
-    if (size < text.size() && (text[size] == 'e' || text[size] == 'E')) {
-        ++size;
-        if (size < text.size() && (text[size] == '-' || text[size] == '+')) ++size;
-        if (!digits()) size = mantissa;
-    }
-    return size;
-}
-
+/// Operators with blanks around them are those of the dialect. What it has besides is read here: signs
+/// within numbers, `(- x)`, and functions whose argument has no brackets.
 class NumberReader {
 public:
     explicit NumberReader(Scanner& scanner) : scanner_(scanner) {}
 
     Expression sum(std::size_t depth) {
-        Expression left = product(depth);
-        while (const char sign = infix("+-")) left = binary(sign, std::move(left), product(depth));
-        return left;
+        return scanner_.expression(
+            netlogo, [&] { return atom(depth); }, [&](std::size_t) { count(); });
     }
 
 private:
-    Expression product(std::size_t depth) {
-        Expression left = power(depth);
-        while (const char sign = infix("*/")) left = binary(sign, std::move(left), power(depth));
-        return left;
-    }
-    Expression power(std::size_t depth) {
-        Expression left = atom(depth);
-        while (const char sign = infix("^")) left = binary(sign, std::move(left), atom(depth));
-        return left;
-    }
     Expression atom(std::size_t depth) {
         constexpr std::size_t most = 100;
         if (depth == most)
             scanner_.fail_at(scanner_.offset(), "more than 100 brackets inside each other");
-        if (const std::size_t size = number_size(scanner_.rest())) {
-            const std::string text(scanner_.rest().substr(0, size));
-            // A point without digits behind it is none of the notation.
-            const std::size_t point = text.find('.');
-            std::string exact = text;
-            if (point != std::string::npos && !is_digit_of(text, point + 1)) exact.erase(point, 1);
+        const std::string_view rest = scanner_.rest();
+        const std::size_t sign = rest.starts_with('-') ? 1 : 0;
+        if (const std::size_t size = number_size(rest.substr(sign))) {
             const std::size_t at = scanner_.offset();
+            const std::string_view text = rest.substr(0, sign + size);
             scanner_.take(text);
             try {
-                return quantity(Rational(exact)).expression;
+                return quantity(Rational(plain_number(text))).expression;
             } catch (const Diagnostics&) {
                 throw;
             } catch (const Error& error) {
@@ -108,7 +82,7 @@ private:
             }
         }
         if (scanner_.take("(")) {
-            const bool minus = infix("-") != 0;
+            const bool minus = take_minus();
             Expression inner = minus ? atom(depth + 1) : sum(depth + 1);
             scanner_.expect(")", "or an operator between blanks");
             if (!minus) return inner;
@@ -123,25 +97,18 @@ private:
         scanner_.fail("a number");
     }
 
-    /// The operator that comes next, with a blank behind it; 0 if none does.
-    char infix(std::string_view signs) {
+    /// A minus with a blank behind it.
+    bool take_minus() {
         const std::string_view rest = scanner_.rest();
-        if (rest.size() < 2 || signs.find(rest[0]) == std::string_view::npos ||
-            !std::isspace(static_cast<unsigned char>(rest[1])))
-            return 0;
+        if (rest.size() < 2 || rest[0] != '-' || !std::isspace(static_cast<unsigned char>(rest[1])))
+            return false;
         count();
-        const char sign = rest[0];
-        scanner_.take(std::string_view(&sign, 1));
-        return sign;
+        return scanner_.take("-");
     }
     void count() {
         constexpr std::size_t most = 100;
         if (++operators_ > most)
             scanner_.fail_at(scanner_.offset(), "more than 100 operators in a number");
-    }
-    static Expression binary(char sign, Expression left, Expression right) {
-        return made_expression(Expression::Kind::binary, std::string(1, sign),
-                               {std::move(left), std::move(right)});
     }
 
     Scanner& scanner_;
@@ -211,17 +178,11 @@ std::string written(const Expression& expression, bool inner) {
 
 }  // namespace
 
-/// The same written: expressions with what NetLogo knows, all else by its value.
-///
-/// Example: netlogo_number(evaluate(parsed("1/sqrt(2)"), {})) == "1 / sqrt 2"
 std::string netlogo_number(const Quantity& number) {
     const std::string text = written(number.expression, false);
     return text.empty() ? value_of(number) : text;
 }
 
-/// The number of the opposite sign.
-///
-/// Example: negated(quantity(45)) == quantity(-45)
 Quantity negated(const Quantity& number) {
     if (number.exact) return quantity(-*number.exact);
     const Expression& expression = number.expression;
@@ -231,10 +192,6 @@ Quantity negated(const Quantity& number) {
             std::nullopt, -number.value};
 }
 
-/// 90 minus the number of degrees: a heading counted clockwise from the north for one
-/// counter-clockwise from +x, and the other way round.
-///
-/// Example: turned_compass(quantity(25)) == quantity(65)
 Quantity turned_compass(const Quantity& degrees) {
     const Quantity ninety = quantity(90);
     if (degrees.exact) return quantity(*ninety.exact - *degrees.exact);
@@ -280,12 +237,11 @@ bool acts(const std::string& symbol, bool has_k) {
 using Counted = std::vector<std::pair<std::string, long>>;
 
 void count(Counted& all, const std::string& thing) {
-    for (auto& [known, times] : all)
-        if (known == thing) {
-            ++times;
-            return;
-        }
-    all.emplace_back(thing, 1);
+    const auto known = std::ranges::find(all, thing, &Counted::value_type::first);
+    if (known != all.end())
+        ++known->second;
+    else
+        all.emplace_back(thing, 1);
 }
 
 long total(const Counted& all) {
@@ -318,20 +274,11 @@ public:
     }
 
 private:
-    /// Calls `letter` for each character.
-    template <class Letter>
-    static void each(std::string_view text, Letter letter) {
-        while (!text.empty()) {
-            const std::size_t bytes = first_character(text).bytes;
-            letter(text.substr(0, bytes));
-            text.remove_prefix(bytes);
-        }
-    }
     static std::string word(const std::string& text) {
         Alphabet alphabet;
         ModuleWord word;
-        each(text,
-             [&](std::string_view letter) { word.letters.push_back(alphabet.symbol(letter)); });
+        for (const std::string_view letter : characters(text))
+            word.letters.push_back(alphabet.symbol(letter));
         return print_word(alphabet, word);
     }
     static std::string rule(const std::string& letter, const Rational& probability,
@@ -344,13 +291,11 @@ private:
     /// All characters of the words, in the order of the notation's symbols.
     std::vector<std::string> occurring() const {
         Alphabet seen;
-        const auto add = [&](std::string_view letter) { seen.symbol(letter); };
-        each(system_.chain, add);
+        std::string words = system_.chain;
         for (const std::string& letter : letters_)
-            for (const auto& [successor, times] : successors_.at(letter)) {
-                add(letter);
-                each(successor, add);
-            }
+            for (const auto& [successor, times] : successors_.at(letter))
+                words += letter + successor;
+        for (const std::string_view letter : characters(words)) seen.symbol(letter);
         std::vector<std::string> all;
         for (Symbol symbol = 0; symbol < seen.size(); ++symbol) all.push_back(seen.name(symbol));
         return all;
@@ -440,31 +385,26 @@ struct PlacedString : PlacedWord {
     std::size_t offset = 0;  // of the first mark
 };
 
-/// Whether the text is one character.
-bool is_one_character(std::string_view text) {
-    return !text.empty() && first_character(text).bytes == text.size();
-}
-
 class Reader {
 public:
     Reader(std::string_view text, const std::string& name)
         : name_(name), source_(text, name), findings_(source_), scanner_(text, name, {";"}) {}
 
-    LSystem read() {
+    Model read() {
         while (!scanner_.at_end() && rules_.size() <= most_rules) {
             const std::size_t from = scanner_.offset();
             try {
                 statement();
             } catch (const Diagnostics& error) {
-                for (const Diagnostic& finding : error.findings())
-                    findings_.add(finding.place, finding.message);
+                add(findings_, error);
                 leave_line(from);
             }
         }
         if (inside_)
-            findings_.add(source_.text().size(), "expected 'end' of the procedure " +
-                                                     procedures_.back().first +
-                                                     ", found the end of the file");
+            findings_.add(
+                source_.text().size(),
+                fmt::format("expected 'end' of the procedure {}, found the end of the file",
+                            procedures_.back().first));
         if (procedures_.size() > 1) refuse_procedures();
         if (findings_.empty()) check_all();
         findings_.throw_if_any();
@@ -526,8 +466,8 @@ private:
 
     void begin(std::size_t at) {
         if (inside_)
-            scanner_.fail_at(
-                at, "expected 'end' of the procedure " + procedures_.back().first + " before 'to'");
+            scanner_.fail_at(at, "expected 'end' of the procedure {} before 'to'",
+                             procedures_.back().first);
         const std::string name = scanner_.name("the name of a procedure behind 'to'");
         procedures_.emplace_back(name, at);
         inside_ = true;
@@ -535,14 +475,12 @@ private:
             scanner_.fail_at(at, "expected no 'to' behind settings outside a procedure");
     }
     void refuse_procedures() {
-        std::string all;
-        for (std::size_t i = 0; i < procedures_.size(); ++i)
-            all += (i == 0                        ? ""
-                    : i + 1 == procedures_.size() ? " and "
-                                                  : ", ") +
-                   procedures_[i].first;
-        findings_.add(procedures_[1].second, "expected one procedure, found " + all +
-                                                 "; put the one you want into a file of its own");
+        std::vector<std::string> names;
+        for (const auto& [name, at] : procedures_) names.push_back(name);
+        findings_.add(procedures_[1].second,
+                      fmt::format("expected one procedure, found {}; put the one you want into a "
+                                  "file of its own",
+                                  enumerated(names)));
     }
 
     PlacedString string(const std::string& what) {
@@ -563,8 +501,8 @@ private:
             if (character == "\\") {
                 const std::string escaped(rest.substr(here, 2));
                 if (escaped != "\\\\" && escaped != "\\\"")
-                    scanner_.fail_at(at, "expected '\\\\' or '\\\"' in a string, found " +
-                                             algae::quoted(escaped));
+                    scanner_.fail_at(at, "expected '\\\\' or '\\\"' in a string, found {}",
+                                     algae::quoted(escaped));
                 character = escaped.substr(1);
                 bytes = 2;
             }
@@ -578,28 +516,28 @@ private:
     /// A string of symbols.
     PlacedString word(const std::string& what) {
         PlacedString out = string(what);
-        for (std::size_t i = 0; i < out.text.size();) {
-            const std::size_t bytes = first_character(std::string_view(out.text).substr(i)).bytes;
-            check_symbol(out.text.substr(i, bytes), out.offsets[i]);
-            i += bytes;
+        std::size_t i = 0;
+        for (const std::string_view character : characters(out.text)) {
+            check_symbol(character, out.offsets[i]);
+            i += character.size();
         }
         check_brackets(out, findings_);
         return out;
     }
-    void check_symbol(const std::string& character, std::size_t at) const {
+    void check_symbol(std::string_view character, std::size_t at) const {
         if (undeclared_length(character) != character.size())
-            scanner_.fail_at(
-                at, "expected a symbol of the notation, found " + algae::quoted(character));
+            scanner_.fail_at(at, "expected a symbol of the notation, found {}",
+                             algae::quoted(character));
         if (character.size() == 4)
-            scanner_.fail_at(at, "expected a character of NetLogo, found " +
-                                     algae::quoted(character) + ", which is two there");
+            scanner_.fail_at(at, "expected a character of NetLogo, found {}, which is two there",
+                             algae::quoted(character));
     }
 
     void add_rule() {
         const std::size_t at = scanner_.offset();
         const PlacedString letter = string("a letter in quotation marks behind 'add-rule'");
-        if (!is_one_character(letter.text))
-            scanner_.fail_at(letter.offset, "expected one letter, found \"" + letter.text + "\"");
+        if (!is_character(letter.text))
+            scanner_.fail_at(letter.offset, "expected one letter, found \"{}\"", letter.text);
         check_symbol(letter.text, letter.offsets[0]);
         const PlacedString successor = word("a successor in quotation marks");
         const PlacedString command = string("a command in quotation marks");
@@ -614,9 +552,9 @@ private:
         const std::size_t at = scanner_.offset();
         std::string name = scanner_.name("a setting behind 'set'");
         for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
-        if (std::find(names.begin(), names.end(), name) == names.end())
-            scanner_.fail_at(at, "expected one of " + joined(names, ", ") + ", found " +
-                                     algae::quoted(name) + did_you_mean(name, names));
+        if (std::ranges::count(names, name) == 0)
+            scanner_.fail_at(at, "expected one of {}, found {}{}", fmt::join(names, ", "),
+                             algae::quoted(name), did_you_mean(name, names));
         if (name == "chain") {
             chain_ = word("a word in quotation marks behind 'set chain'");
             has_chain_ = true;
@@ -625,7 +563,7 @@ private:
         const std::size_t where = scanner_.offset();
         const Quantity number = read_netlogo_number(scanner_);
         if (number.value == 0 && (name == "d" || name == "k-shorten" || name == "k"))
-            scanner_.fail_at(where, "expected a number other than 0 for " + name);
+            scanner_.fail_at(where, "expected a number other than 0 for {}", name);
         system_.numbers.insert_or_assign(name, number);
     }
 
@@ -645,8 +583,9 @@ private:
             const bool stacks = command == "[" || command == "]";
             if ((stacks || letter == "[" || letter == "]") && command != letter)
                 findings_.add(rules_[i].first,
-                              "expected '[' and ']' to stand for themselves, found the command \"" +
-                                  rules_[i].second + "\" of '" + letter + "'");
+                              fmt::format("expected '[' and ']' to stand for themselves, found the "
+                                          "command \"{}\" of '{}'",
+                                          rules_[i].second, letter));
         }
     }
 
@@ -663,15 +602,13 @@ private:
     bool inside_ = false;
 };
 
-constexpr const char* format = "netlogo";
-
-class Writer {
+class Writer : FormatWriter {
 public:
-    explicit Writer(const LSystem& system) : system_(system) {}
+    explicit Writer(const Model& system) : FormatWriter(system, "netlogo") {}
 
     std::string text() {
-        check_plain_rules(system_, format, true);
-        check_plain_settings(system_, format);
+        check_plain_rules(true);
+        check_plain_settings();
         for (const Symbol symbol : system_.axiom.letters) see(symbol, "the axiom");
         for (const Production& rule : system_.rules) {
             const std::string where = "the rule " + print_rule(system_.alphabet, rule);
@@ -679,12 +616,11 @@ public:
             for (const Symbol symbol : rule.successor.letters) see(symbol, where);
             rules_[rule.predecessor.symbol].push_back(&rule);
         }
-        std::string out = system_.title.empty() ? "" : "; " + system_.title + "\n";
-        for (const auto& [symbol, rules] : rules_)
-            if (rules.size() > 1 && !rules[0]->probability) {
-                out += "; several rules for a letter: the model picks one at random\n";
-                break;
-            }
+        std::string out = commented("; ", {system_.title});
+        if (std::ranges::any_of(std::views::values(rules_), [](const auto& rules) {
+                return rules.size() > 1 && !rules[0]->probability;
+            }))
+            out += "; several rules for a letter: the model picks one at random\n";
         for (const Production& rule : system_.rules)
             for (Integer times = repetitions(rule); times > 0; times -= 1)
                 out += line(rule.predecessor.symbol, rule.successor.letters);
@@ -697,9 +633,7 @@ public:
     }
 
 private:
-    const std::string& name(Symbol symbol) const { return system_.alphabet.name(symbol); }
-    bool has_scale() const { return system_.settings.scale.has_value(); }
-    [[noreturn]] void refuse(const std::string& what) const { cannot_say(system_, format, what); }
+    bool has_scale() const { return system_.drawing.scale.has_value(); }
 
     void see(Symbol symbol, const std::string& where) {
         const std::string& text = name(symbol);
@@ -707,8 +641,8 @@ private:
             return (static_cast<unsigned char>(byte) & 0xC0) != 0x80;
         });
         if (starts != 1 || text.size() > 3)
-            refuse("the symbol " + text + " in " + where + ", expected one character");
-        if (std::find(seen_.begin(), seen_.end(), symbol) == seen_.end()) seen_.push_back(symbol);
+            refuse(fmt::format("the symbol {} in {}, expected one character", text, where));
+        if (std::ranges::count(seen_, symbol) == 0) seen_.push_back(symbol);
     }
 
     /// As often as the rules of a letter must stand there so that each is chosen with its
@@ -719,8 +653,9 @@ private:
         for (const Production* other : rules_.at(rule.predecessor.symbol))
             common = lcm(common, other->probability->denominator());
         if (common > 100)
-            refuse("the probabilities of " + name(rule.predecessor.symbol) +
-                   ": their common denominator is " + to_string(common) + ", expected at most 100");
+            refuse(fmt::format(
+                "the probabilities of {}: their common denominator is {}, expected at most 100",
+                name(rule.predecessor.symbol), to_string(common)));
         return rule.probability->numerator() *
                exact_divide(common, rule.probability->denominator());
     }
@@ -747,7 +682,7 @@ private:
     std::string command(Symbol symbol) const {
         std::string found;
         bool any = false;
-        for (const TurtleModule& module : interpreted(system_, symbol, format)) {
+        for (const TurtleModule& module : interpreted(symbol)) {
             const std::string one = command_of(symbol, module);
             if (one.empty()) continue;
             if (std::exchange(any, true))
@@ -758,7 +693,7 @@ private:
     }
     std::string command_of(Symbol symbol, const TurtleModule& module) const {
         const std::string& of = name(module.symbol);
-        const Settings& settings = system_.settings;
+        const Drawing& drawing = system_.drawing;
         const auto is = [&](double value) {
             return module.parameters.empty() ||
                    (module.parameters.size() == 1 && module.parameters[0].value == value);
@@ -769,17 +704,16 @@ private:
             if (module.symbol != symbol) what += ", for which " + name(symbol) + " stands";
             refuse(what + ": its commands are F f + - [ ] *, and S for a square");
         };
-        for (const Settings::Stamp& stamp : settings.stamps)
+        for (const Drawing::Stamp& stamp : drawing.stamps)
             if (stamp.symbol == module.symbol) {
                 if (stamp.shape != StampShape::square || !is(2)) fails();
                 return "S";
             }
-        for (const SolidSetting& solid : settings.solids)
-            if (solid.symbol == module.symbol) fails();
+        if (std::ranges::count(drawing.solids, module.symbol, &SolidSetting::symbol) > 0) fails();
         if (of == "F" || of.starts_with("F_") || of == "G") return is(1) ? "F" : (fails(), "");
         if (of == "f" || of.starts_with("f_")) return is(1) ? "f" : (fails(), "");
         if (of.size() != 1) return "";
-        const double angle = settings.angle ? settings.angle->value : 90;
+        const double angle = drawing.angle ? drawing.angle->value : 90;
         switch (of[0]) {
             case '+':
             case '-':
@@ -790,10 +724,10 @@ private:
                 return of;
             case '*':
                 if (!has_scale() && module.parameters.empty()) return "";
-                if (!has_scale() || !is(settings.scale->value)) fails();
+                if (!has_scale() || !is(drawing.scale->value)) fails();
                 return of;
             case '!':
-                if (settings.narrow || !module.parameters.empty()) fails();
+                if (drawing.narrow || !module.parameters.empty()) fails();
                 return "";
             default:
                 if (std::strchr("|{}.%&^\\/$@", of[0])) fails();
@@ -802,34 +736,33 @@ private:
     }
 
     std::string numbers() const {
-        const Settings& settings = system_.settings;
+        const Drawing& drawing = system_.drawing;
         const auto set = [](const char* name, const Quantity& number) {
             return "set " + (name + (' ' + netlogo_number(number))) + "\n";
         };
         const Quantity zero = quantity(0), one = quantity(1);
-        const Quantity angle = settings.angle.value_or(quantity(90));
-        const Settings::Start start = settings.start.value_or(Settings::Start{zero, zero, zero});
-        std::string out = set("d", settings.step.value_or(one)) +
-                          set("delta", settings.clockwise ? negated(angle) : angle) +
+        const Quantity angle = drawing.angle.value_or(quantity(90));
+        const Drawing::Start start = drawing.start.value_or(Drawing::Start{zero, zero, zero});
+        std::string out = set("d", drawing.step.value_or(one)) +
+                          set("delta", drawing.clockwise ? negated(angle) : angle) +
                           set("x0", start.x) + set("y0", start.y) +
                           set("delta-0", turned_compass(start.heading)) +
-                          set("k-shorten", settings.shrink.value_or(one));
-        if (settings.spin) out += set("d-delta", negated(*settings.spin));
-        if (settings.scale) out += set("k", *settings.scale);
+                          set("k-shorten", drawing.shrink.value_or(one));
+        if (drawing.spin) out += set("d-delta", negated(*drawing.spin));
+        if (drawing.scale) out += set("k", *drawing.scale);
         return out;
     }
 
-    const LSystem& system_;
     std::vector<Symbol> seen_;  // in the order of the words
     std::map<Symbol, std::vector<const Production*>> rules_;
 };
 
 }  // namespace
 
-LSystem read_netlogo(std::string_view text, const std::string& name) {
+Model read_netlogo(std::string_view text, const std::string& name) {
     return Reader(text, name).read();
 }
 
-std::string print_netlogo(const LSystem& system) { return Writer(system).text(); }
+std::string print_netlogo(const Model& system) { return Writer(system).text(); }
 
 }  // namespace algae

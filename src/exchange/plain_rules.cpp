@@ -1,115 +1,100 @@
 #include <algorithm>
 #include <set>
 
+#include "model/model.hpp"
+
 #include "exchange/detail/plain_rules.hpp"
+
+#include <set>
 
 namespace algae {
 
-namespace {
-
-/// What of a rule is more than a letter and a word; empty if nothing.
-std::string beyond_plain(const Production& rule) {
+std::string beyond_plain(const Production& rule, bool parameters) {
     if (!rule.left.empty() || !rule.right.empty()) return "it has a context";
     if (!rule.elsewhere.empty()) return "it has a context condition";
     if (rule.condition) return "it has a condition";
     if (rule.shape) return "it is a shape rule";
-    if (!rule.predecessor.parameters.empty()) return "it has parameters";
+    if (!parameters && !rule.predecessor.parameters.empty()) return "it has parameters";
     return "";
 }
 
-/// The modules that interpretations give, and how many steps that takes.
-class Interpreter {
-public:
-    Interpreter(const LSystem& system, const std::string& format)
-        : system_(system), format_(format) {}
-
-    std::vector<TurtleModule> modules;
-
-    void visit(const TurtleModule& module, std::size_t depth) {
-        const Production* found = nullptr;
-        for (const Production& rule : system_.interpretation) {
-            if (rule.predecessor.symbol != module.symbol ||
-                rule.predecessor.parameters.size() != module.parameters.size())
-                continue;
-            if (rule.probability || found)
-                cannot_say(system_, format_, rule, "it is one of several interpretations");
-            if (const std::string why = beyond_plain(rule); !why.empty())
-                cannot_say(system_, format_, rule, why);
-            if (!rule.successor.splices.empty())
-                cannot_say(system_, format_, rule, "it holds words");
-            found = &rule;
-        }
-        if (!found) return modules.push_back(module);
-        constexpr std::size_t most = 1000, most_steps = 100'000;
-        if (depth == most || ++steps_ == most_steps || modules.size() > most)
-            cannot_say(system_, format_, *found, "it goes round in circles or gives too much");
-        const ModuleWord& word = found->successor;
-        for (std::size_t i = 0; i < word.letters.size(); ++i) {
-            TurtleModule part{word.letters[i], {}};
-            if (const auto arguments = word.arguments.find(i); arguments != word.arguments.end())
-                for (const Expression& argument : arguments->second)
-                    part.parameters.push_back(evaluate(
-                        argument, [&](const std::string& name) { return constant(name); }));
-            visit(part, depth + 1);
-        }
-    }
-
-private:
-    const Quantity* constant(const std::string& name) const {
-        for (const auto& [known, value] : system_.constants)
-            if (known == name) return &value;
-        return nullptr;
-    }
-
-    const LSystem& system_;
-    const std::string& format_;
-    std::size_t steps_ = 0;
-};
-
-}  // namespace
-
-void cannot_say(const LSystem& system, const std::string& format, const Production& rule,
-                const std::string& why) {
-    const std::string place = rule.place.line > 0 ? to_string(rule.place) : system.name;
-    throw Error((place.empty() ? "" : place + ": ") + format + " cannot say the rule " +
-                print_rule(system.alphabet, rule) + ": " + why);
+void FormatWriter::refuse(const std::string& what) const {
+    throw Error((system_.name.empty() ? "" : system_.name + ": ") + format_ + " cannot say " +
+                what);
 }
 
-void cannot_say(const LSystem& system, const std::string& format, const std::string& what) {
-    throw Error((system.name.empty() ? "" : system.name + ": ") + format + " cannot say " + what);
+void FormatWriter::refuse(const Production& rule, const std::string& why) const {
+    const std::string place = rule.place.line > 0 ? to_string(rule.place) : system_.name;
+    throw Error((place.empty() ? "" : place + ": ") + format_ + " cannot say the rule " +
+                print_rule(system_.alphabet, rule) + ": " + why);
 }
 
-void check_plain_rules(const LSystem& system, const std::string& format, bool choices) {
-    if (!system.inner.empty()) cannot_say(system, format, "systems within a system");
-    if (!system.tables.empty()) cannot_say(system, format, "tables");
-    if (!system.terminals.empty()) cannot_say(system, format, "terminals");
-    if (!system.axiom.arguments.empty()) cannot_say(system, format, "the axiom's parameters");
-    if (!system.axiom.splices.empty()) cannot_say(system, format, "the axiom's words");
+void FormatWriter::check_parts() const {
+    if (!system_.inner.empty()) refuse("systems within a system");
+    if (!system_.tables.empty()) refuse("tables");
+    if (!system_.terminals.empty()) refuse("terminals");
+}
+
+void FormatWriter::check_plain_rules(bool choices) const {
+    check_parts();
+    if (!system_.axiom.arguments.empty()) refuse("the axiom's parameters");
+    if (!system_.axiom.splices.empty()) refuse("the axiom's words");
     std::set<Symbol> seen;
-    for (const Production& rule : system.rules) {
-        std::string why = beyond_plain(rule);
+    for (const Production& rule : system_.rules) {
+        std::string why = beyond_plain(rule, false);
         if (!rule.successor.arguments.empty()) why = "it has parameters";
         if (!rule.successor.splices.empty()) why = "it holds words";
         if (!choices && rule.probability) why = "it has a probability";
         if (!choices && why.empty() && !seen.insert(rule.predecessor.symbol).second)
             why = "it is the second for its letter";
-        if (!why.empty()) cannot_say(system, format, rule, why);
+        if (!why.empty()) refuse(rule, why);
     }
 }
 
-std::vector<TurtleModule> interpreted(const LSystem& system, Symbol letter,
-                                      const std::string& format) {
-    Interpreter interpreter(system, format);
-    interpreter.visit({letter, {}}, 0);
-    return std::move(interpreter.modules);
+void FormatWriter::check_plain_settings() const {
+    const Drawing& drawing = system_.drawing;
+    if (!system_.environments.empty()) refuse("environments");
+    if (drawing.tropism) refuse("a tropism");
+    if (!drawing.surfaces.empty()) refuse("surfaces");
+    if (!drawing.plotters.empty()) refuse("plots");
 }
 
-void check_plain_settings(const LSystem& system, const std::string& format) {
-    const Settings& settings = system.settings;
-    if (!system.environments.empty()) cannot_say(system, format, "environments");
-    if (settings.tropism) cannot_say(system, format, "a tropism");
-    if (!settings.surfaces.empty()) cannot_say(system, format, "surfaces");
-    if (!settings.plotters.empty()) cannot_say(system, format, "plots");
+void FormatWriter::interpret(const TurtleModule& module, std::size_t depth, std::size_t& steps,
+                             std::vector<TurtleModule>& modules) const {
+    const Production* found = nullptr;
+    for (const Production& rule : system_.interpretation) {
+        if (rule.predecessor.symbol != module.symbol ||
+            rule.predecessor.parameters.size() != module.parameters.size())
+            continue;
+        if (rule.probability || found) refuse(rule, "it is one of several interpretations");
+        if (const std::string why = beyond_plain(rule, false); !why.empty()) refuse(rule, why);
+        if (!rule.successor.splices.empty()) refuse(rule, "it holds words");
+        found = &rule;
+    }
+    if (!found) return modules.push_back(module);
+    constexpr std::size_t most = 1000, most_steps = 100'000;
+    if (depth == most || ++steps == most_steps || modules.size() > most)
+        refuse(*found, "it goes round in circles or gives too much");
+    const auto constant = [&](const std::string& name) -> const Quantity* {
+        const auto known =
+            std::ranges::find(system_.constants, name, &std::pair<std::string, Quantity>::first);
+        return known == system_.constants.end() ? nullptr : &known->second;
+    };
+    const ModuleWord& word = found->successor;
+    for (std::size_t i = 0; i < word.letters.size(); ++i) {
+        TurtleModule part{word.letters[i], {}};
+        if (const auto arguments = word.arguments.find(i); arguments != word.arguments.end())
+            for (const Expression& argument : arguments->second)
+                part.parameters.push_back(evaluate(argument, constant));
+        interpret(part, depth + 1, steps, modules);
+    }
+}
+
+std::vector<TurtleModule> FormatWriter::interpreted(Symbol letter) const {
+    std::vector<TurtleModule> modules;
+    std::size_t steps = 0;
+    interpret({letter, {}}, 0, steps, modules);
+    return modules;
 }
 
 }  // namespace algae

@@ -48,10 +48,10 @@ void Scanner::skip() {
             here_ += next.bytes;
             continue;
         }
-        bool is_comment = false;
-        for (const std::string& comment : comments_)
-            is_comment = is_comment || text.substr(here_).starts_with(comment);
-        if (!is_comment) return;
+        if (std::ranges::none_of(comments_, [&](const std::string& comment) {
+                return text.substr(here_).starts_with(comment);
+            }))
+            return;
         here_ = std::min(text.find('\n', here_), text.size());
     }
 }
@@ -76,9 +76,7 @@ bool Scanner::take(std::string_view token) {
 
 bool Scanner::take_word(std::string_view word) {
     const std::string_view next = rest();
-    if (next.size() < word.size()) return false;
-    for (std::size_t i = 0; i < word.size(); ++i)
-        if (lower(next[i]) != lower(word[i])) return false;
+    if (!std::ranges::equal(next.substr(0, word.size()), word, {}, lower, lower)) return false;
     if (next.size() > word.size() && is_letter_of_name(next[word.size()])) return false;
     here_ += word.size();
     return true;
@@ -120,12 +118,12 @@ Rational Scanner::number(const std::string& expectation, const Rational& least,
             break;
     }
     if (digits == 0) fail(expectation);
-    const std::string text(
-        next.substr(next.starts_with('+') ? 1 : 0, size - (next.starts_with('+') ? 1 : 0)));
-    const Rational value(text.ends_with('.') ? text.substr(0, text.size() - 1) : text);
+    const std::size_t plus = next.starts_with('+') ? 1 : 0;
+    const std::string_view text = next.substr(plus, size - plus);
+    const Rational value(plain_number(text));
     if (value < least || value > most)
-        fail_at(here_, "expected " + expectation + " from " + to_string(least) + " to " +
-                           to_string(most) + ", found " + algae::quoted(text));
+        fail_at(here_, "expected {} from {} to {}, found {}", expectation, to_string(least),
+                to_string(most), algae::quoted(text));
     here_ += size;
     return value;
 }
@@ -138,10 +136,42 @@ std::string Scanner::character(const std::string& expectation) {
     return std::string(next.substr(0, size));
 }
 
-void Scanner::fail(const std::string& expectation) {
+Expression Scanner::expression(const ExpressionDialect& dialect,
+                               const std::function<Expression()>& operand,
+                               const std::function<void(std::size_t)>& met,
+                               const std::function<Expression(Expression)>& made) {
+    const auto next = [&](const char* place) {
+        here_ = source_.offset(place);
+        return rest().data();
+    };
+    const auto read = [&](const char*& place) {
+        next(place);
+        Expression found = operand();
+        place = rest().data();
+        return found;
+    };
+    const auto meet = [&](const char* place) { met(source_.offset(place)); };
+    const std::string_view text = source_.text();
+    const char* place = rest().data();
+    try {
+        Expression found = read_expression(place, text.data() + text.size(), source_, dialect,
+                                           {next, read, meet, made});
+        next(place);
+        return found;
+    } catch (const SyntaxError& error) {
+        next(error.where);
+        fail_at(here_, error.message + (error.names_found ? "" : found_next()));
+    }
+}
+
+std::string Scanner::found_next() {
     const std::string_view next = rest();
-    if (next.empty()) fail_at(here_, "expected " + expectation + ", found the end of the file");
-    fail_at(here_, "expected " + expectation + ", found " + found(next.substr(0, next.find('\n'))));
+    return next.empty() ? "the end of the file" : found(next.substr(0, next.find('\n')));
+}
+
+void Scanner::fail(const std::string& expectation) {
+    const std::string found = found_next();
+    fail_at(here_, "expected " + expectation + ", found " + found);
 }
 
 void Scanner::fail_at(std::size_t offset, const std::string& message) const {
@@ -151,6 +181,35 @@ void Scanner::fail_at(std::size_t offset, const std::string& message) const {
 void PlacedWord::add(std::string_view letter, std::size_t offset) {
     text += letter;
     offsets.resize(text.size(), offset);
+}
+
+std::vector<std::string_view> characters(std::string_view text) {
+    std::vector<std::string_view> all;
+    while (!text.empty()) {
+        all.push_back(text.substr(0, first_character(text).bytes));
+        text.remove_prefix(all.back().size());
+    }
+    return all;
+}
+
+bool is_character(std::string_view text) {
+    return !text.empty() && first_character(text).bytes == text.size();
+}
+
+std::string commented(const char* mark, const std::vector<std::string>& texts) {
+    std::string lines;
+    for (const std::string& text : texts)
+        if (!text.empty()) lines += mark + text + "\n";
+    return lines;
+}
+
+std::string enumerated(const std::vector<std::string>& names) {
+    if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
+    return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
+}
+
+void add(Findings& findings, const Diagnostics& error) {
+    for (const Diagnostic& finding : error.findings()) findings.add(finding.place, finding.message);
 }
 
 void check_brackets(const PlacedWord& word, Findings& findings) {
@@ -164,6 +223,32 @@ void check_brackets(const PlacedWord& word, Findings& findings) {
             open.pop_back();
     }
     for (const std::size_t at : open) findings.add(at, "'[' is never closed");
+}
+
+std::size_t number_size(std::string_view text) {
+    const auto digits = [&](std::size_t from) {
+        return std::min(text.find_first_not_of("0123456789", from), text.size());
+    };
+    std::size_t size = digits(0), known = size;
+    if (text.substr(size).starts_with('.')) {
+        size = digits(size + 1);
+        known = size - 1;
+    }
+    if (known == 0) return 0;
+    if (size == text.size() || (text[size] != 'e' && text[size] != 'E')) return size;
+    const bool sign = size + 1 < text.size() && (text[size + 1] == '-' || text[size + 1] == '+');
+    const std::size_t first = size + (sign ? 2 : 1),
+                      end = first < text.size() ? digits(first) : first;
+    return end > first ? end : size;
+}
+
+std::string plain_number(std::string_view number) {
+    std::string text(number);
+    const std::size_t point = text.find('.');
+    if (point != std::string::npos &&
+        (point + 1 == text.size() || !is_digit(static_cast<unsigned char>(text[point + 1]))))
+        text.erase(point, 1);
+    return text;
 }
 
 Expression number_expression(const Rational& value) {

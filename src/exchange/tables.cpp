@@ -37,9 +37,9 @@ bool is_rule(std::string_view cell) {
 }
 
 bool is_left_out(std::string_view cell) {
-    for (const char* command : {"\\hline", "\\toprule", "\\midrule", "\\bottomrule", "\\centering"})
-        if (cell == command) return true;
-    return cell.empty() || is_rule(cell);
+    constexpr std::string_view commands[] = {"\\hline", "\\toprule", "\\midrule", "\\bottomrule",
+                                             "\\centering"};
+    return cell.empty() || is_rule(cell) || std::ranges::count(commands, cell) > 0;
 }
 
 /// How many bytes at the start of a line's rest begin or end an environment of LaTeX, with what
@@ -66,10 +66,12 @@ std::vector<std::vector<TableCell>> table_rows(const Source& source) {
     const std::string_view text = source.text();
     std::vector<std::vector<TableCell>> rows;
     std::vector<TableCell> row;
+    const auto end_row = [&] {
+        if (!row.empty()) rows.push_back(std::exchange(row, {}));
+    };
     for (std::size_t i = 0; i < text.size();) {
         if (text[i] == '\n') {
-            if (!row.empty()) rows.push_back(std::move(row));
-            row.clear();
+            end_row();
             ++i;
             continue;
         }
@@ -96,7 +98,7 @@ std::vector<std::vector<TableCell>> table_rows(const Source& source) {
         cell = cell.substr(0, cell.find("\\\\"));
         if (!is_left_out(cell)) row.push_back({std::string(cell), begin});
     }
-    if (!row.empty()) rows.push_back(std::move(row));
+    end_row();
     return rows;
 }
 
@@ -109,21 +111,22 @@ public:
     }
 
 protected:
-    [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
-        throw Diagnostics({source_.finding(offset, message)});
+    template <class... Values>
+    [[noreturn]] void fail(std::size_t offset, fmt::format_string<Values...> message,
+                           Values&&... values) const {
+        throw Diagnostics(
+            {source_.finding(offset, fmt::format(message, std::forward<Values>(values)...))});
+    }
+    std::size_t line_of(std::size_t offset) const { return source_.place(offset).line; }
+    /// Adds a statement that stands here.
+    void add(const std::string& key, std::vector<RelativeWord> words, std::size_t offset) {
+        const Diagnostic here = source_.finding(offset, "");
+        file_.statements.push_back({key, std::move(words), here.place, here.line, {}, ""});
     }
 
     Source source_;
     RelativeFile file_;
 };
-
-/// Title and source as comments.
-std::string heading(const Relative& relative) {
-    std::string text;
-    for (const std::string* line : {&relative.title, &relative.source})
-        if (!line->empty()) text += "# " + *line + "\n";
-    return text;
-}
 
 constexpr const char* arrows[] = {"\\rightarrow", "\\mapsto", "\\to", "->", "→", "↦"};
 
@@ -191,8 +194,8 @@ private:
             } else if (skip(",") || skip(";")) {
                 joined = false;
             } else if (!skip("\\underline") && !skip("{") && !skip("}")) {
-                fail(offset, "expected states 0 to 9 and a to z, or an arrow, found " +
-                                 algae::quoted(rest.substr(0, first_character(rest).bytes)));
+                fail(offset, "expected states 0 to 9 and a to z, or an arrow, found {}",
+                     algae::quoted(rest.substr(0, first_character(rest).bytes)));
             }
         }
     }
@@ -200,17 +203,19 @@ private:
     void read_entries(const std::vector<std::vector<TableCell>>& lines) {
         std::vector<TableCell> tokens;
         for (const auto& line : lines) tokens.insert(tokens.end(), line.begin(), line.end());
-        for (std::size_t i = 0; i < tokens.size(); i += 3) {
-            if (tokens[i].text == "->")
-                fail(tokens[i].offset, "expected a local configuration, found '->'");
-            if (i + 1 == tokens.size() || tokens[i + 1].text != "->")
-                fail(i + 1 < tokens.size() ? tokens[i + 1].offset : source_.text().size(),
-                     "expected '->' behind " + algae::quoted(tokens[i].text));
-            if (i + 2 == tokens.size() || tokens[i + 2].text.size() != 1)
-                fail(i + 2 < tokens.size() ? tokens[i + 2].offset : source_.text().size(),
-                     "expected the next state, a single one, behind '" + shortened(tokens[i].text) +
-                         " ->'");
-            add(tokens[i], tokens[i + 2].text[0]);
+        // What is missing at the end stands there as nothing.
+        const std::size_t count = tokens.size();
+        tokens.resize(count + 2, {"", source_.text().size()});
+        for (std::size_t i = 0; i < count; i += 3) {
+            const TableCell &cells = tokens[i], &arrow = tokens[i + 1], &next = tokens[i + 2];
+            if (cells.text == "->")
+                fail(cells.offset, "expected a local configuration, found '->'");
+            if (arrow.text != "->")
+                fail(arrow.offset, "expected '->' behind {}", algae::quoted(cells.text));
+            if (next.text.size() != 1)
+                fail(next.offset, "expected the next state, a single one, behind '{} ->'",
+                     shortened(cells.text));
+            add(cells, next.text[0]);
         }
     }
 
@@ -225,12 +230,11 @@ private:
                     fail(below[k].offset,
                          "expected the end of the line: no configuration stands above");
                 if (k >= below.size())
-                    fail(above[k].offset, "the configuration " + shortened(above[k].text) +
-                                              " has no next state below");
+                    fail(above[k].offset, "the configuration {} has no next state below",
+                         shortened(above[k].text));
                 if (below[k].text.size() != 1)
-                    fail(below[k].offset, "expected the next state, a single one, of " +
-                                              shortened(above[k].text) + ", found " +
-                                              algae::quoted(below[k].text));
+                    fail(below[k].offset, "expected the next state, a single one, of {}, found {}",
+                         shortened(above[k].text), algae::quoted(below[k].text));
                 add(above[k], below[k].text[0]);
             }
         }
@@ -241,19 +245,17 @@ private:
             if (cells.text.size() % 2 == 0 || cells.text.size() < 3)
                 fail(cells.offset,
                      "expected the states of a cell and of as many cells on each side, such as "
-                     "001, found " +
-                         algae::quoted(cells.text));
+                     "001, found {}",
+                     algae::quoted(cells.text));
             length_ = cells.text.size();
         }
         if (cells.text.size() != length_)
-            fail(cells.offset, "expected " + std::to_string(length_) +
-                                   " states as in the first entry, found " +
-                                   algae::quoted(cells.text));
+            fail(cells.offset, "expected {} states as in the first entry, found {}", length_,
+                 algae::quoted(cells.text));
         const auto [found, is_new] = entries_.emplace(cells.text, Entry{next, cells.offset});
         if (!is_new)
-            fail(cells.offset, "the entry of " + shortened(cells.text) +
-                                   " is there twice, first in line " +
-                                   std::to_string(source_.place(found->second.offset).line));
+            fail(cells.offset, "the entry of {} is there twice, first in line {}",
+                 shortened(cells.text), line_of(found->second.offset));
         for (const char one : cells.text + next) states_ = std::max(states_, number(one) + 1);
     }
 
@@ -272,31 +274,24 @@ private:
     }
 
     [[noreturn]] void missing(const std::string& configuration) const {
-        fail(source_.text().size(), "the entry of " + shortened(configuration) +
-                                        " is missing: a table of " + std::to_string(states_) +
-                                        " states has one for each " + std::to_string(length_) +
-                                        " of them");
-    }
-
-    void add(const std::string& key, const std::vector<std::string>& words) {
-        file_.add(key, words);
-        const Diagnostic here = source_.finding(entries_.begin()->second.offset, "");
-        file_.statements.back().place = here.place;
-        file_.statements.back().line = here.line;
+        fail(source_.text().size(),
+             "the entry of {} is missing: a table of {} states has one for each {} of them",
+             shortened(configuration), states_, length_);
     }
 
     void write() {
+        const std::size_t offset = entries_.begin()->second.offset;
         if (states_ == 2 && length_ == 3) {
             std::size_t rule = 0;
             for (auto entry = entries_.rbegin(); entry != entries_.rend(); ++entry)
                 rule = 2 * rule + number(entry->second.next);
-            return add("rule", {std::to_string(rule)});
+            return TableReader::add("rule", {{std::to_string(rule)}}, offset);
         }
-        add("states", {std::to_string(states_)});
-        add("radius", {std::to_string(length_ / 2)});
-        std::vector<std::string> words;
-        for (const auto& [cells, entry] : entries_) words.push_back(cells + "->" + entry.next);
-        add("table", words);
+        TableReader::add("states", {{std::to_string(states_)}}, offset);
+        TableReader::add("radius", {{std::to_string(length_ / 2)}}, offset);
+        std::vector<RelativeWord> words;
+        for (const auto& [cells, entry] : entries_) words.push_back({cells + "->" + entry.next});
+        TableReader::add("table", words, offset);
     }
 
     std::size_t length_ = 0, states_ = 2;
@@ -314,14 +309,10 @@ std::string print_ca_table(const Relative& relative) {
     const CellRule& rule = automaton.rule;
     if (rule.dimensions != 1)
         throw Error(automaton.name + ": lies in the plane, and a table is one of cells on a line");
-    const std::size_t length = rule.neighbourhood.size();
-    std::string text = heading(automaton);
+    std::string text = commented("# ", {automaton.title, automaton.source});
     for (std::size_t entry = 0; entry < rule.table.size(); ++entry) {
-        std::string cells(length, '0');
-        std::size_t rest = entry;
-        for (std::size_t i = length; i-- > 0; rest /= rule.states)
-            cells[i] = state(rest % rule.states);
-        text += cells + " -> " + state_character(rule.table[entry]) + "\n";
+        const auto cells = local_configuration(entry, rule.states, rule.neighbourhood.size());
+        text += fmt::format("{} -> {}\n", state_text(cells), state_character(rule.table[entry]));
     }
     return text;
 }
@@ -376,16 +367,16 @@ private:
         for (const TableCell& cell : row) {
             const bool named = is_letter(cell.text);
             if (!named && !columns_.empty())
-                fail(cell.offset, "unknown column " + algae::quoted(cell.text) +
-                                      ", expected a, b, c, d, e, f or p");
+                fail(cell.offset, "unknown column {}, expected a, b, c, d, e, f or p",
+                     algae::quoted(cell.text));
             const char letter = named ? lower(cell.text[0]) : ' ';
             if (named && std::count(columns_.begin(), columns_.end(), letter) > 0)
-                fail(cell.offset, "the column " + cell.text + " is there twice");
+                fail(cell.offset, "the column {} is there twice", cell.text);
             columns_ += letter;
         }
         for (const char letter : std::string("abcdef"))
             if (columns_.find(letter) == std::string::npos)
-                fail(row.front().offset, std::string("the table has no column ") + letter);
+                fail(row.front().offset, "the table has no column {}", letter);
     }
 
     void guess_columns(const Row& row) {
@@ -394,8 +385,8 @@ private:
         if (numbers != 6 && numbers != 7)
             fail(row.front().offset,
                  "expected the numbers a b c d e f and perhaps p, with or without a name before "
-                 "them, found " +
-                     std::to_string(row.size()) + " cells");
+                 "them, found {} cells",
+                 row.size());
         columns_ = (name ? " " : "") + letters.substr(0, numbers);
     }
 
@@ -411,13 +402,12 @@ private:
 
     void read_row(const Row& row) {
         if (row.size() < columns_.size())
-            fail(row.front().offset, "the row has no " + column_name(row.size()) + ": expected " +
-                                         std::to_string(columns_.size()) + " cells, found " +
-                                         std::to_string(row.size()));
+            fail(row.front().offset, "the row has no {}: expected {} cells, found {}",
+                 column_name(row.size()), columns_.size(), row.size());
         if (row.size() > columns_.size())
             fail(row[columns_.size()].offset,
-                 "expected the end of the row behind " + std::to_string(columns_.size()) +
-                     " cells, found " + algae::quoted(row[columns_.size()].text));
+                 "expected the end of the row behind {} cells, found {}", columns_.size(),
+                 algae::quoted(row[columns_.size()].text));
         std::vector<RelativeWord> words(columns_.find('p') == std::string::npos ? 6 : 7);
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (columns_[i] == ' ') {
@@ -426,25 +416,21 @@ private:
             }
             const auto value = number(row[i]);
             if (!value)
-                fail(row[i].offset, "expected a number for " + column_name(i) + ", found " +
-                                        algae::quoted(row[i].text) + hint(row[i].text));
+                fail(row[i].offset, "expected a number for {}, found {}{}", column_name(i),
+                     algae::quoted(row[i].text), hint(row[i].text));
             const Place place = source_.place(row[i].offset);
             words[letters.find(columns_[i])] = {to_text(*value), place.column - 1};
         }
         if (words.size() == 7) sum(row, words[6].text);
-        const Diagnostic here = source_.finding(row.front().offset, "");
-        file_.statements.push_back({"map", std::move(words), here.place, here.line, {}, ""});
+        add("map", std::move(words), row.front().offset);
     }
 
     /// What is often taken for a part of a number.
     static std::string hint(std::string_view cell) {
         if (cell.find(',') != std::string_view::npos) return "; decimals have a point";
-        while (!cell.empty()) {
-            const Character next = first_character(cell);
-            if (is_false_minus(next.code))
-                return " (" + code_point_name(next.code) + "); did you mean '-'?";
-            cell.remove_prefix(next.bytes);
-        }
+        for (const std::string_view character : characters(cell))
+            if (const char32_t code = first_character(character).code; is_false_minus(code))
+                return " (" + code_point_name(code) + "); did you mean '-'?";
         return "";
     }
 
@@ -455,17 +441,16 @@ private:
     void check_name(const TableCell& cell) {
         const auto [found, is_new] = names_.emplace(cell.text, cell.offset);
         if (!is_new)
-            fail(cell.offset, "the map " + algae::quoted(cell.text) +
-                                  " is there twice, first in line " +
-                                  std::to_string(source_.place(found->second).line));
+            fail(cell.offset, "the map {} is there twice, first in line {}",
+                 algae::quoted(cell.text), line_of(found->second));
     }
 
     void sum(const Row& row, const std::string& text) {
         const Quantity value =
             evaluate(read_expression(text), [](const std::string&) { return nullptr; });
         if (!(value.value > 0))
-            fail(row[columns_.find('p')].offset,
-                 "expected a probability above 0, found " + algae::quoted(text));
+            fail(row[columns_.find('p')].offset, "expected a probability above 0, found {}",
+                 algae::quoted(text));
         if (value.exact && sum_)
             *sum_ += *value.exact;
         else
@@ -476,8 +461,8 @@ private:
     void check_sum(const Row& last) const {
         const std::size_t column = columns_.find('p');
         if (column != std::string::npos && sum_ && *sum_ != 1)
-            fail(last[column].offset,
-                 "the probabilities add up to " + shortest_text(*sum_) + ", expected 1");
+            fail(last[column].offset, "the probabilities add up to {}, expected 1",
+                 shortest_text(*sum_));
     }
 
     std::string columns_;  // a letter for each; a blank for names
@@ -519,7 +504,7 @@ std::string print_ifs_table(const Relative& relative) {
     std::vector<std::size_t> widths(rows.front().size());
     for (const auto& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
-    std::string text = heading(system);
+    std::string text = commented("# ", {system.title, system.source});
     for (const auto& row : rows)
         for (std::size_t i = 0; i < row.size(); ++i)
             text += std::string(widths[i] - row[i].size() + (i > 0 ? 2 : 0), ' ') + row[i] +

@@ -1,14 +1,16 @@
-#include "language/detail/judge.hpp"
-
 #include <algorithm>
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "dimension/dimension.hpp"
+#include "language/detail/finite_family.hpp"
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
+#include "model/model.hpp"
 #include "rewrite/rewrite.hpp"
 #include "verify/verify.hpp"
 
-// Systems, languages, statements and proofs of equality as a certificate writes them: CERTIFICATES.md describes
-// each form.
+// Claims as certificates: systems, languages, statements and proofs, each form as CERTIFICATES.md describes it.
 
 namespace algae {
 
@@ -118,67 +120,80 @@ Json pair_json(const LanguageTree& tree, const Alphabet& alphabet) {
     return Json::array({to_json(tree.parts[0], alphabet), to_json(tree.parts[1], alphabet)});
 }
 
-Json number_json(const Integer& number) { return to_string(number); }
+/// What a statement says, without its negation.
+struct StatementWriter {
+    const Alphabet& alphabet;
 
-Json body(const Statement& statement, const Alphabet& alphabet) {
-    const auto language = [&](std::size_t i) {
-        return to_json(statement.languages.at(i), alphabet);
-    };
-    const auto system = [&](std::size_t i) { return Json(statement.systems.at(i)->name); };
-    switch (statement.kind) {
-        case Statement::Kind::family:
-            return {{"is", statement.family}, {"language", language(0)}};
-        case Statement::Kind::finite:
-            return {{"is", "finite"}, {"language", language(0)}};
-        case Statement::Kind::empty:
-            return {{"is", "empty"}, {"language", language(0)}};
-        case Statement::Kind::equal:
-            return {{"equal", Json::array({language(0), language(1)})}};
-        case Statement::Kind::included:
-            return {{"included", Json::array({language(0), language(1)})}};
-        case Statement::Kind::member:
-            return {{"member", certificate_text(alphabet, statement.word)},
-                    {"language", language(0)}};
-        case Statement::Kind::size:
-            return {{"size", number_json(*statement.size)}, {"language", language(0)}};
-        case Statement::Kind::derives: {
-            Json result{{"derives", certificate_text(alphabet, statement.word)},
-                        {"system", system(0)}};
-            if (statement.from) result["from"] = certificate_text(alphabet, *statement.from);
-            if (statement.steps) result["steps"] = *statement.steps;
-            return result;
-        }
-        case Statement::Kind::rewrites:
-        case Statement::Kind::chance: {
-            Json result{{"derives", word_json(statement.modules, {*statement.rewriting, {}})},
-                        {"system", statement.rewriting->name}};
-            if (statement.modules_from)
-                result["from"] = word_json(*statement.modules_from, {*statement.rewriting, {}});
-            result["steps"] = *statement.steps;
-            if (statement.probability) result["probability"] = to_string(*statement.probability);
-            return result;
-        }
-        case Statement::Kind::equal_sequences:
-            return {{"equal sequences", Json::array({system(0), system(1)})}};
-        case Statement::Kind::equal_growth:
-            return {{"equal growth", Json::array({system(0), system(1)})}};
-        case Statement::Kind::growth_formula:
-            return {{"growth", system(0)}, {"equals", to_text(*statement.formula)}};
-        case Statement::Kind::growth_class: {
-            Json result{{"growth", system(0)}, {"class", statement.family}};
-            if (statement.size) result["degree"] = number_json(*statement.size);
-            return result;
-        }
-        case Statement::Kind::dimension:
-        case Statement::Kind::boundary: {
-            const bool of_all = statement.kind == Statement::Kind::dimension;
-            return {
-                {of_all ? "dimension" : "boundary", statement.drawn->name},
-                {statement.dimension->at_most ? "at most" : "equals", statement.dimension->text}};
-        }
+    Json written(const Language& language) const { return to_json(language, alphabet); }
+    Json pair(const Language& left, const Language& right) const {
+        return Json::array({written(left), written(right)});
     }
-    return {};
-}
+
+    Json operator()(const InFamily& said) const {
+        return {{"is", said.family}, {"language", written(said.language)}};
+    }
+    Json operator()(const IsFinite& said) const {
+        return {{"is", "finite"}, {"language", written(said.language)}};
+    }
+    Json operator()(const IsEmpty& said) const {
+        return {{"is", "empty"}, {"language", written(said.language)}};
+    }
+    Json operator()(const EqualLanguages& said) const {
+        return {{"equal", pair(said.left, said.right)}};
+    }
+    Json operator()(const IncludedIn& said) const {
+        return {{"included", pair(said.inner, said.outer)}};
+    }
+    Json operator()(const HasWord& said) const {
+        return {{"member", certificate_text(alphabet, said.word)},
+                {"language", written(said.language)}};
+    }
+    Json operator()(const HasSize& said) const {
+        return {{"size", to_string(said.size)}, {"language", written(said.language)}};
+    }
+    Json operator()(const Derives& said) const {
+        Json result{{"derives", certificate_text(alphabet, said.word)},
+                    {"system", said.system->name}};
+        if (said.from) result["from"] = certificate_text(alphabet, *said.from);
+        if (said.steps) result["steps"] = *said.steps;
+        return result;
+    }
+    Json operator()(const Rewrites& said) const {
+        const Scope scope{*said.system, {}};
+        Json result{{"derives", word_json(said.word, scope)}, {"system", said.system->name}};
+        if (said.from) result["from"] = word_json(*said.from, scope);
+        result["steps"] = said.steps;
+        return result;
+    }
+    Json operator()(const HasChance& said) const {
+        Json result = (*this)(said.derivation);
+        result["probability"] = to_string(said.probability);
+        return result;
+    }
+    Json operator()(const EqualSequences& said) const {
+        return {{"equal sequences", Json::array({said.left->name, said.right->name})}};
+    }
+    Json operator()(const EqualGrowth& said) const {
+        return {{"equal growth", Json::array({said.left->name, said.right->name})}};
+    }
+    Json operator()(const HasGrowthFormula& said) const {
+        return {{"growth", said.system->name}, {"equals", to_text(said.formula)}};
+    }
+    Json operator()(const HasGrowthClass& said) const {
+        Json result{{"growth", said.system->name}, {"class", said.growth}};
+        if (said.degree) result["degree"] = to_string(*said.degree);
+        return result;
+    }
+    Json operator()(const HasDimension& said) const {
+        return dimension("dimension", *said.system, said.dimension);
+    }
+    Json operator()(const BoundaryHasDimension& said) const {
+        return dimension("boundary", *said.system, said.dimension);
+    }
+    static Json dimension(const char* of, const LSystem& system, const ClaimedDimension& claimed) {
+        return {{of, system.name}, {claimed.at_most ? "at most" : "equals", claimed.text}};
+    }
+};
 
 }  // namespace
 
@@ -260,7 +275,7 @@ Json to_json(const Language& language, const Alphabet& alphabet) {
 }
 
 Json to_json(const Statement& statement, const Alphabet& alphabet) {
-    Json result = body(statement, alphabet);
+    Json result = std::visit(StatementWriter{alphabet}, statement.says);
     return statement.negated ? Json{{"not", result}} : result;
 }
 
@@ -272,14 +287,174 @@ Json number(const Integer& value) {
     return to_string(value);
 }
 
-}  // namespace
-
-Json word_proof(const Word& word, const Alphabet& alphabet) {
-    return {{"by", "word"}, {"word", certificate_text(alphabet, word)}};
+Json derivation_json(const Derivation& derivation, const Alphabet& alphabet) {
+    Json result{{"words", words_json(derivation.words, alphabet)}};
+    if (!derivation.tables.empty()) result["tables"] = derivation.tables;
+    return result;
 }
 
-Json construction_proof(const TableValue& tables) {
+Json course_json(const Course& course, const ET0L& system, const Alphabet& alphabet) {
+    Json steps = Json::array();
+    for (const TableUse& use : course)
+        steps.push_back(
+            {{"table", use.table},
+             {"letter", alphabet.name(use.letter)},
+             {"successor",
+              certificate_text(alphabet, system.tables[use.table][use.letter][use.choice])},
+             {"place", use.place}});
+    return steps;
+}
+
+Json construction_json(const TableValue& tables) {
     return {{"by", "construction"}, {"system", to_json(tables.system, *tables.system.alphabet)}};
+}
+
+Json witness_json(const FiniteWitness& witness, const Alphabet& alphabet) {
+    ET0L system{witness.alphabet,
+                witness.axiom,
+                witness.tables,
+                std::vector<char>(witness.alphabet->size(), 1),
+                {},
+                {}};
+    for (Table& table : system.tables) {
+        table.resize(witness.alphabet->size());
+        for (Symbol a = 0; a < table.size(); ++a)
+            if (table[a].empty()) table[a].push_back({a});
+    }
+    return to_json(system, alphabet);
+}
+
+/// What a certificate holds of a proof, by the kind of its last step.
+struct ProofWriter {
+    const Alphabet& alphabet;
+
+    Json of(const Part& part) const { return std::visit(*this, part->step); }
+    std::string text(const Word& word) const { return certificate_text(alphabet, word); }
+
+    /// Where the rule says it all.
+    template <class Step>
+    Json operator()(const Step&) const {
+        return {{"by", Step::rule}};
+    }
+
+    Json operator()(const steps::Generated& said) const {
+        return {{"by", "membership"}, {"derivation", derivation_json(said.derivation, alphabet)}};
+    }
+    Json operator()(const steps::HasPreimage& said) const {
+        return {{"by", "membership"}, {"preimage", text(said.source)}};
+    }
+    /// A derivation shows that a word is in L(G) itself, or in its reversal if it is read backwards. What is made
+    /// of L(G) otherwise, and a word with this image, is decided anew.
+    Json operator()(const steps::FromParts& said) const {
+        if (said.language->kind == Kind::reversed) {
+            Json part = of(said.parts.front());
+            if (!part.contains("preimage")) return part;
+        }
+        return {{"by", "membership"}};
+    }
+    Json operator()(const steps::Derives& said) const {
+        Json result{{"by", "derivation"}};
+        result.update(derivation_json(said.derivation, alphabet));
+        return result;
+    }
+    Json operator()(const steps::InSomeStep& said) const {
+        if (const auto* derived = std::get_if<steps::Generated>(&said.membership->step))
+            return (*this)(steps::Derives{derived->system, derived->derivation});
+        return {{"by", "exhausted"}};
+    }
+    Json operator()(const steps::SameSequence& said) const {
+        return balance_certificate(said.balance, alphabet);
+    }
+    Json operator()(const steps::OtherSequence& said) const {
+        return difference_certificate(said.difference);
+    }
+    Json operator()(const steps::OtherGrowth& said) const {
+        return {{"by", "generation"}, {"generation", said.difference.generation}};
+    }
+    Json operator()(const steps::FollowsFormula& said) const {
+        Json powers = Json::array();
+        for (const auto& [base, coefficients] : said.function.terms)
+            for (std::size_t k = 0; k < coefficients.size(); ++k)
+                powers.push_back({{"coefficient", to_string(coefficients[k])},
+                                  {"power", k},
+                                  {"base", to_string(base)}});
+        return {{"by", "terms"}, {"terms", powers}};
+    }
+    Json operator()(const steps::LeavesFormula& said) const {
+        return {{"by", "generation"}, {"generation", said.generation}};
+    }
+    Json operator()(const steps::LimitSet& said) const {
+        return {{"by", "dimension"}, {"conditions", said.found->conditions}};
+    }
+    Json operator()(const steps::OtherValues& said) const { return by_word(said.word); }
+    Json operator()(const steps::Distinguished& said) const { return by_word(said.word); }
+    Json operator()(const steps::FoundWord& said) const { return by_word(said.word); }
+    Json by_word(const Word& word) const { return {{"by", "word"}, {"word", text(word)}}; }
+    Json operator()(const steps::SameDeterministic& said) const {
+        return language_certificate(said.equality, alphabet);
+    }
+    Json operator()(const steps::WithinRegular& said) const {
+        return said.constructed ? construction_json(*said.constructed) : Json{{"by", "relations"}};
+    }
+    Json operator()(const steps::ByInduction& said) const {
+        return {{"by", "induction"}, {"base", words_json(said.base, alphabet)}};
+    }
+    Json operator()(const steps::BothInclusions& said) const {
+        return {{"by", "both"}, {"proofs", Json::array({of(said.there), of(said.back)})}};
+    }
+    Json operator()(const steps::NoTerminals& said) const { return construction_json(said.tables); }
+    Json operator()(const steps::InfiniteRound& said) const {
+        Json rules = Json::array();
+        for (const auto& [letter, successor] : said.rules)
+            rules.push_back({{"letter", alphabet.name(letter)}, {"successor", text(successor)}});
+        return {{"by", "endless round"}, {"rules", rules}, {"other", alphabet.name(said.other)}};
+    }
+    Json operator()(const steps::InfiniteTables& said) const {
+        if (said.constructed) return construction_json(*said.tables);
+        const auto course = [&](const Course& each) {
+            return course_json(each, said.tables->system, alphabet);
+        };
+        return {{"by", "endless tables"},
+                {"again", alphabet.name(said.endless.again)},
+                {"other", alphabet.name(said.endless.other)},
+                {"before", course(said.endless.before)},
+                {"round", course(said.endless.round)},
+                {"beside", course(said.endless.beside)},
+                {"kept", course(said.endless.kept)},
+                {"after", course(said.endless.after)}};
+    }
+    Json operator()(const steps::Pumped& said) const {
+        return {{"by", "pumping"},
+                {"prefix", text(said.prefix)},
+                {"middle", text(said.middle)},
+                {"suffix", text(said.suffix)}};
+    }
+    Json operator()(const steps::InfinitePart& said) const {
+        return {{"by", "part"}, {"index", said.index}, {"proof", of(said.part)}};
+    }
+    Json operator()(const steps::InfiniteSize& said) const {
+        return {{"by", "infinite"}, {"proof", of(said.infinite)}};
+    }
+    Json operator()(const steps::FiniteFamily& said) const {
+        if (said.answer->witness)
+            return {{"by", "system"}, {"system", witness_json(*said.answer->witness, alphabet)}};
+        return {{"by", "cases"}, {"obstruction", to_json(*said.answer->obstruction)}};
+    }
+    Json operator()(const steps::GeneratedBy& said) const {
+        return {{"by", "equal"},
+                {"system", to_json(*said.system, alphabet)},
+                {"proof", of(said.equal)}};
+    }
+    Json operator()(const steps::OfReversal& said) const {
+        return {{"by", "reversal"}, {"proof", of(said.part)}};
+    }
+    Json operator()(const steps::Constructed& said) const { return construction_json(said.tables); }
+};
+
+}  // namespace
+
+Json certificate(const Answer& answer, const Alphabet& alphabet) {
+    return answer.proof ? std::visit(ProofWriter{alphabet}, answer.proof->step) : Json();
 }
 
 Json balance_certificate(const Balance& balance, const Alphabet& alphabet) {
@@ -310,6 +485,53 @@ Json language_certificate(const LanguageEquality& equality, const Alphabet& alph
                             {"stride", match.section.stride},
                             {"proof", balance_certificate(match.balance, alphabet)}});
     return {{"by", "sections"}, {"words", std::move(words)}, {"sections", std::move(sections)}};
+}
+
+namespace {
+
+/// The words that statements let the system begin from.
+Word begun_from(const Claim& claim, const SourceSystem& system) {
+    Word letters;
+    for (const ClaimedStatement& claimed : claim.statements)
+        if (const auto* said = std::get_if<Derives>(&claimed.statement.says);
+            said && said->from && said->system->name == system.name)
+            letters.insert(letters.end(), said->from->begin(), said->from->end());
+    return letters;
+}
+
+Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& checked,
+                    const Alphabet& alphabet) {
+    Json result{{"text", claimed.statement.text},
+                {"statement", to_json(claimed.statement, alphabet)}};
+    if (checked.outcome == CheckedStatement::Outcome::cited) {
+        result["verdict"] = "cited";
+        result["citation"] = claimed.citation;
+        return result;
+    }
+    result["verdict"] = to_string(checked.answer.truth);
+    if (checked.answer.proof) result["proof"] = certificate(checked.answer, alphabet);
+    return result;
+}
+
+}  // namespace
+
+Json certificate(const CheckedClaim& checked) {
+    const Claim& claim = checked.claim;
+    Json letters = Json::array(), systems = Json::object(), statements = Json::array();
+    for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
+    for (const auto& system : claim.systems)
+        systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
+    for (const auto& system : claim.rewritings) systems[system->name] = to_json(*system);
+    for (std::size_t i = 0; i < checked.statements.size(); ++i)
+        statements.push_back(
+            statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
+    Json result{
+        {"format", "algae certificate 1"}, {"claim", claim.title}, {"source", claim.source}};
+    if (claim.empty_axiom) result["empty axiom"] = true;
+    result["alphabet"] = std::move(letters);
+    result["systems"] = std::move(systems);
+    result["statements"] = std::move(statements);
+    return result;
 }
 
 }  // namespace algae

@@ -1,103 +1,83 @@
-#include "language/detail/judge.hpp"
-
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "exact/exact.hpp"
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
 
-// From a claim to its verdicts and its certificate: each statement goes to its judge, a bound that is reached
+// From a claim to its verdicts: each statement goes to its judge, a bound that is reached
 // leaves it undecided, and an error gets the place of the statement. Also the table of closure that claims
 // settle together.
 
 namespace algae {
 
-namespace {
-
-Judgement judged(Truth truth, std::vector<std::string> argument,
-                 const nlohmann::ordered_json& proof) {
-    return {truth, std::move(argument), std::make_shared<const nlohmann::ordered_json>(proof)};
-}
-
-}  // namespace
-
-Judgement Judgement::proved(std::vector<std::string> argument,
-                            const nlohmann::ordered_json& proof) {
-    return judged(Truth::proved, std::move(argument), proof);
-}
-
-Judgement Judgement::refuted(std::vector<std::string> argument,
-                             const nlohmann::ordered_json& proof) {
-    return judged(Truth::refuted, std::move(argument), proof);
-}
-
-Judgement Judgement::undecided(std::vector<std::string> tried) {
-    return {Truth::undecided, std::move(tried), nullptr};
-}
-
-Judgement opposite(Judgement judgement) {
-    judgement.truth = opposite(judgement.truth);
-    return judgement;
+Answer opposite(Answer answer) {
+    answer.truth = opposite(answer.truth);
+    return answer;
 }
 
 namespace {
 
-Judgement affirmed(const Statement& statement, const Claim& claim, const Budget& budget) {
+/// What a statement says, each form to its judge.
+struct Judge {
+    const Claim& claim;
+    const Budget& budget;
     const Alphabet& alphabet = *claim.alphabet;
-    const auto language = [&](std::size_t i) -> const Language& {
-        return statement.languages.at(i);
-    };
-    const auto system = [&](std::size_t i) -> const SourceSystem& {
-        return *statement.systems.at(i);
-    };
-    switch (statement.kind) {
-        case Statement::Kind::family:
-            return judge_family(language(0), {statement.family, claim.empty_axiom, claim.systems},
-                                alphabet, budget);
-        case Statement::Kind::finite:
-            return judge_finite(language(0), alphabet, budget);
-        case Statement::Kind::empty:
-            return judge_empty(language(0), alphabet, budget);
-        case Statement::Kind::equal:
-            return judge_equality(language(0), language(1), alphabet, budget);
-        case Statement::Kind::included:
-            return judge_inclusion(language(0), language(1), alphabet, budget);
-        case Statement::Kind::member:
-            return judge_membership(language(0), statement.word, alphabet, budget);
-        case Statement::Kind::size:
-            return judge_size(language(0), *statement.size, alphabet, budget);
-        case Statement::Kind::derives:
-            return judge_derivation(system(0), statement.word, statement.from, statement.steps,
-                                    alphabet, budget);
-        case Statement::Kind::rewrites:
-            return judge_rewriting(statement, budget);
-        case Statement::Kind::chance:
-            return judge_chance(statement, budget);
-        case Statement::Kind::equal_sequences:
-            return judge_sequences(system(0), system(1), alphabet, budget);
-        case Statement::Kind::equal_growth:
-            return judge_growth(system(0), system(1), budget);
-        case Statement::Kind::growth_formula:
-            return judge_growth_formula(system(0), *statement.formula, budget);
-        case Statement::Kind::growth_class:
-            return judge_growth_class(system(0), statement.family, statement.size, budget);
-        case Statement::Kind::dimension:
-            return judge_dimension(*statement.drawn, *statement.dimension, budget);
-        case Statement::Kind::boundary:
-            return judge_boundary(*statement.drawn, *statement.dimension, budget);
+
+    Answer operator()(const InFamily& said) const {
+        return judge_family(said.language, {said.family, claim.empty_axiom, claim.systems},
+                            alphabet, budget);
     }
-    return Judgement::undecided({});
-}
+    Answer operator()(const IsFinite& said) const {
+        return judge_finite(said.language, alphabet, budget);
+    }
+    Answer operator()(const IsEmpty& said) const {
+        return judge_empty(said.language, alphabet, budget);
+    }
+    Answer operator()(const EqualLanguages& said) const {
+        return judge_equality(said.left, said.right, alphabet, budget);
+    }
+    Answer operator()(const IncludedIn& said) const {
+        return judge_inclusion(said.inner, said.outer, alphabet, budget);
+    }
+    Answer operator()(const HasWord& said) const {
+        return judge_membership(said.language, said.word, alphabet, budget);
+    }
+    Answer operator()(const HasSize& said) const {
+        return judge_size(said.language, said.size, alphabet, budget);
+    }
+    Answer operator()(const Derives& said) const {
+        return judge_derivation(said, alphabet, budget);
+    }
+    Answer operator()(const EqualSequences& said) const {
+        return judge_sequences(*said.left, *said.right, budget);
+    }
+    Answer operator()(const EqualGrowth& said) const {
+        return judge_growth(*said.left, *said.right, budget);
+    }
+    Answer operator()(const HasGrowthFormula& said) const {
+        return judge_growth_formula(*said.system, said.formula, budget);
+    }
+    Answer operator()(const HasGrowthClass& said) const { return judge_growth_class(said, budget); }
+    Answer operator()(const Rewrites& said) const { return judge_rewriting(said, budget); }
+    Answer operator()(const HasChance& said) const { return judge_chance(said, budget); }
+    Answer operator()(const HasDimension& said) const {
+        return judge_dimension(*said.system, said.dimension, budget);
+    }
+    Answer operator()(const BoundaryHasDimension& said) const {
+        return judge_boundary(*said.system, said.dimension, budget);
+    }
+};
 
 }  // namespace
 
 //> decide
-Judgement decide(const Statement& statement, const Claim& claim, const Budget& budget) {
+Answer decide(const Statement& statement, const Claim& claim, const Budget& budget) {
     try {
-        Judgement found = affirmed(statement, claim, budget);
+        Answer found = std::visit(Judge{claim, budget}, statement.says);
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
-        return Judgement::undecided({error.what()});
+        return undecided(error.what());
     } catch (const Error& error) {
         const std::string what = error.what(), file = statement.place.file;
         if (statement.place.line == 0 || (!file.empty() && what.starts_with(file + ":"))) throw;
@@ -109,7 +89,6 @@ Judgement decide(const Statement& statement, const Claim& claim, const Budget& b
 namespace {
 
 using Outcome = CheckedStatement::Outcome;
-using Json = nlohmann::ordered_json;
 
 Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
     if (truth == Truth::undecided)
@@ -117,30 +96,6 @@ Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
     const Truth expected =
         claimed.purpose == ClaimedStatement::Purpose::refute ? Truth::refuted : Truth::proved;
     return truth == expected ? Outcome::stands : Outcome::wrong;
-}
-
-Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& checked,
-                    const Alphabet& alphabet) {
-    Json result{{"text", claimed.statement.text},
-                {"statement", to_json(claimed.statement, alphabet)}};
-    if (checked.outcome == Outcome::cited) {
-        result["verdict"] = "cited";
-        result["citation"] = claimed.citation;
-        return result;
-    }
-    result["verdict"] = to_string(checked.judgement.truth);
-    if (checked.judgement.proof) result["proof"] = *checked.judgement.proof;
-    return result;
-}
-
-/// The words that statements let the system begin from.
-Word begun_from(const Claim& claim, const SourceSystem& system) {
-    Word letters;
-    for (const ClaimedStatement& claimed : claim.statements)
-        if (claimed.statement.from && claimed.statement.systems.front()->name == system.name)
-            letters.insert(letters.end(), claimed.statement.from->begin(),
-                           claimed.statement.from->end());
-    return letters;
 }
 
 }  // namespace
@@ -155,8 +110,8 @@ CheckedClaim check(Claim claim, const Budget& budget) {
     CheckedClaim checked;
     for (const ClaimedStatement& claimed : claim.statements) {
         CheckedStatement found;
-        found.judgement = decide(claimed.statement, claim, budget);
-        found.outcome = outcome(claimed, found.judgement.truth);
+        found.answer = decide(claimed.statement, claim, budget);
+        found.outcome = outcome(claimed, found.answer.truth);
         checked.statements.push_back(std::move(found));
     }
     checked.claim = std::move(claim);
@@ -171,25 +126,6 @@ std::string to_string(CheckedStatement::Outcome outcome) {
 std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked) {
     const bool refuted = statement.purpose == ClaimedStatement::Purpose::refute;
     return checked.outcome == Outcome::stands && refuted ? "refuted" : to_string(checked.outcome);
-}
-
-nlohmann::ordered_json certificate(const CheckedClaim& checked) {
-    const Claim& claim = checked.claim;
-    Json letters = Json::array(), systems = Json::object(), statements = Json::array();
-    for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
-    for (const auto& system : claim.systems)
-        systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
-    for (const auto& system : claim.rewritings) systems[system->name] = to_json(*system);
-    for (std::size_t i = 0; i < checked.statements.size(); ++i)
-        statements.push_back(
-            statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
-    Json result{
-        {"format", "algae certificate 1"}, {"claim", claim.title}, {"source", claim.source}};
-    if (claim.empty_axiom) result["empty axiom"] = true;
-    result["alphabet"] = std::move(letters);
-    result["systems"] = std::move(systems);
-    result["statements"] = std::move(statements);
-    return result;
 }
 
 const std::vector<std::string>& closure_operations() {

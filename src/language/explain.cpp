@@ -150,14 +150,15 @@ std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
 
 /// Whether a statement says of another family what one of the claim says of this one.
 bool is_about_another(const Claim& claim, const Statement& statement, const std::string& family) {
-    if (statement.kind != Statement::Kind::family || statement.family == family) return false;
+    const auto* said = std::get_if<InFamily>(&statement.says);
+    if (!said || said->family == family) return false;
     return std::any_of(claim.statements.begin(), claim.statements.end(),
-                       [&](const ClaimedStatement& other) {
-                           return other.statement.kind == Statement::Kind::family &&
-                                  other.statement.family == family &&
-                                  other.statement.negated == statement.negated &&
-                                  to_string(other.statement.languages[0], *claim.alphabet) ==
-                                      to_string(statement.languages[0], *claim.alphabet);
+                       [&](const ClaimedStatement& claimed) {
+                           const auto* other = std::get_if<InFamily>(&claimed.statement.says);
+                           return other && other->family == family &&
+                                  claimed.statement.negated == statement.negated &&
+                                  to_string(other->language, *claim.alphabet) ==
+                                      to_string(said->language, *claim.alphabet);
                        });
 }
 
@@ -195,7 +196,7 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
                                    ".",
                                0);
         if (found.outcome == CheckedStatement::Outcome::cited) continue;
-        const std::vector<std::string>& argument = found.judgement.argument;
+        const std::vector<std::string> argument = sentences(found.answer, *claim.alphabet);
         std::size_t first = 0;
         while (first + 1 < argument.size() && said.contains(argument[first])) ++first;
         for (std::size_t line = first; line < argument.size(); ++line)

@@ -1,9 +1,10 @@
-#include "language/detail/finite_family.hpp"
-
 #include <algorithm>
 #include <map>
 #include <set>
 #include <span>
+
+#include "language/detail/finite_family.hpp"
+#include "language/detail/proof.hpp"
 
 // Systems that generate finite languages, checked and written out, and the proof in sentences that there is none.
 //
@@ -162,7 +163,7 @@ class FiniteSentences {
 public:
     explicit FiniteSentences(const FiniteLanguage& language) : language_(language) {}
 
-    std::string word(const Word& word) const { return spell(*language_.alphabet, word); }
+    std::string word(const Word& word) const { return marked_word(*language_.alphabet, word); }
 
     std::string rule(const LetterRule& rule) const {
         return word({rule.letter}) + " -> " + word(rule.image);
@@ -251,7 +252,8 @@ public:
         if (sets.empty()) return "The axiom would be a word of the language, but there is none.";
         const auto closed = [&](const std::vector<Word>& set) {
             if (set.size() == 1) return "no other word gives " + word(set.front());
-            const std::string name = to_string(make_finite_language(language_.alphabet, set));
+            const std::string name =
+                marked(to_string(make_finite_language(language_.alphabet, set)));
             return "no word outside " + name + " gives a word of it";
         };
         if (sets.size() == 1)
@@ -299,8 +301,8 @@ class ProofText {
 public:
     explicit ProofText(const FamilyObstruction& proof) : proof_(proof), say_(proof.language) {}
 
-    std::string text() {
-        const std::string name = to_string(proof_.language);
+    std::vector<std::string> lines() {
+        const std::string name = marked(to_string(proof_.language));
         const std::string family = to_string(proof_.family);
         line(name + " is not " + family + ".");
         RulesLeft left = factors();
@@ -320,12 +322,12 @@ public:
             end(proof_.root, left, "");
         }
         line("So " + name + " is not " + family + ".");
-        return std::move(text_);
+        return std::move(lines_);
     }
 
 private:
     void line(const std::string& sentence) {
-        text_ += std::string(2 * depth_, ' ') + sentence + "\n";
+        lines_.push_back(std::string(2 * depth_, ' ') + sentence);
     }
 
     RulesLeft factors() const {
@@ -450,22 +452,14 @@ private:
 
     const FamilyObstruction& proof_;
     FiniteSentences say_;
-    std::string text_;
+    std::vector<std::string> lines_;
     std::size_t depth_ = 0;
 };
 
 }  // namespace
 
-std::string proof_text(const FamilyObstruction& obstruction) {
-    return ProofText(obstruction).text();
-}
-
-Verdict verdict_on(const FiniteLanguage& language, Family family, const FamilyAnswer& answer) {
-    if (answer.witness)
-        return Verdict::proved(to_string(language) + " is " + to_string(family) + ": " +
-                               to_string(*answer.witness) + ".");
-    if (answer.obstruction) return Verdict::refuted(proof_text(*answer.obstruction));
-    return Verdict::undecided(answer.tried);
+std::vector<std::string> marked_proof(const FamilyObstruction& obstruction) {
+    return ProofText(obstruction).lines();
 }
 
 }  // namespace algae

@@ -1,11 +1,10 @@
-#include "language/detail/judge.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 
-#include "verify/verify.hpp"
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
 #include "word/word.hpp"
 
 // Inclusion and equality of languages.
@@ -20,7 +19,6 @@ namespace algae {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
 using Kind = LanguageTree::Kind;
 
 constexpr std::size_t first_tried = 30;    // short words that are looked at before theorems are
@@ -29,19 +27,6 @@ constexpr std::size_t longest_short = 30;  // letters of these
 constexpr std::size_t longest_tried = 60;  // letters of a word of a generation that is looked at
 constexpr std::uint64_t most_generations = 12;
 
-Judgement by(const char* rule, bool holds, std::vector<std::string> argument) {
-    const Json proof{{"by", rule}};
-    return holds ? Judgement::proved(std::move(argument), proof)
-                 : Judgement::refuted(std::move(argument), proof);
-}
-
-std::vector<std::string> joined(std::vector<std::string> first,
-                                const std::vector<std::string>& second) {
-    for (const std::string& line : second)
-        if (std::find(first.begin(), first.end(), line) == first.end()) first.push_back(line);
-    return first;
-}
-
 class Comparison {
 public:
     Comparison(const Language& left, const Language& right, const Alphabet& alphabet,
@@ -49,16 +34,16 @@ public:
         : left_(left), right_(right), alphabet_(alphabet), budget_(budget) {}
 
     /// Whether left <= right.
-    Judgement included() {
+    Answer included() {
         if (auto found = decided_inclusion()) return *found;
         if (auto found = difference(candidates(), true)) return *found;
-        return Judgement::undecided({"no word among the first ones is in " + text(left_) +
-                                     " and not in " + text(right_) + ", and no theorem applies"});
+        return undecided("no word among the first ones is in " + text(left_) + " and not in " +
+                         text(right_) + ", and no theorem applies");
     }
 
     /// The same where a theorem applies.
-    std::optional<Judgement> decided_inclusion() {
-        if (is_identical()) return by("identical", true, {"Both sides are the same expression."});
+    std::optional<Answer> decided_inclusion() {
+        if (is_identical()) return proved(steps::Identical{});
         if (const auto known = finite_value(left_, alphabet_, budget_))
             return finite_inclusion(*known);
         const auto regular_left = regular_value(left_, alphabet_, budget_);
@@ -66,9 +51,7 @@ public:
         if (regular_left && regular_right) {
             if (const auto word = first_outside(*regular_left, *regular_right, budget_))
                 return witness(*word);
-            return by("derivatives", true,
-                      {"Both are regular, and the minimal automaton of " + text(left_) +
-                       " without " + text(right_) + " accepts nothing."});
+            return proved(steps::NothingOutside{left_, right_});
         }
         if (regular_right)
             if (auto found = generated_in_regular(*regular_right)) return found;
@@ -76,8 +59,8 @@ public:
         return std::nullopt;
     }
 
-    Judgement equal() {
-        if (is_identical()) return by("identical", true, {"Both sides are the same expression."});
+    Answer equal() {
+        if (is_identical()) return proved(steps::Identical{});
         const auto left = finite_value(left_, alphabet_, budget_),
                    right = finite_value(right_, alphabet_, budget_);
         if (left && right) return finite_equality(*left, *right);
@@ -86,9 +69,7 @@ public:
         if (regular_left && regular_right) {
             if (const auto word = first_difference(*regular_left, *regular_right, budget_))
                 return witness(*word);
-            return by("derivatives", true,
-                      {"Both are regular, and their minimal automata, with " +
-                       counted(regular_left->automaton().states(), "state") + ", are the same."});
+            return proved(steps::SameAutomata{regular_left->automaton().states()});
         }
         if (auto found = deterministic_equality()) return *found;
         if (auto found = difference(short_words(first_tried), false)) return *found;
@@ -97,18 +78,16 @@ public:
         const auto back = Comparison(right_, left_, alphabet_, budget_).decided_inclusion();
         if (back && back->truth == Truth::refuted) return *back;
         if (there && back && there->truth == Truth::proved && back->truth == Truth::proved)
-            return Judgement::proved(
-                joined(there->argument, back->argument),
-                {{"by", "both"}, {"proofs", Json::array({*there->proof, *back->proof})}});
+            return proved(steps::BothInclusions{there->proof, back->proof});
         if (auto found = difference(candidates(), false)) return *found;
         const auto is_open = [](const auto& side) {
             return !side || side->truth == Truth::undecided;
         };
-        return Judgement::undecided({"no word among the first ones is in one of " + text(left_) +
-                                     " and " + text(right_) + " only, and that " +
-                                     (is_open(there) ? text(left_) + " <= " + text(right_)
-                                                     : text(right_) + " <= " + text(left_)) +
-                                     " was not shown"});
+        return undecided("no word among the first ones is in one of " + text(left_) + " and " +
+                         text(right_) + " only, and that " +
+                         (is_open(there) ? text(left_) + " <= " + text(right_)
+                                         : text(right_) + " <= " + text(left_)) +
+                         " was not shown");
     }
 
 private:
@@ -116,104 +95,79 @@ private:
 
     bool is_identical() const { return to_json(left_, alphabet_) == to_json(right_, alphabet_); }
 
-    Judgement witness(const Word& word) const {
-        const Judgement in_left = judge_membership(left_, word, alphabet_, budget_);
-        const Judgement in_right = judge_membership(right_, word, alphabet_, budget_);
-        return Judgement::refuted(joined(in_left.argument, in_right.argument),
-                                  word_proof(word, alphabet_));
+    Answer witness(const Word& word) const {
+        return refuted(steps::Distinguished{word, judge_membership(left_, word, alphabet_, budget_),
+                                            judge_membership(right_, word, alphabet_, budget_)});
     }
 
     /// Of the languages of two D0L systems.
-    std::optional<Judgement> deterministic_equality() const {
+    std::optional<Answer> deterministic_equality() const {
         const auto is_d0l = [](const LanguageTree& tree) {
             return tree.kind == Kind::generated && has_form(*tree.system, *system_form("D0L"));
         };
         if (!is_d0l(*left_) || !is_d0l(*right_)) return std::nullopt;
         const LanguageEquality found =
             equal_languages(as_d0l(*left_->system), as_d0l(*right_->system), budget_);
-        if (found.equal) {
-            const std::string line =
-                found.sections.size() == 1 && found.words.empty()
-                    ? "Both sequences have the same words in the same order: the overflows of the "
-                      "images by the two rules stay within " +
-                          counted(found.sections.front().balance.bound, "letter") + "."
-                    : "Generation by generation the words are paired by the numbers of their "
-                      "letters: " +
-                          counted(found.words.size(), "single word") + " and " +
-                          counted(found.sections.size(), "section") +
-                          " of the sequences, and all that is paired is equal.";
-            return Judgement::proved({line}, language_certificate(found, alphabet_));
-        }
+        if (found.equal) return proved(steps::SameDeterministic{found});
         if (found.difference->word) return witness(*found.difference->word);
-        return Judgement::undecided({"the word of generation " +
-                                     std::to_string(found.difference->generation) +
-                                     " is in one language only, and too long to be written out"});
+        return undecided("the word of generation " + std::to_string(found.difference->generation) +
+                         " is in one language only, and too long to be written out");
     }
 
-    Judgement finite_equality(const FiniteValue& left, const FiniteValue& right) const {
-        if (left.words == right.words)
-            return by("values", true, joined(left.argument, right.argument));
+    Answer finite_equality(const FiniteValue& left, const FiniteValue& right) const {
+        if (left.words == right.words) return proved(steps::SameValues{left.known, right.known});
         std::vector<Word> alone;  // of the left side, or of the right one if there are none
         std::set_difference(left.words.begin(), left.words.end(), right.words.begin(),
                             right.words.end(), std::back_inserter(alone), shortlex_less);
         if (alone.empty())
             std::set_difference(right.words.begin(), right.words.end(), left.words.begin(),
                                 left.words.end(), std::back_inserter(alone), shortlex_less);
-        std::vector<std::string> argument = joined(left.argument, right.argument);
-        argument.push_back(spell(alphabet_, alone.front()) + " is in one and not in the other.");
-        return Judgement::refuted(std::move(argument), word_proof(alone.front(), alphabet_));
+        return refuted(steps::OtherValues{left.known, right.known, alone.front()});
     }
 
-    Judgement finite_inclusion(const FiniteValue& left) const {
-        std::vector<std::string> argument = left.argument;
-        std::optional<Judgement> open;
+    Answer finite_inclusion(const FiniteValue& left) const {
+        steps::ValuesWithin within{left.known, {}};
+        std::optional<Answer> open;
         for (const Word& word : left.words) {
-            Judgement found = judge_membership(right_, word, alphabet_, budget_);
+            Answer found = judge_membership(right_, word, alphabet_, budget_);
             if (found.truth == Truth::refuted) return witness(word);
             if (found.truth == Truth::undecided)
                 open = std::move(found);
-            else if (argument.size() < 40)
-                argument = joined(argument, found.argument);
+            else if (within.members.size() < steps::ValuesWithin::most_shown)
+                within.members.push_back(std::move(found.proof));
         }
-        return open ? *open : by("values", true, std::move(argument));
+        return open ? *open : proved(std::move(within));
     }
 
-    std::optional<Judgement> generated_in_regular(const RegularLanguage& right) const {
-        const auto tables = table_value(left_, alphabet_, budget_);
+    std::optional<Answer> generated_in_regular(const RegularLanguage& right) const {
+        auto tables = table_value(left_, alphabet_, budget_);
         if (!tables) return std::nullopt;
         const Meeting meeting = first_outside(tables->system, right, budget_);
         if (meeting.derivation) return witness(meeting.derivation->words.back());
-        const std::string line = "Every word of " + text(left_) + " is in " + text(right_) + ": " +
-                                 relations_text(meeting, tables->system) +
-                                 ", and no generation before leaves it.";
-        if (left_->kind == Kind::generated && !has_system(right_))
-            return by("relations", true, {line});
-        return Judgement::proved({tables->argument, line}, construction_proof(*tables));
+        steps::WithinRegular within{left_, right_, repeated(meeting, tables->system), nullptr};
+        if (left_->kind != Kind::generated || has_system(right_))
+            within.constructed = std::make_shared<const TableValue>(std::move(*tables));
+        return proved(std::move(within));
     }
 
-    std::optional<Judgement> regular_in_generated(const RegularLanguage& left) const {
+    std::optional<Answer> regular_in_generated(const RegularLanguage& left) const {
         if (right_->kind != Kind::generated || !right_->system->tables) return std::nullopt;
         const ET0L& system = *right_->system->tables;
         if (system.tables.size() != 1 || !has_only_terminals(system)) return std::nullopt;
         const auto found = regular_induction(left, without_terminals(system), 100, budget_);
         if (!found) return std::nullopt;
-        std::vector<std::string> argument;
-        Json base = Json::array();
+        steps::ByInduction induction{left_, {}, {}};
         for (const Word& word : found->base) {
-            const Judgement member = judge_membership(right_, word, alphabet_, budget_);
+            Answer member = judge_membership(right_, word, alphabet_, budget_);
             if (member.truth == Truth::refuted) return witness(word);
-            argument = joined(argument, member.argument);
-            base.push_back(certificate_text(alphabet_, word));
+            induction.base.push_back(word);
+            induction.members.push_back(std::move(member));
         }
-        argument.push_back(
-            "Every other word of " + text(left_) +
-            " comes in one step from a shorter word of it, by induction on the length: by "
-            "successors that are not empty, one of them longer than one letter.");
-        return Judgement::proved(std::move(argument), {{"by", "induction"}, {"base", base}});
+        return proved(std::move(induction));
     }
 
     /// A word that is in one of the languages only, in the left one if `left_only`, among these.
-    std::optional<Judgement> difference(const std::vector<Word>& words, bool left_only) const {
+    std::optional<Answer> difference(const std::vector<Word>& words, bool left_only) const {
         for (const Word& word : words) {
             budget_.check();
             const Truth in_left = judge_membership(left_, word, alphabet_, budget_).truth;
@@ -270,19 +224,17 @@ private:
 
 }  // namespace
 
-std::string relations_text(const Meeting& meeting, const ET0L& system) {
-    return "what the letters derive in " + counted(meeting.step, "step") +
-           " does to the states of its automaton what they derive in " +
-           (system.tables.size() == 1 ? std::to_string(meeting.earlier) : "fewer");
+Repeated repeated(const Meeting& meeting, const ET0L& system) {
+    return {meeting.step, meeting.earlier, system.tables.size() == 1};
 }
 
-Judgement judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet,
-                          const Budget& budget) {
+Answer judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet,
+                       const Budget& budget) {
     return Comparison(inner, outer, alphabet, budget).included();
 }
 
-Judgement judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
-                         const Budget& budget) {
+Answer judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
+                      const Budget& budget) {
     return Comparison(left, right, alphabet, budget).equal();
 }
 

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <map>
-#include <nlohmann/json.hpp>
 
-#include "verify/verify.hpp"
 #include "word/word.hpp"
 
 // Whether a word is in a language, by the definition of each operation.
@@ -20,124 +18,47 @@ namespace algae {
 
 namespace {
 
-constexpr std::size_t longest_shown = 240;          // characters of a derivation on one line
 constexpr std::uint64_t most_generations = 10'000;  // that a system with context is followed
 
-/// "generation 0 is", "generations 0 to 3 are": those before a number that is not 0.
-std::string generations(std::uint64_t end) {
-    return end == 1 ? "generation 0 is" : "generations 0 to " + std::to_string(end - 1) + " are";
-}
-
-/// Why no generation has the word, as a sentence without its full stop.
-std::string reason(const Membership& found, const std::string& name, const Word& word,
-                   const Alphabet& alphabet) {
-    const std::string text = spell(alphabet, word);
-    using enum Membership::Reason;
-    switch (found.reason) {
-        case foreign:
-            return text + " is not in L(" + name + "): the letter " +
-                   alphabet.name(word[found.position]) + " is in none of its words";
-        case nonterminal:
-            return text + " is not in L(" + name + "): " + alphabet.name(word[found.position]) +
-                   " is no terminal";
-        case outgrown:
-            return text + " is not in L(" + name + "): " +
-                   (found.step == 0 ? "all its words are longer"
-                                    : generations(found.step) +
-                                          " not this word, and from then on all words are longer");
-        case periodic:
-            return text + " is not in L(" + name + "): generation " + std::to_string(found.step) +
-                   " is generation " + std::to_string(found.earlier) +
-                   " again, and none before is this word";
-        case exhausted:
-            return text + " is not in L(" + name + "): what the letters derive within it by any " +
-                   counted(found.step, "table") + " they derive by fewer, and none of the " +
-                   std::to_string(found.states) + " families of factors has it";
-        default:
-            return text + " is not in L(" + name +
-                   "): the factors of it that the letters derive in " +
-                   counted(found.step, "step") + " are those that they derive in " +
-                   std::to_string(found.earlier) + ", and no generation before has it";
-    }
-}
-
-Judgement judge_tables(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
-                       const Budget& budget) {
+Answer judge_tables(const SourceSystem& system, const Word& word, const Budget& budget) {
     const Membership found = membership(*system.tables, word, budget);
-    if (!found.member)
-        return Judgement::refuted({reason(found, system.name, word, alphabet) + "."},
-                                  {{"by", "membership"}});
-    const Derivation witness = derivation(*system.tables, word, found, budget);
-    const std::string steps =
-        found.step == 0 ? ": it is the axiom." : ": " + arrows(witness, alphabet) + ".";
-    return Judgement::proved(
-        {spell(alphabet, word) + " is in L(" + system.name + ")" + steps},
-        {{"by", "membership"}, {"derivation", derivation_json(witness, alphabet)}});
+    if (!found.member) return refuted(steps::NotGenerated{system.name, word, found});
+    return proved(steps::Generated{system.name, derivation(*system.tables, word, found, budget)});
 }
 
 /// Follows the generations. Where no rule has the empty successor, no generation is shorter than the
 /// one before, so the first that is longer than the word ends the search: without this the words of
 /// a growing system are followed to the bound, for each of the hundreds of short words in which two
 /// languages may differ.
-Judgement judge_interactive(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
-                            const Budget& budget) {
-    const std::string text = spell(alphabet, word), in = " L(" + system.name + ")";
+Answer judge_interactive(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
+                         const Budget& budget) {
+    using Reason = Membership::Reason;
     Derivation walk{{system.interactive->axiom}, {}};
     const bool propagating = has_form(system, *system_form("PIL"));
     std::map<Word, std::uint64_t> seen;
     for (std::uint64_t n = 0; n < most_generations; ++n) {
         budget.check();
         const Word& current = walk.words.back();
-        if (current == word)
-            return Judgement::proved(
-                {text + " is in" + in +
-                 (n == 0 ? ": it is the axiom." : ": " + arrows(walk, alphabet) + ".")},
-                {{"by", "membership"}, {"derivation", derivation_json(walk, alphabet)}});
+        if (current == word) return proved(steps::Generated{system.name, walk});
         if (propagating && current.size() > word.size())
-            return Judgement::refuted(
-                {reason({false, Membership::Reason::outgrown, n}, system.name, word, alphabet) +
-                 "."},
-                {{"by", "membership"}});
+            return refuted(steps::NotGenerated{system.name, word, {false, Reason::outgrown, n}});
         if (const auto before = seen.find(current); before != seen.end())
-            return Judgement::refuted(
-                {text + " is not in" + in + ": generation " + std::to_string(n) +
-                 " is generation " + std::to_string(before->second) +
-                 " again, and none before is this word."},
-                {{"by", "membership"}});
+            return refuted(steps::NotGenerated{
+                system.name, word, {false, Reason::periodic, n, before->second}});
         seen.emplace(current, n);
         if (seen.size() * (current.size() + 1) > budget.letters / 100) break;
         walk.words.push_back(next_word(*system.interactive, current));
     }
-    return Judgement::undecided({"the first " + std::to_string(walk.words.size()) + " words of" +
-                                 in + " are not " + text + ", and they do not repeat"});
+    return undecided("the first " + std::to_string(walk.words.size()) + " words of L(" +
+                     system.name + ") are not " + spell(alphabet, word) +
+                     ", and they do not repeat");
 }
 
 }  // namespace
 
-std::string arrows(const Derivation& derivation, const Alphabet& alphabet) {
-    std::string text;
-    for (const Word& word : derivation.words) {
-        if (text.size() > longest_shown)
-            return counted(derivation.words.size() - 1, "step") + " of derivation, beginning " +
-                   text + " => ...";
-        text +=
-            (text.empty() ? "" : " => ") +
-            (word.size() > longest_shown ? counted(word.size(), "letter") : spell(alphabet, word));
-    }
-    return text;
-}
-
-nlohmann::ordered_json derivation_json(const Derivation& derivation, const Alphabet& alphabet) {
-    nlohmann::ordered_json words = nlohmann::ordered_json::array();
-    for (const Word& word : derivation.words) words.push_back(certificate_text(alphabet, word));
-    nlohmann::ordered_json result{{"words", words}};
-    if (!derivation.tables.empty()) result["tables"] = derivation.tables;
-    return result;
-}
-
-Judgement judge_generated(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
-                          const Budget& budget) {
-    return system.tables ? judge_tables(system, word, alphabet, budget)
+Answer judge_generated(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
+                       const Budget& budget) {
+    return system.tables ? judge_tables(system, word, budget)
                          : judge_interactive(system, word, alphabet, budget);
 }
 
@@ -147,38 +68,31 @@ using Kind = LanguageTree::Kind;
 
 constexpr std::size_t most_preimages = 10'000;
 
-nlohmann::ordered_json decided() { return {{"by", "membership"}}; }
-
 class Members {
 public:
     Members(const Alphabet& alphabet, const Budget& budget)
         : alphabet_(alphabet), budget_(budget) {}
 
-    Judgement judge(const Language& language, const Word& word) {
+    Answer judge(const Language& language, const Word& word) {
         budget_.check();
         const LanguageTree& tree = *language;
         switch (tree.kind) {
             case Kind::words:
-                return listed(language, word);
+                return listed(
+                    language, word,
+                    std::find(tree.words.begin(), tree.words.end(), word) != tree.words.end());
             case Kind::generated:
                 return judge_generated(*tree.system, word, alphabet_, budget_);
             case Kind::united:
-                return concluded(language, word, either(judge(tree.parts[0], word), [&] {
-                                     return judge(tree.parts[1], word);
-                                 }));
+                return either(language, word, false, false);
             case Kind::intersected:
-                return concluded(language, word,
-                                 opposite(either(opposite(judge(tree.parts[0], word)), [&] {
-                                     return opposite(judge(tree.parts[1], word));
-                                 })));
+                return either(language, word, true, true);
             case Kind::difference:
-                return concluded(language, word,
-                                 opposite(either(opposite(judge(tree.parts[0], word)),
-                                                 [&] { return judge(tree.parts[1], word); })));
+                return either(language, word, true, false);
             case Kind::complement:
-                return concluded(language, word, complement(tree, word));
+                return complement(language, word);
             case Kind::reversed:
-                return concluded(language, word, reversed(tree, word));
+                return from(language, word, judge(tree.parts[0], Word(word.rbegin(), word.rend())));
             case Kind::concatenated:
                 return concatenation(language, word);
             case Kind::star:
@@ -187,76 +101,51 @@ public:
             case Kind::image:
                 return image(language, word);
             case Kind::inverse_image:
-                return concluded(language, word, inverse_image(tree, word));
+                return inverse_image(language, word);
         }
-        return Judgement::undecided({});
+        return {};
     }
 
 private:
-    std::string is_in(const Language& language, const Word& word, bool yes) const {
-        return spell(alphabet_, word) + (yes ? " is in " : " is not in ") +
-               to_string(language, alphabet_);
+    static Answer listed(const Language& language, const Word& word, bool in) {
+        return decided(in, steps::Listed{language, word, in});
     }
 
-    Judgement answer(const Language& language, const Word& word, bool yes,
-                     const std::string& because) const {
-        std::vector<std::string> argument{is_in(language, word, yes) +
-                                          (because.empty() ? "." : ": " + because + ".")};
-        return yes ? Judgement::proved(std::move(argument), decided())
-                   : Judgement::refuted(std::move(argument), decided());
+    /// What follows from the answer about a part, or the word's image in it.
+    static Answer from(const Language& language, const Word& word, Answer part,
+                       const std::optional<Word>& image = {}) {
+        if (part.truth == Truth::undecided) return part;
+        return decided(
+            part.truth == Truth::proved,
+            steps::FromParts{
+                language, word, part.truth == Truth::proved, {std::move(part.proof)}, image});
     }
 
-    /// The judgement with what it comes to as its last sentence, where that is not plain from the others.
-    Judgement concluded(const Language& language, const Word& word, Judgement found) const {
-        const bool is_plain = language->kind == Kind::united ||
-                              language->kind == Kind::intersected ||
-                              language->kind == Kind::difference;
-        if (found.truth != Truth::undecided && !(is_plain && language->name.empty()))
-            found.argument.push_back("So " + is_in(language, word, found.truth == Truth::proved) +
-                                     ".");
-        return found;
-    }
-
-    Judgement listed(const Language& language, const Word& word) const {
-        const auto& words = language->words;
-        return answer(language, word, std::find(words.begin(), words.end(), word) != words.end(),
-                      "");
-    }
-
-    /// Of a union: the first that is proved; both refuted; otherwise undecided.
-    template <class Other>
-    static Judgement either(Judgement first, Other other) {
-        if (first.truth == Truth::proved) return without_derivation(std::move(first));
-        Judgement second = other();
-        if (second.truth == Truth::proved) return without_derivation(std::move(second));
+    /// Of a union: the first part that has the word; neither; otherwise undecided. An intersection has the
+    /// word if the union of the complements has not, and a difference likewise.
+    Answer either(const Language& language, const Word& word, bool left_denied, bool right_denied) {
+        const auto part = [&](std::size_t i, bool denied) {
+            Answer found = judge(language->parts[i], word);
+            return denied ? opposite(std::move(found)) : found;
+        };
+        const bool in = !left_denied;
+        Answer first = part(0, left_denied);
+        if (first.truth == Truth::proved)
+            return decided(in, steps::FromParts{language, word, in, {first.proof}});
+        Answer second = part(1, right_denied);
+        if (second.truth == Truth::proved)
+            return decided(in, steps::FromParts{language, word, in, {second.proof}});
         if (first.truth == Truth::undecided) return first;
         if (second.truth == Truth::undecided) return second;
-        first.argument.insert(first.argument.end(), second.argument.begin(), second.argument.end());
-        return without_derivation(std::move(first));
+        return decided(!in, steps::FromParts{language, word, !in, {first.proof, second.proof}});
     }
 
-    /// A derivation proves that a word is in L(G) itself, not in what is made of it.
-    static Judgement without_derivation(Judgement judgement) {
-        if (judgement.truth != Truth::undecided)
-            judgement.proof = std::make_shared<const nlohmann::ordered_json>(decided());
-        return judgement;
-    }
-
-    /// A derivation shows what is written backwards too, a word with this image does not.
-    Judgement reversed(const LanguageTree& tree, const Word& word) {
-        Judgement found = judge(tree.parts[0], Word(word.rbegin(), word.rend()));
-        return found.proof && found.proof->contains("preimage")
-                   ? without_derivation(std::move(found))
-                   : found;
-    }
-
-    Judgement complement(const LanguageTree& tree, const Word& word) {
+    Answer complement(const Language& language, const Word& word) {
+        const auto& letters = language->letters;
         for (const Symbol a : word)
-            if (!std::binary_search(tree.letters.begin(), tree.letters.end(), a))
-                return Judgement::refuted(
-                    {"The complement is over other letters than " + alphabet_.name(a) + "."},
-                    decided());
-        return without_derivation(opposite(judge(tree.parts[0], word)));
+            if (!std::binary_search(letters.begin(), letters.end(), a))
+                return from(language, word, refuted(steps::OtherLetters{a}));
+        return from(language, word, opposite(judge(language->parts[0], word)));
     }
 
     /// Whether a factor is in a language; each is decided once.
@@ -270,40 +159,25 @@ private:
         return truth;
     }
 
-    std::string cut(const Word& word, const std::vector<std::size_t>& ends) const {
-        std::string text;
-        std::size_t from = 0;
-        for (const std::size_t to : ends) {
-            const Word part(word.begin() + static_cast<std::ptrdiff_t>(from),
-                            word.begin() + static_cast<std::ptrdiff_t>(to));
-            text += (text.empty() ? "" : " . ") + spell(alphabet_, part);
-            from = to;
-        }
-        return text;
-    }
-
-    Judgement concatenation(const Language& language, const Word& word) {
+    Answer concatenation(const Language& language, const Word& word) {
         bool unknown = false;
         for (std::size_t at = 0; at <= word.size(); ++at) {
             const Truth left = factor(language->parts[0], word, 0, at);
             if (left == Truth::refuted) continue;
             const Truth right = factor(language->parts[1], word, at, word.size());
             if (left == Truth::proved && right == Truth::proved)
-                return answer(language, word, true, "it is " + cut(word, {at, word.size()}));
+                return proved(steps::Factored{language, word, {at, word.size()}});
             unknown = unknown || right != Truth::refuted;
         }
-        if (unknown)
-            return Judgement::undecided(
-                {"some factors of " + spell(alphabet_, word) + " could not be decided"});
-        return answer(language, word, false,
-                      "no way to cut it in two has the parts in the two languages");
+        if (unknown) return factors_open(word);
+        return refuted(steps::NotFactored{language, word});
     }
 
-    Judgement iteration(const Language& language, const Word& word) {
+    Answer iteration(const Language& language, const Word& word) {
         const Language& base = language->parts[0];
         if (word.empty()) {
-            if (language->kind == Kind::star) return answer(language, word, true, "");
-            return concluded(language, word, without_derivation(judge(base, word)));
+            if (language->kind == Kind::star) return listed(language, word, true);
+            return from(language, word, judge(base, word));
         }
         // back[i]: where the last factor of word[0, i) begins, if it is a product of words of the base.
         std::vector<std::optional<std::size_t>> back(word.size() + 1);
@@ -320,16 +194,17 @@ private:
             std::vector<std::size_t> ends;
             for (std::size_t at = word.size(); at > 0; at = *back[at]) ends.push_back(at);
             std::reverse(ends.begin(), ends.end());
-            return answer(language, word, true, "it is " + cut(word, ends));
+            return proved(steps::Factored{language, word, std::move(ends)});
         }
-        if (unknown)
-            return Judgement::undecided(
-                {"some factors of " + spell(alphabet_, word) + " could not be decided"});
-        return answer(language, word, false,
-                      "it cannot be cut into words of " + to_string(base, alphabet_));
+        if (unknown) return factors_open(word);
+        return refuted(steps::NotFactored{language, word});
     }
 
-    Judgement image(const Language& language, const Word& word) {
+    Answer factors_open(const Word& word) const {
+        return undecided("some factors of " + spell(alphabet_, word) + " could not be decided");
+    }
+
+    Answer image(const Language& language, const Word& word) {
         const LanguageTree& tree = *language;
         const Language& part = tree.parts[0];
         const RegularLanguage sources = algae::inverse_image(
@@ -339,44 +214,33 @@ private:
             bool unknown = false;
             for (const Word& source : words_up_to(sources, sources.automaton().states(), budget_)) {
                 const Truth truth = judge(part, source).truth;
-                if (truth == Truth::proved) return found_preimage(language, word, source);
+                if (truth == Truth::proved)
+                    return proved(steps::HasPreimage{language, word, source});
                 unknown = unknown || truth == Truth::undecided;
             }
-            if (!unknown)
-                return answer(language, word, false,
-                              "no word of " + to_string(part, alphabet_) + " has this image");
+            if (!unknown) return refuted(steps::HasNoPreimage{language, word});
         } else if (const auto regular = regular_value(part, alphabet_, budget_)) {
             const auto source = shortest_word(intersected(*regular, sources, budget_));
-            if (source) return found_preimage(language, word, *source);
-            return answer(language, word, false,
-                          "no word of " + to_string(part, alphabet_) + " has this image");
+            if (source) return proved(steps::HasPreimage{language, word, *source});
+            return refuted(steps::HasNoPreimage{language, word});
         } else if (const auto tables = table_value(part, alphabet_, budget_)) {
             const Meeting meeting = first_meeting(tables->system, sources, budget_);
             if (meeting.derivation)
-                return found_preimage(language, word, meeting.derivation->words.back());
-            return answer(language, word, false,
-                          "no word of " + to_string(part, alphabet_) + " has this image");
+                return proved(steps::HasPreimage{language, word, meeting.derivation->words.back()});
+            return refuted(steps::HasNoPreimage{language, word});
         }
-        return Judgement::undecided(
-            {"the words with the image " + spell(alphabet_, word) + " could not all be decided"});
+        return undecided("the words with the image " + spell(alphabet_, word) +
+                         " could not all be decided");
     }
 
-    Judgement found_preimage(const Language& language, const Word& word, const Word& source) const {
-        return Judgement::proved(
-            {is_in(language, word, true) + ": it is the image of " + spell(alphabet_, source) +
-             "."},
-            {{"by", "membership"}, {"preimage", certificate_text(alphabet_, source)}});
-    }
-
-    Judgement inverse_image(const LanguageTree& tree, const Word& word) {
-        const std::optional<Word> mapped = tree.morphism.image_of(word);
-        if (!mapped)
-            return Judgement::refuted({"A letter of " + spell(alphabet_, word) + " has no image."},
-                                      decided());
-        Judgement found = without_derivation(judge(tree.parts[0], *mapped));
-        found.argument.insert(found.argument.begin(), "The image of " + spell(alphabet_, word) +
-                                                          " is " + spell(alphabet_, *mapped) + ".");
-        return found;
+    Answer inverse_image(const Language& language, const Word& word) {
+        const std::optional<Word> mapped = language->morphism.image_of(word);
+        if (!mapped) return from(language, word, refuted(steps::HasNoImage{word}));
+        Answer found = judge(language->parts[0], *mapped);
+        if (found.truth == Truth::undecided)
+            found.tried.insert(found.tried.begin(), "The image of " + spell(alphabet_, word) +
+                                                        " is " + spell(alphabet_, *mapped) + ".");
+        return from(language, word, std::move(found), mapped);
     }
 
     const Alphabet& alphabet_;
@@ -386,8 +250,8 @@ private:
 
 }  // namespace
 
-Judgement judge_membership(const Language& language, const Word& word, const Alphabet& alphabet,
-                           const Budget& budget) {
+Answer judge_membership(const Language& language, const Word& word, const Alphabet& alphabet,
+                        const Budget& budget) {
     return Members(alphabet, budget).judge(language, word);
 }
 

@@ -1,8 +1,7 @@
-#include "language/detail/judge.hpp"
-
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/turtle.hpp"
 
@@ -32,8 +31,6 @@ struct Derived {
         return all.size() > longest_shown ? "a word of " + counted(word.kinds.size(), "module")
                                           : all;
     }
-    std::string in_steps() const { return " in " + counted(steps, "step"); }
-    std::string line() const { return name + ": " + text(from) + " ==> "; }
 };
 
 /// The first modules of a word, and those behind them.
@@ -47,85 +44,71 @@ std::pair<ModuleString, ModuleString> parted(const ModuleString& word, const Mod
             {{letter, word.kinds.end()}, {value, word.values.end()}}};
 }
 
-Derived course(const Statement& statement) {
-    LSystem both = *statement.rewriting;  // its axiom: the two words one after the other
-    if (statement.modules_from) both.axiom = *statement.modules_from;
+Derived course(const Rewrites& said) {
+    LSystem both = *said.system;  // its axiom: the two words one after the other
+    if (said.from) both.axiom = *said.from;
     const std::size_t first = both.axiom.letters.size();
-    const ModuleWord& goal = statement.modules;
+    const ModuleWord& goal = said.word;
     both.axiom.letters.insert(both.axiom.letters.end(), goal.letters.begin(), goal.letters.end());
     for (const auto& [position, arguments] : goal.arguments)
         both.axiom.arguments[first + position] = arguments;
     Rewriting rewriting(both);
     auto [from, to] = parted(rewriting.axiom(), rewriting.rules().kinds, first);
-    return {std::move(rewriting), std::move(from), std::move(to), *statement.steps, both.name};
+    return {std::move(rewriting), std::move(from), std::move(to), said.steps, both.name};
 }
-
-nlohmann::ordered_json proof() { return {{"by", "rewriting"}}; }
 
 /// How likely the word is, of how many.
-struct Chance {
-    Rational probability;
-    std::size_t words = 0;
-};
-
-Chance chance_of(const Derived& course, const Budget& budget) {
+steps::Likely likely(const Derived& course, const Budget& budget) {
     const auto all = distribution(course.rewriting, course.from, course.steps, {}, budget);
-    Chance chance{{}, all.size()};
-    for (const LikelyWord& likely : all)
-        if (likely.word == course.to) chance.probability = likely.probability;
-    return chance;
-}
-
-std::string chance_sentence(const Derived& course, const Chance& chance) {
-    const std::string derived = course.name + ": " + course.text(course.from) + " derives " +
-                                counted(chance.words, "word") + course.in_steps();
-    if (chance.probability.is_zero())
-        return derived + ", and " + course.text(course.to) +
-               " is none of them: its probability is 0.";
-    return derived + "; the probability of " + course.text(course.to) + " is " +
-           to_string(chance.probability) +
-           ", the sum over its derivations of the products of the rules' probabilities.";
+    steps::Likely found{
+        course.name, course.text(course.from), course.text(course.to), course.steps, all.size(),
+        {}};
+    for (const LikelyWord& word : all)
+        if (word.word == course.to) found.probability = word.probability;
+    return found;
 }
 
 /// The words from the first to the last.
-Judgement derived(const Derived& course, const Budget& budget) {
+Answer derived(const Derived& course, const Budget& budget) {
     ModuleString word = course.from;
-    std::string arrows = course.text(word);
-    bool all_shown = true;
+    steps::Rewrites found{course.name, course.steps, {course.text(word)}, true, false};
+    std::size_t characters = found.words.front().size();
     for (std::uint64_t n = 0; n < course.steps; ++n) {
         budget.check();
         word = course.rewriting.next(word, n, 0, budget);
-        all_shown = all_shown && arrows.size() <= 2 * longest_shown;
-        if (all_shown) arrows += " => " + course.text(word);
+        found.all_shown = found.all_shown && characters <= 2 * longest_shown;
+        if (!found.all_shown) continue;
+        found.words.push_back(course.text(word));
+        characters += found.words.back().size() + 4;  // with the arrow
     }
-    const std::string line = course.line() + course.text(word) + course.in_steps();
-    if (word != course.to) return Judgement::refuted({line + ", and nothing else."}, proof());
-    return Judgement::proved({line + (course.steps > 1 && all_shown ? ": " + arrows + "." : ".")},
-                             proof());
+    if (!found.all_shown) found.words.push_back(course.text(word));
+    found.holds = word == course.to;
+    return decided(found.holds, std::move(found));
 }
 
 /// The words of an open system, whose communication modules its environments fill.
-Judgement developed(const Statement& statement, const Derived& course, const Budget& budget) {
-    LSystem own = *statement.rewriting;
-    if (statement.modules_from) own.axiom = *statement.modules_from;
+Answer developed(const Rewrites& said, const Derived& course, const Budget& budget) {
+    LSystem own = *said.system;
+    if (said.from) own.axiom = *said.from;
     OpenDevelopment development(own, {}, nullptr, budget);
     const auto text = [&] {
         return ModuleText(development.rules().system->alphabet, development.rules().kinds)
             .text(development.word());
     };
-    std::string word = text(), arrows = word;
+    std::string word = text();
+    std::size_t characters = word.size();
+    steps::Develops found{course.name, {word}, false};
     for (std::uint64_t n = 1; n <= course.steps; ++n) {
         development.go_to(n, {}, budget);
         word = text();
-        if (arrows.size() <= 2 * longest_shown) arrows += " => " + word;
+        if (characters > 2 * longest_shown) continue;
+        found.words.push_back(word);
+        characters += word.size() + 4;
     }
-    const std::string line = course.name + ", with its environments: " + arrows;
-    const nlohmann::ordered_json by{{"by", "environment"}};
-    const std::string wanted =
-        ModuleText(course.rewriting.rules().system->alphabet, course.rewriting.rules().kinds)
-            .text(course.to);
-    return word == wanted ? Judgement::proved({line + "."}, by)
-                          : Judgement::refuted({line + ", and nothing else."}, by);
+    found.holds = word == ModuleText(course.rewriting.rules().system->alphabet,
+                                     course.rewriting.rules().kinds)
+                              .text(course.to);
+    return decided(found.holds, std::move(found));
 }
 
 bool is_random(const Derived& course) {
@@ -136,22 +119,17 @@ bool is_random(const Derived& course) {
 
 }  // namespace
 
-Judgement judge_rewriting(const Statement& statement, const Budget& budget) {
-    const Derived begun = course(statement);
-    if (class_of(*statement.rewriting).open) return developed(statement, begun, budget);
+Answer judge_rewriting(const Rewrites& said, const Budget& budget) {
+    const Derived begun = course(said);
+    if (class_of(*said.system).open) return developed(said, begun, budget);
     if (!is_random(begun)) return derived(begun, budget);
-    const Chance chance = chance_of(begun, budget);
-    const std::vector<std::string> argument{chance_sentence(begun, chance)};
-    return chance.probability.is_zero() ? Judgement::refuted(argument, proof())
-                                        : Judgement::proved(argument, proof());
+    const steps::Likely found = likely(begun, budget);
+    return decided(!found.probability.is_zero(), found);
 }
 
-Judgement judge_chance(const Statement& statement, const Budget& budget) {
-    const Derived begun = course(statement);
-    const Chance chance = chance_of(begun, budget);
-    const std::vector<std::string> argument{chance_sentence(begun, chance)};
-    return chance.probability == *statement.probability ? Judgement::proved(argument, proof())
-                                                        : Judgement::refuted(argument, proof());
+Answer judge_chance(const HasChance& said, const Budget& budget) {
+    const steps::Likely found = likely(course(said.derivation), budget);
+    return decided(found.probability == said.probability, found);
 }
 
 }  // namespace algae

@@ -1,11 +1,10 @@
-#include "language/detail/judge.hpp"
-
 #include <algorithm>
 #include <iterator>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "growth/growth.hpp"
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
 #include "word/word.hpp"
 
 // What statements say of systems: derivations, equal sequences, equal growth, growth formulas and classes.
@@ -165,15 +164,9 @@ ExponentialPolynomial exponential_polynomial(const Expression& expression) {
 
 namespace {
 
-using Json = nlohmann::ordered_json;
-
-std::string derives(const SourceSystem& system, const Word& from, const Word& word,
-                    const Alphabet& alphabet) {
-    return system.name + ": " + spell(alphabet, from) + " ==> " + spell(alphabet, word);
-}
-
-Judgement walked(const SourceSystem& system, const Word& from, const Word& word,
-                 std::uint64_t steps, const Alphabet& alphabet, const Budget& budget) {
+Answer walked(const SourceSystem& system, const Word& word, std::uint64_t steps,
+              const Budget& budget) {
+    const Word& from = system.interactive->axiom;
     Derivation walk{{from}, {}};
     for (std::uint64_t n = 0; n < steps; ++n) {
         budget.check();
@@ -182,59 +175,35 @@ Judgement walked(const SourceSystem& system, const Word& from, const Word& word,
             throw BoundReached(Bound::letters,
                                "a word of " + system.name + " has more letters than allowed");
     }
-    const std::string line =
-        derives(system, from, walk.words.back(), alphabet) + " in " + counted(steps, "step");
     if (walk.words.back() == word)
-        return Judgement::proved(
-            {line + ": " + arrows(walk, alphabet) + "."},
-            {{"by", "derivation"}, {"words", derivation_json(walk, alphabet)["words"]}});
-    return Judgement::refuted({line + ", and nothing else."}, {{"by", "exhausted"}});
+        return proved(steps::Derives{system.name, std::move(walk), true});
+    return refuted(
+        steps::DerivesNot{system.name, from, word, steps, walk.words.back(), true, false});
 }
 
-/// Why an 0L system does not derive the word in so many steps: the word that it derives, if it is one and short.
-std::string derives_not(const OL& rules, const Word& word, std::uint64_t steps,
-                        const Alphabet& alphabet) {
+/// The only word that an 0L system derives in so many steps, if it is one and short.
+std::optional<Word> only_word(const OL& rules, std::uint64_t steps) {
     constexpr std::size_t longest_shown = 60;
-    const std::string from = spell(alphabet, rules.axiom), in = " in " + counted(steps, "step");
     Word reached = rules.axiom;
-    std::uint64_t n = 0;
-    for (bool one = true; n < steps && one && reached.size() <= longest_shown; n += one) {
+    for (std::uint64_t n = 0; n < steps && reached.size() <= longest_shown; ++n) {
         Word next;
         for (const Symbol a : reached) {
-            one = one && rules.successors[a].size() == 1;
+            if (rules.successors[a].size() != 1) return std::nullopt;
             next.insert(next.end(), rules.successors[a].front().begin(),
                         rules.successors[a].front().end());
         }
-        if (one) reached = std::move(next);
+        reached = std::move(next);
     }
-    if (n == steps && reached.size() <= longest_shown)
-        return from + " ==> " + spell(alphabet, reached) + in + ", and nothing else.";
-    return "No choice of rules makes " + spell(alphabet, word) + " of " + from + in +
-           ": the factors of it that the letters derive in so many steps do not make it up.";
-}
-
-/// The proof that a derivation is.
-Json derivation_proof(Json witness) {
-    Json proof{{"by", "derivation"}};
-    proof.update(witness);
-    return proof;
-}
-
-/// That the axiom of a system without context derives the last word of the derivation.
-Judgement derived(const SourceSystem& system, const Derivation& witness, const Alphabet& alphabet) {
-    const std::size_t steps = witness.words.size() - 1;
-    return Judgement::proved(
-        {derives(system, witness.words.front(), witness.words.back(), alphabet) + " in " +
-         counted(steps, "step") + (steps > 0 ? ": " + arrows(witness, alphabet) : "") + "."},
-        derivation_proof(derivation_json(witness, alphabet)));
+    return reached.size() <= longest_shown ? std::optional(reached) : std::nullopt;
 }
 
 /// Whether an 0L system derives the word in exactly so many steps, with the derivation.
-Judgement exact_steps(const SourceSystem& system, const OL& rules, const Word& word,
-                      std::uint64_t steps, const Alphabet& alphabet, const Budget& budget) {
-    if (const auto found = find_derivation(rules, word, steps, budget))
-        return derived(system, *found, alphabet);
-    return Judgement::refuted({derives_not(rules, word, steps, alphabet)}, {{"by", "exhausted"}});
+Answer exact_steps(const std::string& name, const OL& rules, const Word& word, std::uint64_t steps,
+                   const Budget& budget) {
+    if (auto found = find_derivation(rules, word, steps, budget))
+        return proved(steps::Derives{name, std::move(*found)});
+    return refuted(
+        steps::DerivesNot{name, rules.axiom, word, steps, only_word(rules, steps), false, false});
 }
 
 /// The system with a copy of each letter for each of so many steps; copies for the last are the terminals.
@@ -265,28 +234,23 @@ ET0L counting(const ET0L& system, std::uint64_t steps) {
 }
 
 /// The same where there are several tables: whether the counting system derives the word in copies for the last step.
-Judgement exact_steps_of_tables(const SourceSystem& source, const ET0L& system, const Word& word,
-                                std::uint64_t steps, const Alphabet& alphabet,
-                                const Budget& budget) {
+Answer exact_steps_of_tables(const std::string& name, const ET0L& system, const Word& word,
+                             std::uint64_t steps, const Budget& budget) {
     const std::size_t letters = system.terminal.size();
-    if (steps > 1000)
-        return Judgement::undecided({"with several tables at most 1000 steps are followed"});
+    if (steps > 1000) return undecided("with several tables at most 1000 steps are followed");
     const ET0L copies = counting(system, steps);
     Word goal = word;
     for (Symbol& a : goal) a += static_cast<Symbol>(steps * letters);
     const Membership found = membership(copies, goal, budget);
     if (!found.member)
-        return Judgement::refuted(
-            {"No choice of tables and rules makes " + spell(alphabet, word) + " of " +
-             spell(alphabet, system.axiom) + " in " + counted(steps, "step") +
-             ": the factors of it that the letters derive in so many steps do not make it up."},
-            {{"by", "exhausted"}});
+        return refuted(
+            steps::DerivesNot{name, system.axiom, word, steps, std::nullopt, false, true});
     Derivation witness = derivation(copies, goal, found, budget);
     for (; witness.words.size() <= steps; witness.tables.push_back(0))
         witness.words.emplace_back();  // ε stays ε
     for (Word& reached : witness.words)
         for (Symbol& a : reached) a %= static_cast<Symbol>(letters);
-    return derived(source, witness, alphabet);
+    return proved(steps::Derives{name, std::move(witness)});
 }
 
 }  // namespace
@@ -304,118 +268,58 @@ D0L as_d0l(const SourceSystem& system) {
     return make_d0l(system.tables->alphabet, system.tables->axiom, std::move(images), system.name);
 }
 
-Judgement judge_derivation(const SourceSystem& system, const Word& word,
-                           const std::optional<Word>& from, std::optional<std::uint64_t> steps,
-                           const Alphabet& alphabet, const Budget& budget) {
-    if (system.interactive) {
-        SourceSystem moved = system;
+Answer judge_derivation(const Derives& said, const Alphabet& alphabet, const Budget& budget) {
+    const auto& [source, word, from, steps] = said;
+    if (source->interactive) {
+        SourceSystem moved = *source;
         if (from) moved.interactive->axiom = *from;
-        if (steps) return walked(moved, moved.interactive->axiom, word, *steps, alphabet, budget);
-        Judgement found = judge_generated(moved, word, alphabet, budget);
-        if (found.truth == Truth::refuted)
-            found.proof = std::make_shared<const Json>(Json{{"by", "exhausted"}});
-        if (found.truth == Truth::proved)
-            found.proof =
-                std::make_shared<const Json>(derivation_proof(found.proof->at("derivation")));
+        if (steps) return walked(moved, word, *steps, budget);
+        Answer found = judge_generated(moved, word, alphabet, budget);
+        if (found.proof) found.proof = proof_by(steps::InSomeStep{found.proof});
         return found;
     }
-    ET0L moved = *system.tables;
+    ET0L moved = *source->tables;
     if (from) moved.axiom = *from;
     moved.terminal.assign(moved.terminal.size(), 1);  // derivations go through any letters
     if (steps) {
         if (moved.tables.size() > 1)
-            return exact_steps_of_tables(system, moved, word, *steps, alphabet, budget);
-        return exact_steps(system, without_terminals(moved), word, *steps, alphabet, budget);
+            return exact_steps_of_tables(source->name, moved, word, *steps, budget);
+        return exact_steps(source->name, without_terminals(moved), word, *steps, budget);
     }
     const Membership found = membership(moved, word, budget);
-    if (!found.member)
-        return Judgement::refuted(
-            {spell(alphabet, moved.axiom) + " does not derive " + spell(alphabet, word) + " by " +
-             system.name + " in any number of steps."},
-            {{"by", "exhausted"}});
-    return derived(system, derivation(moved, word, found, budget), alphabet);
+    if (!found.member) return refuted(steps::DerivesNot{source->name, moved.axiom, word});
+    return proved(steps::Derives{source->name, derivation(moved, word, found, budget)});
 }
 
-Judgement judge_sequences(const SourceSystem& left, const SourceSystem& right,
-                          const Alphabet& alphabet, const Budget& budget) {
+Answer judge_sequences(const SourceSystem& left, const SourceSystem& right, const Budget& budget) {
     const SequenceEquality found = equal_sequences(as_d0l(left), as_d0l(right), budget);
-    if (found.equal)
-        return Judgement::proved(
-            {"Generation by generation the words of " + left.name + " and " + right.name +
-             " are the same: along each of them the images by the two rules get apart by at most " +
-             counted(found.balance->bound, "letter") + ", and " +
-             (found.balance->states.size() == 1
-                  ? "the one overflow that occurs suffices"
-                  : "the " + std::to_string(found.balance->states.size()) +
-                        " overflows that occur suffice") +
-             " for all generations."},
-            balance_certificate(*found.balance, alphabet));
-    const SequenceDifference& difference = *found.difference;
-    return Judgement::refuted(
-        {"Generation " + std::to_string(difference.generation) +
-         " is the first that differs: " + left.name + " has " + spell(alphabet, difference.left) +
-         " and " + right.name + " has " + spell(alphabet, difference.right) + " from position " +
-         to_string(difference.from) + " on."},
-        difference_certificate(difference));
+    if (found.equal) return proved(steps::SameSequence{left.name, right.name, *found.balance});
+    return refuted(steps::OtherSequence{left.name, right.name, *found.difference});
 }
 
-Judgement judge_growth(const SourceSystem& left, const SourceSystem& right, const Budget& budget) {
+Answer judge_growth(const SourceSystem& left, const SourceSystem& right, const Budget& budget) {
     const GrowthComparison found = equal_growth(as_d0l(left), as_d0l(right), budget);
-    if (found.equal)
-        return Judgement::proved(
-            {"The lengths of generations 0 to " +
-             std::to_string(found.bound == 0 ? 0 : found.bound - 1) +
-             " are the same; both obey one recurrence whose order is the number of letters of both "
-             "systems together, so all lengths are."},
-            {{"by", "terms"}});
-    return Judgement::refuted(
-        {"In generation " + std::to_string(found.difference->generation) + " the lengths are " +
-         to_string(found.difference->left) + " and " + to_string(found.difference->right) + "."},
-        {{"by", "generation"}, {"generation", found.difference->generation}});
+    if (found.equal) return proved(steps::SameGrowth{found.bound});
+    return refuted(steps::OtherGrowth{*found.difference});
 }
 
-Judgement judge_growth_formula(const SourceSystem& system, const Expression& formula,
-                               const Budget& budget) {
+Answer judge_growth_formula(const SourceSystem& system, const Expression& formula,
+                            const Budget& budget) {
     const D0L rules = as_d0l(system);
-    const ExponentialPolynomial function = exponential_polynomial(formula);
+    ExponentialPolynomial function = exponential_polynomial(formula);
     const std::size_t terms = rules.letters.size() + function.order();
     const std::vector<Integer> found = lengths(rules, terms, budget);
-    for (std::size_t n = 0; n < terms; ++n) {
-        const Rational value = function(n);
-        if (Rational(found[n]) != value)
-            return Judgement::refuted(
-                {"In generation " + std::to_string(n) + " the length is " + to_string(found[n]) +
-                 ", and the formula gives " + to_string(value) + "."},
-                {{"by", "generation"}, {"generation", n}});
-    }
-    Json powers = Json::array();
-    for (const auto& [base, coefficients] : function.terms)
-        for (std::size_t k = 0; k < coefficients.size(); ++k)
-            powers.push_back({{"coefficient", to_string(coefficients[k])},
-                              {"power", k},
-                              {"base", to_string(base)}});
-    return Judgement::proved(
-        {"The lengths obey a recurrence of order " + std::to_string(rules.letters.size()) +
-         " at most (as many as there are letters), the formula one of order " +
-         std::to_string(function.order()) + "; generations 0 to " +
-         std::to_string(terms == 0 ? 0 : terms - 1) + " agree, so all do."},
-        {{"by", "terms"}, {"terms", powers}});
+    for (std::size_t n = 0; n < terms; ++n)
+        if (const Rational value = function(n); Rational(found[n]) != value)
+            return refuted(steps::LeavesFormula{n, found[n], value});
+    return proved(steps::FollowsFormula{rules.letters.size(), std::move(function), terms});
 }
 
-Judgement judge_growth_class(const SourceSystem& system, const std::string& kind,
-                             const std::optional<Integer>& degree, const Budget& budget) {
-    const GrowthClass found = growth_class(as_d0l(system), budget);
-    const bool right =
-        to_string(found.order.kind) == kind && (!degree || Integer(found.order.degree) == *degree);
-    const std::vector<std::string> argument{
-        "The length of generation n of " + system.name + " grows like " + found.order.text() +
-        ": " + to_string(found.order.kind) +
-        (found.order.kind == GrowthKind::polynomial
-             ? " of degree " + std::to_string(found.order.degree)
-             : "") +
-        "."};
-    const Json proof{{"by", "components"}};
-    return right ? Judgement::proved(argument, proof) : Judgement::refuted(argument, proof);
+Answer judge_growth_class(const HasGrowthClass& said, const Budget& budget) {
+    const GrowthOrder order = growth_class(as_d0l(*said.system), budget).order;
+    return decided(to_string(order.kind) == said.growth &&
+                       (!said.degree || Integer(order.degree) == *said.degree),
+                   steps::Grows{said.system->name, order});
 }
 
 }  // namespace algae

@@ -16,14 +16,17 @@
 #include <string_view>
 #include <tuple>
 #include <utility>
+#include <variant>
 #include <vector>
 
-#include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
 #include "system/system.hpp"
 #include "word/word.hpp"
 
 namespace algae {
+
+class DimensionValue;
+struct Model;
 
 // --- Languages as values ---
 
@@ -491,50 +494,117 @@ Word leaves(const DerivationTree& tree, const Budget& budget = {});
 
 /// What a dimension is compared with.
 struct ClaimedDimension {
-    DimensionValue value;
+    std::shared_ptr<const DimensionValue> value;
     std::string text;  // as written
     bool at_most = false;
 };
 
-/// One thing that is said of languages and systems, true or false.
-struct Statement {
-    enum class Kind {
-        family,    // languages[0] is of the family `family`
-        finite,    // languages[0] is a finite language
-        empty,     // languages[0] has no word
-        equal,     // languages[0] == languages[1]
-        included,  // languages[0] <= languages[1]
-        member,    // `word` is in languages[0]
-        size,      // languages[0] has exactly `size` words
-        derives,  // systems[0] derives `word` from `from` (or its axiom) in `steps` steps (or some number)
-        equal_sequences,  // systems[0] and systems[1], D0L: the same word in every generation
-        equal_growth,     // the same length in every generation
-        growth_formula,  // the length of generation n of systems[0] is `formula`, an expression in n
-        rewrites,  // `rewriting` derives `modules` from `modules_from` (or its axiom) in `steps` steps
-        chance,  // it does so with exactly this `probability`
-        growth_class,  // the growth of systems[0] is of class `family`: zero, bounded, polynomial, exponential;
-                       // polynomial of degree `size` if given
-        dimension,  // the limit set that `drawn` draws has this `dimension`, or one at most as large
-        boundary,   // its boundary has
-    };
-    Kind kind = Kind::family;
-    bool negated = false;
-    std::vector<Language> languages;
-    std::vector<std::shared_ptr<const SourceSystem>> systems;
+// What a statement says: one struct for each form, true or false.
+
+/// The language is of the family.
+struct InFamily {
+    Language language;
     std::string family;
+};
+
+struct IsFinite {
+    Language language;
+};
+
+/// The language has no word.
+struct IsEmpty {
+    Language language;
+};
+
+/// left == right.
+struct EqualLanguages {
+    Language left, right;
+};
+
+/// inner <= outer.
+struct IncludedIn {
+    Language inner, outer;
+};
+
+struct HasWord {
+    Language language;
     Word word;
-    std::optional<Word> from;
-    std::optional<std::uint64_t> steps;
-    std::optional<Integer> size;
-    std::optional<Expression> formula;
-    std::shared_ptr<const LSystem> rewriting;  // its alphabet has all letters of both words
-    ModuleWord modules;
-    std::optional<ModuleWord> modules_from;
-    std::optional<Rational> probability;
-    std::shared_ptr<const LSystem> drawn;  // with the turtle
-    std::optional<ClaimedDimension> dimension;
-    std::string text;  // as written
-    Place place;
+};
+
+/// The language has exactly so many words.
+struct HasSize {
+    Language language;
+    Integer size;
+};
+
+/// The system derives the word: from `from` or its axiom, in so many steps or some number of them.
+struct Derives {
+    std::shared_ptr<const SourceSystem> system;
+    Word word;
+    std::optional<Word> from = {};
+    std::optional<std::uint64_t> steps = {};
+};
+
+/// Two D0L systems have the same word in every generation.
+struct EqualSequences {
+    std::shared_ptr<const SourceSystem> left, right;
+};
+
+/// Two D0L systems have words of the same length in every generation.
+struct EqualGrowth {
+    std::shared_ptr<const SourceSystem> left, right;
+};
+
+/// The length of generation n is `formula`, an expression in n.
+struct HasGrowthFormula {
+    std::shared_ptr<const SourceSystem> system;
+    Expression formula;
+};
+
+/// The growth is zero, bounded, polynomial (of this degree, if one is given) or exponential.
+struct HasGrowthClass {
+    std::shared_ptr<const SourceSystem> system;
+    std::string growth;
+    std::optional<Integer> degree = {};
+};
+
+/// A system whose words are derived module by module derives the word: from `from` or its axiom, in so many
+/// steps. The alphabet of the system has all letters of both words.
+struct Rewrites {
+    std::shared_ptr<const LSystem> system;
+    ModuleWord word;
+    std::optional<ModuleWord> from = {};
+    std::uint64_t steps = 0;
+};
+
+/// The derivation has exactly this probability.
+struct HasChance {
+    Rewrites derivation;
+    Rational probability;
+};
+
+/// The limit set that the system draws has this dimension, or one at most as large.
+struct HasDimension {
+    std::shared_ptr<const Model> system;  // with the turtle
+    ClaimedDimension dimension;
+};
+
+/// The boundary of the limit set has.
+struct BoundaryHasDimension {
+    std::shared_ptr<const Model> system;
+    ClaimedDimension dimension;
+};
+
+/// One thing that is said of languages and systems, true or false. A new form is a new alternative: the compiler
+/// lists the judges and readers that miss it.
+struct Statement {
+    std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, Derives,
+                 EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, Rewrites, HasChance,
+                 HasDimension, BoundaryHasDimension>
+        says;
+    bool negated = false;
+    std::string text = {};  // as written
+    Place place = {};
 };
 
 /// A statement and what the claim says of it.
@@ -567,27 +637,42 @@ struct Claim {
     std::vector<ClosureFact> closure;
 };
 
-/// What is known of a statement and why: the argument in sentences, and the proof that a certificate
-/// holds (CERTIFICATES.md), which the room `verify` checks again. The proof is of the statement where it is
-/// proved and of its opposite where it is refuted; there is none where it is undecided.
-struct Judgement {
-    Truth truth = Truth::undecided;
-    /// One sentence or line each; an indented line belongs to the one before.
-    std::vector<std::string> argument;
-    std::shared_ptr<const nlohmann::ordered_json> proof;
+struct Proof;
 
-    static Judgement proved(std::vector<std::string> argument, const nlohmann::ordered_json& proof);
-    static Judgement refuted(std::vector<std::string> argument,
-                             const nlohmann::ordered_json& proof);
-    static Judgement undecided(std::vector<std::string> tried);
+/// What is known of a statement, and how. The proof is of the statement where it is proved and of its opposite
+/// where it is refuted; there is none where it is undecided. Three functions read it: `sentences`,
+/// `certificate` and `latex`.
+struct Answer {
+    Truth truth = Truth::undecided;
+    std::shared_ptr<const Proof> proof;
+    std::vector<std::string> tried;  // where it is undecided
 };
 
-/// The judgement on the opposite statement, by the same proof.
-Judgement opposite(Judgement judgement);
+/// The answer to the opposite statement, by the same proof.
+Answer opposite(Answer answer);
 
-/// What is known of a statement of a claim. A bound that is reached makes it undecided, and the judgement says
+/// The argument, or what was tried, over the alphabet of the languages: one sentence or line each; an indented
+/// line belongs to the one before.
+std::vector<std::string> sentences(const Answer& answer, const Alphabet& alphabet);
+
+/// The proof as a certificate holds it (CERTIFICATES.md), which the room `verify` checks again; null where there
+/// is none.
+nlohmann::ordered_json certificate(const Answer& answer, const Alphabet& alphabet);
+
+/// The argument as LaTeX: paragraphs with words, systems, languages and numbers in mathematics, for documents that
+/// load amsmath. Indented lines are indented paragraphs.
+std::string latex(const Answer& answer, const Alphabet& alphabet);
+
+/// An answer that has been put into sentences.
+struct Judgement {
+    Truth truth = Truth::undecided;
+    std::vector<std::string> argument;
+};
+Judgement in_sentences(const Answer& answer, const Alphabet& alphabet);
+
+/// What is known of a statement of a claim. A bound that is reached makes it undecided, and the answer says
 /// which. Throws Interrupted if the work was asked to stop, Error where the statement cannot be about its systems.
-Judgement decide(const Statement& statement, const Claim& claim, const Budget& budget = {});
+Answer decide(const Statement& statement, const Claim& claim, const Budget& budget = {});
 
 /// What may be used besides the language itself.
 struct FamilyQuestion {
@@ -603,29 +688,27 @@ struct FamilyQuestion {
 /// of a D0L system that is too sparse to be regular or context-free; otherwise the question is undecided.
 ///
 /// Throws Error if the family has no such name, what budget.check throws, BoundReached where a table is too large.
-Judgement judge_family(const Language& language, const FamilyQuestion& question,
-                       const Alphabet& alphabet, const Budget& budget = {});
+Answer judge_family(const Language& language, const FamilyQuestion& question,
+                    const Alphabet& alphabet, const Budget& budget = {});
 
 // How many words a language has. All throw what budget.check throws, BoundReached where a table is too large.
 
 /// Whether the language is finite: worked out where it can be, otherwise by a part of it that is not.
-Judgement judge_finite(const Language& language, const Alphabet& alphabet,
-                       const Budget& budget = {});
+Answer judge_finite(const Language& language, const Alphabet& alphabet, const Budget& budget = {});
 
 /// Whether it has no word.
-Judgement judge_empty(const Language& language, const Alphabet& alphabet,
-                      const Budget& budget = {});
+Answer judge_empty(const Language& language, const Alphabet& alphabet, const Budget& budget = {});
 
 /// Whether it has exactly so many words.
-Judgement judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
-                     const Budget& budget = {});
+Answer judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
+                  const Budget& budget = {});
 
 /// The result for one statement of a claim. It stands if it is as the claim says: proved, or refuted where the claim
 /// says `refute`. A statement is cited if it is undecided here and rests on a source that the claim names.
 struct CheckedStatement {
     enum class Outcome { stands, cited, undecided, wrong };
     Outcome outcome = Outcome::undecided;
-    Judgement judgement;
+    Answer answer;
 };
 
 /// The result for a claim: one entry for each of its statements.
@@ -653,6 +736,10 @@ std::string explanation(const CheckedClaim& checked, const std::string& family =
 
 /// The claim as a certificate (CERTIFICATES.md).
 nlohmann::ordered_json certificate(const CheckedClaim& checked);
+
+/// The claim as LaTeX, a section for a document that loads amsmath and amsthm: each statement as a numbered
+/// paragraph with its verdict, and a `proof` environment with the argument where it stands.
+std::string latex(const CheckedClaim& checked);
 
 /// The operations and the families of the table of closure, in its order.
 ///

@@ -1,10 +1,10 @@
-#include "language/detail/judge.hpp"
-
 #include <algorithm>
 #include <map>
 
 #include "exact/exact.hpp"
 #include "language/detail/construct.hpp"
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
 #include "word/word.hpp"
 
 // What is known of an expression of languages: its words if they are finitely many, its automaton if its parts
@@ -23,13 +23,6 @@ namespace {
 using Kind = LanguageTree::Kind;
 
 constexpr std::size_t most_words = 100'000;
-constexpr std::size_t most_shown = 40;
-
-std::string words_text(const std::vector<Word>& words, const Alphabet& alphabet) {
-    if (words.size() > most_shown) return "a set of " + std::to_string(words.size()) + " words";
-    return to_string(words_language(words), alphabet);
-}
-
 /// The words of an automaton that has finitely many, if they are not too many.
 std::optional<std::vector<Word>> listed(const RegularLanguage& language, const Budget& budget) {
     const std::optional<Integer> count = number_of_words(language);
@@ -46,14 +39,18 @@ public:
     Finite(const Alphabet& alphabet, const Budget& budget) : alphabet_(alphabet), budget_(budget) {}
 
     std::optional<FiniteValue> value(const Language& language) {
-        const std::size_t before = argument_.size();
+        const std::size_t before = known_.size();
         std::optional<std::vector<Word>> words = words_of(*language);
         if (!words) {
-            argument_.resize(before);
+            known_.resize(before);
             return std::nullopt;
         }
-        if (language->kind != Kind::words || !language->name.empty()) say(language, *words);
-        return FiniteValue{std::move(*words), argument_};
+        if (language->kind != Kind::words || !language->name.empty()) {
+            const bool shown = words->size() <= steps::Value::most_shown;
+            known_.push_back(proof_by(
+                steps::Value{language, shown ? *words : std::vector<Word>{}, words->size()}));
+        }
+        return FiniteValue{std::move(*words), known_};
     }
 
     /// What intersection or difference leave of a finite part.
@@ -118,16 +115,6 @@ private:
         return known ? std::optional(std::move(known->words)) : std::nullopt;
     }
 
-    void say(const Language& language, const std::vector<Word>& words) {
-        const std::string inner = unnamed_text(language, alphabet_);
-        std::string line = language->name.empty() ? "" : language->name + " = ";
-        const std::string value = words_text(words, alphabet_);
-        line += inner == value ? inner : inner + " = " + value;
-        line += '.';
-        if (std::find(argument_.begin(), argument_.end(), line) == argument_.end())
-            argument_.push_back(std::move(line));
-    }
-
     std::optional<std::vector<Word>> part(const LanguageTree& tree, std::size_t i) {
         if (auto known = value(tree.parts[i])) return std::move(known->words);
         return std::nullopt;
@@ -158,15 +145,15 @@ private:
     std::optional<std::vector<Word>> filtered(const std::vector<Word>& words, const Language& by,
                                               bool keep) {
         std::vector<Word> kept;
-        std::vector<std::string> lines;
+        steps::Sifted sifted;
         for (const Word& word : words) {
-            const Judgement found = judge_membership(by, word, alphabet_, budget_);
+            Answer found = judge_membership(by, word, alphabet_, budget_);
             if (found.truth == Truth::undecided) return std::nullopt;
             if ((found.truth == Truth::proved) == keep) kept.push_back(word);
-            if (lines.size() < most_shown)
-                lines.insert(lines.end(), found.argument.begin(), found.argument.end());
+            if (sifted.members.size() < steps::Sifted::most_shown)
+                sifted.members.push_back(std::move(found.proof));
         }
-        if (by->kind != Kind::words) argument_.insert(argument_.end(), lines.begin(), lines.end());
+        if (by->kind != Kind::words) known_.push_back(proof_by(std::move(sifted)));
         return kept;
     }
 
@@ -203,7 +190,7 @@ private:
 
     const Alphabet& alphabet_;
     const Budget& budget_;
-    std::vector<std::string> argument_;
+    std::vector<Part> known_;
 };
 
 }  // namespace
@@ -425,17 +412,7 @@ std::optional<TableValue> table_value(const Language& language, const Alphabet& 
     Construction construction(alphabet, deterministic, budget);
     std::optional<ET0L> system = construction.of(language);
     if (!system) return std::nullopt;
-    std::string steps;
-    for (const std::string& step : construction.used()) steps += (steps.empty() ? "" : ", ") + step;
-    std::string argument = "A system for " + to_string(language, alphabet);
-    if (!steps.empty())
-        argument += " is constructed (" + steps + ")";
-    else
-        argument += " is at hand";
-    argument += ": " + with_article(family_name(*system)) + " system with " +
-                counted(accessible_letters(*system).size(), "letter") + " and " +
-                counted(system->tables.size(), "table") + ".";
-    return TableValue{std::move(*system), std::move(argument)};
+    return TableValue{std::move(*system), language, construction.used()};
 }
 
 }  // namespace algae

@@ -4,8 +4,11 @@
 #include <utility>
 
 #include "exact/exact.hpp"
+#include "language/language.hpp"
 #include "lesson/lesson.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 // Files `*.exercise`: how they are read, and what can be wrong with them before there is an answer.
 //
@@ -23,101 +26,6 @@
 // files beside an answer; where that is so they are passed over.
 
 namespace algae {
-
-namespace {
-
-std::uint64_t read_number(ClaimScanner& scanner) {
-    const std::string_view rest = scanner.rest();
-    std::uint64_t number = 0;
-    const auto [stop, error] = std::from_chars(rest.data(), rest.data() + rest.size(), number);
-    if (error != std::errc()) throw unexpected("a number", rest.data());
-    scanner.here = stop;
-    return number;
-}
-
-std::string read_form(ClaimScanner& scanner) {
-    const std::string_view name = scanner.take_piece();
-    if (system_form(name) || is_rewriting_family(name)) return std::string(name);
-    const std::string expected = "the name of a form of systems";
-    if (name.empty()) throw unexpected(expected, name.data());
-    std::vector<std::string> forms{"S0L", "parametric"};
-    for (const std::string& family : common_families())
-        if (system_form(family)) forms.push_back(family);
-    throw SyntaxError{name.data(), "expected " + expected + ", found " + quoted(name) +
-                                       did_you_mean(name, forms)};
-}
-
-OwnStatement::Counted read_counted(ClaimScanner& scanner) {
-    const std::string_view noun = scanner.take_name();
-    if (noun == "rule" || noun == "rules") return OwnStatement::Counted::rules;
-    if (noun == "letter" || noun == "letters") return OwnStatement::Counted::letters;
-    if (noun != "axiom") throw unexpected("rules, letters or axiom symbols", noun.data());
-    if (!scanner.take_word("symbols") && !scanner.take_word("symbol"))
-        throw unexpected("'symbols'", scanner.here);
-    return OwnStatement::Counted::axiom_symbols;
-}
-
-OwnStatement::Figure read_figure(ClaimScanner& scanner, std::string_view text) {
-    if (!scanner.take_word("figure") || !scanner.take("("))
-        throw unexpected("figure(SYSTEM, GENERATION)", scanner.here);
-    const std::string_view rest = scanner.rest();
-    const std::string_view name = rest.substr(0, rest.find_first_of(", )"));
-    if (name.empty()) throw unexpected("the name of a system", rest.data());
-    OwnStatement::Figure figure;
-    figure.system = name;
-    figure.offset = static_cast<std::size_t>(name.data() - text.data());
-    scanner.here += name.size();
-    if (!scanner.take(",")) throw unexpected("',' and a generation", scanner.here);
-    figure.generation = read_number(scanner);
-    if (!scanner.take(")")) throw unexpected("')'", scanner.here);
-    return figure;
-}
-
-OwnStatement::Relation read_relation(ClaimScanner& scanner) {
-    if (scanner.take("==")) return OwnStatement::Relation::same;
-    if (scanner.take_word("is")) {
-        const bool congruent = scanner.take_word("congruent");
-        if ((congruent || scanner.take_word("similar")) && scanner.take_word("to"))
-            return congruent ? OwnStatement::Relation::congruent : OwnStatement::Relation::similar;
-    }
-    throw unexpected("'is similar to', 'is congruent to' or '=='", scanner.here);
-}
-
-/// The statement that a text says, without comments. Throws SyntaxError where it says none.
-OwnStatement read_own_statement(std::string_view text) {
-    ClaimScanner scanner(text);
-    OwnStatement statement;
-    if (scanner.name() == "figure") {
-        statement.kind = OwnStatement::Kind::figures;
-        statement.left = read_figure(scanner, text);
-        statement.relation = read_relation(scanner);
-        statement.right = read_figure(scanner, text);
-    } else if (!scanner.take_word("answer")) {
-        throw unexpected("'answer' or 'figure'", scanner.here);
-    } else if (scanner.take_word("has")) {
-        statement.kind = OwnStatement::Kind::count;
-        statement.at_most = scanner.take_word("at");
-        if (statement.at_most && !scanner.take_word("most"))
-            throw unexpected("'most'", scanner.here);
-        statement.count = read_number(scanner);
-        statement.counted = read_counted(scanner);
-    } else if (scanner.take_word("is")) {
-        statement.form = read_form(scanner);
-    } else {
-        throw unexpected("'is' or 'has'", scanner.here);
-    }
-    if (!scanner.at_end()) throw unexpected("the end of the statement", scanner.here);
-    return statement;
-}
-
-}  // namespace
-
-bool is_own_statement(std::string_view text, Exercise::Kind kind) {
-    ClaimScanner scanner(text);
-    if (scanner.name() == "figure") return true;
-    if (kind != Exercise::Kind::system || !scanner.take_word("answer")) return false;
-    return scanner.name() == "is" || scanner.name() == "has";
-}
 
 namespace {
 
@@ -158,14 +66,14 @@ public:
         for (std::size_t begin = 0; begin < text_.size();) {
             const std::size_t end = std::min(text_.find('\n', begin), text_.size());
             const std::string_view line = text_.substr(begin, end - begin);
-            guarded([&] {
+            findings_.gather([&] {
                 if (!read_line(line)) blank_out(line);
             });
             begin = end + 1;
         }
         if (!exercise_.claim.ends_with('\n')) exercise_.claim += '\n';
         for (std::size_t i = 0; i < exercise_.demands.size(); ++i)
-            guarded([&] { read_demand(exercise_.demands[i], shown_[i]); });
+            findings_.gather([&] { read_demand(exercise_.demands[i], shown_[i]); });
         refuse_other_clauses();
         expect_line(!given("exercise"), "exercise TITLE");
         expect_line(!has_task_, "task TEXT");
@@ -173,15 +81,6 @@ public:
     }
 
 private:
-    template <class Read>
-    void guarded(Read read) {
-        try {
-            read();
-        } catch (const SyntaxError& error) {
-            findings_.add(error);
-        }
-    }
-
     void blank_out(std::string_view line) {
         std::fill_n(exercise_.claim.begin() + (line.data() - text_.data()), line.size(), ' ');
     }
@@ -193,10 +92,7 @@ private:
 
     void refuse_second(std::string_view keyword) {
         for (const std::string_view first : given_)
-            if (first == keyword)
-                throw SyntaxError{keyword.data(),
-                                  quoted(keyword) + " is given twice, first in line " +
-                                      std::to_string(source_.place(first.data()).line)};
+            if (first == keyword) throw given_twice(keyword, first.data(), source_);
         given_.push_back(keyword);
     }
 
@@ -208,8 +104,11 @@ private:
 
     /// Whether the line is one of a claim, and stays in the text of it.
     bool read_line(std::string_view line) {
-        ClaimScanner scanner(line);
-        const std::string_view keyword = scanner.take_piece(), value = trimmed(scanner.rest());
+        const std::vector<std::string_view> words = blank_separated(line);
+        const std::string_view keyword = words.empty() ? line.substr(line.size()) : words.front();
+        const auto keyword_end =
+            static_cast<std::size_t>(keyword.data() - line.data()) + keyword.size();
+        const std::string_view value = trimmed(line.substr(keyword_end));
         const bool of_exercise = keyword == "exercise" || keyword == "task" ||
                                  keyword == "answer" || keyword == "hint" || keyword == "show";
         if (of_exercise || keyword == "let" || keyword == "alphabet") depth_ = 0;
@@ -246,35 +145,29 @@ private:
     }
 
     void read_kind(std::string_view value) {
-        ClaimScanner scanner(value);
-        const std::string_view kind = scanner.take_piece();
-        if (kind == "system") {
-            exercise_.kind = Exercise::Kind::system;
-        } else if (kind == "language") {
-            exercise_.kind = Exercise::Kind::language;
-        } else if (kind == "word") {
-            exercise_.kind = Exercise::Kind::word;
-        } else if (kind == "claim") {
-            exercise_.kind = Exercise::Kind::claim;
-            read_names(scanner, kind);
-        } else {
-            const std::string expected = "system, language, word or claim and names";
-            if (kind.empty()) throw unexpected(expected, kind.data());
-            throw SyntaxError{kind.data(),
-                              "expected " + expected + ", found " + quoted(kind) +
-                                  did_you_mean(kind, {"system", "language", "word", "claim"})};
+        using Kind = Exercise::Kind;
+        static const std::vector<std::pair<std::string, Kind>> kinds{{"system", Kind::system},
+                                                                     {"language", Kind::language},
+                                                                     {"word", Kind::word},
+                                                                     {"claim", Kind::claim}};
+        const std::vector<std::string_view> words = blank_separated(value);
+        const std::string expected = "system, language, word or claim and names";
+        if (words.empty()) throw unexpected(expected, value.data());
+        const auto kind =
+            std::ranges::find(kinds, words.front(), &std::pair<std::string, Kind>::first);
+        if (kind == kinds.end())
+            throw unknown_word(expected, words[0], {"system", "language", "word", "claim"});
+        exercise_.kind = kind->second;
+        if (exercise_.kind != Kind::claim) {
+            if (words.size() > 1) throw unexpected("the end of the line", words[1].data());
+            return;
         }
-        if (!scanner.at_end()) throw unexpected("the end of the line", scanner.here);
-    }
-
-    void read_names(ClaimScanner& scanner, std::string_view kind) {
-        if (scanner.at_end())
-            throw SyntaxError{kind.data(),
+        if (words.size() == 1)
+            throw SyntaxError{words[0].data(),
                               "expected names behind 'answer claim', found the end of the line"};
-        while (!scanner.at_end()) {
-            const std::string_view name = scanner.take_piece();
-            if (ClaimScanner(name).name() != name) throw unexpected("a name", name.data());
-            exercise_.names.emplace_back(name);
+        for (std::size_t i = 1; i < words.size(); ++i) {
+            if (!is_claim_name(words[i])) throw unexpected("a name", words[i].data());
+            exercise_.names.emplace_back(words[i]);
         }
     }
 
@@ -292,7 +185,7 @@ private:
 
     /// Reads it if it is one of exercises' own, which the claim has not.
     void read_demand(Demand& demand, std::string_view text) {
-        if (!is_own_statement(text, exercise_.kind)) return;
+        if (!is_own_statement(text, exercise_.kind == Exercise::Kind::system)) return;
         const std::size_t begin = source_.offset({exercise_.file, demand.place.line, 1});
         const std::size_t end = std::min(text_.find('\n', begin), text_.size());
         blank_out(text_.substr(begin, end - begin));
@@ -437,8 +330,9 @@ public:
         Findings findings(source);
         for (const auto& [place, message] : faults_of_claim()) findings.add(place, message);
         for (const Demand& demand : exercise_.demands) {
-            if (!demand.own || demand.own->kind != OwnStatement::Kind::figures) continue;
-            for (const OwnStatement::Figure& figure : {demand.own->left, demand.own->right})
+            const auto* figures = demand.own ? std::get_if<FiguresAre>(&*demand.own) : nullptr;
+            if (!figures) continue;
+            for (const FiguresAre::Figure& figure : {figures->left, figures->right})
                 if (const std::string fault = fault_of(figure); !fault.empty())
                     findings.add(source.offset(demand.place) + figure.offset, fault);
         }
@@ -447,7 +341,7 @@ public:
 
 private:
     /// The system of this name. Throws FileElsewhere where it may be known later.
-    LSystem opened(const std::string& name) const {
+    Model opened(const std::string& name) const {
         try {
             return open_(name);
         } catch (const Diagnostics&) {
@@ -459,7 +353,7 @@ private:
         }
     }
 
-    std::string fault_of(const OwnStatement::Figure& figure) const {
+    std::string fault_of(const FiguresAre::Figure& figure) const {
         if (figure.system == "answer") return {};
         try {
             opened(figure.system);

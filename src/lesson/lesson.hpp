@@ -10,36 +10,13 @@
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 // lesson: the lessons that come with algae, and exercises whose answers the theory marks. An exercise is a task and a list of
 // demands on an answer (a system, a language, a word, or a claim that defines names); an answer is right if every demand is
 // proved, wrong as soon as one is refuted, and otherwise undecided.
 
 namespace algae {
-
-/// A statement that exercises have and claims have not, about a system called `answer`.
-struct OwnStatement {
-    enum class Kind {
-        form,    // answer is D0L
-        count,   // answer has at most 2 rules
-        figures  // figure(answer, 4) is similar to figure(koch, 4)
-    };
-    enum class Counted { rules, letters, axiom_symbols };
-    enum class Relation { similar, congruent, same };
-    struct Figure {
-        std::string system;      // `answer`, or what a system is opened by
-        std::size_t offset = 0;  // where its name stands in the statement, in bytes
-        std::uint64_t generation = 0;
-    };
-
-    Kind kind = Kind::form;
-    std::string form;
-    Counted counted = Counted::rules;
-    bool at_most = false;
-    std::uint64_t count = 0;
-    Figure left, right;
-    Relation relation = Relation::same;
-};
 
 /// Something that must hold of the answer, and what to tell those whose answer it does not hold of.
 struct Demand {
@@ -85,12 +62,6 @@ struct Exercise {
     /// "3.2", as people call it; of one that belongs to no lesson the file's name without folder and ending.
     std::string label() const;
 };
-
-/// Whether a statement is one that exercises have and claims have not.
-///
-/// Example: is_own_statement("answer has 2 rules", Exercise::Kind::system)
-/// Example: !is_own_statement("growth(answer) = 2^n", Exercise::Kind::system)
-bool is_own_statement(std::string_view text, Exercise::Kind kind);
 
 /// The exercise that a text says; `name` is that of its file without the ending. One named as `03-2` is
 /// the second of lesson 3, others belong to no lesson. Statements of claims are not read yet. Throws

@@ -1,10 +1,12 @@
 #include <algorithm>
 #include <optional>
 #include <set>
+#include <variant>
 
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "lesson/lesson.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
@@ -31,7 +33,19 @@ Judgement found(bool holds, std::string sentence) {
     return judgement;
 }
 
-Judgement judge_form(const OwnStatement& asked, const LSystem& answer) {
+/// Judges a statement of an exercise's own of the answer: refuted with what the answer has instead. Throws what
+/// `open` and `outline` throw.
+struct OwnJudge {
+    const LSystem& answer;
+    const SystemSource& open;
+    const Budget& budget;
+
+    Judgement operator()(const AnswerIs& asked) const;
+    Judgement operator()(const AnswerHas& asked) const;
+    Judgement operator()(const FiguresAre& asked) const;
+};
+
+Judgement OwnJudge::operator()(const AnswerIs& asked) const {
     const auto form = system_form(asked.form);
     const std::string reason = form ? misfit(answer, *form) : misfit(answer, asked.form);
     const std::string is = class_of(answer).name();
@@ -50,24 +64,24 @@ std::size_t letters(const LSystem& system) {
     return all.size();
 }
 
-std::size_t count_of(OwnStatement::Counted counted, const LSystem& system) {
+std::size_t count_of(AnswerHas::Counted counted, const LSystem& system) {
     switch (counted) {
-        case OwnStatement::Counted::rules:
+        case AnswerHas::Counted::rules:
             return system.rules.size();
-        case OwnStatement::Counted::letters:
+        case AnswerHas::Counted::letters:
             return letters(system);
-        case OwnStatement::Counted::axiom_symbols:
+        case AnswerHas::Counted::axiom_symbols:
             return system.axiom.letters.size();
     }
     return 0;
 }
 
-Judgement judge_count(const OwnStatement& asked, const LSystem& answer) {
+Judgement OwnJudge::operator()(const AnswerHas& asked) const {
     const std::size_t count = count_of(asked.counted, answer);
-    const bool of_axiom = asked.counted == OwnStatement::Counted::axiom_symbols;
-    const std::string singular = of_axiom                                          ? "symbol"
-                                 : asked.counted == OwnStatement::Counted::letters ? "letter"
-                                                                                   : "rule";
+    const bool of_axiom = asked.counted == AnswerHas::Counted::axiom_symbols;
+    const std::string singular = of_axiom                                       ? "symbol"
+                                 : asked.counted == AnswerHas::Counted::letters ? "letter"
+                                                                                : "rule";
     return found(asked.at_most ? count <= asked.count : count == asked.count,
                  (of_axiom ? "The axiom of your system has " : "Your system has ") +
                      counted(count, singular) + ".");
@@ -78,7 +92,7 @@ struct NamedFigure {
     Outline outline;
 };
 
-NamedFigure named_figure(const OwnStatement::Figure& figure, const LSystem& answer,
+NamedFigure named_figure(const FiguresAre::Figure& figure, const Model& answer,
                          const SystemSource& open, const Budget& budget) {
     const std::uint64_t n = figure.generation;
     const std::string generation = "generation " + std::to_string(n) + " of ";
@@ -100,9 +114,8 @@ std::string all_parts(const Outline& outline) {
     return text;
 }
 
-Judgement judge_figures(const OwnStatement& asked, const LSystem& answer, const SystemSource& open,
-                        const Budget& budget) {
-    using Relation = OwnStatement::Relation;
+Judgement OwnJudge::operator()(const FiguresAre& asked) const {
+    using Relation = FiguresAre::Relation;
     const Relation relation = asked.relation;
     const NamedFigure left = named_figure(asked.left, answer, open, budget);
     const NamedFigure right = named_figure(asked.right, answer, open, budget);
@@ -116,21 +129,6 @@ Judgement judge_figures(const OwnStatement& asked, const LSystem& answer, const 
     const bool exact = compared.exact && relation != Relation::same;
     return found(true, all_parts(left.outline) + " comes to lie on one of the other figure" +
                            (exact ? ", exactly." : ", as far as rounded numbers show."));
-}
-
-/// Whether a statement of an exercise's own holds of the system. `open` knows the systems that figures are compared with.
-/// Refuted with what the answer has instead. Throws what `open` and `outline` throw.
-Judgement judge_own_statement(const OwnStatement& asked, const LSystem& answer,
-                              const SystemSource& open, const Budget& budget) {
-    switch (asked.kind) {
-        case OwnStatement::Kind::form:
-            return judge_form(asked, answer);
-        case OwnStatement::Kind::count:
-            return judge_count(asked, answer);
-        case OwnStatement::Kind::figures:
-            break;
-    }
-    return judge_figures(asked, answer, open, budget);
 }
 
 using Kind = Exercise::Kind;
@@ -177,8 +175,9 @@ public:
         if (!own_) return;
         for (const ClaimedStatement& claimed : own_->statements) {
             const bool refutes = claimed.purpose == ClaimedStatement::Purpose::refute;
-            Judgement judgement = decide(claimed.statement, *own_, budget_);
-            if (refutes) judgement = opposite(std::move(judgement));
+            Judgement judgement =
+                in_sentences(decide(claimed.statement, *own_, budget_), *own_->alphabet);
+            if (refutes) judgement.truth = opposite(judgement.truth);
             marked.demands.push_back(
                 {(refutes ? "your own: refute " : "your own: ") + claimed.statement.text, "",
                  std::move(judgement)});
@@ -186,7 +185,7 @@ public:
     }
 
     Judgement judge(const Demand& demand) {
-        if (demand.own) return judge_own_statement(*demand.own, *system_, open_, budget_);
+        if (demand.own) return std::visit(OwnJudge{*system_, open_, budget_}, *demand.own);
         const std::string before = definition() + "\n";
         const std::size_t line =
             static_cast<std::size_t>(std::count(before.begin(), before.end(), '\n')) +
@@ -194,7 +193,7 @@ public:
         const Claim claim = claim_up_to(line, before);
         for (const ClaimedStatement& claimed : claim.statements)
             if (claimed.statement.place.line == line)
-                return decide(claimed.statement, claim, budget_);
+                return in_sentences(decide(claimed.statement, claim, budget_), *claim.alphabet);
         throw Error(to_string(demand.place) + ": expected a statement, found '" + demand.text +
                     "'");
     }
@@ -267,7 +266,7 @@ private:
     const std::string& name_;
     const SystemSource& open_;
     const Budget& budget_;
-    std::optional<LSystem> system_;
+    std::optional<Model> system_;
     std::string own_text_;
     std::optional<Claim> own_;
 };

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -25,19 +23,17 @@ constexpr std::uint32_t shades = 64;
 
 /// From a dark blue over green to a light yellow, evenly light (after the map viridis).
 std::vector<std::string> shades_of_age() {
-    constexpr double stops[][3] = {{0.267, 0.005, 0.329}, {0.254, 0.265, 0.530},
-                                   {0.164, 0.471, 0.558}, {0.135, 0.659, 0.518},
-                                   {0.478, 0.821, 0.318}, {0.890, 0.830, 0.130}};
+    constexpr Colour stops[] = {{0.267, 0.005, 0.329}, {0.254, 0.265, 0.530},
+                                {0.164, 0.471, 0.558}, {0.135, 0.659, 0.518},
+                                {0.478, 0.821, 0.318}, {0.890, 0.830, 0.130}};
+    const auto byte = [](double part) { return static_cast<int>(std::lround(255 * part)); };
     std::vector<std::string> found;
     for (std::uint32_t i = 0; i < shades; ++i) {
         const double at = 5.0 * i / (shades - 1);
         const auto k = std::min<std::size_t>(static_cast<std::size_t>(at), 4);
-        const auto part = [&](std::size_t p) {
-            const double value =
-                stops[k][p] + (at - static_cast<double>(k)) * (stops[k + 1][p] - stops[k][p]);
-            return static_cast<int>(std::lround(255 * value));
-        };
-        found.push_back(fmt::format("#{:02x}{:02x}{:02x}", part(0), part(1), part(2)));
+        const Colour shade = mixed(stops[k], stops[k + 1], at - static_cast<double>(k));
+        found.push_back(fmt::format("#{:02x}{:02x}{:02x}", byte(shade.red), byte(shade.green),
+                                    byte(shade.blue)));
     }
     return found;
 }
@@ -73,12 +69,11 @@ std::vector<Link> joined(const std::vector<GridCell>& cells) {
 }  // namespace
 
 void Aggregates::check() const {
-    if (particles.empty()) throw Error("particles: expected at least one number");
+    require(!particles.empty(), "particles: expected at least one number");
     for (const std::uint64_t count : particles)
-        if (count == 0 || count > most)
-            throw Error(fmt::format("particles: expected 1 to {}, found {}", most, count));
-    if (off_lattice && region) throw Error("region: clusters off the lattice have none");
-    if (by_steps && !region) throw Error("steps: expected a region, which single steps need");
+        require(count > 0 && count <= most, "particles: expected 1 to {}, found {}", most, count);
+    require(!off_lattice || !region, "region: clusters off the lattice have none");
+    require(!by_steps || region, "steps: expected a region, which single steps need");
     if (region) GridAggregate(seed, region, {});
 }
 
@@ -110,7 +105,7 @@ std::vector<Link> Aggregates::grown(std::uint64_t count, const Budget& budget) c
 std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
     check();
     const auto& all = links(*std::max_element(particles.begin(), particles.end()), budget);
-    Settings drawn = settings;
+    FigureStyle drawn = style;
     if (drawn.colours.empty()) drawn.colours = shades_of_age();
     std::vector<RelativeFigure> made;
     for (const std::uint64_t wanted : particles) {
@@ -118,10 +113,9 @@ std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
         std::vector<Link> part(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count) + 1);
         for (std::size_t i = 0; i < part.size(); ++i)
             part[i].colour = static_cast<std::uint32_t>(i * drawn.colours.size() / part.size());
-        const std::string what = fmt::format("{} particles", count);
-        made.push_back(
-            {std::make_unique<LinkFigure>(std::move(part), off_lattice ? 0.9 : 0.7, 1, drawn),
-             heading() + ", " + what, what});
+        made.push_back(pictured(
+            *this, std::make_unique<LinkFigure>(std::move(part), off_lattice ? 0.9 : 0.7, 1, drawn),
+            fmt::format("{} particles", count)));
     }
     return made;
 }
@@ -161,7 +155,7 @@ std::optional<double> gyration_dimension(const std::vector<Link>& links, std::si
     std::reverse(counts.begin(), counts.end());
     double x = 0, y = 0, squares = 0;
     std::size_t next = 0;
-    std::vector<std::pair<double, double>> points;
+    std::vector<Point> points;
     for (std::size_t i = 0; i < links.size() && next < counts.size(); ++i) {
         const Point at = links[i].to;
         x += at.x, y += at.y, squares += at.x * at.x + at.y * at.y;
@@ -171,18 +165,9 @@ std::optional<double> gyration_dimension(const std::vector<Link>& links, std::si
         points.push_back({std::log(gyration) / 2, std::log(n)});
         ++next;
     }
-    double mean_x = 0, mean_y = 0;
-    for (const auto& [a, b] : points) {
-        mean_x += a / static_cast<double>(points.size());
-        mean_y += b / static_cast<double>(points.size());
-    }
-    double over = 0, under = 0;
-    for (const auto& [a, b] : points) {
-        over += (a - mean_x) * (b - mean_y);
-        under += (a - mean_x) * (a - mean_x);
-    }
-    if (!(under > 0)) return std::nullopt;
-    return over / under;
+    const BestLine line = best_line(points);
+    if (line.is_level) return std::nullopt;
+    return line.slope;
 }
 
 }  // namespace algae

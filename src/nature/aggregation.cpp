@@ -1,11 +1,10 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <numbers>
 
 #include "nature/detail/aggregates.hpp"
+#include "nature/detail/checks.hpp"
 #include "nature/detail/random.hpp"
 
 // Diffusion-limited aggregation (Witten and Sander 1981): particles walk at random from far away
@@ -58,9 +57,8 @@ void Occupancy::take(std::int64_t x, std::int64_t y) {
 }
 
 double square_exit_chance(std::int64_t r, std::int64_t y) {
-    if (r < 1 || y <= -r || y >= r)
-        throw Error("a side of a square: expected |y| < r, found r = " + std::to_string(r) +
-                    " and y = " + std::to_string(y));
+    require(r >= 1 && y > -r && y < r,
+            "a side of a square: expected |y| < r, found r = {} and y = {}", r, y);
     const double n = 2 * static_cast<double>(r);
     double sum = 0, sign = 1;
     for (std::int64_t k = 1; k < 2 * r; k += 2, sign = -sign) {
@@ -114,16 +112,8 @@ SquareExits::Step SquareExits::at(int exponent, std::uint64_t first, std::uint64
     if (second >> 2 >= table[entry].threshold) entry = table[entry].other;
     const std::int64_t r = std::int64_t{1} << exponent;
     const std::int64_t along = static_cast<std::int64_t>(entry) + 1 - r;
-    switch (second & 3) {
-        case 0:
-            return {r, along};
-        case 1:
-            return {-r, along};
-        case 2:
-            return {along, r};
-        default:
-            return {along, -r};
-    }
+    const std::int64_t across = second % 2 == 0 ? r : -r;
+    return (second & 2) == 0 ? Step{across, along} : Step{along, across};
 }
 
 Point return_to_circle(Point from, double radius, std::uint64_t number) {
@@ -143,6 +133,9 @@ constexpr std::uint64_t widest_region = 16383;
 constexpr int first_half = 7;       // exponent of the grid that a cluster begins with
 constexpr double launch_room = 24;  // between the cluster and the circle where particles begin
 
+/// How far a cell is from the middle, in the direction in which it is farther.
+std::int64_t reach_of(std::int64_t x, std::int64_t y) { return std::max(std::abs(x), std::abs(y)); }
+
 int half_exponent(std::int64_t reach) {
     return std::max(first_half,
                     static_cast<int>(std::bit_width(static_cast<std::uint64_t>(reach))));
@@ -150,9 +143,8 @@ int half_exponent(std::int64_t reach) {
 
 std::optional<std::int64_t> checked(std::optional<std::uint64_t> region) {
     if (!region) return std::nullopt;
-    if (*region == 0 || *region > widest_region)
-        throw Error(
-            fmt::format("region: expected 1 to {} cells, found {}", widest_region, *region));
+    require(*region > 0 && *region <= widest_region, "region: expected 1 to {} cells, found {}",
+            widest_region, *region);
     return static_cast<std::int64_t>(*region);
 }
 
@@ -168,19 +160,18 @@ GridAggregate::GridAggregate(std::uint64_t seed, std::optional<std::uint64_t> re
 }
 
 void GridAggregate::add(GridCell cell) {
-    const std::int64_t reach = std::max(std::abs(cell.x), std::abs(cell.y));
-    if (region_ && reach > *region_)
-        throw Error(fmt::format("cell ({}, {}) is outside of the region of {} cells", cell.x,
-                                cell.y, *region_));
+    const std::int64_t reach = reach_of(cell.x, cell.y);
+    require(!region_ || reach <= *region_, "cell ({}, {}) is outside of the region of {} cells",
+            cell.x, cell.y, region_.value_or(0));
     make_room(reach + 2);
-    if (occupancy_.taken(cell.x, cell.y))
-        throw Error(fmt::format("cell ({}, {}) is in the cluster already", cell.x, cell.y));
+    require(!occupancy_.taken(cell.x, cell.y), "cell ({}, {}) is in the cluster already", cell.x,
+            cell.y);
     stay(cell.x, cell.y);
 }
 
 GridCell GridAggregate::stay(std::int64_t x, std::int64_t y) {
     const GridCell cell{static_cast<std::int32_t>(x), static_cast<std::int32_t>(y)};
-    extent_ = std::max({extent_, std::abs(x), std::abs(y)});
+    extent_ = std::max(extent_, reach_of(x, y));
     make_room(extent_ + 2);
     occupancy_.take(x, y);
     cells_.push_back(cell);
@@ -204,8 +195,7 @@ bool GridAggregate::touches(std::int64_t x, std::int64_t y) const {
 
 GridCell GridAggregate::free_cell(const Draws& draws, std::uint64_t& number) const {
     const std::uint64_t side = static_cast<std::uint64_t>(2 * *region_ + 1);
-    if (cells_.size() >= side * side)
-        throw Error(fmt::format("no cell of the region of {} cells is free", *region_));
+    require(cells_.size() < side * side, "no cell of the region of {} cells is free", *region_);
     for (;;) {
         const auto place = [&] {
             return static_cast<std::int64_t>(Draws::scaled(draws.at(number++), side)) - *region_;
@@ -223,28 +213,15 @@ GridCell GridAggregate::on_circle(double angle) const {
 }
 
 GridCell GridAggregate::grow_by_steps() {
-    if (!region_) throw Error("expected a region, which single steps need");
+    require(region_.has_value(), "expected a region, which single steps need");
     const Draws draws(seed_, cells_.size());
     std::uint64_t number = 0;
     GridCell here = free_cell(draws, number);
     while (!touches(here.x, here.y)) {
         if (number % 4096 == 0) budget_.check();
-        switch (draws.at(number++) >> 62) {
-            case 0:
-                ++here.x;
-                break;
-            case 1:
-                --here.x;
-                break;
-            case 2:
-                ++here.y;
-                break;
-            default:
-                --here.y;
-                break;
-        }
-        if (std::max(std::abs(here.x), std::abs(here.y)) > *region_)
-            here = free_cell(draws, number);
+        const std::uint64_t direction = draws.at(number++) >> 62;
+        (direction < 2 ? here.x : here.y) += direction % 2 == 0 ? 1 : -1;
+        if (reach_of(here.x, here.y) > *region_) here = free_cell(draws, number);
     }
     return stay(here.x, here.y);
 }
@@ -271,7 +248,7 @@ GridCell GridAggregate::grow() {
             }
         }
         if (region_) {
-            const std::int64_t left = *region_ + 1 - std::max(std::abs(x), std::abs(y));
+            const std::int64_t left = *region_ + 1 - reach_of(x, y);
             exponent = std::min(
                 exponent, static_cast<int>(std::bit_width(static_cast<std::uint64_t>(left))) - 1);
         } else if (!known || exponent == hint) {
@@ -294,7 +271,7 @@ GridCell GridAggregate::grow() {
         const SquareExits::Step step =
             exits.at(std::min(exponent, SquareExits::most), first, second);
         x += step.x, y += step.y;
-        if (region_ && std::max(std::abs(x), std::abs(y)) > *region_) {
+        if (region_ && reach_of(x, y) > *region_) {
             const GridCell again = free_cell(draws, number);
             x = again.x, y = again.y;
         }
@@ -344,8 +321,8 @@ void FreeAggregate::make_room(double reach) {
 }
 
 void FreeAggregate::add(Point centre) {
-    if (!std::isfinite(centre.x) || !std::isfinite(centre.y) || centres_.size() >= none - 1)
-        throw Error("expected a disc at a place in the plane, and at most 2^32 - 2 of them");
+    require(std::isfinite(centre.x) && std::isfinite(centre.y) && centres_.size() < none - 1,
+            "expected a disc at a place in the plane, and at most 2^32 - 2 of them");
     radius_ = std::max(radius_, std::hypot(centre.x, centre.y));
     make_room(radius_ + 2);
     centres_.push_back(centre);

@@ -213,7 +213,7 @@ namespace {
 class AttractorFigure final : public PlainFigure {
 public:
     explicit AttractorFigure(const IteratedFunctions& system)
-        : PlainFigure(system.settings), system_(system) {
+        : PlainFigure(system.style), system_(system) {
         box_ = attractor_boxes(system_).front();
         take_corners();
         facts_.step = std::max(box_.breadth(), box_.height()) / finest_share;
@@ -229,7 +229,7 @@ public:
         const SendDots send = [&](const TakeDots& take, const Budget& within) {
             send_attractor(system_, 2 * cell, take, within);
         };
-        PointFigure(send, 0, box_, settings_).draw(canvas, cell, budget);
+        PointFigure(send, 0, box_, style_).draw(canvas, cell, budget);
     }
 
 private:

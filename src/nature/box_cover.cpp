@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -70,14 +68,12 @@ void fit(std::vector<Stroke>& strokes) {
 
 Path filled_square(const BoxCover::Square& square, const Colour& paint) {
     const auto [corner, edge] = square;
-    Path path;
-    path.points = {corner,
-                   {corner.x + edge.x, corner.y + edge.y},
-                   {corner.x + edge.x - edge.y, corner.y + edge.y + edge.x},
-                   {corner.x - edge.y, corner.y + edge.x}};
-    path.filled = true;
-    path.paint = paint;
-    return path;
+    return {.points = {corner,
+                       {corner.x + edge.x, corner.y + edge.y},
+                       {corner.x + edge.x - edge.y, corner.y + edge.y + edge.x},
+                       {corner.x - edge.y, corner.y + edge.x}},
+            .filled = true,
+            .paint = paint};
 }
 
 Path outline(const BoxCover::Square& square, const Colour& paint) {
@@ -92,9 +88,8 @@ Path outline(const BoxCover::Square& square, const Colour& paint) {
 std::vector<BoxCover::Square> turned_squares(double side) {
     int steps = 0;
     while (steps < koch_steps && std::pow(3.0, -steps - 1) > 1.001 * side) ++steps;
-    if (std::fabs(side * std::pow(3.0, steps + 1) - 1) > 1e-6)
-        throw Error(fmt::format(
-            "cells: turned squares have the sides 1/3, 1/9, ... 1/6561, found {}", side));
+    require(std::fabs(side * std::pow(3.0, steps + 1) - 1) <= 1e-6,
+            "cells: turned squares have the sides 1/3, 1/9, ... 1/6561, found {}", side);
     const Stroke bases = koch(steps);
     std::vector<BoxCover::Square> squares;
     for (std::size_t i = 1; i < bases.size(); ++i) {
@@ -105,45 +100,19 @@ std::vector<BoxCover::Square> turned_squares(double side) {
     return squares;
 }
 
-/// The slope and the height at 0 of the line through these points with the least squares.
-std::pair<double, double> best_line(const std::vector<Point>& points) {
-    double x = 0, y = 0;
-    for (const Point& point : points) {
-        x += point.x / static_cast<double>(points.size());
-        y += point.y / static_cast<double>(points.size());
-    }
-    double over = 0, under = 0;
-    for (const Point& point : points) {
-        over += (point.x - x) * (point.y - y);
-        under += (point.x - x) * (point.x - x);
-    }
-    const double slope = under > 0 ? over / under : 0;
-    return {slope, y - slope * x};
-}
-
-const char* shape_name(BoxCover::Shape shape) {
-    switch (shape) {
-        case BoxCover::Shape::segment:
-            return "segment";
-        case BoxCover::Shape::square:
-            return "square";
-        case BoxCover::Shape::koch:
-            return "koch";
-        default:
-            return "coast";
-    }
-}
+/// Of the shapes in their order.
+constexpr const char* shape_names[] = {"segment", "square", "koch", "coast"};
 
 }  // namespace
 
 void BoxCover::check() const {
-    if (cells.empty()) throw Error("cells: expected at least one side");
+    require(!cells.empty(), "cells: expected at least one side");
     for (const double side : cells)
-        if (!(side <= 1 && side >= 1.0 / 4096))
-            throw Error(fmt::format("cells: expected sides from 1/4096 to 1, found {}", side));
-    if (turned && shape != Shape::koch)
-        throw Error("squares turned: expected set koch, whose copies turn");
-    if (plot && cells.size() < 2) throw Error("cells: expected at least two sides for a plot");
+        require(side <= 1 && side >= 1.0 / 4096, "cells: expected sides from 1/4096 to 1, found {}",
+                side);
+    require(!turned || shape == Shape::koch,
+            "squares turned: expected set koch, whose copies turn");
+    require(!plot || cells.size() >= 2, "cells: expected at least two sides for a plot");
 }
 
 std::vector<Stroke> BoxCover::strokes(const Budget& budget) const {
@@ -178,8 +147,7 @@ std::vector<BoxCover::Square> BoxCover::covering(double side, const Budget& budg
             for (std::size_t i = 1; i < stroke.size(); ++i) {
                 if (i % 256 == 0) budget.check();
                 const Point a = stroke[i - 1], b = stroke[i];
-                const double length = distance(a, b);
-                const int parts = 1 + static_cast<int>(length / step);
+                const int parts = 1 + static_cast<int>(distance(a, b) / step);
                 for (int k = 0; k <= parts; ++k) {
                     const double share = static_cast<double>(k) / parts;
                     const auto cell = [&](double from, double to) {
@@ -203,10 +171,6 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     const std::vector<Stroke> lines = strokes(budget);
     std::vector<RelativeFigure> made;
     const Colour ink{0.12, 0.23, 0.37}, box{0.86, 0.91, 0.96}, edge{0.55, 0.66, 0.78};
-    const auto add = [&](std::vector<Path> paths, const std::string& what) {
-        made.push_back({std::make_unique<PathFigure>(std::move(paths), settings),
-                        heading() + ", " + what, what});
-    };
     std::vector<Point> counts;
     for (const double side : cells) {
         const std::vector<Square> squares = covering(side, budget);
@@ -215,21 +179,18 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
         std::vector<Path> paths;
         for (const Square& square : squares) paths.push_back(filled_square(square, box));
         for (const Square& square : squares) paths.push_back(outline(square, edge));
-        for (const Stroke& line : lines) {
-            Path path;
-            path.points = line;
-            path.paint = ink;
-            path.width = shape == Shape::segment || shape == Shape::square ? 2 : 0.9;
-            paths.push_back(std::move(path));
-        }
-        add(std::move(paths), fmt::format("m = {}, N = {}",
-                                          1 / side == std::round(1 / side) && side < 1
-                                              ? fmt::format("1/{:g}", 1 / side)
-                                              : fmt::format("{:.4g}", side),
-                                          squares.size()));
+        const bool plain = shape == Shape::segment || shape == Shape::square;
+        for (const Stroke& line : lines)
+            paths.push_back({.points = line, .width = plain ? 2 : 0.9, .paint = ink});
+        const bool is_part = 1 / side == std::round(1 / side) && side < 1;
+        made.push_back(pictured(
+            *this, std::move(paths),
+            fmt::format("m = {}, N = {}",
+                        is_part ? fmt::format("1/{:g}", 1 / side) : fmt::format("{:.4g}", side),
+                        squares.size())));
     }
     if (!plot) return made;
-    const auto [slope, height] = best_line(counts);
+    const auto [slope, height, is_level] = best_line(counts);
     Point high{0, 0};
     for (const Point& count : counts) {
         high.x = std::max(high.x, count.x * 1.08 + 0.05);
@@ -237,11 +198,7 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     }
     std::vector<Path> paths;
     const auto line = [&](Point from, Point to, const Colour& paint, double width) {
-        Path path;
-        path.points = {from, to};
-        path.paint = paint;
-        path.width = width;
-        paths.push_back(std::move(path));
+        paths.push_back({.points = {from, to}, .width = width, .paint = paint});
     };
     const double tick = 0.015 * high.x;
     line({0, 0}, {high.x, 0}, {0, 0, 0}, 1);
@@ -249,30 +206,26 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     for (int k = 1; 0.5 * k < high.x; ++k) line({0.5 * k, 0}, {0.5 * k, -tick}, {0, 0, 0}, 1);
     for (int k = 1; 0.5 * k < high.y; ++k) line({0, 0.5 * k}, {-tick, 0.5 * k}, {0, 0, 0}, 1);
     line({0, height}, {high.x, height + slope * high.x}, {0.75, 0.3, 0.2}, 1.2);
-    for (const Point& count : counts) {
-        Path dot = filled_square({{count.x - tick, count.y - tick}, {2 * tick, 0}}, ink);
-        paths.push_back(std::move(dot));
-    }
-    add(std::move(paths),
-        fmt::format("log N(m) against log 1/m, marks each 0.5: slope {:.4f}, log k {:.4f}", slope,
-                    height));
+    for (const Point& count : counts)
+        paths.push_back(filled_square({{count.x - tick, count.y - tick}, {2 * tick, 0}}, ink));
+    made.push_back(
+        pictured(*this, std::move(paths),
+                 fmt::format("log N(m) against log 1/m, marks each 0.5: slope {:.4f}, log k {:.4f}",
+                             slope, height)));
     return made;
 }
 
 RelativeFigure BoxCover::measured_figure(const Budget& budget) const {
     std::vector<Path> paths;
-    for (Stroke& stroke : strokes(budget)) {
-        Path path;
-        path.points = std::move(stroke);
-        paths.push_back(std::move(path));
-    }
-    return {std::make_unique<PathFigure>(std::move(paths), settings), heading(), ""};
+    for (Stroke& stroke : strokes(budget)) paths.push_back({.points = std::move(stroke)});
+    return {std::make_unique<PathFigure>(std::move(paths), style), heading(), ""};
 }
 
 std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {
     check();
     std::vector<RelativeFact> found;
-    found.push_back({"set", shape_name(shape), shape_name(shape)});
+    const char* const set = shape_names[static_cast<std::size_t>(shape)];
+    found.push_back({"set", set, set});
     std::vector<Point> logarithms;
     std::string text;
     nlohmann::ordered_json counts = nlohmann::ordered_json::array();
@@ -284,7 +237,7 @@ std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {
     }
     found.push_back({"boxes", text, counts});
     if (cells.size() > 1) {
-        const double slope = best_line(logarithms).first;
+        const double slope = best_line(logarithms).slope;
         found.push_back({"slope", fmt::format("{:.6f}", slope), slope});
     }
     return found;

@@ -39,20 +39,10 @@ std::vector<std::uint8_t> digits(Integer number, std::uint32_t base, std::size_t
     }
     if (!number.is_zero() || original < Integer(0)) {
         const std::string most = std::to_string(base) + "^" + std::to_string(count);
-        throw Error(
-            std::string("the ") + what + " " + to_string(original) +
-            " is out of range: expected 0 to " +
-            (count <= 64 ? to_string(power(Integer(base), count) - Integer(1)) : most + " - 1"));
+        throw Error(fmt::format(
+            "the {} {} is out of range: expected 0 to {}", what, to_string(original),
+            count <= 64 ? to_string(power(Integer(base), count) - Integer(1)) : most + " - 1"));
     }
-    return found;
-}
-
-/// The local configuration of a number, digit by digit from the first cell.
-std::vector<std::uint8_t> configuration(std::size_t number, std::uint32_t states,
-                                        std::size_t cells) {
-    std::vector<std::uint8_t> found(cells);
-    for (std::size_t i = cells; i-- > 0; number /= states)
-        found[i] = static_cast<std::uint8_t>(number % states);
     return found;
 }
 
@@ -60,14 +50,20 @@ CellRule blank(std::uint32_t states, const std::vector<CellOffset>& neighbourhoo
     CellRule rule;
     rule.states = states;
     rule.neighbourhood = neighbourhood;
-    rule.dimensions = std::any_of(neighbourhood.begin(), neighbourhood.end(),
-                                  [](const CellOffset& offset) { return offset.row != 0; })
-                          ? 2
-                          : 1;
+    const auto in_row = [](const CellOffset& offset) { return offset.row == 0; };
+    rule.dimensions = std::ranges::all_of(neighbourhood, in_row) ? 1 : 2;
     return rule;
 }
 
 }  // namespace
+
+std::vector<std::uint8_t> local_configuration(std::size_t number, std::uint32_t states,
+                                              std::size_t cells) {
+    std::vector<std::uint8_t> found(cells);
+    for (std::size_t i = cells; i-- > 0; number /= states)
+        found[i] = static_cast<std::uint8_t>(number % states);
+    return found;
+}
 
 int CellRule::radius() const {
     int farthest = 0;
@@ -106,9 +102,8 @@ namespace {
 std::size_t cell_table_size(std::uint32_t states, std::size_t neighbours) {
     std::size_t size = 1;
     for (std::size_t i = 0; i < neighbours; ++i) {
-        if (size > largest_cell_table / states)
-            throw Error("a table for " + std::to_string(neighbours) + " cells of " +
-                        std::to_string(states) + " states has more than 2^24 entries");
+        require(size <= largest_cell_table / states,
+                "a table for {} cells of {} states has more than 2^24 entries", neighbours, states);
         size *= states;
     }
     return size;
@@ -131,7 +126,7 @@ CellRule totalistic_rule(const Integer& code, std::uint32_t states,
     const auto by_sum = digits(code, states, cells * (states - 1) + 1, "code");
     for (std::size_t number = 0; number < size; ++number) {
         std::size_t sum = 0;
-        for (const std::uint8_t state : configuration(number, states, cells)) sum += state;
+        for (const std::uint8_t state : local_configuration(number, states, cells)) sum += state;
         rule.table.push_back(by_sum[sum]);
     }
     rule.text = "code " + to_string(code);
@@ -144,15 +139,15 @@ CellRule life_rule(std::string_view text, const std::vector<CellOffset>& neighbo
     const auto counts = [&](std::string_view part, char first) {
         std::vector<bool> found(cells);
         const bool right = !part.empty() && (part.front() == first || part.front() == first + 32);
-        for (const char digit : part.substr(right ? 1 : 0))
-            if (!right || digit < '0' || digit > '9' ||
-                static_cast<std::size_t>(digit - '0') >= cells)
-                throw Error("expected a rule such as B3/S23 with numbers of neighbours from 0 to " +
-                            std::to_string(cells - 1) + ", found '" + std::string(text) + "'");
-            else
-                found[static_cast<std::size_t>(digit - '0')] = true;
-        if (!right)
-            throw Error("expected a rule such as B3/S23, found '" + std::string(text) + "'");
+        for (const char digit : part.substr(right ? 1 : 0)) {
+            require(right && digit >= '0' && digit <= '9' &&
+                        static_cast<std::size_t>(digit - '0') < cells,
+                    "expected a rule such as B3/S23 with numbers of neighbours from 0 to {}, found "
+                    "'{}'",
+                    cells - 1, text);
+            found[static_cast<std::size_t>(digit - '0')] = true;
+        }
+        require(right, "expected a rule such as B3/S23, found '{}'", text);
         return found;
     };
     const auto born = counts(text.substr(0, slash), 'B');
@@ -162,7 +157,7 @@ CellRule life_rule(std::string_view text, const std::vector<CellOffset>& neighbo
         std::find(neighbourhood.begin(), neighbourhood.end(), CellOffset{}) -
         neighbourhood.begin());
     for (std::size_t number = 0; number < cell_table_size(2, cells); ++number) {
-        const auto local = configuration(number, 2, cells);
+        const auto local = local_configuration(number, 2, cells);
         const auto living = static_cast<std::size_t>(std::count(local.begin(), local.end(), 1));
         rule.table.push_back(local[own] ? survives[living - 1] : born[living]);
     }
@@ -172,11 +167,10 @@ CellRule life_rule(std::string_view text, const std::vector<CellOffset>& neighbo
 
 CellGrid::CellGrid(std::size_t width, std::size_t height, const Budget& budget)
     : columns(width), rows(height) {
-    if (width == 0 || height == 0) throw Error("a grid has at least one cell");
-    if (width > budget.memory / 4 / height)
-        throw Error("a grid of " + std::to_string(width) + " x " + std::to_string(height) +
-                    " cells does not fit in the " + std::to_string(budget.memory >> 20) +
-                    " MiB allowed" + budget.by(Bound::memory));
+    require(width > 0 && height > 0, "a grid has at least one cell");
+    require(width <= budget.memory / 4 / height,
+            "a grid of {} x {} cells does not fit in the {} MiB allowed{}", width, height,
+            budget.memory >> 20, budget.by(Bound::memory));
     cells.resize(width * height);
 }
 
@@ -327,13 +321,11 @@ private:
 
 CellDevelopment::CellDevelopment(const CellRule& rule, const CellGrid& start,
                                  const CellBoundary& boundary) {
-    if (rule.dimensions == 1 && start.rows != 1)
-        throw Error("a rule of one dimension is for one row of cells");
+    require(rule.dimensions != 1 || start.rows == 1,
+            "a rule of one dimension is for one row of cells");
     for (const std::uint8_t state : start.cells)
-        if (state >= rule.states)
-            throw Error("the state " + std::to_string(state) +
-                        " of a cell is out of range: expected 0 to " +
-                        std::to_string(rule.states - 1));
+        require(state < rule.states, "the state {} of a cell is out of range: expected 0 to {}",
+                state, rule.states - 1);
     if (rule.is_elementary())
         engine_ = std::make_unique<Bits>(rule, start, boundary);
     else
@@ -381,8 +373,8 @@ std::vector<Run> runs(const CellGrid& grid, std::size_t row) {
 /// State 0 is left blank, state s has the colour of index s - 1. Other paths may be drawn besides.
 class CellFigure final : public PlainFigure {
 public:
-    CellFigure(CellGrid grid, std::vector<Path> besides, Settings settings)
-        : PlainFigure(std::move(settings)), grid_(std::move(grid)), besides_(std::move(besides)) {
+    CellFigure(CellGrid grid, std::vector<Path> besides, FigureStyle style)
+        : PlainFigure(std::move(style)), grid_(std::move(grid)), besides_(std::move(besides)) {
         std::uint64_t strokes = 0;
         box_.add(Point{0, -static_cast<double>(grid_.rows)});
         box_.add(Point{static_cast<double>(grid_.columns), 0});
@@ -433,7 +425,7 @@ public:
             above = std::move(here);
         }
         if (colour != 0) canvas.colour(0);
-        if (!besides_.empty()) PathFigure(besides_, settings_).draw(canvas, resolution, budget);
+        if (!besides_.empty()) PathFigure(besides_, style_).draw(canvas, resolution, budget);
     }
 
 private:
@@ -459,22 +451,21 @@ std::vector<Path> table_paths(const CellRule& rule, double columns) {
         frames.back().points.push_back(corners.front());
     };
     for (std::size_t i = 0; i < entries; ++i) {
-        std::size_t number = entries - 1 - i;
+        const std::size_t number = entries - 1 - i;
         const double left = static_cast<double>(i) * entry;
         cell(left + (static_cast<double>(cells) - 1) / 2, 0, rule.table[number]);
-        for (std::size_t k = cells; k-- > 0; number /= rule.states)
-            cell(left + static_cast<double>(k), 1.5,
-                 static_cast<std::uint8_t>(number % rule.states));
+        const auto local = local_configuration(number, rule.states, cells);
+        for (std::size_t k = cells; k-- > 0;) cell(left + static_cast<double>(k), 1.5, local[k]);
     }
     filled.insert(filled.end(), frames.begin(), frames.end());
     return filled;
 }
 
-Settings with_colours(Settings settings, std::uint32_t states) {
-    if (settings.colours.empty() && states > 2)
-        settings.colours = {"black",    "firebrick", "steelblue", "goldenrod",
-                            "seagreen", "orchid",    "sienna",    "grey"};
-    return settings;
+FigureStyle with_colours(FigureStyle style, std::uint32_t states) {
+    if (style.colours.empty() && states > 2)
+        style.colours = {"black",    "firebrick", "steelblue", "goldenrod",
+                         "seagreen", "orchid",    "sienna",    "grey"};
+    return style;
 }
 
 std::size_t alive(const CellGrid& grid) {
@@ -506,7 +497,7 @@ CellGrid CellularAutomaton::generation(std::uint64_t n, const Budget& budget) co
 
 std::vector<RelativeFigure> CellularAutomaton::figures(const Budget& budget) const {
     const std::string what = title.empty() ? rule.text : title;
-    const Settings own = with_colours(settings, rule.states);
+    const FigureStyle own = with_colours(style, rule.states);
     std::vector<RelativeFigure> found;
     if (rule.dimensions == 1) {
         CellGrid all = space_time(generations.front(), generations.back(), budget);
@@ -536,11 +527,8 @@ std::vector<RelativeFact> CellularAutomaton::facts(const Budget& budget) const {
         std::string text;
         nlohmann::ordered_json table;
         for (std::size_t number = 0; number < rule.table.size(); ++number) {
-            std::string local;
-            std::size_t rest = number;
-            for (std::size_t i = 0; i < rule.neighbourhood.size(); ++i, rest /= rule.states)
-                local += state_character(static_cast<std::uint8_t>(rest % rule.states));
-            std::reverse(local.begin(), local.end());
+            const std::string local =
+                state_text(local_configuration(number, rule.states, rule.neighbourhood.size()));
             text += (text.empty() ? "" : " ") + local + "->" + state_character(rule.table[number]);
             table[local] = rule.table[number];
         }
@@ -570,12 +558,16 @@ char state_character(std::uint8_t state) {
     return static_cast<char>(state < 10 ? '0' + state : 'a' + (state - 10));
 }
 
+std::string state_text(std::span<const std::uint8_t> states) {
+    std::string text;
+    for (const std::uint8_t state : states) text += state_character(state);
+    return text;
+}
+
 std::string grid_text(const CellGrid& grid) {
     std::string text;
-    for (std::size_t row = 0; row < grid.rows; ++row) {
-        for (std::size_t x = 0; x < grid.columns; ++x) text += state_character(grid.at(x, row));
-        text += '\n';
-    }
+    for (std::size_t row = 0; row < grid.rows; ++row)
+        text += state_text(std::span(grid.cells).subspan(row * grid.columns, grid.columns)) + '\n';
     return text;
 }
 

@@ -2,6 +2,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/model.hpp"
+
 #include "nature/detail/iterated_functions.hpp"
 
 // What is known exactly of iterated function systems: their similarity dimension, and which of them
@@ -25,15 +27,6 @@ namespace {
 
 using Status = ExactDimension::Status;
 using Entry = RatioSum::Entry;
-
-std::vector<bool> reached(const IteratedFunctions& system) {
-    std::vector<bool> found(system.states.size());
-    found[0] = true;
-    for (std::size_t round = 0; round < system.states.size(); ++round)
-        for (const auto& map : system.maps)
-            if (found[map.from]) found[map.to] = true;
-    return found;
-}
 
 /// The square of a ratio, where that is a rational number.
 std::optional<Rational> rational_square(const Expression& ratio) {
@@ -70,7 +63,8 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
             found.conditions.push_back(map.name + " is no similarity");
             return found;
         }
-    const std::vector<bool> is_reached = reached(system);
+    std::vector<bool> is_reached = reachable(system).front();
+    is_reached.front() = true;
     std::vector<Entry> entries;
     for (const auto& map : system.maps) entries.push_back({map.from, map.to, *map.ratio});
     const Components all = RatioSum::components(system.states.size(), entries, budget);
@@ -134,18 +128,15 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
     const double turn = map.similarity->second.value / 180 * std::numbers::pi;
     const double c = ratio.value * std::cos(turn), s = ratio.value * std::sin(turn);
     const Quantity x = decimal(offset.real()), y = decimal(offset.imag());
-    map.numbers = {quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   quantity(Rational(0)),
-                   x,
-                   y};
+    map.numbers.fill(quantity(0));
+    map.numbers[4] = x;
+    map.numbers[5] = y;
     map.map = {c, -s, s, c, x.value, y.value};
     return map;
 }
 
 /// The recurrent set of a system's figure; errors name the system.
-RecurrentSet set_of(const LSystem& system, const D0L& rules, const Budget& budget) {
+RecurrentSet set_of(const Model& system, const D0L& rules, const Budget& budget) {
     try {
         return RecurrentSet(system, rules, budget);
     } catch (const Error& error) {
@@ -161,7 +152,7 @@ double normal(double degrees) {
 
 }  // namespace
 
-IteratedFunctions functions_of_curve(const LSystem& system, const Budget& budget) {
+IteratedFunctions functions_of_curve(const Model& system, const Budget& budget) {
     const View<D0L> rules = as_d0l(system);
     if (!rules) throw Error(system.name + ": " + rules.reason());
     const RecurrentSet set = set_of(system, *rules, budget);

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
@@ -18,6 +17,11 @@
 
 namespace algae {
 
+Colour mixed(const Colour& from, const Colour& to, double share) {
+    return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),
+            from.blue + share * (to.blue - from.blue)};
+}
+
 RelativeFact::RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known)
     : key(std::move(of)),
       text(std::move(said)),
@@ -29,8 +33,8 @@ void PlainFigure::take_corners() {
     facts_.high = {Coordinate(box_.high.x), Coordinate(box_.high.y)};
 }
 
-PathFigure::PathFigure(std::vector<Path> paths, Settings settings)
-    : PlainFigure(std::move(settings)), paths_(std::move(paths)) {
+PathFigure::PathFigure(std::vector<Path> paths, FigureStyle style)
+    : PlainFigure(std::move(style)), paths_(std::move(paths)) {
     std::uint64_t lines = 0, polygons = 0;
     double length = 0;
     for (const Path& path : paths_) {
@@ -103,8 +107,8 @@ void draw_dot(Canvas& canvas, Point place) {
 
 }  // namespace
 
-PointFigure::PointFigure(SendDots send, std::uint64_t count, const Box& box, Settings settings)
-    : PlainFigure(std::move(settings)), send_(std::move(send)) {
+PointFigure::PointFigure(SendDots send, std::uint64_t count, const Box& box, FigureStyle style)
+    : PlainFigure(std::move(style)), send_(std::move(send)) {
     strokes_ = count;
     box_ = box;
     facts_.segments = Integer(count);
@@ -171,8 +175,8 @@ void PointFigure::draw_cells(Canvas& canvas, double resolution, const Budget& bu
     }
 }
 
-LinkFigure::LinkFigure(std::vector<Link> links, double thickness, double detail, Settings settings)
-    : PlainFigure(std::move(settings)), links_(std::move(links)), thickness_(thickness) {
+LinkFigure::LinkFigure(std::vector<Link> links, double thickness, double detail, FigureStyle style)
+    : PlainFigure(std::move(style)), links_(std::move(links)), thickness_(thickness) {
     for (const Link& link : links_) {
         box_.add(link.from);
         box_.add(link.to);
@@ -198,6 +202,30 @@ void LinkFigure::draw(Canvas& canvas, double, const Budget& budget) const {
         canvas.move_to(link.from);
         canvas.line_to(link.to);
     }
+}
+
+RelativeFigure pictured(const Relative& of, std::unique_ptr<Figure> figure,
+                        const std::string& what) {
+    return {std::move(figure), of.heading() + ", " + what, what};
+}
+
+RelativeFigure pictured(const Relative& of, std::vector<Path> paths, const std::string& what) {
+    return pictured(of, std::make_unique<PathFigure>(std::move(paths), of.settings), what);
+}
+
+BestLine best_line(const std::vector<Point>& points) {
+    Point mean;
+    for (const Point& point : points) {
+        mean.x += point.x / static_cast<double>(points.size());
+        mean.y += point.y / static_cast<double>(points.size());
+    }
+    double over = 0, under = 0;
+    for (const Point& point : points) {
+        over += (point.x - mean.x) * (point.y - mean.y);
+        under += (point.x - mean.x) * (point.x - mean.x);
+    }
+    if (!(under > 0)) return {0, mean.y, true};
+    return {over / under, mean.y - over / under * mean.x, false};
 }
 
 std::vector<Point> graph_path(const std::vector<double>& values, double breadth) {

@@ -1,8 +1,7 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 
+#include "nature/detail/checks.hpp"
 #include "nature/detail/height_field.hpp"
 
 // Random surfaces over a square, and the lines on which they have a height.
@@ -58,9 +57,9 @@ private:
 
 void check_surface(const BrownianMotion& surface) {
     check_parameters(surface);
-    if (surface.levels > most_surface_levels)
-        throw Error(fmt::format("levels: expected 0 to {} for a surface, found {}",
-                                most_surface_levels, surface.levels));
+    require(surface.levels <= most_surface_levels,
+            "levels: expected 0 to {} for a surface, found {}", most_surface_levels,
+            surface.levels);
 }
 
 HeightField diamond_square(const BrownianMotion& surface, const Gaussians& numbers,
@@ -152,8 +151,8 @@ HeightField exact_surface(const BrownianMotion& surface, const Gaussians& number
 }
 
 double height_at_share(const HeightField& field, double share) {
-    if (!(share >= 0 && share <= 1) || field.heights.empty())
-        throw Error(fmt::format("expected a share from 0 to 1 of a surface, found {}", share));
+    require(share >= 0 && share <= 1 && !field.heights.empty(),
+            "expected a share from 0 to 1 of a surface, found {}", share);
     std::vector<double> sorted = field.heights;
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
     std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());

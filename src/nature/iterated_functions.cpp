@@ -71,48 +71,52 @@ std::string sum_text(const std::vector<IteratedFunctions::Map>& maps, double sum
 
 }  // namespace
 
-std::vector<bool> IteratedFunctions::recurrent_states() const {
-    const std::size_t count = states.size();
-    std::vector<std::vector<bool>> leads(count, std::vector<bool>(count));
-    for (const Map& map : maps) leads[map.from][map.to] = true;
+std::vector<std::vector<bool>> reachable(const IteratedFunctions& system) {
+    const std::size_t count = system.states.size();
+    std::vector<std::vector<bool>> found(count, std::vector<bool>(count));
+    for (const auto& map : system.maps) found[map.from][map.to] = true;
     for (std::size_t k = 0; k < count; ++k)
         for (std::size_t i = 0; i < count; ++i)
-            if (leads[i][k])
+            if (found[i][k])
                 for (std::size_t j = 0; j < count; ++j)
-                    if (leads[k][j]) leads[i][j] = true;
-    std::vector<bool> found(count);
-    for (std::size_t i = 0; i < count; ++i) found[i] = leads[i][i];
+                    if (found[k][j]) found[i][j] = true;
+    return found;
+}
+
+std::vector<bool> IteratedFunctions::recurrent_states() const {
+    const auto led = reachable(*this);
+    std::vector<bool> found(states.size());
+    for (std::size_t i = 0; i < found.size(); ++i) found[i] = led[i][i];
     return found;
 }
 
 void IteratedFunctions::check() const {
-    if (maps.empty())
-        throw Error(name + ": has no maps; expected lines such as `map 0.5 0 0 0.5 0 0`");
+    require(!maps.empty(), "{}: has no maps; expected lines such as `map 0.5 0 0 0.5 0 0`", name);
     const std::vector<bool> recurrent = recurrent_states();
     std::vector<bool> mapped(states.size());
     for (const Map& map : maps) {
         mapped[map.from] = true;
         const double stretch = norm(map.map);
-        if (recurrent[map.from] && !(stretch < 1))
-            throw Error(name + ": " + map.name + " does not contract: its norm is " +
-                        rounded_decimal(stretch, 6) + ", expected less than 1");
+        require(!recurrent[map.from] || stretch < 1,
+                "{}: {} does not contract: its norm is {:.6g}, expected less than 1", name,
+                map.name, stretch);
     }
     for (std::size_t i = 0; i < states.size(); ++i)
-        if (!mapped[i]) throw Error(name + ": the state " + states[i] + " has no map");
+        require(mapped[i], "{}: the state {} has no map", name, states[i]);
     const bool said = std::any_of(maps.begin(), maps.end(),
                                   [](const Map& map) { return map.probability.has_value(); });
     if (!said) return;
     double sum = 0;
     for (const Map& map : maps) {
-        if (!map.probability)
-            throw Error(name + ": " + map.name + " has no probability, others do");
-        if (!(map.probability->value > 0))
-            throw Error(name + ": the probability of " + map.name + " is " +
-                        rounded_decimal(map.probability->value, 6) + ", expected more than 0");
+        require(map.probability.has_value(), "{}: {} has no probability, others do", name,
+                map.name);
+        require(map.probability->value > 0,
+                "{}: the probability of {} is {:.6g}, expected more than 0", name, map.name,
+                map.probability->value);
         sum += map.probability->value;
     }
-    if (std::fabs(sum - 1) > 1e-12)
-        throw Error(name + ": the probabilities add up to " + sum_text(maps, sum) + ", expected 1");
+    require(!(std::fabs(sum - 1) > 1e-12), "{}: the probabilities add up to {}, expected 1", name,
+            sum_text(maps, sum));
 }
 
 double IteratedFunctions::contraction() const {
@@ -258,16 +262,17 @@ std::unique_ptr<PathFigure> copies(const IteratedFunctions& system, std::uint64_
             }
         }
         if (next.size() > most_copies)
-            throw BoundReached(Bound::method,
-                               system.name + ", generation " + std::to_string(round + 1) +
-                                   ": has " + std::to_string(next.size()) +
-                                   " copies, of which at most 1000000 can be drawn; its attractor, "
-                                   "without `generation`, has no such bound");
+            throw BoundReached(
+                Bound::method,
+                fmt::format(
+                    "{}, generation {}: has {} copies, of which at most 1000000 can be drawn; "
+                    "its attractor, without `generation`, has no such bound",
+                    system.name, round + 1, next.size()));
         made = std::move(next);
     }
     std::vector<Path> paths;
     for (const Copy& copy : made) paths.push_back(image(copy.map, system.start, copy.colour));
-    return std::make_unique<PathFigure>(std::move(paths), system.settings);
+    return std::make_unique<PathFigure>(std::move(paths), system.style);
 }
 
 namespace {
@@ -311,10 +316,10 @@ struct Game {
 
 std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::uint64_t count,
                                         const Budget& budget) {
-    if (system.states.size() > 1)
-        throw Error(
-            system.name + ": has " + std::to_string(system.states.size()) +
-            " states, and the chaos game is for one; its attractor is drawn without points");
+    require(
+        system.states.size() == 1,
+        "{}: has {} states, and the chaos game is for one; its attractor is drawn without points",
+        system.name, system.states.size());
     Game game;
     game.count = count;
     game.seed = system.seed;
@@ -338,7 +343,7 @@ std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::ui
         [game = std::move(game)](const TakeDots& take, const Budget& within) {
             game.play(take, within);
         },
-        count, box, system.settings);
+        count, box, system.style);
 }
 
 }  // namespace algae

@@ -11,6 +11,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -22,6 +23,8 @@
 #include "turtle/turtle.hpp"
 
 namespace algae {
+
+struct Model;
 
 /// One picture of a relative: what messages call it, and what is written underneath.
 struct RelativeFigure {
@@ -52,7 +55,7 @@ public:
     /// The title, or the name where there is none.
     std::string heading() const { return title.empty() ? name : title; }
     /// How its figures want to be drawn: `colour` and `width`.
-    Settings settings;
+    FigureStyle style;
 
     /// The pictures that a page of it shows, at least one. Throws what making them throws.
     virtual std::vector<RelativeFigure> figures(const Budget& budget) const = 0;
@@ -147,7 +150,7 @@ public:
 /// out.
 ///
 /// Throws what RecurrentSet throws where the system has none, and Error if it is not a D0L system.
-IteratedFunctions functions_of_curve(const LSystem& system, const Budget& budget = {});
+IteratedFunctions functions_of_curve(const Model& system, const Budget& budget = {});
 
 // Cellular automata.
 
@@ -173,6 +176,12 @@ struct CellRule {
     bool is_elementary() const;
     bool operator==(const CellRule&) const = default;
 };
+
+/// The states of the local configuration of a number, from that of the first cell on.
+///
+/// Example: local_configuration(6, 2, 4) == std::vector<std::uint8_t>{0, 1, 1, 0}
+std::vector<std::uint8_t> local_configuration(std::size_t number, std::uint32_t states,
+                                              std::size_t cells);
 
 /// The cells at most `radius` away on a line, from left to right.
 std::vector<CellOffset> line_neighbourhood(int radius);
@@ -255,6 +264,11 @@ public:
 ///
 /// Example: state_character(11) == 'b'
 char state_character(std::uint8_t state);
+
+/// The characters of several states.
+///
+/// Example: state_text(local_configuration(6, 2, 4)) == "0110"
+std::string state_text(std::span<const std::uint8_t> states);
 
 /// The rows of a grid, a character for each cell, with a line break behind each.
 std::string grid_text(const CellGrid& grid);

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -29,23 +27,23 @@ enum Number : std::uint64_t { of_speed, of_angle, of_life, of_size, of_place, of
 constexpr std::uint64_t emitters_from = std::uint64_t{1} << 63;  // generations of their draws
 
 void check_share(const std::string& what, const ParticleKind& kind, double share) {
-    if (!(share >= 0 && share <= 1))
-        throw Error(fmt::format("{} of {}: expected 0 to 1, found {}", what, kind.name, share));
+    require(share >= 0 && share <= 1, "{} of {}: expected 0 to 1, found {}", what, kind.name,
+            share);
 }
 
 void check_positive(const std::string& what, const ParticleKind& kind, const Scatter& chance) {
-    if (!(chance.spread >= 0 && chance.mean - chance.spread >= 0) || !std::isfinite(chance.mean))
-        throw Error(fmt::format("{} of {}: expected numbers from 0 on, found {} +- {}", what,
-                                kind.name, chance.mean, chance.spread));
+    require(chance.spread >= 0 && chance.mean - chance.spread >= 0 && std::isfinite(chance.mean),
+            "{} of {}: expected numbers from 0 on, found {} +- {}", what, kind.name, chance.mean,
+            chance.spread);
 }
 
 void check(const ParticleSystem& system) {
-    if (system.emitters.empty()) throw Error("expected an emitter, found no particle that is born");
+    require(!system.emitters.empty(), "expected an emitter, found no particle that is born");
     for (const Emitter& emitter : system.emitters) {
-        if (emitter.kind >= system.kinds.size())
-            throw Error("an emitter bears particles of a kind that there is not");
+        require(emitter.kind < system.kinds.size(),
+                "an emitter bears particles of a kind that there is not");
         check_positive("the number born", system.kinds[emitter.kind], emitter.count);
-        if (emitter.every == 0) throw Error("an emitter: expected every 1 frame or more, found 0");
+        require(emitter.every > 0, "an emitter: expected every 1 frame or more, found 0");
     }
     for (const ParticleKind& kind : system.kinds) {
         check_positive("life", kind, kind.life);
@@ -55,14 +53,12 @@ void check(const ParticleSystem& system) {
         check_share("opacity", kind, kind.opacity_born);
         check_share("opacity", kind, kind.opacity_dying);
         if (kind.bursts_into == ParticleKind::none) continue;
-        if (kind.bursts_into >= system.kinds.size())
-            throw Error(fmt::format("{} bursts into a kind that there is not", kind.name));
-        const Scatter& life = system.kinds[kind.bursts_into].life;
-        if (life.mean - life.spread < 1)
-            throw Error(
-                fmt::format("{}: what something bursts into lives for at least 1 frame, "
-                            "found {} +- {}",
-                            system.kinds[kind.bursts_into].name, life.mean, life.spread));
+        require(kind.bursts_into < system.kinds.size(), "{} bursts into a kind that there is not",
+                kind.name);
+        const ParticleKind& part = system.kinds[kind.bursts_into];
+        require(!(part.life.mean - part.life.spread < 1),
+                "{}: what something bursts into lives for at least 1 frame, found {} +- {}",
+                part.name, part.life.mean, part.life.spread);
     }
 }
 
@@ -169,11 +165,6 @@ void ParticleRun::advance() {
 
 namespace {
 
-Colour mixed(const Colour& a, const Colour& b, double share) {
-    return {a.red + share * (b.red - a.red), a.green + share * (b.green - a.green),
-            a.blue + share * (b.blue - a.blue)};
-}
-
 bool holds(const Box& box, Point point, double margin) {
     return point.x - margin >= box.low.x && point.x + margin <= box.high.x &&
            point.y - margin >= box.low.y && point.y + margin <= box.high.y;
@@ -183,11 +174,10 @@ bool holds(const Box& box, Point point, double margin) {
 class Painter {
 public:
     Painter(const Box& view, const Colour& sky) : view_(view), sky_(sky) {
-        Path back;
-        back.points = {view.low, {view.high.x, view.low.y}, view.high, {view.low.x, view.high.y}};
-        back.filled = true;
-        back.paint = sky;
-        paths_.push_back(std::move(back));
+        paths_.push_back(
+            {.points = {view.low, {view.high.x, view.low.y}, view.high, {view.low.x, view.high.y}},
+             .filled = true,
+             .paint = sky});
     }
 
     void paint(const Particle& particle, const ParticleKind& kind) {
@@ -200,24 +190,20 @@ public:
             if (holds(view_, from, particle.size / 2) && holds(view_, to, particle.size / 2)) {
                 const double left =
                     1 - static_cast<double>(i + 1) / (static_cast<double>(kind.trail) + 1);
-                Path path;
-                path.points = {from, to};
-                path.paint = mixed(sky_, colour, opacity * left);
-                path.length_width = particle.size * (0.35 + 0.5 * left);
-                tails_.push_back(std::move(path));
+                tails_.push_back({.points = {from, to},
+                                  .paint = mixed(sky_, colour, opacity * left),
+                                  .length_width = particle.size * (0.35 + 0.5 * left)});
             }
             from = to;
         }
         if (!holds(view_, particle.place, particle.size / 2)) return;
         constexpr int corners = 20;
-        Path disc;
+        Path disc{.points = {}, .filled = true, .paint = mixed(sky_, colour, opacity)};
         for (int k = 0; k < corners; ++k) {
             const double angle = 2 * std::numbers::pi * k / corners;
             disc.points.push_back({particle.place.x + particle.size / 2 * std::cos(angle),
                                    particle.place.y + particle.size / 2 * std::sin(angle)});
         }
-        disc.filled = true;
-        disc.paint = mixed(sky_, colour, opacity);
         discs_.push_back(std::move(disc));
     }
     std::vector<Path> paths() && {
@@ -239,14 +225,13 @@ private:
 
 void ParticleShow::check() const {
     ParticleRun(system, {});
-    if (shown.empty()) throw Error("show: expected a frame");
+    constexpr std::uint64_t most = most_frames;
+    require(!shown.empty(), "show: expected a frame");
     for (const std::uint64_t frame : shown)
-        if (frame > most_frames)
-            throw Error(fmt::format("show: expected frames 0 to {}, found {}", most_frames, frame));
-    if (last_frame > most_frames)
-        throw Error(fmt::format("frames: expected 0 to {}, found {}", most_frames, last_frame));
-    if (view && !(view->breadth() > 0 && view->height() > 0))
-        throw Error("view: expected two corners of a rectangle, found a line or a point");
+        require(frame <= most, "show: expected frames 0 to {}, found {}", most, frame);
+    require(last_frame <= most, "frames: expected 0 to {}, found {}", most, last_frame);
+    require(!view || (view->breadth() > 0 && view->height() > 0),
+            "view: expected two corners of a rectangle, found a line or a point");
 }
 
 std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>& wanted,
@@ -274,7 +259,7 @@ std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>
                 box.add(Point{particle.place.x - particle.size, particle.place.y - particle.size});
                 box.add(Point{particle.place.x + particle.size, particle.place.y + particle.size});
             }
-    if (box.empty) throw Error(name + ": no particle is alive in the frames shown");
+    require(!box.empty, "{}: no particle is alive in the frames shown", name);
     std::vector<RelativeFigure> made;
     for (const std::uint64_t frame : wanted) {
         const auto at = static_cast<std::size_t>(
@@ -282,9 +267,7 @@ std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>
         Painter painter(box, sky);
         for (const Particle& particle : states[at])
             painter.paint(particle, system.kinds[particle.kind]);
-        const std::string what = fmt::format("frame {}", frame);
-        made.push_back({std::make_unique<PathFigure>(std::move(painter).paths(), settings),
-                        heading() + ", " + what, what});
+        made.push_back(pictured(*this, std::move(painter).paths(), fmt::format("frame {}", frame)));
     }
     return made;
 }

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -51,10 +49,7 @@ Colour between(const std::array<Stop, count>& stops, double share) {
     std::size_t i = 1;
     while (i + 1 < count && stops[i].share < share) ++i;
     const Stop &a = stops[i - 1], &b = stops[i];
-    const double s = std::clamp((share - a.share) / (b.share - a.share), 0.0, 1.0);
-    return {a.colour.red + s * (b.colour.red - a.colour.red),
-            a.colour.green + s * (b.colour.green - a.colour.green),
-            a.colour.blue + s * (b.colour.blue - a.colour.blue)};
+    return mixed(a.colour, b.colour, std::clamp((share - a.share) / (b.share - a.share), 0.0, 1.0));
 }
 
 /// In steps that nobody sees, so that neighbours have the same colour more often.
@@ -107,11 +102,9 @@ std::vector<Path> relief_map(const HeightField& field, const Relief& relief, con
             const double right = spacing * std::min(static_cast<double>(end) + 1, reach);
             const double low = spacing * static_cast<double>(row);
             const double high = spacing * std::min(static_cast<double>(row) + 2, reach);
-            Path path;
-            path.points = {{left, low}, {right, low}, {right, high}, {left, high}};
-            path.filled = true;
-            path.paint = shade;
-            made.push_back(std::move(path));
+            made.push_back({.points = {{left, low}, {right, low}, {right, high}, {left, high}},
+                            .filled = true,
+                            .paint = shade});
             column = end;
         }
         budget.check_memory(made.size() * (sizeof(Path) + 80), "a map");
@@ -164,31 +157,26 @@ Relief relief_of(const HeightField& field, double water) {
 
 std::vector<Path> lines_of(const std::vector<Stroke>& strokes, const Colour& paint, double width) {
     std::vector<Path> paths;
-    for (const Stroke& stroke : strokes) {
-        Path path;
-        path.points = stroke;
-        path.paint = paint;
-        path.width = width;
-        paths.push_back(std::move(path));
-    }
+    for (const Stroke& stroke : strokes)
+        paths.push_back({.points = stroke, .width = width, .paint = paint});
     return paths;
-}
-
-void append(std::vector<Path>& to, std::vector<Path> from) {
-    to.insert(to.end(), std::make_move_iterator(from.begin()), std::make_move_iterator(from.end()));
 }
 
 std::vector<Path> contours(const HeightField& field, const Relief& relief, std::uint64_t lines,
                            const Budget& budget) {
     std::vector<Path> paths;
+    const auto add = [&](double height, const Colour& paint, double width) {
+        std::ranges::move(lines_of(contour_lines(field, height, budget), paint, width),
+                          std::back_inserter(paths));
+    };
     for (std::uint64_t i = 1; i <= lines; ++i) {
         const double share = static_cast<double>(i) / static_cast<double>(lines + 1);
         const double height = relief.low + share * (relief.high - relief.low);
         Colour paint = relief_colour(relief, height);
         for (double* part : {&paint.red, &paint.green, &paint.blue}) *part *= 0.7;  // on white
-        append(paths, lines_of(contour_lines(field, height, budget), paint, 0.7));
+        add(height, paint, 0.7);
     }
-    append(paths, lines_of(contour_lines(field, relief.water, budget), {0.05, 0.2, 0.4}, 1.6));
+    add(relief.water, {0.05, 0.2, 0.4}, 1.6);
     return paths;
 }
 
@@ -205,18 +193,14 @@ std::vector<Path> grid(const HeightField& field, const Camera& camera) {
         box.add(place(i % field.side, i / field.side));
     const Projection projection(camera, box);
     std::vector<Path> paths;
-    const auto add = [&](auto at) {
-        Path path;
-        for (std::size_t i = 0; i < field.side; i += every) {
-            const Seen seen = projection(at(i));
-            path.points.push_back({seen.x, seen.y});
+    for (std::size_t k = 0; k < field.side; k += every)
+        for (const bool along : {true, false}) {
+            Path& path = paths.emplace_back();
+            for (std::size_t i = 0; i < field.side; i += every) {
+                const Seen seen = projection(along ? place(i, k) : place(k, i));
+                path.points.push_back({seen.x, seen.y});
+            }
         }
-        paths.push_back(std::move(path));
-    };
-    for (std::size_t k = 0; k < field.side; k += every) {
-        add([&](std::size_t i) { return place(i, k); });
-        add([&](std::size_t i) { return place(k, i); });
-    }
     return paths;
 }
 
@@ -227,10 +211,9 @@ void Terrain::check() const {
     if (levels)
         for (const int level : {levels->first, levels->second})
             check_surface({surface.hurst, surface.sigma, level});
-    if (!(water >= 0 && water <= 1))
-        throw Error(fmt::format("water: expected a share from 0 to 1, found {}", water));
-    if (lines > 1000) throw Error(fmt::format("lines: expected 0 to 1000, found {}", lines));
-    if (views.empty()) throw Error("view: expected map, contours, solid, coast or grid");
+    require(water >= 0 && water <= 1, "water: expected a share from 0 to 1, found {}", water);
+    require(lines <= 1000, "lines: expected 0 to 1000, found {}", lines);
+    require(!views.empty(), "view: expected map, contours, solid, coast or grid");
     check_camera(camera);
 }
 
@@ -251,7 +234,7 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
             std::unique_ptr<Figure> figure;
             std::string what;
             const auto paths = [&](std::vector<Path> drawn, const char* view_name) {
-                figure = std::make_unique<PathFigure>(std::move(drawn), settings);
+                figure = std::make_unique<PathFigure>(std::move(drawn), style);
                 what = view_name;
             };
             switch (view) {
@@ -271,8 +254,8 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
                     ViewChoices choices;
                     choices.camera = camera;
                     figure = std::make_unique<SpaceView>(
-                        relief_scene(heights, relief, shown_squares, budget), settings,
-                        SceneFacts{}, choices, budget);
+                        relief_scene(heights, relief, shown_squares, budget), style, SceneFacts{},
+                        choices, budget);
                     what = "solid view";
                     break;
                 }
@@ -290,9 +273,8 @@ RelativeFigure Terrain::measured_figure(const Budget& budget) const {
     check();
     const HeightField heights = field(surface.levels, budget);
     std::vector<Stroke> coast = contour_lines(heights, height_at_share(heights, water), budget);
-    if (coast.empty()) throw Error(name + ": there is no coast, as there is no water or no land");
-    return {std::make_unique<PathFigure>(lines_of(coast, {}, 1), settings), heading() + ", coast",
-            "coast"};
+    require(!coast.empty(), "{}: there is no coast, as there is no water or no land", name);
+    return pictured(*this, lines_of(coast, {}, 1), "coast");
 }
 
 std::vector<RelativeFact> Terrain::facts(const Budget& budget) const {
@@ -304,7 +286,7 @@ std::vector<RelativeFact> Terrain::facts(const Budget& budget) const {
     std::size_t closed = 0;
     for (const Stroke& line : coast) {
         closed += line.front() == line.back() ? 1 : 0;
-        for (std::size_t i = 1; i < line.size(); ++i) total += distance(line[i - 1], line[i]);
+        for (std::size_t i = 1; i < line.size(); ++i) total += distance(line[i], line[i - 1]);
     }
     std::vector<RelativeFact> found;
     found.push_back({"method", exact ? "exact" : "midpoint displacement of squares",

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wsign-conversion"
@@ -71,17 +69,24 @@ void fourier_transform_square(std::vector<std::complex<double>>& values, std::si
     }
 }
 
+namespace {
+
+void check_dimensions(int dimensions) {
+    require(dimensions >= 1 && dimensions <= 3, "dimensions: expected 1, 2 or 3, found {}",
+            dimensions);
+}
+
+}  // namespace
+
 std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
-    if (walk.dimensions < 1 || walk.dimensions > 3)
-        throw Error("dimensions: expected 1, 2 or 3, found " + std::to_string(walk.dimensions));
-    if (!(walk.deviation > 0) || !std::isfinite(walk.deviation))
-        throw Error("deviation: expected a number above 0, found " +
-                    std::to_string(walk.deviation));
+    check_dimensions(walk.dimensions);
+    require(walk.deviation > 0 && std::isfinite(walk.deviation),
+            "deviation: expected a number above 0, found {:f}", walk.deviation);
     if (walk.steps >= budget.memory / sizeof(Vector))
-        throw BoundReached(Bound::memory, "a walk of " + std::to_string(walk.steps) +
-                                              " steps takes more memory than the " +
-                                              std::to_string(budget.memory) + " bytes allowed" +
-                                              budget.by(Bound::memory) + "; use fewer steps");
+        throw BoundReached(Bound::memory,
+                           fmt::format("a walk of {} steps takes more memory than the {} bytes "
+                                       "allowed{}; use fewer steps",
+                                       walk.steps, budget.memory, budget.by(Bound::memory)));
     const Gaussians across(walk.seed, 0), along(walk.seed, 1), upward(walk.seed, 2);
     std::vector<Vector> places(walk.steps + 1);
     for (std::uint64_t t = 0; t < walk.steps; ++t) {
@@ -95,11 +100,11 @@ std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
 
 namespace {
 
-/// A rod without thickness from each place to the next, in the colours of the settings.
+/// A rod without thickness from each place to the next, in the colours of the style.
 Scene path_scene(const std::vector<Vector>& places, const Relative& walker) {
     Scene made;
     made.name = walker.heading();
-    made.colours = walker.settings.colours;
+    made.colours = walker.style.colours;
     for (std::uint32_t i = 1; i < places.size(); ++i) {
         Rod rod;
         rod.from = places[i - 1];
@@ -151,8 +156,8 @@ std::vector<Vector> longest(const RandomWalks& walks, const Budget& budget) {
 }  // namespace
 
 void RandomWalks::check() const {
-    if (steps.empty() || *std::min_element(steps.begin(), steps.end()) == 0)
-        throw Error("steps: expected at least 1, found 0");
+    require(!steps.empty() && std::ranges::count(steps, 0u) == 0,
+            "steps: expected at least 1, found 0");
     RandomWalk short_walk = walk;
     short_walk.steps = 0;
     random_walk(short_walk, {});
@@ -164,10 +169,9 @@ std::vector<RelativeFigure> RandomWalks::figures(const Budget& budget) const {
     for (const std::uint64_t count : steps) {
         const std::vector<Vector> places(all.begin(),
                                          all.begin() + static_cast<std::ptrdiff_t>(count) + 1);
-        const std::string what = counted(count, "step") + ", seed " + std::to_string(walk.seed);
-        made.push_back({std::make_unique<PathFigure>(
-                            std::vector<Path>{walk_path(places, walk.dimensions)}, settings),
-                        heading() + ", " + what, what});
+        made.push_back(
+            pictured(*this, {walk_path(places, walk.dimensions)},
+                     fmt::format("{} step{}, seed {}", count, count == 1 ? "" : "s", walk.seed)));
     }
     return made;
 }
@@ -199,14 +203,13 @@ std::optional<Scene> RandomWalks::scene(const Budget& budget) const {
 }
 
 void check_parameters(const BrownianMotion& motion) {
-    if (!(motion.hurst > 0 && motion.hurst < 1))
-        throw Error(
-            fmt::format("hurst: expected a number between 0 and 1, found {}", motion.hurst));
-    if (!(motion.sigma > 0) || !std::isfinite(motion.sigma))
-        throw Error(fmt::format("sigma: expected a number above 0, found {}", motion.sigma));
-    if (motion.levels < 0 || motion.levels > BrownianMotion::most_levels)
-        throw Error(fmt::format("levels: expected 0 to {}, found {}", BrownianMotion::most_levels,
-                                motion.levels));
+    constexpr int most = BrownianMotion::most_levels;
+    require(motion.hurst > 0 && motion.hurst < 1,
+            "hurst: expected a number between 0 and 1, found {}", motion.hurst);
+    require(motion.sigma > 0 && std::isfinite(motion.sigma),
+            "sigma: expected a number above 0, found {}", motion.sigma);
+    require(motion.levels >= 0 && motion.levels <= most, "levels: expected 0 to {}, found {}", most,
+            motion.levels);
 }
 
 double displacement_variance(const BrownianMotion& motion, int level) {
@@ -236,9 +239,8 @@ double midpoint_increment_variance(const BrownianMotion& motion, std::uint64_t f
                                    std::uint64_t to) {
     check_parameters(motion);
     const std::uint64_t pieces = std::uint64_t{1} << motion.levels;
-    if (from > pieces || to > pieces)
-        throw Error(
-            fmt::format("expected values 0 to {} of a path, found {} and {}", pieces, from, to));
+    require(from <= pieces && to <= pieces, "expected values 0 to {} of a path, found {} and {}",
+            pieces, from, to);
     // The increment as a sum of values times factors; at most four of them at every level.
     std::map<std::uint64_t, double> factors;
     factors[to] += 1;
@@ -301,8 +303,7 @@ std::vector<double> exact_path(const BrownianMotion& motion, const Gaussians& nu
 }
 
 double estimated_hurst(const std::vector<double>& path) {
-    if (path.size() < 6)
-        throw Error(fmt::format("expected a path of at least 6 values, found {}", path.size()));
+    require(path.size() >= 6, "expected a path of at least 6 values, found {}", path.size());
     const auto mean_square = [&](std::size_t step) {
         double sum = 0;
         const std::size_t count = path.size() - 2 * step;
@@ -313,16 +314,15 @@ double estimated_hurst(const std::vector<double>& path) {
         return sum / static_cast<double>(count);
     };
     const double near = mean_square(1), far = mean_square(2);
-    if (!(near > 0 && far > 0)) throw Error("expected a rough path, found values on a line");
+    require(near > 0 && far > 0, "expected a rough path, found values on a line");
     return std::log2(far / near) / 2;
 }
 
 void BrownianPaths::check() const {
-    if (hurst.empty()) throw Error("hurst: expected a number between 0 and 1, found none");
+    require(!hurst.empty(), "hurst: expected a number between 0 and 1, found none");
     for (const double h : hurst)
         for (const int level : {levels.first, levels.second}) check_parameters({h, sigma, level});
-    if (dimensions < 1 || dimensions > 3)
-        throw Error(fmt::format("dimensions: expected 1, 2 or 3, found {}", dimensions));
+    check_dimensions(dimensions);
 }
 
 std::vector<std::vector<double>> BrownianPaths::coordinates(double h, int level,
@@ -349,13 +349,12 @@ std::vector<RelativeFigure> BrownianPaths::figures(const Budget& budget) const {
     std::vector<RelativeFigure> made;
     for (const double h : hurst)
         for (int level = levels.first; level <= levels.second; ++level) {
-            std::vector<Path> paths{walk_path(places(h, level, budget), dimensions)};
             std::string caption = fmt::format("H = {}", h);
             if (levels.first != levels.second)
-                caption = (hurst.size() > 1 ? caption + ", " : "") +
-                          counted(static_cast<std::uint64_t>(level), "displacement");
-            made.push_back({std::make_unique<PathFigure>(std::move(paths), settings),
-                            heading() + ", " + caption, caption});
+                caption = fmt::format("{}{}{} displacement{}", hurst.size() > 1 ? caption : "",
+                                      hurst.size() > 1 ? ", " : "", level, level == 1 ? "" : "s");
+            made.push_back(
+                pictured(*this, {walk_path(places(h, level, budget), dimensions)}, caption));
         }
     return made;
 }

@@ -1,5 +1,3 @@
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -29,33 +27,27 @@ std::vector<Path> graph(const WeierstrassFunction& function, double from, double
         heights.push_back(function.sum(
             from + (to - from) * static_cast<double>(i) / static_cast<double>(points), count));
     }
-    std::vector<Path> paths(1);
-    paths[0].points = graph_path(heights, breadth);
-    return paths;
+    return {{.points = graph_path(heights, breadth)}};
 }
 
 }  // namespace
 
 void WeierstrassFunction::check() const {
-    if (!(a > 0 && a < 1))
-        throw Error(fmt::format("a: expected a number between 0 and 1, found {}", a));
-    if (!(b > 1) || !std::isfinite(b))
-        throw Error(fmt::format("b: expected a number above 1, found {}", b));
-    if (a * b < 1)
-        throw Error(
-            fmt::format("a b: expected at least 1, below which the function has a derivative, "
-                        "found {} * {} = {:.6g}",
-                        a, b, a * b));
-    for (const std::uint64_t count : terms)
-        if (count < 1 || count > 1000)
-            throw Error(fmt::format("terms: expected 1 to 1000, found {}", count));
-    if (most_terms < 1 || most_terms > 1000)
-        throw Error(fmt::format("terms: expected 1 to 1000, found {}", most_terms));
-    if (zooms > 12) throw Error(fmt::format("zoom: expected 0 to 12, found {}", zooms));
-    if (!(from < to))
-        throw Error(fmt::format("interval: expected from < to, found {} and {}", from, to));
-    if (points < 2 || points > 10'000'000)
-        throw Error(fmt::format("points: expected 2 to 10000000, found {}", points));
+    require(a > 0 && a < 1, "a: expected a number between 0 and 1, found {}", a);
+    require(b > 1 && std::isfinite(b), "b: expected a number above 1, found {}", b);
+    require(a * b >= 1,
+            "a b: expected at least 1, below which the function has a derivative, found {} * {} = "
+            "{:.6g}",
+            a, b, a * b);
+    const auto check_terms = [](std::uint64_t count) {
+        require(count >= 1 && count <= 1000, "terms: expected 1 to 1000, found {}", count);
+    };
+    std::ranges::for_each(terms, check_terms);
+    check_terms(most_terms);
+    require(zooms <= 12, "zoom: expected 0 to 12, found {}", zooms);
+    require(from < to, "interval: expected from < to, found {} and {}", from, to);
+    require(points >= 2 && points <= 10'000'000, "points: expected 2 to 10000000, found {}",
+            points);
 }
 
 double WeierstrassFunction::sum(double x, std::uint64_t count) const {
@@ -76,9 +68,7 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
     check();
     std::vector<RelativeFigure> made;
     const auto add = [&](double left, double right, std::uint64_t count, const std::string& what) {
-        made.push_back({std::make_unique<PathFigure>(
-                            graph(*this, left, right, count, points, budget), settings),
-                        heading() + ", " + what, what});
+        made.push_back(pictured(*this, graph(*this, left, right, count, points, budget), what));
     };
     for (const std::uint64_t count : terms) add(from, to, count, counted(count, "term"));
     if (!terms.empty() && zooms == 0) return made;
@@ -98,7 +88,7 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
 RelativeFigure WeierstrassFunction::measured_figure(const Budget& budget) const {
     check();
     return {std::make_unique<PathFigure>(
-                graph(*this, from, to, most_terms, measured_points, budget), settings),
+                graph(*this, from, to, most_terms, measured_points, budget), style),
             heading() + ", the graph by " + std::to_string(measured_points) + " segments", ""};
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "nature/nature.hpp"
 #include "notation/detail/relative_values.hpp"
 #include "rewrite/rewrite.hpp"
 
@@ -56,8 +57,7 @@ private:
     }
 
     Integer number(const RelativeStatement& said) const {
-        const std::string& text = said.words.front().text;
-        file_.check_words(said, 1, 1, "NUMBER");
+        const std::string& text = file_.only_word(said, "NUMBER").text;
         if (text.find_first_not_of("0123456789") != std::string::npos)
             file_.fail(said, said.words.front(),
                        "expected a whole number of at least 0, found '" + text + "'");
@@ -163,14 +163,14 @@ private:
     std::vector<std::vector<std::uint8_t>> pattern(std::uint32_t states) const {
         std::vector<std::vector<std::uint8_t>> rows;
         const auto add = [&](const RelativeStatement& said) {
-            file_.check_words(said, 1, 1, "STATES");
+            const RelativeWord& word = file_.only_word(said, "STATES");
             auto& row = rows.emplace_back();
-            for (const char character : said.words.front().text) {
+            for (const char character : word.text) {
                 const auto cell = character == '.'   ? std::optional<std::uint8_t>(0)
                                   : character == 'O' ? std::optional<std::uint8_t>(1)
                                                      : state(character, states);
                 if (!cell)
-                    file_.fail(said, said.words.front(),
+                    file_.fail(said, word,
                                "expected states from 0 to " + std::to_string(states - 1) +
                                    ", or . and O for 0 and 1, found '" + std::string(1, character) +
                                    "'");
@@ -231,18 +231,12 @@ private:
                                     : std::vector<std::uint64_t>{0};
         std::vector<std::uint64_t> found;
         for (const RelativeWord& word : said->words) {
-            const std::size_t dots = word.text.find("..");
-            const auto part = [&](const std::string& text) {
-                return file_.natural(*said, {text, word.offset}, 0, most_generations);
-            };
-            const std::uint64_t first = part(word.text.substr(0, dots));
-            const std::uint64_t last =
-                dots == std::string::npos ? first : part(word.text.substr(dots + 2));
+            const auto [first, last] = file_.range(*said, word, most_generations);
             if (last < first || (!found.empty() && first < found.back()))
                 file_.fail(*said, word, "expected generations in rising order");
             if (dimensions_ == 1) {
                 if (said->words.size() > 1) file_.fail(*said, word, "expected one number or range");
-                return {dots == std::string::npos ? 0 : first, last};
+                return {word.text.find("..") == std::string::npos ? 0 : first, last};
             }
             if (last - first > 1000) file_.fail(*said, word, "more than 1000 pictures");
             for (std::uint64_t n = first; n <= last; ++n) found.push_back(n);

@@ -7,16 +7,19 @@
 #include <vector>
 
 #include "notation/detail/claim_reading.hpp"
+#include "notation/detail/grammar.hpp"
+#include "notation/detail/operator_stack.hpp"
 
 // Languages in claims: words, finite sets, morphisms, regular expressions and what operations make of
 // languages.
 //
-// Recursive descent, one function a level of the notation, from the loosest to the tightest: union and
-// difference (`|`, `\`), intersection, concatenation (`.` or nothing), complement `~`, postfix `*`, `+`,
-// `^R`, then names, sets, `L(G)`, `/regular/`, images under morphisms and their inverses. What descends is
-// bounded: brackets nest at most 200 deep, and chains of prefixes and postfixes are loops. The trees that
-// come out are bounded too, because those who work on them do recurse: 1,000 operations inside each other, a
-// million parts with names written out (`LanguageOperand`).
+// The grammars are flat, as that of expressions is: prefixes and opening brackets, an operand, what stands
+// behind it, then an operator. From the loosest to the tightest these are union and difference (`|`, `\`),
+// intersection, concatenation (`.` or nothing), complement `~`, and postfix `*`, `+`, `^R`; operands are
+// names, sets, `L(G)` and `/regular/`, and an image under a morphism or its inverse opens a bracket. An
+// `OperatorStack` finds what belongs together. Brackets nest at most 200 deep. The trees that come out are
+// bounded too, because those who work on them do recurse: 1,000 operations inside each other, a million
+// parts with names written out (`LanguageOperand`).
 //
 // Braces open a set or a morphism; an arrow between them tells which. Between slashes, letters next to each
 // other are one word and choices of words one finite set, so that long words become one leaf and not a chain
@@ -26,76 +29,76 @@ namespace algae {
 
 namespace {
 
+namespace x3 = grammar::x3;
+using grammar::between;
+using grammar::ByHand;
+using grammar::told;
+using grammar::wanted;
+using grammar::word;
+
+constexpr std::size_t most_brackets = 200;
+
+SyntaxError too_many_brackets(const char* where) {
+    return {where, "more than " + std::to_string(most_brackets) + " brackets inside each other"};
+}
+
 /// What stands between the braces, the first of which stands next; nothing if there is no other.
-std::string_view inside_braces(ClaimScanner& scanner) {
-    const std::string_view rest = scanner.rest();
-    if (!rest.starts_with('{')) return {};
-    const char* const close = closing_brace(rest.data(), scanner.end);
-    if (!close) return {};
-    return rest.substr(1, static_cast<std::size_t>(close - rest.data()) - 1);
+std::string_view inside_braces(const char* here, const char* end) {
+    if (here == end || *here != '{') return {};
+    const char* const close = closing_brace(here, end);
+    return close ? between(here + 1, close) : std::string_view();
 }
 
-/// Moves over the line breaks and comments of a set.
-void skip_comments(ClaimScanner& scanner) {
-    while (scanner.rest().starts_with('#') &&
-           is_blank(static_cast<unsigned char>(scanner.here[-1]))) {
-        const std::string_view rest = scanner.rest();
-        scanner.here += std::min(rest.find('\n'), rest.size());
-    }
-}
+/// A comment in a set, up to the end of its line.
+const ByHand comment([](const char*& here, const char* end) {
+    if (here == end || *here != '#' || !is_blank(static_cast<unsigned char>(here[-1])))
+        return false;
+    here = std::find(here, end, '\n');
+    return true;
+});
 
-/// Reads a word in a set: comments may stand in it.
-Word parse_element(ClaimScanner& scanner, ClaimReading& reading) {
-    Word word;
-    const char* const begin = scanner.here;
-    bool is_there = false;
-    while (true) {
-        skip_comments(scanner);
-        const std::string_view rest = scanner.rest();
-        std::size_t length = std::min(rest.find_first_of(",{}#\n"), rest.size());
-        if (length == 0 && rest.starts_with('#')) length = 1;  // no comment: parse_symbols says so
-        if (length == 0) break;
-        const Word piece = parse_symbols(rest.substr(0, length), reading.lexicon);
-        word.insert(word.end(), piece.begin(), piece.end());
-        is_there = true;
-        scanner.here += length;
-    }
-    if (!is_there) throw unexpected("a word (the empty word is ε)", begin);
-    return word;
-}
-
-/// Reads the finite set `{a, ab, ε}` that stands next.
-Language parse_set(ClaimScanner& scanner, ClaimReading& reading) {
+/// Reads the finite set `{a, ab, ε}` that stands next; comments may stand in its words.
+Language parse_set(const char*& here, const char* end, ClaimReading& reading) {
     std::vector<Word> words;
-    scanner.take("{");
-    skip_comments(scanner);
-    if (scanner.take("}")) return words_language({});
-    while (true) {
-        words.push_back(parse_element(scanner, reading));
-        if (scanner.take("}")) return words_language(std::move(words));
-        if (!scanner.take(",")) throw unexpected("',' or '}'", scanner.here);
-    }
+    const char* begin = here;  // of the word
+    bool is_there = false;
+    const auto on_begin = x3::no_skip[ByHand([&](const char*& first, const char*) {
+        begin = first;
+        is_there = false;
+        words.emplace_back();
+    })];
+    const auto on_piece = told([&](std::string_view text) {
+        const Word letters = parse_symbols(text, reading.lexicon);
+        words.back().insert(words.back().end(), letters.begin(), letters.end());
+        is_there = true;
+    });
+    const auto on_end = [&](auto&) {
+        if (!is_there) throw unexpected("a word (the empty word is ε)", begin);
+    };
+    // A '#' that begins no comment is a piece for `parse_symbols` to refuse.
+    const auto piece = x3::lexeme[+(x3::char_ - x3::char_(",{}#\n"))] | '#';
+    const auto element = on_begin >> *x3::raw[piece][on_piece] >> x3::eps[on_end];
+    const auto set = '{' >> (x3::lit('}') | (element % ',' >> wanted("',' or '}'")[x3::lit('}')]));
+    x3::phrase_parse(here, end, set, grammar::blank | comment, x3::skip_flag::dont_post_skip);
+    return words_language(std::move(words));
 }
 
 }  // namespace
 
-/// The word that is the whole of the text; ε is the empty word, a text without anything is none.
 Word parse_claimed_word(std::string_view text, ClaimReading& reading) {
     const std::string_view word = trimmed(text);
     if (word.empty()) throw unexpected("a word (the empty word is ε)", text.data());
     return parse_symbols(word, reading.lexicon);
 }
 
-/// Whether a morphism between braces stands next, not a set of words: there is an arrow between them.
-bool is_morphism(ClaimScanner& scanner) {
-    const std::vector<Clause> inside = clauses(inside_braces(scanner));
+bool is_morphism(const char* here, const char* end) {
+    const std::vector<Clause> inside = clauses(inside_braces(here, end));
     return std::any_of(inside.begin(), inside.end(),
                        [](const Clause& clause) { return clause.arrow != nullptr; });
 }
 
-/// Reads the morphism `{ a -> ab; b -> ε }` that stands next.
-Morphism parse_morphism(ClaimScanner& scanner, ClaimReading& reading) {
-    const std::string_view text = inside_braces(scanner);
+Morphism parse_morphism(const char*& here, const char* end, ClaimReading& reading) {
+    const std::string_view text = inside_braces(here, end);
     Morphism morphism;
     for (const Clause& clause : clauses(text)) {
         if (!clause.arrow) throw unexpected("a letter, '->' and a word", clause.text.data());
@@ -108,7 +111,7 @@ Morphism parse_morphism(ClaimScanner& scanner, ClaimReading& reading) {
         if (!morphism.add(letter[0], std::move(image)))
             throw SyntaxError{clause.text.data(), "the letter " + quoted(left) + " has two images"};
     }
-    scanner.here = text.data() + text.size() + 1;
+    here = text.data() + text.size() + 1;
     return morphism;
 }
 
@@ -237,279 +240,226 @@ private:
     std::optional<LanguageOperand> whole_;
 };
 
-class RegularParser {
+/// Puts a regular expression together from its tokens, given from left to right.
+class RegularBuilder {
 public:
-    RegularParser(ClaimScanner& scanner, ClaimReading& reading)
-        : scanner_(scanner), reading_(reading) {}
-
-    LanguageOperand whole() {
-        const char* const open = scanner_.rest().data();
-        scanner_.take("/");
-        const std::string_view rest = scanner_.rest();
-        if (rest.find('/') == std::string_view::npos)
-            throw SyntaxError{open, "'/' is never closed"};
-        LanguageOperand operand = choice();
-        if (scanner_.take("/")) return operand;
-        throw unexpected("a letter, an operator or '/'", scanner_.here);
+    /// At the begin of the expression or behind an opening bracket.
+    void begin(const char* where) {
+        settle();
+        groups_.push_back({{Kind::united, where}, {Kind::concatenated, where}});
     }
+    void letter(Word word) {
+        settle();
+        letter_ = std::move(word);
+    }
+    void repeat(char sign, const char* where) {
+        LanguageOperand operand = letter_
+                                      ? LanguageOperand{words_language({std::move(*letter_)}), 0, 1}
+                                      : std::move(*last_);
+        letter_.reset();
+        if (sign != '?') {
+            last_ = combined_operand(sign == '*' ? Kind::star : Kind::plus, {std::move(operand)},
+                                     where);
+            return;
+        }
+        Gathered choices(Kind::united, where);
+        choices.add(std::move(operand));
+        choices.add_word({});
+        last_ = choices.finish();
+    }
+    /// Behind a bar, where the next choice begins.
+    void choice(const char* where) {
+        finish_choice();
+        groups_.back().factors = {Kind::concatenated, where};
+    }
+    void close() { last_ = finish(); }
+
+    /// What the innermost brackets hold.
+    LanguageOperand finish() {
+        finish_choice();
+        LanguageOperand whole = groups_.back().choices.finish();
+        groups_.pop_back();
+        return whole;
+    }
+
+    std::size_t brackets() const { return groups_.size() - 1; }
 
 private:
-    static constexpr std::size_t most_brackets = 200;
+    struct Group {
+        Gathered choices, factors;
+    };
 
-    LanguageOperand choice() {
-        Gathered choices(Kind::united, scanner_.rest().data());
-        do {
-            choices.add(product());
-        } while (scanner_.take("|"));
-        return choices.finish();
+    /// What was read last is a factor: nothing more binds to it. A letter that stays as it is needs no
+    /// language of its own, so long words are read fast.
+    void settle() {
+        if (letter_) groups_.back().factors.add_word(std::move(*letter_));
+        if (last_) groups_.back().factors.add(std::move(*last_));
+        letter_.reset();
+        last_.reset();
+    }
+    void finish_choice() {
+        settle();
+        groups_.back().choices.add(groups_.back().factors.finish());
     }
 
-    LanguageOperand product() {
-        Gathered factors(Kind::concatenated, scanner_.rest().data());
-        do {
-            // A letter that stays as it is needs no language of its own: long words are read fast.
-            const ClaimScanner before_letter = scanner_;
-            std::optional<Word> letter = take_letter();
-            if (letter && !is_repeated()) {
-                factors.add_word(*letter);
-            } else {
-                scanner_ = before_letter;
-                factors.add(factor());
-            }
-        } while (!ends());
-        return factors.finish();
-    }
-
-    LanguageOperand factor() {
-        const char* const where = scanner_.rest().data();
-        if (std::optional<Word> letter = take_letter())
-            return repeated({words_language({std::move(*letter)}), 0, 1});
-        if (!scanner_.take("(")) throw unexpected("a letter or '(' (the empty word is ε)", where);
-        if (++brackets_ > most_brackets)
-            throw SyntaxError{where, "more than " + std::to_string(most_brackets) +
-                                         " brackets inside each other"};
-        LanguageOperand inner = choice();
-        --brackets_;
-        if (!scanner_.take(")")) throw unexpected("a letter, an operator or ')'", scanner_.here);
-        return repeated(std::move(inner));
-    }
-
-    LanguageOperand repeated(LanguageOperand operand) {
-        while (true) {
-            const char* const where = scanner_.rest().data();
-            if (scanner_.take("?")) {
-                Gathered choices(Kind::united, where);
-                choices.add(std::move(operand));
-                choices.add_word({});
-                operand = choices.finish();
-            } else if (scanner_.take("*")) {
-                operand = combined_operand(Kind::star, {std::move(operand)}, where);
-            } else if (scanner_.take("+")) {
-                operand = combined_operand(Kind::plus, {std::move(operand)}, where);
-            } else {
-                return operand;
-            }
-        }
-    }
-
-    /// Moves over a letter or ε and says what word it is.
-    std::optional<Word> take_letter() {
-        const std::string_view rest = scanner_.rest();
-        if (scanner_.take("ε")) return Word();
-        if (rest.empty() || std::string_view("|*+?()/").find(rest[0]) != std::string_view::npos)
-            return std::nullopt;
-        if (std::string_view(".^$\\[]{}").find(rest[0]) != std::string_view::npos)
-            throw SyntaxError{rest.data(), "expected a letter, found " + quoted(rest.substr(0, 1)) +
-                                               ", which has no meaning between slashes"};
-        std::string_view after = rest;
-        const std::optional<Symbol> letter = reading_.lexicon.next(after);
-        if (!letter) return std::nullopt;
-        scanner_.here = after.data();
-        return Word{*letter};
-    }
-
-    bool ends() {
-        const std::string_view rest = scanner_.rest();
-        return rest.empty() || rest[0] == '|' || rest[0] == ')' || rest[0] == '/';
-    }
-
-    bool is_repeated() {
-        const std::string_view rest = scanner_.rest();
-        return !rest.empty() && (rest[0] == '*' || rest[0] == '+' || rest[0] == '?');
-    }
-
-    ClaimScanner& scanner_;
-    ClaimReading& reading_;
-    std::size_t brackets_ = 0;
+    std::vector<Group> groups_;
+    std::optional<Word> letter_;
+    std::optional<LanguageOperand> last_;
 };
 
 /// Reads the regular expression between slashes that stands next, `/a(aa)*|b?/`, as a language: letters next
 /// to each other are one word, choices of words one finite set. Throws `SyntaxError`. Brackets nest at
 /// most 200 deep, operations 1000. Linear.
-LanguageOperand parse_regular(ClaimScanner& scanner, ClaimReading& reading) {
-    return RegularParser(scanner, reading).whole();
+LanguageOperand parse_regular(const char*& here, const char* end, ClaimReading& reading) {
+    const char* const first_slash = here;
+    if (std::find(here + 1, end, '/') == end) throw SyntaxError{first_slash, "'/' is never closed"};
+    RegularBuilder builder;
+    const auto on_open = told([&](std::string_view at) {
+        if (builder.brackets() == most_brackets) throw too_many_brackets(at.data());
+    });
+    const auto on_begin = told([&](std::string_view at) { builder.begin(at.data()); });
+    const auto on_empty = [&](auto&) { builder.letter({}); };
+    const auto on_letter = [&](auto& c) { builder.letter({x3::_attr(c)}); };
+    const auto on_repeat = told([&](std::string_view at) { builder.repeat(at[0], at.data()); });
+    const auto on_choice = told([&](std::string_view at) { builder.choice(at.data()); });
+    const auto on_close = [&](auto&) { builder.close(); };
+    const auto is_open = [&](auto& c) { x3::_pass(c) = builder.brackets() > 0; };
+    const auto refuse = told([](std::string_view at) {
+        throw SyntaxError{at.data(), "expected a letter, found " + quoted(at) +
+                                         ", which has no meaning between slashes"};
+    });
+
+    const auto open = x3::raw[x3::lit('(')][on_open] >> grammar::here[on_begin];
+    const auto letter = x3::lit("ε")[on_empty] | x3::raw[x3::char_(".^$\\[]{}")][refuse] |
+                        (grammar::SymbolParser(reading.lexicon) - x3::char_("|*+?()/"))[on_letter];
+    const auto behind =
+        x3::raw[x3::char_("*+?")][on_repeat] | (x3::eps[is_open] >> x3::lit(')')[on_close]);
+    const auto factor = *open >> wanted("a letter or '(' (the empty word is ε)")[letter] >> *behind;
+    const auto next = ('|' >> grammar::here[on_choice]) | !(x3::char_(")/") | x3::eoi);
+    ++here;
+    grammar::read(here, end, grammar::here[on_begin] >> factor % next);
+    const bool is_closed = builder.brackets() == 0;
+    LanguageOperand whole = builder.finish();
+    if (!is_closed) throw unexpected("a letter, an operator or ')'", here);
+    if (here == end || *here != '/') throw unexpected("a letter, an operator or '/'", here);
+    ++here;
+    return whole;
 }
-
-/// Recursive descent, one function a level of the notation.
-class LanguageParser {
-public:
-    LanguageParser(ClaimScanner& scanner, ClaimReading& reading)
-        : scanner_(scanner), reading_(reading) {}
-
-    LanguageOperand sum(bool between_bars) {
-        LanguageOperand left = intersection();
-        while (true) {
-            const char* const where = scanner_.rest().data();
-            if (between_bars && scanner_.rest().starts_with('|')) {
-                ClaimScanner ahead = scanner_;
-                ahead.take("|");
-                if (ahead.take("=") || ahead.take("!=")) return left;
-            }
-            const bool united = scanner_.take("|");
-            if (!united && !scanner_.take("\\")) return left;
-            left = combined_operand(united ? Kind::united : Kind::difference,
-                                    {std::move(left), intersection()}, where);
-        }
-    }
-
-private:
-    static constexpr std::size_t most_brackets = 200;
-
-    LanguageOperand intersection() {
-        LanguageOperand left = product();
-        while (true) {
-            const char* const where = scanner_.rest().data();
-            if (!scanner_.take("&")) return left;
-            left = combined_operand(Kind::intersected, {std::move(left), product()}, where);
-        }
-    }
-
-    LanguageOperand product() {
-        LanguageOperand left = prefix();
-        while (true) {
-            const char* const where = scanner_.rest().data();
-            if (!scanner_.take(".") && !starts_factor()) return left;
-            left = combined_operand(Kind::concatenated, {std::move(left), prefix()}, where);
-        }
-    }
-
-    LanguageOperand prefix() {
-        std::vector<const char*> signs;
-        for (const char* where = scanner_.rest().data(); scanner_.take("~");
-             where = scanner_.rest().data()) {
-            if (signs.size() == most_levels) throw too_deep(where);
-            signs.push_back(where);
-        }
-        LanguageOperand operand = postfix();
-        for (; !signs.empty(); signs.pop_back())
-            operand = complement_operand(std::move(operand), reading_, signs.back());
-        return operand;
-    }
-
-    LanguageOperand postfix() {
-        LanguageOperand operand = primary();
-        while (true) {
-            const char* const where = scanner_.rest().data();
-            Kind kind = Kind::star;
-            if (scanner_.take("+")) {
-                kind = Kind::plus;
-            } else if (scanner_.take("^")) {
-                if (!scanner_.take_word("R"))
-                    throw unexpected("R after '^' (reversal)", scanner_.here);
-                kind = Kind::reversed;
-            } else if (!scanner_.take("*")) {
-                return operand;
-            }
-            operand = combined_operand(kind, {std::move(operand)}, where);
-        }
-    }
-
-    LanguageOperand primary() {
-        const std::string_view rest = scanner_.rest();
-        if (rest.starts_with('(')) return bracketed();
-        if (rest.starts_with('/')) return parse_regular(scanner_, reading_);
-        if (is_morphism(scanner_)) {
-            const auto morphism = parse_morphism(scanner_, reading_);
-            return applied(morphism, rest);
-        }
-        if (rest.starts_with('{')) return {parse_set(scanner_, reading_), 0, 1};
-        if (starts_factor()) return named();
-        throw unexpected("a language", scanner_.here);
-    }
-
-    LanguageOperand named() {
-        const std::string_view name = scanner_.take_name();
-        if (name == "L" && scanner_.rest().starts_with('(')) return generated();
-        const ClaimName& known = reading_.expect(name);
-        switch (known.kind) {
-            case ClaimName::Kind::system:
-                throw SyntaxError{name.data(), "expected a language, found the system " +
-                                                   quoted(name) + "; its language is L(" +
-                                                   std::string(name) + ")"};
-            case ClaimName::Kind::morphism:
-                return applied(known.morphism, name);
-            default:
-                return known.language;
-        }
-    }
-
-    LanguageOperand generated() {
-        scanner_.take("(");
-        const std::string_view rest = scanner_.rest();
-        const std::string_view name = trimmed(rest.substr(0, rest.find(')')));
-        if (name.empty()) throw unexpected("the name of a system", scanner_.here);
-        if (name.size() == rest.size()) throw unexpected("')'", rest.data() + rest.size());
-        LanguageOperand out{generated_language(reading_.system(name)), 0, 1};
-        scanner_.here = name.data() + name.size();
-        if (!scanner_.take(")")) throw unexpected("')'", scanner_.here);
-        return out;
-    }
-
-    LanguageOperand applied(const Morphism& morphism, std::string_view name) {
-        bool inverse = false;
-        if (scanner_.take("^")) {
-            inverse = scanner_.take("-1");
-            if (!inverse)
-                throw unexpected("-1 after '^' (the inverse of a morphism)", scanner_.here);
-        }
-        if (!scanner_.rest().starts_with('('))
-            throw unexpected(inverse ? "'(' and a language after the inverse of a morphism"
-                                     : "'(' and a language after a morphism",
-                             scanner_.here);
-        LanguageOperand operand = bracketed();
-        return inverse ? inverse_image_operand(std::move(operand), morphism, name.data())
-                       : image_operand(std::move(operand), morphism, name, reading_);
-    }
-
-    LanguageOperand bracketed() {
-        const char* const open = scanner_.here;
-        scanner_.take("(");
-        if (++brackets_ > most_brackets)
-            throw SyntaxError{
-                open, "more than " + std::to_string(most_brackets) + " brackets inside each other"};
-        LanguageOperand inner = sum(false);
-        --brackets_;
-        if (!scanner_.take(")")) throw unexpected("an operator or ')'", scanner_.here);
-        return inner;
-    }
-
-    bool starts_factor() {
-        const std::string_view rest = scanner_.rest();
-        if (rest.empty()) return false;
-        if (rest[0] == '{' || rest[0] == '/' || rest[0] == '(' || rest[0] == '~') return true;
-        const std::string_view name = scanner_.name();
-        return !name.empty() && name != "is" && name != "in" && name != "not" && name != "by";
-    }
-
-    ClaimScanner& scanner_;
-    ClaimReading& reading_;
-    std::size_t brackets_ = 0;
-};
 
 }  // namespace
 
-LanguageOperand parse_language(ClaimScanner& scanner, ClaimReading& reading, bool between_bars) {
-    return LanguageParser(scanner, reading).sum(between_bars);
+LanguageOperand parse_language(const char*& here, const char* end, ClaimReading& reading,
+                               bool between_bars) {
+    using Parts = std::vector<LanguageOperand>;
+    enum Binding { sum, intersection, product, complement };
+    OperatorStack<LanguageOperand> stack;
+    std::size_t signs = 0;  // `~` next to each other
+    std::string_view name;  // of what stands last
+    Morphism morphism;
+
+    const auto combine = [](Kind kind, std::string_view at) {
+        return
+            [kind, at](Parts parts) { return combined_operand(kind, std::move(parts), at.data()); };
+    };
+    const auto infix = [&](Kind kind, Binding binding) {
+        return told([&stack, &signs, combine, kind, binding](std::string_view at) {
+            signs = 0;
+            stack.infix(binding, combine(kind, at));
+        });
+    };
+    const auto postfix = [&](Kind kind) {
+        return told(
+            [&stack, combine, kind](std::string_view at) { stack.postfix(combine(kind, at)); });
+    };
+    const auto open = [&](std::string_view at, OperatorStack<LanguageOperand>::Make make) {
+        if (stack.depth() == most_brackets) throw too_many_brackets(at.data());
+        signs = 0;
+        stack.open(std::move(make));
+    };
+    const auto on_complement = told([&](std::string_view at) {
+        if (signs++ == most_levels) throw too_deep(at.data());
+        stack.prefix(complement, [&reading, at](Parts parts) {
+            return complement_operand(std::move(parts[0]), reading, at.data());
+        });
+    });
+    const auto on_open = told(
+        [&](std::string_view at) { open(at, [](Parts parts) { return std::move(parts[0]); }); });
+    const auto on_image = told([&](std::string_view at) {
+        open(at, [&reading, morphism, name](Parts parts) {
+            return image_operand(std::move(parts[0]), morphism, name, reading);
+        });
+    });
+    const auto on_inverse_image = told([&](std::string_view at) {
+        open(at, [morphism, name](Parts parts) {
+            return inverse_image_operand(std::move(parts[0]), morphism, name.data());
+        });
+    });
+    const auto on_close = [&](auto&) { stack.close(); };
+    const auto is_open = [&](auto& c) { x3::_pass(c) = stack.depth() > 0; };
+    const auto is_closed_by_bar = [&](auto& c) {
+        x3::_pass(c) = between_bars && stack.depth() == 0;
+    };
+    const auto is_name_of_morphism = [&](auto& c) {
+        name = grammar::text_of(x3::_attr(c));
+        const ClaimName& known = reading.expect(name);
+        x3::_pass(c) = known.kind == ClaimName::Kind::morphism;
+        if (x3::_pass(c)) morphism = known.morphism;
+    };
+    const auto on_name = told([&](std::string_view text) {
+        const ClaimName& known = reading.expect(text);
+        if (known.kind == ClaimName::Kind::system)
+            throw SyntaxError{text.data(), "expected a language, found the system " + quoted(text) +
+                                               "; its language is L(" + std::string(text) + ")"};
+        stack.operand(known.language);
+    });
+    const auto on_system = told([&](std::string_view text) { name = text; });
+    const auto on_generated = [&](auto&) {
+        stack.operand({generated_language(reading.system(trimmed(name))), 0, 1});
+    };
+    const auto braces_of_morphism = ByHand([&](const char*& first, const char* last) {
+        if (!is_morphism(first, last)) return false;
+        name = between(first, last);
+        morphism = parse_morphism(first, last, reading);
+        return true;
+    });
+    const auto set = ByHand([&](const char*& first, const char* last) {
+        stack.operand({parse_set(first, last, reading), 0, 1});
+    });
+    const auto regular = ByHand([&](const char*& first, const char* last) {
+        stack.operand(parse_regular(first, last, reading));
+    });
+
+    const auto generated = word("L") >> '(';
+    const auto known = grammar::claim_name - (word("is") | word("in") | word("not") | word("by"));
+    const auto mapped =
+        (&x3::lit('{') >> braces_of_morphism) | (!generated >> known[is_name_of_morphism]);
+    const auto inverse =
+        '^' >> wanted("-1 after '^' (the inverse of a morphism)")[x3::lit("-1")] >>
+        wanted("'(' and a language after the inverse of a morphism")[x3::raw[x3::lit('(')]
+                                                                            [on_inverse_image]];
+    const auto image =
+        wanted("'(' and a language after a morphism")[x3::raw[x3::lit('(')][on_image]];
+    const auto prefix = x3::raw[x3::lit('~')][on_complement] | x3::raw[x3::lit('(')][on_open] |
+                        (mapped >> (inverse | image));
+    const auto system =
+        wanted("the name of a system")[x3::raw[x3::lexeme[+(x3::char_ - ')')]][on_system]] >>
+        wanted("')'")[x3::lit(')')[on_generated]];
+    const auto operand = (generated >> system) | known[on_name] | (&x3::lit('{') >> set) |
+                         (&x3::lit('/') >> regular);
+    const auto reversal = x3::lit('^') >> wanted("R after '^' (reversal)")[word("R")];
+    const auto behind =
+        x3::raw[x3::lit('+')][postfix(Kind::plus)] | x3::raw[reversal][postfix(Kind::reversed)] |
+        x3::raw[x3::lit('*')][postfix(Kind::star)] | (x3::eps[is_open] >> x3::lit(')')[on_close]);
+    const auto bar = '|' >> !(x3::eps[is_closed_by_bar] >> (x3::lit('=') | "!="));
+    const auto next =
+        x3::raw[bar][infix(Kind::united, sum)] |
+        x3::raw[x3::lit('\\')][infix(Kind::difference, sum)] |
+        x3::raw[x3::lit('&')][infix(Kind::intersected, intersection)] |
+        x3::raw[x3::lit('.') | &(x3::char_("{/(~") | known)][infix(Kind::concatenated, product)];
+    grammar::read(here, end, (*prefix >> wanted("a language")[operand] >> *behind) % next);
+    LanguageOperand whole = stack.finish();
+    if (stack.depth() > 0) throw unexpected("an operator or ')'", here);
+    return whole;
 }
 
 }  // namespace algae

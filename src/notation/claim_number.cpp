@@ -8,6 +8,8 @@
 #include "dimension/dimension.hpp"
 #include "growth/growth.hpp"
 #include "notation/detail/claim_reading.hpp"
+#include "notation/detail/grammar.hpp"
+#include "notation/detail/operator_stack.hpp"
 
 // Numbers in claims, as `algae dimension` prints them: `log 4 / log 3`, `log((1+sqrt(5))/2) / log 2`, `3/2 =
 // 1.5`.
@@ -22,48 +24,43 @@
 
 namespace algae {
 
-Integer parse_number(ClaimScanner& scanner, const char* what) {
+namespace x3 = grammar::x3;
+using grammar::ByHand;
+using grammar::sets;
+using grammar::told;
+using grammar::wanted;
+using grammar::word;
+
+Integer natural_number(std::string_view digits) {
     constexpr std::size_t longest = 1000;
-    const std::string_view rest = scanner.rest();
-    std::size_t digits = 0;
-    while (digits < rest.size() && is_digit(static_cast<unsigned char>(rest[digits]))) ++digits;
-    if (digits == 0) throw unexpected(what, scanner.here);
-    if (digits > longest)
-        throw SyntaxError{scanner.here,
+    if (digits.size() > longest)
+        throw SyntaxError{digits.data(),
                           "a number of more than " + std::to_string(longest) + " digits"};
-    scanner.here += digits;
-    return Integer(rest.substr(0, digits));
+    return Integer(digits);
 }
 
 namespace {
 
 constexpr long largest_degree = 100;     // of a polynomial that is written out
 constexpr long most_root = 24;           // N^(1/24)
-constexpr int deepest = 50;              // brackets in each other
+constexpr std::size_t deepest = 50;      // brackets in each other
 constexpr std::size_t most_digits = 30;  // of numbers under logarithms
 
-bool is_digit_next(ClaimScanner& scanner) {
-    const std::string_view rest = scanner.rest();
-    return !rest.empty() && is_digit(static_cast<unsigned char>(rest.front()));
+/// A number under a logarithm. Throws `SyntaxError` where it has more than 30 digits.
+QuadraticNumber short_number(std::string_view digits) {
+    Integer number = natural_number(digits);
+    if (digits.size() > most_digits)
+        throw SyntaxError{digits.data(), "expected a number of at most " +
+                                             std::to_string(most_digits) + " digits"};
+    return {Rational(std::move(number)), Rational(0), 1};
 }
 
-/// A natural number of at most 30 digits; messages call it `what`.
-Integer parse_short(ClaimScanner& scanner, const char* what) {
-    const char* const where = scanner.rest().data();
-    Integer number = parse_number(scanner, what);
-    if (static_cast<std::size_t>(scanner.here - where) > most_digits)
-        throw SyntaxError{
-            where, "expected a number of at most " + std::to_string(most_digits) + " digits"};
-    return number;
-}
-
-/// A number from 1 to `most`. Throws `SyntaxError`.
-long parse_small(ClaimScanner& scanner, long most, const char* what) {
-    const char* const where = scanner.rest().data();
-    const Integer number = parse_number(scanner, what);
+/// A number from 1 to `most`; messages call it `what`. Throws `SyntaxError`.
+long small_number(std::string_view digits, long most, const char* what) {
+    const Integer number = natural_number(digits);
     if (number > most || number < 1)
-        throw SyntaxError{where, std::string("expected ") + what + " from 1 to " +
-                                     std::to_string(most) + ", found " + to_string(number)};
+        throw SyntaxError{digits.data(), std::string("expected ") + what + " from 1 to " +
+                                             std::to_string(most) + ", found " + to_string(number)};
     return static_cast<long>(number.to_uint64());
 }
 
@@ -90,89 +87,80 @@ QuadraticNumber root_of(const Integer& number) {
     return larger_root(polynomial);
 }
 
-/// Sums, products and quotients of natural numbers and square roots of one of them.
-class Surd {
-public:
-    explicit Surd(ClaimScanner& scanner) : scanner_(scanner) {}
+/// The number under both roots.
+Integer common_radicand(const QuadraticNumber& left, const QuadraticNumber& right,
+                        const char* where) {
+    if (left.factor.is_zero()) return right.radicand;
+    if (!right.factor.is_zero() && left.radicand != right.radicand)
+        throw SyntaxError{where, "expected roots of one number, found roots of " +
+                                     to_string(left.radicand) + " and " +
+                                     to_string(right.radicand)};
+    return left.radicand;
+}
 
-    QuadraticNumber sum() {
-        QuadraticNumber value = product();
-        for (;;) {
-            const bool minus = scanner_.rest().starts_with('-');
-            if (!minus && !scanner_.rest().starts_with('+')) return value;
-            const char* const where = scanner_.rest().data();
-            ++scanner_.here;
-            const QuadraticNumber right = product();
-            const Rational sign(minus ? -1 : 1);
-            value = {value.rational + sign * right.rational, value.factor + sign * right.factor,
-                     common(value, right, where)};
-        }
+/// What the operator `+`, `-`, `*` or `/` at this place makes of two numbers. The right one of a division is
+/// rational. Throws `SyntaxError`.
+QuadraticNumber combined_numbers(const QuadraticNumber& left, const QuadraticNumber& right,
+                                 const char* operation) {
+    if (*operation == '/') {
+        if (right.rational.is_zero()) throw SyntaxError{operation, "division by 0"};
+        return {left.rational / right.rational, left.factor / right.rational, left.radicand};
     }
+    const Integer radicand = common_radicand(left, right, operation);
+    if (*operation == '*')
+        return {left.rational * right.rational + left.factor * right.factor * Rational(radicand),
+                left.rational * right.factor + left.factor * right.rational, radicand};
+    const Rational sign(*operation == '-' ? -1 : 1);
+    return {left.rational + sign * right.rational, left.factor + sign * right.factor, radicand};
+}
 
-    QuadraticNumber atom() {
-        if (scanner_.take_word("sqrt")) {
-            const char* const where = scanner_.rest().data();
-            const QuadraticNumber number = atom();
-            if (!number.factor.is_zero() || !number.rational.is_integer() ||
-                number.rational < Rational(1))
-                throw SyntaxError{where,
-                                  "expected a natural number, as a root within a sum or "
-                                  "product is one of a natural number"};
-            return root_of(number.rational.numerator());
-        }
-        if (scanner_.take("(")) {
-            if (++depth_ > deepest) throw SyntaxError{scanner_.here, "too many brackets"};
-            const QuadraticNumber value = sum();
-            if (!scanner_.take(")")) throw unexpected("')'", scanner_.here);
-            --depth_;
-            return value;
-        }
-        if (!is_digit_next(scanner_)) throw unexpected("a number, 'sqrt' or '('", scanner_.here);
-        return {Rational(parse_short(scanner_, "a number")), Rational(0), 1};
-    }
+/// The root of a number that stands at this place. Throws `SyntaxError` unless it is a natural one.
+QuadraticNumber root_within_sum(const QuadraticNumber& number, const char* where) {
+    if (!number.factor.is_zero() || !number.rational.is_integer() || number.rational < Rational(1))
+        throw SyntaxError{where,
+                          "expected a natural number, as a root within a sum or "
+                          "product is one of a natural number"};
+    return root_of(number.rational.numerator());
+}
 
-    /// With `*`, and with `/` unless a logarithm comes next.
-    QuadraticNumber product() {
-        QuadraticNumber value = atom();
-        for (;;) {
-            const char* const where = scanner_.rest().data();
-            if (scanner_.take("*")) {
-                const QuadraticNumber right = atom();
-                const Integer radicand = common(value, right, where);
-                value = {value.rational * right.rational +
-                             value.factor * right.factor * Rational(radicand),
-                         value.rational * right.factor + value.factor * right.rational, radicand};
-            } else if (is_division()) {
-                scanner_.take("/");
-                const Integer divisor = parse_short(scanner_, "a number or 'log'");
-                if (divisor.is_zero()) throw SyntaxError{where, "division by 0"};
-                value.rational /= Rational(divisor);
-                value.factor /= Rational(divisor);
-            } else {
-                return value;
-            }
-        }
-    }
+/// Reads sums, products and quotients of natural numbers and square roots of one of them, with `/` unless a
+/// logarithm comes next; or only the first operand of such a sum. Throws `SyntaxError`.
+QuadraticNumber parse_sum(const char*& here, const char* end, bool only_operand) {
+    using Numbers = std::vector<QuadraticNumber>;
+    enum Binding { sum, product, root };
+    OperatorStack<QuadraticNumber> stack;
+    const auto on_root = told([&](std::string_view at) {
+        stack.prefix(root, [at](Numbers of) { return root_within_sum(of[0], at.data()); });
+    });
+    const auto on_open = told([&](std::string_view at) {
+        stack.open([](Numbers held) { return held[0]; });
+        if (stack.depth() > deepest) throw SyntaxError{at.data() + 1, "too many brackets"};
+    });
+    const auto on_close = [&](auto&) { stack.close(); };
+    const auto on_number = told([&](std::string_view text) { stack.operand(short_number(text)); });
+    const auto infix = [&](Binding binding) {
+        return told([&stack, binding](std::string_view at) {
+            stack.infix(binding,
+                        [at](Numbers of) { return combined_numbers(of[0], of[1], at.data()); });
+        });
+    };
+    const auto is_open = [&](auto& c) { x3::_pass(c) = stack.depth() > 0; };
+    const auto goes_on = [&](auto& c) { x3::_pass(c) = stack.depth() > 0 || !only_operand; };
 
-private:
-    bool is_division() {
-        ClaimScanner ahead = scanner_;
-        return ahead.take("/") && ahead.name() != "log";
-    }
-
-    static Integer common(const QuadraticNumber& left, const QuadraticNumber& right,
-                          const char* where) {
-        if (left.factor.is_zero()) return right.radicand;
-        if (!right.factor.is_zero() && left.radicand != right.radicand)
-            throw SyntaxError{where, "expected roots of one number, found roots of " +
-                                         to_string(left.radicand) + " and " +
-                                         to_string(right.radicand)};
-        return left.radicand;
-    }
-
-    ClaimScanner& scanner_;
-    int depth_ = 0;
-};
+    const auto prefix = (word("sqrt") >> grammar::here[on_root]) | x3::raw[x3::lit('(')][on_open];
+    const auto division = x3::raw['/' >> !word("log")][infix(product)] >>
+                          wanted("a number or 'log'")[grammar::digits[on_number]];
+    const auto behind =
+        (x3::eps[is_open] >> x3::lit(')')[on_close]) | (x3::eps[goes_on] >> division);
+    const auto next = x3::eps[goes_on] >> (x3::raw[x3::lit('*')][infix(product)] |
+                                           x3::raw[x3::char_("+-")][infix(sum)]);
+    const auto operand =
+        *prefix >> wanted("a number, 'sqrt' or '('")[grammar::digits[on_number]] >> *behind;
+    grammar::read(here, end, operand % next);
+    const QuadraticNumber whole = stack.finish();
+    if (stack.depth() > 0) throw unexpected("')'", here);
+    return whole;
+}
 
 /// The k-th root of a real quadratic number.
 AlgebraicInteger root(const QuadraticNumber& number, long k, const char* where) {
@@ -198,27 +186,29 @@ AlgebraicInteger root(const QuadraticNumber& number, long k, const char* where) 
 /// Reads sums, products and quotients of natural numbers and square roots of one of them, such as
 /// `(1+sqrt(5))/2`, or the root of one such number, `sqrt((3+sqrt(5))/2)`, `10^(1/4)`: an algebraic
 /// integer of at least 1. Throws `SyntaxError`.
-AlgebraicInteger parse_surd(ClaimScanner& scanner) {
-    const char* const where = scanner.rest().data();
-    const bool is_root = scanner.name() == "sqrt";
-    ClaimScanner ahead = scanner;
-    if (is_root) ahead.take_word("sqrt");
-    const QuadraticNumber alone = Surd(ahead).atom();  // if nothing is added to it
-    if (!is_root && ahead.take("^")) {
-        if (!ahead.take("(") || !ahead.take("1") || !ahead.take("/"))
-            throw unexpected("'(1/' and a number after '^'", ahead.here);
-        const long k = parse_small(ahead, most_root, "a root");
-        if (!ahead.take(")")) throw unexpected("')'", ahead.here);
-        scanner = ahead;
-        return root(alone, k, where);
-    }
-    const std::string_view rest = ahead.rest();
-    if (is_root &&
-        (rest.empty() || std::string_view("*+-").find(rest.front()) == std::string_view::npos)) {
-        scanner = ahead;
-        return root(alone, 2, where);
-    }
-    return root(Surd(scanner).sum(), 1, where);
+AlgebraicInteger parse_surd(const char*& here, const char* end) {
+    QuadraticNumber number;
+    long degree = 1;  // of the root
+    const char* where = here;
+    const auto on_begin = told([&](std::string_view at) { where = at.data(); });
+    const auto on_degree =
+        told([&](std::string_view text) { degree = small_number(text, most_root, "a root"); });
+    const auto sum = [&](bool only_operand) {
+        return ByHand([&number, only_operand](const char*& first, const char* last) {
+            number = parse_sum(first, last, only_operand);
+        });
+    };
+    const auto in_power = [](char token) {
+        return wanted("'(1/' and a number after '^'")[x3::lit(token)];
+    };
+    const auto power = '^' >> in_power('(') >> in_power('1') >> in_power('/') >>
+                       wanted("a root")[grammar::digits[on_degree]] >> wanted("')'")[x3::lit(')')];
+    // What stands behind a root tells whether it is one of a whole number like these.
+    const auto square_root =
+        word("sqrt") >> sum(true) >> !x3::char_("*+-") >> x3::eps[sets(degree, 2)];
+    grammar::read(here, end,
+                  grammar::here[on_begin] >> (square_root | (sum(true) >> power) | sum(false)));
+    return root(number, degree, where);
 }
 
 /// The real root above 0 that lies nearest.
@@ -238,30 +228,6 @@ AlgebraicInteger checked(const std::optional<AlgebraicInteger>& number, const ch
     return *number;
 }
 
-/// The digits, and the point or bar within them.
-std::string_view take_rational(ClaimScanner& scanner) {
-    const std::string_view rest = scanner.rest();
-    std::size_t length = 0;
-    const auto digits = [&] {
-        while (length < rest.size() && is_digit(static_cast<unsigned char>(rest[length]))) ++length;
-    };
-    digits();
-    const std::size_t whole = length;
-    if (length < rest.size() && (rest[length] == '.' || rest[length] == '/')) {
-        ++length;
-        digits();
-        if (length == whole + 1) length = whole;
-    }
-    if (whole == 0) throw unexpected("'log' or a number", scanner.here);
-    if (length > 1000) throw SyntaxError{scanner.here, "a number of more than 1000 digits"};
-    scanner.here += length;
-    return rest.substr(0, length);
-}
-
-bool is_decimal(ClaimScanner scanner) {
-    return is_digit_next(scanner) && take_rational(scanner).find('.') != std::string_view::npos;
-}
-
 Rational rational_of(std::string_view text) {
     try {
         return Rational(text);
@@ -270,27 +236,47 @@ Rational rational_of(std::string_view text) {
     }
 }
 
+/// Digits, with a point or bar within them.
+const auto fraction =
+    x3::raw[x3::lexeme[+x3::char_('0', '9') >> -(x3::char_("./") >> +x3::char_('0', '9'))]];
+
+bool is_decimal(std::string_view number) {
+    constexpr std::size_t longest = 1000;
+    if (number.size() > longest)
+        throw SyntaxError{number.data(),
+                          "a number of more than " + std::to_string(longest) + " digits"};
+    return number.find('.') != std::string_view::npos;
+}
+
 /// Reads `x^3 - x^2 - 2`, monic, of degree at most 100. Throws `SyntaxError`.
-Polynomial parse_polynomial(ClaimScanner& scanner) {
-    const char* const where = scanner.rest().data();
+Polynomial parse_polynomial(const char*& here, const char* end) {
     Polynomial sum;
-    bool minus = scanner.take("-");
-    do {
-        Integer coefficient(1);
-        const bool has_number = is_digit_next(scanner);
-        if (has_number) coefficient = parse_number(scanner, "a coefficient");
-        std::size_t exponent = 0;
-        if (scanner.take("x"))
-            exponent =
-                scanner.take("^")
-                    ? static_cast<std::size_t>(parse_small(scanner, largest_degree, "an exponent"))
-                    : 1;
-        else if (!has_number)
-            throw unexpected("a polynomial in x", scanner.here);
-        const Polynomial term = Polynomial::monomial(coefficient, exponent);
+    const char* where = here;
+    bool minus = false;
+    std::optional<Integer> coefficient;
+    std::size_t exponent = 0;
+    const auto on_begin = told([&](std::string_view at) { where = at.data(); });
+    const auto on_sign = told([&](std::string_view sign) { minus = sign == "-"; });
+    const auto on_coefficient =
+        told([&](std::string_view text) { coefficient = natural_number(text); });
+    const auto on_exponent = told([&](std::string_view text) {
+        exponent = static_cast<std::size_t>(small_number(text, largest_degree, "an exponent"));
+    });
+    const auto has_coefficient = [&](auto& c) { x3::_pass(c) = coefficient.has_value(); };
+    const auto on_term = [&](auto&) {
+        const Polynomial term = Polynomial::monomial(coefficient.value_or(1), exponent);
         sum += minus ? -term : term;
-        minus = scanner.rest().starts_with('-');
-    } while (scanner.take("-") || scanner.take("+"));
+        coefficient.reset();
+        exponent = 0;
+    };
+    const auto power = x3::lit('x')[sets(exponent, std::size_t{1})] >>
+                       -('^' >> wanted("an exponent")[grammar::digits[on_exponent]]);
+    const auto term = -grammar::digits[on_coefficient] >>
+                      wanted("a polynomial in x")[power | x3::eps[has_coefficient]] >>
+                      x3::eps[on_term];
+    grammar::read(here, end,
+                  grammar::here[on_begin] >> -x3::raw[x3::lit('-')][on_sign] >>
+                      term % x3::raw[x3::char_("+-")][on_sign]);
     if (sum.degree() < 1 || sum.leading_coefficient() != 1)
         throw SyntaxError{
             where, "expected a polynomial that begins with a power of x, found " + to_string(sum)};
@@ -300,81 +286,84 @@ Polynomial parse_polynomial(ClaimScanner& scanner) {
 /// Reads `12`, `sqrt 10`, `10^(1/4)`, `(1+sqrt(5))/2`, `sqrt((3+sqrt(5))/2)`,
 /// `the largest real root of x^3 - x^2 - 2` or `2.618, the square root of a root of x^2 - 3x + 1`: an
 /// algebraic integer of at least 1. Throws `SyntaxError`.
-AlgebraicInteger parse_algebraic(ClaimScanner& scanner) {
-    const auto take_words = [](ClaimScanner& from, std::initializer_list<std::string_view> words) {
-        ClaimScanner ahead = from;
-        for (const std::string_view word : words)
-            if (!ahead.take_word(word)) return false;
-        from = ahead;
-        return true;
+AlgebraicInteger parse_algebraic(const char*& here, const char* end) {
+    std::optional<AlgebraicInteger> number;
+    std::string_view near;
+    const char* where = here;
+    const auto at_decimal = [&](auto& c) {
+        near = grammar::text_of(x3::_attr(c));
+        x3::_pass(c) = is_decimal(near);
     };
-    if (take_words(scanner, {"the", "largest", "real", "root", "of"})) {
-        const char* const where = scanner.rest().data();
-        return checked(AlgebraicInteger::largest_root(parse_polynomial(scanner)), where);
-    }
-    ClaimScanner ahead = scanner;
-    if (ahead.take("(") && (ahead.name() == "the" || is_decimal(ahead))) {
-        const AlgebraicInteger number = parse_algebraic(ahead);
-        if (!ahead.take(")")) throw unexpected("')'", ahead.here);
-        scanner = ahead;
-        return number;
-    }
-    ahead = scanner;
-    if (is_digit_next(ahead)) {
-        const std::string_view number = take_rational(ahead);
-        if (number.find('.') != std::string_view::npos) {
-            if (!ahead.take(",") ||
-                !take_words(ahead, {"the", "square", "root", "of", "a", "root", "of"}))
-                throw unexpected(
-                    "', the square root of a root of' and a polynomial, as a decimal "
-                    "number is not exact",
-                    ahead.here);
-            scanner = ahead;
-            const char* const where = scanner.rest().data();
-            const double near = rational_of(number).to_double();
-            return checked(root_near(of_roots(parse_polynomial(scanner), 2), near), where);
-        }
-    }
-    return parse_surd(scanner);
-}
+    const auto on_polynomial = told([&](std::string_view at) { where = at.data(); });
+    const auto largest_root = ByHand([&](const char*& first, const char* last) {
+        number = checked(AlgebraicInteger::largest_root(parse_polynomial(first, last)), where);
+    });
+    const auto nearest_root = ByHand([&](const char*& first, const char* last) {
+        const double value = rational_of(near).to_double();
+        number = checked(root_near(of_roots(parse_polynomial(first, last), 2), value), where);
+    });
+    const auto in_brackets = ByHand(
+        [&](const char*& first, const char* last) { number = parse_algebraic(first, last); });
+    const auto surd =
+        ByHand([&](const char*& first, const char* last) { number = parse_surd(first, last); });
 
-DimensionValue parse_logarithms(ClaimScanner& scanner) {
-    const AlgebraicInteger over = parse_algebraic(scanner);
-    if (!scanner.take("/")) throw unexpected("'/' and a second logarithm", scanner.here);
-    if (!scanner.take_word("log")) throw unexpected("'log'", scanner.here);
-    const char* const where = scanner.rest().data();
-    const AlgebraicInteger under = parse_algebraic(scanner);
-    if (under.integer() == Integer(1))
-        throw SyntaxError{where, "expected a number above 1, as log 1 is 0"};
-    return DimensionValue(Rational(1), over, under);
+    const auto is_exact =
+        "', the square root of a root of' and a polynomial, as a decimal number is not exact";
+    const auto largest = word("the") >> word("largest") >> word("real") >> word("root") >>
+                         word("of") >> grammar::here[on_polynomial] >> largest_root;
+    const auto square_root_of = word("the") >> word("square") >> word("root") >> word("of") >>
+                                word("a") >> word("root") >> word("of");
+    const auto nearest = fraction[at_decimal] >> wanted(is_exact)[x3::lit(',')] >>
+                         wanted(is_exact)[square_root_of] >> grammar::here[on_polynomial] >>
+                         nearest_root;
+    const auto bracketed =
+        '(' >> &(word("the") | fraction[at_decimal]) >> in_brackets >> wanted("')'")[x3::lit(')')];
+    grammar::read(here, end, largest | bracketed | nearest | surd);
+    return std::move(*number);
 }
 
 }  // namespace
 
-DimensionValue parse_dimension_value(ClaimScanner& scanner) {
-    const auto one = [&] {
-        if (scanner.take_word("log")) return parse_logarithms(scanner);
-        return DimensionValue(rational_of(take_rational(scanner)));
-    };
-    const DimensionValue first = one();
-    while (scanner.take("=")) {
-        const std::string_view text = scanner.rest();
-        const DimensionValue next = one();
-        const std::string_view written =
-            text.substr(0, static_cast<std::size_t>(scanner.here - text.data()));
+DimensionValue parse_dimension_value(const char*& here, const char* end) {
+    std::optional<AlgebraicInteger> over;
+    std::optional<DimensionValue> first, next;
+    const char* where = here;
+    const auto on_under = told([&](std::string_view at) { where = at.data(); });
+    const auto dividend =
+        ByHand([&](const char*& from, const char* last) { over = parse_algebraic(from, last); });
+    const auto divisor = ByHand([&](const char*& from, const char* last) {
+        const AlgebraicInteger under = parse_algebraic(from, last);
+        if (under.integer() == Integer(1))
+            throw SyntaxError{where, "expected a number above 1, as log 1 is 0"};
+        next = DimensionValue(Rational(1), *over, under);
+    });
+    const auto on_fraction = told([&](std::string_view text) {
+        is_decimal(text);
+        next = DimensionValue(rational_of(text));
+    });
+    const auto on_value = told([&](std::string_view written) {
+        if (!first) {
+            first = std::move(next);
+            return;
+        }
+        bool same = compare(*first, *next) == Order::equal;
         const std::size_t point = written.find('.');
-        bool same = compare(first, next) == Order::equal;
         if (!same && point != std::string_view::npos &&
             is_digit(static_cast<unsigned char>(written.front()))) {
             const int digits = static_cast<int>(written.size() - point - 1);
-            same = decimal([&](long bits) { return first.enclosure(bits); }, digits) == written;
+            same = decimal([&](long bits) { return first->enclosure(bits); }, digits) == written;
         }
         if (!same)
             throw SyntaxError{written.data(), "expected the number before '=' again, found " +
                                                   quoted(written) +
                                                   ", which is not known to be it"};
-    }
-    return first;
+    });
+    const auto logarithms = word("log") >> dividend >>
+                            wanted("'/' and a second logarithm")[x3::lit('/')] >>
+                            wanted("'log'")[word("log")] >> grammar::here[on_under] >> divisor;
+    const auto value = logarithms | wanted("'log' or a number")[fraction[on_fraction]];
+    grammar::read(here, end, x3::raw[value][on_value] % '=');
+    return std::move(*first);
 }
 
 }  // namespace algae

@@ -1,9 +1,10 @@
 #include <algorithm>
 
+#include "model/model.hpp"
+
 #include "notation/detail/claim_reading.hpp"
 
-// Claims on their way from their text: clauses, the scanner within a clause, and the names that a claim
-// defines.
+// Claims on their way from their text: clauses, and the names that a claim defines.
 //
 // Clauses are separated by line breaks and `;` outside braces, so a system or a set may go over lines. A
 // brace that is never closed must not swallow the rest of the file: unclosed braces are found in a first walk
@@ -129,48 +130,10 @@ bool is_name_character(char byte, bool first) {
 
 }  // namespace
 
-std::string_view ClaimScanner::rest() {
-    while (here != end) {
-        const Character next = first_character({here, static_cast<std::size_t>(end - here)});
-        if (!is_blank(next.code)) break;
-        here += next.bytes;
-    }
-    return {here, static_cast<std::size_t>(end - here)};
-}
-
-bool ClaimScanner::take(std::string_view token) {
-    if (!rest().starts_with(token)) return false;
-    here += token.size();
-    return true;
-}
-
-bool ClaimScanner::take_word(std::string_view word) {
-    if (name() != word) return false;
-    here += word.size();
-    return true;
-}
-
-std::string_view ClaimScanner::name() {
-    const std::string_view text = rest();
-    std::size_t length = 0;
-    while (length < text.size() && is_name_character(text[length], length == 0)) ++length;
-    return text.substr(0, length);
-}
-
-std::string_view ClaimScanner::take_name() {
-    const std::string_view found = name();
-    here += found.size();
-    return found;
-}
-
-std::string_view ClaimScanner::take_piece() {
-    const std::string_view text = rest();
-    while (here != end) {
-        const Character next = first_character({here, static_cast<std::size_t>(end - here)});
-        if (is_blank(next.code)) break;
-        here += next.bytes;
-    }
-    return text.substr(0, text.size() - static_cast<std::size_t>(end - here));
+bool is_claim_name(std::string_view text) {
+    return !text.empty() && is_name_character(text[0], true) &&
+           std::all_of(text.begin(), text.end(),
+                       [](char c) { return is_name_character(c, false); });
 }
 
 std::size_t find_word(std::string_view text, std::string_view word) {
@@ -198,8 +161,6 @@ const std::vector<std::string>& claim_keywords() {
                                               "growth", "sequence", "dimension", "boundary"};
     return all;
 }
-
-bool is_name(std::string_view text) { return !text.empty() && ClaimScanner(text).name() == text; }
 
 std::string kind_text(ClaimName::Kind kind) {
     switch (kind) {
@@ -280,7 +241,7 @@ std::string ClaimReading::suggestion(std::string_view name) const {
 }
 
 std::shared_ptr<const SourceSystem> ClaimReading::system(std::string_view name) {
-    const ClaimName* known = is_name(name) ? find(name) : nullptr;
+    const ClaimName* known = is_claim_name(name) ? find(name) : nullptr;
     if (!known && opens_systems) {
         const std::string key(name);
         if (const auto found = opened_.find(key); found != opened_.end()) return found->second;
@@ -294,11 +255,11 @@ std::shared_ptr<const SourceSystem> ClaimReading::system(std::string_view name) 
 }
 
 std::shared_ptr<const LSystem> ClaimReading::rewriting(std::string_view name) const {
-    const ClaimName* known = is_name(name) ? find(name) : nullptr;
+    const ClaimName* known = is_claim_name(name) ? find(name) : nullptr;
     return known ? known->rewriting : nullptr;
 }
 
-std::shared_ptr<const LSystem> ClaimReading::written(std::string_view name) const {
+std::shared_ptr<const Model> ClaimReading::written(std::string_view name) const {
     const ClaimName& known = expect(name);
     if (!known.written)
         throw SyntaxError{
@@ -313,7 +274,7 @@ Symbol ClaimReading::declare(std::string_view name) {
     return lexicon.declare(name);
 }
 
-LSystem ClaimReading::opened(const std::string& name, const char* where) const {
+Model ClaimReading::opened(const std::string& name, const char* where) const {
     if (!open)
         throw SyntaxError{where,
                           "expected a system between braces: none can be opened by its name here"};

@@ -1,22 +1,31 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
+#include "dimension/dimension.hpp"
 #include "notation/detail/claim_reading.hpp"
+#include "notation/detail/grammar.hpp"
 #include "turtle/turtle.hpp"
 
 // Statements of claims, and the facts of the table of closure properties.
 //
-// What kind of statement a text is shows in a few signs: `==>` is a derivation, and behind `P(` the
-// probability of one; a word `in` outside braces separates a word from the language it is in; `growth`,
-// `sequence`, `dimension`, `boundary` and `|` begin statements of their own; all else is about one or two
-// languages. `not` may stand in front of any statement and in the middle of most, once in all.
+// A form of statements is a rule of `StatementReader` and a row of the table `statement_forms`, in the order of which they
+// are tried. A few signs tell them apart: `==>` is a derivation, and behind `P(` the probability of one; a
+// word `in` outside braces separates a word from the language it is in; `growth`, `sequence`, `dimension`,
+// `boundary` and `|` begin statements of their own; all else is about one or two languages. `not` may stand
+// in front of any statement and in the middle of most, once in all.
 //
 // Derivations are of two kinds. In systems without parameters and probabilities words are strings of letters,
-// over the common alphabet of the claim (`derives`). Those of stochastic and parametric systems, and of
-// systems with contexts in words that are trees, are derived module by module (`rewrites`, `chance`): their
+// over the common alphabet of the claim (`Derives`). Those of stochastic and parametric systems, and of
+// systems with contexts in words that are trees, are derived module by module (`Rewrites`, `HasChance`): their
 // words have values in them and are read over the system's own alphabet, to which letters that it does not
 // know are added, since a claim may say that they never occur.
 
@@ -24,96 +33,44 @@ namespace algae {
 
 namespace {
 
-using Kind = Statement::Kind;
+namespace x3 = grammar::x3;
+using grammar::between;
+using grammar::ByHand;
+using grammar::told;
+using grammar::wanted;
+using grammar::word;
+
+bool is_one_of(const std::vector<std::string>& all, std::string_view word) {
+    return std::find(all.begin(), all.end(), word) != all.end();
+}
+
+constexpr const char* properties =
+    "a family (0L, PD0L, ET0L, regular, ...), finite, infinite or empty";
 
 std::string_view before(std::string_view text, std::size_t offset) {
     return text.substr(0, offset);
 }
 
-/// `growth(G)` or `sequence(G)`; the system is added to the statement.
-void parse_subject(ClaimScanner& scanner, std::string_view word, Statement& statement,
-                   ClaimReading& reading) {
-    if (!scanner.take_word(word))
-        throw unexpected(quoted(word) + " and a system between brackets", scanner.here);
-    if (!scanner.take("(")) throw unexpected("'(' after " + quoted(word), scanner.here);
-    const std::string_view name = scanner.take_name();
-    if (name.empty()) throw unexpected("the name of a system", scanner.here);
-    statement.systems.push_back(reading.system(name));
-    if (!scanner.take(")")) throw unexpected("')'", scanner.here);
+/// Reads the expression that is the rest of a statement. Throws `SyntaxError`.
+Expression parse_rest(const char*& here, const char* end, const char* expectation,
+                      const ClaimReading& reading) {
+    const std::string_view text = between(here, end);
+    if (text.empty()) throw unexpected(expectation, here);
+    here = end;
+    return parse_expression(text, reading.source);
+}
+
+const char* place_of(const Expression& expression, const ClaimReading& reading) {
+    return reading.source.text().data() + reading.source.offset(expression.place);
 }
 
 /// Throws if the formula has names other than n.
 void check_names(const Expression& formula, const ClaimReading& reading) {
     if (formula.kind == Expression::Kind::name && formula.name != "n")
         throw SyntaxError{
-            reading.source.text().data() + reading.source.offset(formula.place),
+            place_of(formula, reading),
             "expected n, the number of the generation, found " + algae::quoted(formula.name)};
     for (const Expression& operand : formula.operands) check_names(operand, reading);
-}
-
-void parse_class(ClaimScanner& scanner, Statement& statement) {
-    const char* const where = scanner.rest().data();
-    const std::string_view found = scanner.take_name();
-    static const std::vector<std::string> all{"zero", "bounded", "polynomial", "exponential"};
-    const std::string expected = "zero, bounded, polynomial or exponential";
-    if (found.empty()) throw unexpected(expected, where);
-    if (std::find(all.begin(), all.end(), found) == all.end())
-        throw SyntaxError{
-            where, "expected " + expected + ", found " + quoted(found) + did_you_mean(found, all)};
-    statement.kind = Kind::growth_class;
-    statement.family = found;
-    if (found == "polynomial" && !scanner.at_end())
-        statement.size = parse_number(scanner, "a degree");
-}
-
-/// Reads what is said of the sequence or the growth of systems, `growth(G) = 2^n`, into the statement.
-/// Throws `SyntaxError` or `DependsOnError`.
-void parse_growth(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
-    const std::string_view word = scanner.name();
-    const bool growth = word == "growth";
-    parse_subject(scanner, word, statement, reading);
-    statement.negated = scanner.take("!=");
-    if (statement.negated || scanner.take("==")) {
-        statement.kind = growth ? Kind::equal_growth : Kind::equal_sequences;
-        return parse_subject(scanner, word, statement, reading);
-    }
-    if (!growth) throw unexpected("'==' or '!='", scanner.here);
-    if (scanner.take("~")) return parse_class(scanner, statement);
-    if (!scanner.take("=")) throw unexpected("'=', '==', '!=' or '~'", scanner.here);
-    if (scanner.name() == "growth")
-        throw SyntaxError{scanner.here, "expected '==' before another growth, found '='"};
-    statement.kind = Kind::growth_formula;
-    const std::string_view formula = scanner.rest();
-    if (formula.empty()) throw unexpected("an expression in n", scanner.here);
-    statement.formula = parse_expression(formula, reading.source);
-    check_names(*statement.formula, reading);
-    scanner.here = scanner.end;
-}
-
-/// Reads what is said of the dimension of the limit set that a system draws, or of its boundary,
-/// `dimension(G) = log 4 / log 3`, into the statement. Throws `SyntaxError` or `DependsOnError`.
-void parse_dimension(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
-    const std::string_view word = scanner.take_name();
-    statement.kind = word == "dimension" ? Statement::Kind::dimension : Statement::Kind::boundary;
-    if (!scanner.take("(")) throw unexpected("'(' after " + quoted(word), scanner.here);
-    const std::string_view name = scanner.take_name();
-    if (name.empty()) throw unexpected("the name of a system", scanner.here);
-    statement.drawn = reading.written(name);
-    if (!scanner.take(")")) throw unexpected("')'", scanner.here);
-    const bool at_most = scanner.take("<=");
-    statement.negated = !at_most && scanner.take("!=");
-    if (!at_most && !statement.negated && !scanner.take("="))
-        throw unexpected("'=', '!=' or '<=' and a number", scanner.here);
-    const std::string_view text = scanner.rest();
-    const DimensionValue value = parse_dimension_value(scanner);
-    statement.dimension = ClaimedDimension{
-        value,
-        std::string(trimmed(text.substr(0, static_cast<std::size_t>(scanner.here - text.data())))),
-        at_most};
-}
-
-const char* place_of(const Expression& expression, const ClaimReading& reading) {
-    return reading.source.text().data() + reading.source.offset(expression.place);
 }
 
 /// Throws where the expression has no value or a value that is no number from the constants.
@@ -141,6 +98,63 @@ ModuleWord parse_modules(std::string_view text, LSystem& system, ClaimReading& r
     return read;
 }
 
+/// Reads what is derived, `WORD in n steps`, by a system of these, and the word it begins with if it is no
+/// axiom. Throws `SyntaxError`.
+Rewrites parse_rewriting(const std::shared_ptr<const LSystem>& system,
+                         const std::optional<std::string_view>& from, std::string_view word,
+                         std::optional<std::uint64_t> steps, ClaimReading& reading) {
+    Rewrites said;
+    LSystem with_all_letters = *system;
+    if (from) said.from = parse_modules(*from, with_all_letters, reading);
+    said.word = parse_modules(word, with_all_letters, reading);
+    if (!steps)
+        throw unexpected("'in' and a number of steps, as " + system->name +
+                             " has probabilities, parameters or contexts of trees",
+                         word.data() + word.size());
+    said.steps = *steps;
+    said.system = std::make_shared<const LSystem>(std::move(with_all_letters));
+    return said;
+}
+
+/// Reads `3 steps`. Throws `SyntaxError`.
+std::uint64_t parse_steps(std::string_view text) {
+    std::uint64_t steps = 0;
+    const auto on_number = told([&](std::string_view digits) {
+        const Integer number = natural_number(digits);
+        if (!number.fits_uint64())
+            throw SyntaxError{digits.data(), "expected a number of steps below 2^64"};
+        steps = number.to_uint64();
+    });
+    grammar::read_all(text,
+                      wanted("a number of steps")[grammar::digits[on_number]] >>
+                          wanted("'steps'")[word("steps") | word("step")],
+                      "the end of the statement");
+    return steps;
+}
+
+/// Reads `G ==> W in 3 steps` or `G : U ==> W`. Throws `SyntaxError`.
+std::variant<Derives, Rewrites> parse_derivation(std::string_view text, ClaimReading& reading) {
+    const std::size_t arrow = text.find("==>");
+    const std::string_view left = before(text, arrow);
+    const std::size_t colon = left.find(':');
+    const std::string_view name = trimmed(before(left, colon));
+    if (name.empty()) throw unexpected("the name of a system", text.data());
+    std::optional<std::string_view> from;
+    if (colon != std::string_view::npos) from = left.substr(colon + 1);
+    std::string_view word = text.substr(arrow + 3);
+    std::optional<std::uint64_t> steps;
+    if (const std::size_t in = find_word(word, "in"); in != std::string_view::npos) {
+        steps = parse_steps(word.substr(in + 2));
+        word = before(word, in);
+    }
+    if (const auto rewriting = reading.rewriting(name))
+        return parse_rewriting(rewriting, from, word, steps, reading);
+    Derives said{reading.system(name), {}, {}, steps};
+    if (from) said.from = parse_claimed_word(*from, reading);
+    said.word = parse_claimed_word(word, reading);
+    return said;
+}
+
 /// The bracket that closes the first one of the text.
 std::size_t closing_bracket(std::string_view text) {
     std::size_t depth = 0;
@@ -151,260 +165,308 @@ std::size_t closing_bracket(std::string_view text) {
     throw SyntaxError{text.data() + text.find('('), "'(' is never closed"};
 }
 
-/// Whether a statement begins with `P(` and holds an arrow: the probability of a derivation.
-bool is_chance(std::string_view text) {
-    ClaimScanner scanner(text);
-    return scanner.take_word("P") && scanner.rest().starts_with('(') &&
-           text.find("==>") != std::string_view::npos;
-}
+/// Reads one statement by the rules of its forms. A rule does not match where a statement begins in another way; behind
+/// its first token it throws `SyntaxError` or `DependsOnError` where the text is wrong.
+class StatementReader {
+    /// `!=`.
+    auto unequal() { return x3::lit("!=")[grammar::sets(statement_.negated, true)]; }
+    /// `!=` or `=`.
+    auto is(const char* expectation) { return unequal() | wanted(expectation)['=']; }
 
-/// Reads what is derived, `WORD in n steps`, into a statement on a system of these, and the word it begins
-/// with if it is no axiom. Throws `SyntaxError`.
-void parse_rewriting(const std::shared_ptr<const LSystem>& system,
-                     const std::optional<std::string_view>& from, std::string_view word,
-                     std::optional<std::uint64_t> steps, Statement& statement,
-                     ClaimReading& reading) {
-    statement.kind = Statement::Kind::rewrites;
-    LSystem with_all_letters = *system;
-    if (from) statement.modules_from = parse_modules(*from, with_all_letters, reading);
-    statement.modules = parse_modules(word, with_all_letters, reading);
-    if (!steps)
-        throw unexpected("'in' and a number of steps, as " + system->name +
-                             " has probabilities, parameters or contexts of trees",
-                         word.data() + word.size());
-    statement.steps = steps;
-    statement.rewriting = std::make_shared<const LSystem>(std::move(with_all_letters));
-}
-
-/// Reads `G ==> W in 3 steps` or `G : U ==> W`. Throws `SyntaxError`.
-void parse_derivation(std::string_view text, Statement& statement, ClaimReading& reading) {
-    const std::size_t arrow = text.find("==>");
-    const std::string_view left = before(text, arrow);
-    const std::size_t colon = left.find(':');
-    const std::string_view name = trimmed(before(left, colon));
-    if (name.empty()) throw unexpected("the name of a system", text.data());
-    std::optional<std::string_view> from;
-    if (colon != std::string_view::npos) from = left.substr(colon + 1);
-    std::string_view word = text.substr(arrow + 3);
-    if (const std::size_t in = find_word(word, "in"); in != std::string_view::npos) {
-        ClaimScanner steps(word.substr(in + 2));
-        const char* const where = steps.rest().data();
-        const Integer number = parse_number(steps, "a number of steps");
-        if (!number.fits_uint64())
-            throw SyntaxError{where, "expected a number of steps below 2^64"};
-        statement.steps = number.to_uint64();
-        if (!steps.take_word("steps") && !steps.take_word("step"))
-            throw unexpected("'steps'", steps.here);
-        if (!steps.at_end()) throw unexpected("the end of the statement", steps.here);
-        word = before(word, in);
+    auto language(Language& to, bool between_bars = false) {
+        return ByHand([this, &to, between_bars](const char*& here, const char* end) {
+            to = parse_language(here, end, reading_, between_bars).language;
+        });
     }
-    if (const auto rewriting = reading.rewriting(name))
-        return parse_rewriting(rewriting, from, word, statement.steps, statement, reading);
-    statement.kind = Kind::derives;
-    statement.systems.push_back(reading.system(name));
-    if (from) statement.from = parse_claimed_word(*from, reading);
-    statement.word = parse_claimed_word(word, reading);
-}
+    /// A word and a system between brackets, `growth(G)`; `opening` is expected if there are none.
+    template <class OnName>
+    auto of_system(const char* of, const char* opening, OnName on_name) {
+        return word(of) >> wanted(opening)['('] >>
+               wanted("the name of a system")[grammar::claim_name[told(on_name)]] >>
+               wanted("')'")[')'];
+    }
+    auto system_of(const char* of, std::shared_ptr<const SourceSystem>& to) {
+        const bool growth = of == std::string_view("growth");
+        return of_system(of, growth ? "'(' after 'growth'" : "'(' after 'sequence'",
+                         [this, &to](std::string_view name) { to = reading_.system(name); });
+    }
+    template <class Tell>
+    static auto number(const char* what, Tell tell) {
+        return wanted(what)[grammar::digits[told(
+            [tell](std::string_view digits) { tell(natural_number(digits)); })]];
+    }
+    /// The statement says this.
+    template <class Form>
+    auto says(Form& said) {
+        return x3::eps[([this, &said](auto&) { statement_.says = said; })];
+    }
+    template <class Grammar>
+    bool read(const Grammar& grammar) {
+        return grammar::read_all(text_, grammar, "the end of the statement");
+    }
 
-/// Reads `P(G ==> W in n steps) = NUMBER`, or `!=`. Throws `SyntaxError`.
-void parse_chance(std::string_view text, Statement& statement, ClaimReading& reading) {
-    const std::size_t open = text.find('('), close = closing_bracket(text);
-    const std::string_view inside = text.substr(open + 1, close - open - 1);
-    parse_derivation(inside, statement, reading);
-    if (!statement.rewriting)
-        throw SyntaxError{inside.data() + inside.find_first_not_of(' '),
-                          "expected a system with probabilities (S0L, PS0L, parametric), found '" +
-                              statement.systems.front()->name + "', which has none"};
-    if (class_of(*statement.rewriting).open)
-        throw SyntaxError{inside.data() + inside.find_first_not_of(' '),
-                          "expected a system without communication modules, found '" +
-                              statement.rewriting->name +
-                              "', whose environments leave nothing to chance"};
-    statement.kind = Statement::Kind::chance;
-    ClaimScanner scanner(text.substr(close + 1));
-    statement.negated = scanner.take("!=");
-    if (!statement.negated && !scanner.take("="))
-        throw unexpected("'=' or '!=' and a probability", scanner.rest().data());
-    const std::string_view number = scanner.rest();
-    if (number.empty()) throw unexpected("a probability, such as 1/9", scanner.here);
-    const Expression expression = parse_expression(number, reading.source);
-    check_value(expression, LSystem{}, reading);
-    const Quantity value = evaluate(expression, {});
-    if (!value.exact || *value.exact < 0 || *value.exact > 1)
-        throw SyntaxError{
-            number.data(),
-            "expected a probability, an exact number from 0 to 1, found " + quoted(number)};
-    statement.probability = value.exact;
-}
+    bool is_derivation() const { return text_.find("==>") != std::string_view::npos; }
 
-/// Where a word that is written before `in` ends: in front of that, and of `not`.
-struct InPlace {
-    std::size_t word_end = 0;
-    std::size_t behind = 0;
-    bool negated = false;
+    /// What is derived with a probability. Throws `SyntaxError` if that is not a matter of chance.
+    Rewrites probable(std::string_view text) {
+        const auto derivation = parse_derivation(text, reading_);
+        const char* const where = text.data() + text.find_first_not_of(' ');
+        if (const auto* said = std::get_if<Derives>(&derivation))
+            throw SyntaxError{
+                where, "expected a system with probabilities (S0L, PS0L, parametric), found '" +
+                           said->system->name + "', which has none"};
+        const Rewrites& said = std::get<Rewrites>(derivation);
+        if (class_of(*said.system).open)
+            throw SyntaxError{where, "expected a system without communication modules, found '" +
+                                         said.system->name +
+                                         "', whose environments leave nothing to chance"};
+        return said;
+    }
+
+    template <class Form>
+    bool dimension_of(const char* of, const char* opening) {
+        Form said;
+        const auto on_name = [&](std::string_view name) { said.system = reading_.written(name); };
+        const auto value = ByHand([&](const char*& here, const char* end) {
+            said.dimension.value =
+                std::make_shared<const DimensionValue>(parse_dimension_value(here, end));
+        });
+        const auto on_value =
+            told([&](std::string_view text) { said.dimension.text = trimmed(text); });
+        return read(of_system(of, opening, on_name) >>
+                    (x3::lit("<=")[grammar::sets(said.dimension.at_most, true)] |
+                     is("'=', '!=' or '<=' and a number")) >>
+                    x3::raw[value][on_value] >> says(said));
+    }
+
+    /// `A is ...`, from behind that.
+    void property(std::string_view found, const Language& language) {
+        if (found == "finite" || found == "infinite") {
+            statement_.says = IsFinite{language};
+            statement_.negated = statement_.negated != (found == "infinite");
+        } else if (found == "empty") {
+            statement_.says = IsEmpty{language};
+        } else if (const auto family = language_family(found)) {
+            statement_.says = InFamily{language, *family};
+        } else {
+            std::vector<std::string> candidates = common_families();
+            candidates.insert(candidates.end(), {"finite", "infinite", "empty"});
+            throw unknown_word(properties, found, candidates);
+        }
+    }
+
+    std::string_view text_;
+    Statement& statement_;
+    ClaimReading& reading_;
+
+public:
+    StatementReader(std::string_view text, Statement& statement, ClaimReading& reading)
+        : text_(text), statement_(statement), reading_(reading) {}
+
+    /// `P(G ==> W in n steps) = NUMBER`, or `!=`.
+    bool chance() {
+        const char* inside = text_.data();
+        const char* const end = inside + text_.size();
+        if (!is_derivation() || !grammar::read(inside, end, word("P") >> '(')) return false;
+        const std::size_t open = text_.find('('), close = closing_bracket(text_);
+        HasChance said{probable(text_.substr(open + 1, close - open - 1)), {}};
+        const auto probability = ByHand([&](const char*& here, const char* last) {
+            const std::string_view number = between(here, last);
+            const Expression expression =
+                parse_rest(here, last, "a probability, such as 1/9", reading_);
+            check_value(expression, LSystem{}, reading_);
+            const Quantity value = evaluate(expression, {});
+            if (!value.exact || *value.exact < 0 || *value.exact > 1)
+                throw SyntaxError{
+                    number.data(),
+                    "expected a probability, an exact number from 0 to 1, found " + quoted(number)};
+            said.probability = *value.exact;
+        });
+        text_ = text_.substr(close + 1);
+        return read(is("'=' or '!=' and a probability") >> probability >> says(said));
+    }
+
+    /// `G ==> W in 3 steps`.
+    bool derivation() {
+        if (!is_derivation()) return false;
+        std::visit([&](auto&& said) { statement_.says = std::move(said); },
+                   parse_derivation(text_, reading_));
+        return true;
+    }
+
+    /// `ab in A`, `ab not in A`.
+    bool membership() {
+        const std::size_t in = find_word(text_, "in");
+        if (in == std::string_view::npos) return false;
+        std::string_view word = before(text_, in);
+        const std::string_view left = trimmed(word);
+        statement_.negated =
+            left == "not" ||
+            (left.ends_with("not") && is_blank(static_cast<unsigned char>(left[left.size() - 4])));
+        if (statement_.negated) word = between(text_.data(), left.data() + left.size() - 3);
+        HasWord said{nullptr, parse_claimed_word(word, reading_)};
+        text_ = text_.substr(in + 2);
+        return read(language(said.language) >> says(said));
+    }
+
+    /// `sequence(G) == sequence(H)`, or `!=`.
+    bool sequences() {
+        EqualSequences said;
+        return read(
+            system_of("sequence", said.left) >> wanted("'==' or '!='")["==" | unequal()] >>
+            wanted("'sequence' and a system between brackets")[system_of("sequence", said.right)] >>
+            says(said));
+    }
+
+    /// `growth(G) = 2^n`, `growth(G) ~ exponential`, `growth(G) == growth(H)`.
+    bool growth() {
+        HasGrowthFormula by_formula;
+        HasGrowthClass by_class;
+        EqualGrowth equal;
+        const auto on_class = told([&](std::string_view found) {
+            static const std::vector<std::string> all{"zero", "bounded", "polynomial",
+                                                      "exponential"};
+            if (!is_one_of(all, found))
+                throw unknown_word("zero, bounded, polynomial or exponential", found, all);
+            by_class = {equal.left, std::string(found)};
+        });
+        const auto has_degree = [&](auto& c) { x3::_pass(c) = by_class.growth == "polynomial"; };
+        const auto refuse = told([](std::string_view at) {
+            throw SyntaxError{at.data(), "expected '==' before another growth, found '='"};
+        });
+        const auto formula = ByHand([&](const char*& here, const char* end) {
+            by_formula = {equal.left, parse_rest(here, end, "an expression in n", reading_)};
+            check_names(by_formula.formula, reading_);
+        });
+        const auto is_equal =
+            ("==" | unequal()) >>
+            wanted("'growth' and a system between brackets")[system_of("growth", equal.right)] >>
+            says(equal);
+        const auto degree = x3::eps[has_degree] >> !x3::eoi >>
+                            number("a degree", [&](Integer read) { by_class.degree = read; });
+        const auto is_of_class =
+            '~' >>
+            wanted("zero, bounded, polynomial or exponential")[grammar::claim_name[on_class]] >>
+            -degree >> says(by_class);
+        const auto has_formula = wanted("'=', '==', '!=' or '~'")['='] >>
+                                 -x3::raw[word("growth")][refuse] >> formula >> says(by_formula);
+        return read(system_of("growth", equal.left) >> (is_equal | is_of_class | has_formula));
+    }
+
+    /// `dimension(G) = log 4 / log 3`, of the limit set that a system draws.
+    bool dimension() { return dimension_of<HasDimension>("dimension", "'(' after 'dimension'"); }
+
+    /// `boundary(G) = log 2 / log sqrt 3`, the dimension of its boundary.
+    bool boundary() {
+        return dimension_of<BoundaryHasDimension>("boundary", "'(' after 'boundary'");
+    }
+
+    /// `|A| = 3`, or `!=`.
+    bool size() {
+        HasSize said;
+        return read('|' >> language(said.language, true) >>
+                    wanted("an operator or '|' and '='")['|'] >> is("'=' and a number of words") >>
+                    number("a number of words", [&](Integer read) { said.size = read; }) >>
+                    says(said));
+    }
+
+    /// `A is 0L`, `A == B`, `A <= B`.
+    bool languages() {
+        EqualLanguages equal;
+        IncludedIn included;
+        const auto on_property = told([&](std::string_view found) { property(found, equal.left); });
+        const auto is_property = word("is") >>
+                                 -word("not")[grammar::sets(statement_.negated, true)] >>
+                                 wanted(properties)[grammar::piece[on_property]];
+        const auto is_equal = ("==" | unequal()) >> language(equal.right) >> says(equal);
+        const auto is_included =
+            wanted("an operator, 'is', '==', '!=' or '<='")["<="] >> language(included.outer) >>
+            x3::eps[([&](auto&) { included.inner = equal.left; })] >> says(included);
+        return read(language(equal.left) >> (is_property | is_equal | is_included));
+    }
 };
 
-std::optional<InPlace> find_in(std::string_view text) {
-    const std::size_t in = find_word(text, "in");
-    if (in == std::string_view::npos) return std::nullopt;
-    InPlace place{in, in + 2, false};
-    const std::string_view left = trimmed(before(text, in));
-    if (left == "not" ||
-        (left.ends_with("not") && is_blank(static_cast<unsigned char>(left[left.size() - 4])))) {
-        place.negated = true;
-        place.word_end = static_cast<std::size_t>(left.data() - text.data()) + left.size() - 3;
-    }
-    return place;
-}
+/// A form of statements: how it is written, and its rule.
+struct StatementForm {
+    const char* written;
+    bool (StatementReader::*rule)();
+};
 
-/// `E is ...`, from behind `is`.
-void parse_property(ClaimScanner& scanner, Statement& statement) {
-    statement.negated = scanner.take_word("not");
-    const char* const where = scanner.rest().data();
-    const std::string_view property = scanner.take_piece();
-    if (property == "finite" || property == "infinite") {
-        statement.kind = Kind::finite;
-        if (property == "infinite") statement.negated = !statement.negated;
-    } else if (property == "empty") {
-        statement.kind = Kind::empty;
-    } else if (const auto family = language_family(property)) {
-        statement.kind = Kind::family;
-        statement.family = *family;
-    } else {
-        const std::string expected =
-            "a family (0L, PD0L, ET0L, regular, ...), finite, infinite or empty";
-        if (property.empty()) throw unexpected(expected, where);
-        std::vector<std::string> candidates = common_families();
-        for (const char* word : {"finite", "infinite", "empty"}) candidates.emplace_back(word);
-        throw SyntaxError{where, "expected " + expected + ", found " + quoted(property) +
-                                     did_you_mean(property, candidates)};
-    }
-}
-
-/// What is said of one language, or of two.
-void parse_about_languages(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
-    statement.languages.push_back(parse_language(scanner, reading).language);
-    if (scanner.take_word("is")) return parse_property(scanner, statement);
-    if (scanner.take("==")) {
-        statement.kind = Kind::equal;
-    } else if (scanner.take("!=")) {
-        statement.kind = Kind::equal;
-        statement.negated = true;
-    } else if (scanner.take("<=")) {
-        statement.kind = Kind::included;
-    } else {
-        throw unexpected("an operator, 'is', '==', '!=' or '<='", scanner.here);
-    }
-    statement.languages.push_back(parse_language(scanner, reading).language);
-}
-
-void parse_size(ClaimScanner& scanner, Statement& statement, ClaimReading& reading) {
-    statement.kind = Kind::size;
-    scanner.take("|");
-    statement.languages.push_back(parse_language(scanner, reading, true).language);
-    if (!scanner.take("|")) throw unexpected("an operator or '|' and '='", scanner.here);
-    statement.negated = scanner.take("!=");
-    if (!statement.negated && !scanner.take("="))
-        throw unexpected("'=' and a number of words", scanner.here);
-    statement.size = parse_number(scanner, "a number of words");
-}
-
-void parse_body(std::string_view text, Statement& statement, ClaimReading& reading) {
-    ClaimScanner scanner(text);
-    if (is_chance(text)) return parse_chance(text, statement, reading);
-    if (text.find("==>") != std::string_view::npos)
-        return parse_derivation(text, statement, reading);
-    if (const auto in = find_in(text)) {
-        statement.kind = Kind::member;
-        statement.negated = in->negated;
-        statement.word = parse_claimed_word(before(text, in->word_end), reading);
-        scanner.here = text.data() + in->behind;
-        statement.languages.push_back(parse_language(scanner, reading).language);
-    } else if (scanner.name() == "growth" || scanner.name() == "sequence") {
-        parse_growth(scanner, statement, reading);
-    } else if (scanner.name() == "dimension" || scanner.name() == "boundary") {
-        parse_dimension(scanner, statement, reading);
-    } else if (scanner.rest().starts_with('|')) {
-        parse_size(scanner, statement, reading);
-    } else {
-        parse_about_languages(scanner, statement, reading);
-    }
-    if (!scanner.at_end()) throw unexpected("the end of the statement", scanner.here);
-}
+/// All forms, in the order in which they are tried.
+constexpr StatementForm statement_forms[] = {
+    {"P(G ==> w in 3 steps) = 1/9", &StatementReader::chance},
+    {"G ==> w in 3 steps", &StatementReader::derivation},
+    {"ab in A", &StatementReader::membership},
+    {"sequence(G) == sequence(H)", &StatementReader::sequences},
+    {"growth(G) = 2^n + 1", &StatementReader::growth},
+    {"dimension(G) = log 4 / log 3", &StatementReader::dimension},
+    {"boundary(G) = log 2 / log sqrt 3", &StatementReader::boundary},
+    {"|A| = 3", &StatementReader::size},
+    {"A is 0L", &StatementReader::languages}};
 
 }  // namespace
 
-/// The statement that is the whole of the text: `A is not 0L`, `A == B`, `a in A`, `|A| = 3`,
-/// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
+std::vector<std::string> written_statements() {
+    std::vector<std::string> all;
+    for (const StatementForm& form : statement_forms) all.emplace_back(form.written);
+    return all;
+}
+
 Statement parse_statement(std::string_view text, ClaimReading& reading) {
     Statement statement;
     statement.text = trimmed(text);
     statement.place = reading.source.place(text.data());
-    ClaimScanner scanner(text);
-    const bool denied = scanner.take_word("not");
-    const char* const where = scanner.rest().data();
-    if (scanner.at_end()) throw unexpected("a statement", where);
-    parse_body(scanner.rest(), statement, reading);
+    bool denied = false;
+    const char* here = text.data();
+    const char* const end = here + text.size();
+    grammar::read(here, end, -word("not")[grammar::sets(denied, true)]);
+    if (here == end) throw unexpected("a statement", here);
+    StatementReader reader(between(here, end), statement, reading);
+    for (const StatementForm& form : statement_forms)
+        if ((reader.*form.rule)()) break;
     if (denied && statement.negated)
-        throw SyntaxError{where, "expected at most one negation, found a second behind 'not'"};
+        throw SyntaxError{here, "expected at most one negation, found a second behind 'not'"};
     statement.negated = denied != statement.negated;
     return statement;
 }
 
-namespace {
-
-bool is_one_of(const std::vector<std::string>& all, std::string_view word) {
-    return std::find(all.begin(), all.end(), word) != all.end();
-}
-
-/// The words up to a colon, with one blank between any two.
-std::string take_operation(ClaimScanner& scanner) {
-    const std::string_view rest = scanner.rest();
-    ClaimScanner words(rest.substr(0, rest.find(':')));
-    std::string operation;
-    while (!words.at_end())
-        operation += (operation.empty() ? "" : " ") + std::string(words.take_piece());
-    scanner.here = words.end;
-    return operation;
-}
-
-}  // namespace
-
 bool is_closure_fact(std::string_view text) {
-    ClaimScanner scanner(text);
-    scanner.take_word("not");
-    return scanner.take_word("closed");
+    const char* here = text.data();
+    return grammar::read(here, here + text.size(), -word("not") >> word("closed"));
 }
 
 ClosureFact parse_closure_fact(std::string_view text, const ClaimReading& reading) {
     ClosureFact fact;
+    fact.closed = true;
     fact.place = reading.source.place(text.data());
-    ClaimScanner scanner(text);
-    fact.closed = !scanner.take_word("not");
-    scanner.take_word("closed");
-    if (!scanner.take_word("under")) throw unexpected("'under' after 'closed'", scanner.here);
-    const char* const where = scanner.rest().data();
-    fact.operation = take_operation(scanner);
-    if (fact.operation.empty()) throw unexpected("an operation", where);
-    if (!is_one_of(closure_operations(), fact.operation))
-        throw SyntaxError{where, "expected an operation (" + listed(closure_operations()) +
-                                     "), found " + algae::quoted(fact.operation) +
-                                     did_you_mean(fact.operation, closure_operations())};
-    if (!scanner.take(":")) throw unexpected("':' and families", scanner.here);
-    do {
-        const char* const family_place = scanner.rest().data();
-        const std::string_view family = scanner.take_piece();
-        if (family.empty()) throw unexpected("a family", family_place);
+    const char* where = nullptr;  // the operation stands
+    const auto on_word = told([&](std::string_view word) {
+        if (fact.operation.empty()) where = word.data();
+        fact.operation += (fact.operation.empty() ? "" : " ") + std::string(word);
+    });
+    const auto on_operation = [&](auto&) {
+        if (!is_one_of(closure_operations(), fact.operation))
+            throw SyntaxError{where, "expected an operation (" + listed(closure_operations()) +
+                                         "), found " + algae::quoted(fact.operation) +
+                                         did_you_mean(fact.operation, closure_operations())};
+    };
+    const auto on_family = told([&](std::string_view family) {
         if (!is_one_of(closure_families(), family))
-            throw SyntaxError{family_place, "expected a family of the table (" +
-                                                listed(closure_families()) + "), found " +
-                                                quoted(family) +
-                                                did_you_mean(family, closure_families())};
+            throw unknown_word("a family of the table (" + listed(closure_families()) + ")", family,
+                               closure_families());
         if (is_one_of(fact.families, family))
-            throw SyntaxError{family_place,
+            throw SyntaxError{family.data(),
                               "the family " + std::string(family) + " stands there twice"};
         fact.families.emplace_back(family);
-    } while (!scanner.at_end());
+    });
+    const auto operation_word = x3::raw[x3::lexeme[+(x3::char_ - ':' - grammar::blank)]];
+    grammar::read_all(text,
+                      -word("not")[grammar::sets(fact.closed, false)] >> word("closed") >>
+                          wanted("'under' after 'closed'")[word("under")] >>
+                          wanted("an operation")[+operation_word[on_word]] >>
+                          x3::eps[on_operation] >> wanted("':' and families")[x3::lit(':')] >>
+                          wanted("a family")[+grammar::piece[on_family]],
+                      "a family");
     return fact;
 }
 

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "growth/growth.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/turtle.hpp"
@@ -53,14 +54,14 @@ std::string without_blanks(const std::string& text) {
 /// Answers the questions of one file; figures of a generation are made once.
 class Answers {
 public:
-    Answers(const LSystem& system, const Budget& budget)
+    Answers(const Model& system, const Budget& budget)
         : system_(system),
           budget_(budget),
           d0l_(as_d0l(system)),
           ol_(as_ol(system)),
           il_(as_il(system)),
           is_in_space_(leaves_plane(system)) {
-        if (system.settings.seeds) choices_.seed = system.settings.seeds->first;
+        if (system.drawing.seeds) choices_.seed = system.drawing.seeds->first;
     }
 
     /// What was found, written as the expectation is.
@@ -181,7 +182,7 @@ private:
         return text.empty() ? "nothing drawn" : text;
     }
 
-    const LSystem& system_;
+    const Model& system_;
     const Budget& budget_;
     View<D0L> d0l_;
     View<OL> ol_;
@@ -248,7 +249,7 @@ bool same(const Expectation& expected, const std::string& found) {
 
 }  // namespace
 
-std::vector<Disappointment> unmet_expectations(const LSystem& system, const Budget& budget) {
+std::vector<Disappointment> unmet_expectations(const Model& system, const Budget& budget) {
     std::vector<Disappointment> unmet;
     Answers answers(system, budget);
     for (const Expectation& expected : system.expectations) {

@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cctype>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -14,6 +16,8 @@
 // (`ExpressionBuilder`), which is told the tokens from left to right and keeps its own stack. So no text,
 // however deep its brackets, can exhaust the program's stack, and the limits (200 brackets, 500 operators
 // inside each other) protect whoever walks the result. Only `^` groups to the right; relations do not chain.
+// Which operators there are is a table, `ExpressionDialect`: with their tables the same grammar reads the arithmetic of
+// other programs, whose readers say what an operand is.
 // Words in quotes are read by words.cpp, which calls back for their arguments.
 
 namespace algae {
@@ -24,16 +28,21 @@ namespace x3 = grammar::x3;
 using grammar::text_of;
 using grammar::wanted;
 
-/// How tightly the operators of an expression bind, loosest first.
-enum class Binding { disjunction, conjunction, relation, sum, product, prefix, power };
+using Binding = ExpressionDialect::Binding;
+using Operator = ExpressionDialect::Operator;
+using Powers = ExpressionDialect::Powers;
 
 /// Puts an expression together from its tokens, given from left to right: Dijkstra's shunting yard.
 /// It keeps its own stack, so no nesting can exhaust the program's. All throw `SyntaxError`.
 class ExpressionBuilder {
 public:
     /// `systems` are names that are called as functions of one number.
-    ExpressionBuilder(const Source& source, const std::vector<std::string>& systems)
-        : source_(source), systems_(systems) {}
+    ExpressionBuilder(const Source& source, const ExpressionDialect& dialect,
+                      const std::vector<std::string>& systems)
+        : source_(source), dialect_(dialect), systems_(systems) {}
+
+    /// What becomes of each operator and its operands, if not what they are.
+    std::function<Expression(Expression)> made;
 
     void number(std::string_view text) {
         constexpr std::size_t longest = 1000;
@@ -58,21 +67,28 @@ public:
         push(std::move(out), 0, text.data());
     }
 
-    void word(Expression quoted) {
-        const char* const where = source_.text().data() + source_.offset(quoted.place);
-        push(std::move(quoted), 0, where);
+    /// An operand that was read elsewhere.
+    void operand(Expression read, const char* where) { push(std::move(read), 0, where); }
+
+    /// Whether a prefix may stand here: an exponent without brackets takes one sign.
+    bool takes(const Operator& prefix) const {
+        const bool signed_already = !pending_.empty() && pending_.back().kind == Kind::prefix;
+        return !is_exponent() || (!signed_already && *prefix.name);
     }
 
-    void prefix(std::string_view text) {
-        if (pending_.size() > most_levels + most_brackets) throw too_deep(text.data());
-        pending_.push_back({Kind::prefix, std::string(text), Binding::prefix, text.data(), 0});
+    void prefix(const Operator& prefix, const char* where) {
+        if (pending_.size() > most_levels + most_brackets) throw too_deep(where);
+        if (*prefix.name) pending_.push_back({Kind::prefix, prefix.name, prefix.binding, where, 0});
     }
 
-    void infix(std::string_view name, Binding binding, const char* where) {
-        // Only ^ groups to the right: a pending ^ waits for its right side.
-        const int least = static_cast<int>(binding) + (binding == Binding::power ? 1 : 0);
-        reduce_to(static_cast<Binding>(least));
-        pending_.push_back({Kind::infix, std::string(name), binding, where, 0});
+    void infix(const Operator& infix, const char* where) {
+        if (infix.binding == Binding::power && is_exponent())
+            throw unexpected("brackets that say which power is taken first", where);
+        // Where ^ groups to the right, a pending ^ waits for its right side.
+        const bool waits =
+            infix.binding == Binding::power && dialect_.powers == Powers::to_the_right;
+        reduce_to(static_cast<Binding>(static_cast<int>(infix.binding) + (waits ? 1 : 0)));
+        pending_.push_back({Kind::infix, infix.name, infix.binding, where, 0});
     }
 
     void open_bracket(const char* where) {
@@ -164,6 +180,15 @@ private:
         levels_.push_back(levels);
     }
 
+    /// Whether powers need brackets and what is read now is an exponent, perhaps behind a sign.
+    bool is_exponent() const {
+        if (dialect_.powers != Powers::in_brackets) return false;
+        auto innermost = pending_.rbegin();
+        if (innermost != pending_.rend() && innermost->kind == Kind::prefix) ++innermost;
+        return innermost != pending_.rend() && innermost->kind == Kind::infix &&
+               innermost->binding == Binding::power;
+    }
+
     /// The pending operator at the top.
     void reduce() {
         Pending top = std::move(pending_.back());
@@ -182,7 +207,7 @@ private:
             out.place = source_.place(top.where);
         }
         out.operands.push_back(std::move(right));
-        push(std::move(out), levels + 1, top.where);
+        push(made ? made(std::move(out)) : std::move(out), levels + 1, top.where);
     }
 
     /// All pending operators that bind at least so tightly.
@@ -222,6 +247,7 @@ private:
     }
 
     const Source& source_;
+    const ExpressionDialect& dialect_;
     const std::vector<std::string>& systems_;
     std::vector<Pending> pending_;
     std::vector<Expression> operands_;
@@ -229,26 +255,33 @@ private:
     std::size_t open_ = 0;
 };
 
-struct Operator {
-    const char* name;
-    Binding binding;
-};
-
 struct Operators : x3::symbols<Operator> {
-    Operators() {
-        add("|", {"|", Binding::disjunction})("||", {"|", Binding::disjunction});
-        add("&", {"&", Binding::conjunction})("&&", {"&", Binding::conjunction});
-        add("<", {"<", Binding::relation})("<=", {"<=", Binding::relation});
-        add(">", {">", Binding::relation})(">=", {">=", Binding::relation});
-        add("=", {"=", Binding::relation})("==", {"=", Binding::relation});
-        add("!=", {"!=", Binding::relation})("≠", {"!=", Binding::relation});
-        add("≤", {"<=", Binding::relation})("≥", {">=", Binding::relation});
-        add("+", {"+", Binding::sum})("-", {"-", Binding::sum});
-        add("*", {"*", Binding::product})("/", {"/", Binding::product});
-        add("^", {"^", Binding::power});
+    explicit Operators(const std::vector<Operator>& all) {
+        for (const Operator& one : all) add(one.written, one);
     }
 };
-const Operators operators;
+
+const ExpressionDialect own_dialect{{{"|", "|", Binding::disjunction},
+                                     {"||", "|", Binding::disjunction},
+                                     {"&", "&", Binding::conjunction},
+                                     {"&&", "&", Binding::conjunction},
+                                     {"<", "<", Binding::relation},
+                                     {"<=", "<=", Binding::relation},
+                                     {"≤", "<=", Binding::relation},
+                                     {">", ">", Binding::relation},
+                                     {">=", ">=", Binding::relation},
+                                     {"≥", ">=", Binding::relation},
+                                     {"=", "=", Binding::relation},
+                                     {"==", "=", Binding::relation},
+                                     {"!=", "!=", Binding::relation},
+                                     {"≠", "!=", Binding::relation},
+                                     {"+", "+", Binding::sum},
+                                     {"-", "-", Binding::sum},
+                                     {"*", "*", Binding::product},
+                                     {"/", "/", Binding::product},
+                                     {"^", "^", Binding::power}},
+                                    {{"-", "-", Binding::prefix}, {"!", "!", Binding::prefix}}};
+const Operators own_infixes(own_dialect.infixes), own_prefixes(own_dialect.prefixes);
 
 const auto digits = +x3::char_('0', '9');
 const auto number = x3::lexeme[((digits >> -('.' >> digits)) | ('.' >> digits)) >>
@@ -273,36 +306,89 @@ struct QuotedWord : x3::parser<QuotedWord> {
     std::size_t quotes;
 };
 
+/// White space and comments as another program's reader knows them.
+struct Between : x3::parser<Between> {
+    using attribute_type = x3::unused_type;
+    static constexpr bool has_attribute = false;
+
+    explicit Between(const ExpressionReader& of) : reader(&of) {}
+
+    template <class Context, class RuleContext, class Attribute>
+    bool parse(const char*& first, const char* const&, const Context&, RuleContext&,
+               Attribute&) const {
+        return std::exchange(first, reader->next(first)) != first;
+    }
+
+    const ExpressionReader* reader;
+};
+
 }  // namespace
+
+Expression read_expression(const char*& here, const char* end, const Source& source,
+                           const ExpressionDialect& dialect, const ExpressionReader& reader) {
+    static const std::vector<std::string> no_systems;
+    ExpressionBuilder builder(source, dialect, no_systems);
+    builder.made = reader.made;
+    const Operators infixes(dialect.infixes), prefixes(dialect.prefixes);
+    Operator met{};
+    const auto on_operator = [&](auto& c) { met = x3::_attr(c); };
+    const auto on_prefix = [&](auto& c) {
+        if (!(x3::_pass(c) = builder.takes(met))) return;
+        builder.prefix(met, x3::_attr(c).begin());
+        reader.met(x3::_attr(c).begin());
+    };
+    const auto on_infix = [&](auto& c) {
+        const char* const behind = x3::_attr(c).end();
+        if (dialect.spaced &&
+            (behind == end || !std::isspace(static_cast<unsigned char>(*behind)))) {
+            x3::_pass(c) = false;
+            return;
+        }
+        builder.infix(met, x3::_attr(c).begin());
+        reader.met(x3::_attr(c).begin());
+    };
+    const grammar::ByHand operand([&](const char*& first, const char*) {
+        first = reader.next(first);
+        const char* const where = first;
+        builder.operand(reader.operand(first), where);
+    });
+    x3::phrase_parse(here, end,
+                     (*x3::raw[prefixes[on_operator]][on_prefix] >> operand) %
+                         x3::raw[infixes[on_operator]][on_infix],
+                     Between(reader));
+    return builder.finish();
+}
 
 Expression parse_expression(const char*& here, const char* end, const Source& source,
                             Lexicon* lexicon, std::size_t quotes) {
     static const std::vector<std::string> no_systems;
-    ExpressionBuilder builder(source, lexicon ? lexicon->systems() : no_systems);
+    ExpressionBuilder builder(source, own_dialect, lexicon ? lexicon->systems() : no_systems);
     std::string_view function;
-    Operator infix{};
+    Operator met{};
     const auto on_number = [&](auto& c) { builder.number(text_of(x3::_attr(c))); };
     const auto on_name = [&](auto& c) { builder.name(text_of(x3::_attr(c))); };
-    const auto on_word = [&](auto& c) { builder.word(std::move(x3::_attr(c))); };
-    const auto on_prefix = [&](auto& c) { builder.prefix(text_of(x3::_attr(c))); };
+    const auto on_word = [&](auto& c) {
+        const char* const where = source.text().data() + source.offset(x3::_attr(c).place);
+        builder.operand(std::move(x3::_attr(c)), where);
+    };
+    const auto on_operator = [&](auto& c) { met = x3::_attr(c); };
+    const auto on_prefix = [&](auto& c) { builder.prefix(met, x3::_attr(c).begin()); };
     const auto on_open = [&](auto& c) { builder.open_bracket(text_of(x3::_attr(c)).data()); };
     const auto on_function = [&](auto& c) { function = text_of(x3::_attr(c)); };
     const auto on_call = [&](auto&) { builder.open_call(function); };
     const auto on_close = [&](auto& c) { builder.close(text_of(x3::_attr(c)).data()); };
     const auto on_comma = [&](auto&) { builder.comma(); };
-    const auto on_operator = [&](auto& c) { infix = x3::_attr(c); };
-    const auto on_infix = [&](auto& c) {
-        builder.infix(infix.name, infix.binding, text_of(x3::_attr(c)).data());
-    };
+    const auto on_infix = [&](auto& c) { builder.infix(met, x3::_attr(c).begin()); };
     const auto inside_brackets = [&](auto& c) { x3::_pass(c) = builder.is_inside_brackets(); };
     const auto inside_call = [&](auto& c) { x3::_pass(c) = builder.is_inside_call(); };
 
-    const auto prefix = x3::raw[x3::char_("-!")][on_prefix] | x3::raw[x3::lit('(')][on_open] |
+    const auto prefix = x3::raw[own_prefixes[on_operator]][on_prefix] |
+                        x3::raw[x3::lit('(')][on_open] |
                         (x3::raw[grammar::name][on_function] >> x3::lit('(')[on_call]);
     const auto operand = x3::raw[number][on_number] | x3::raw[grammar::name][on_name] |
                          QuotedWord{{}, lexicon, &source, quotes}[on_word];
     const auto close = x3::eps[inside_brackets] >> x3::raw[x3::lit(')')][on_close];
-    const auto separator = x3::raw[operators[on_operator]][on_infix] |
+    const auto separator = x3::raw[own_infixes[on_operator]][on_infix] |
                            (x3::eps[inside_call] >> x3::lit(',')[on_comma]);
     const auto expression =
         (*prefix >> wanted("a number or a name")[operand] >> *close) % separator;

@@ -1,7 +1,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "nature/nature.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 // Iterated function systems, `.ifs`, graph-directed ones too.
 //
@@ -22,20 +24,20 @@ using Map = IteratedFunctions::Map;
 
 Expression number(const Rational& value) { return quantity(value).expression; }
 
-Expression binary(const char* operation, Expression left, Expression right) {
-    Expression made;
-    made.kind = Expression::Kind::binary;
-    made.name = operation;
-    made.operands = {std::move(left), std::move(right)};
-    return made;
+Expression made(Expression::Kind kind, const char* name, std::vector<Expression> operands) {
+    Expression expression;
+    expression.kind = kind;
+    expression.name = name;
+    expression.operands = std::move(operands);
+    return expression;
 }
 
-Expression root(Expression inner) {
-    Expression made;
-    made.kind = Expression::Kind::call;
-    made.name = "sqrt";
-    made.operands = {std::move(inner)};
-    return made;
+Expression binary(const char* operation, Expression left, Expression right) {
+    return made(Expression::Kind::binary, operation, {std::move(left), std::move(right)});
+}
+
+Expression call(const char* function, Expression argument) {
+    return made(Expression::Kind::call, function, {std::move(argument)});
 }
 
 Expression square(const Expression& value) { return binary("^", value, number(2)); }
@@ -61,8 +63,8 @@ std::optional<Expression> ratio_of(const std::array<Quantity, 6>& n) {
     const Quantity &a = n[0], &c = n[2];
     if (c.exact && c.exact->is_zero() && a.exact) return number(abs(*a.exact));
     if (a.exact && a.exact->is_zero() && c.exact) return number(abs(*c.exact));
-    if (a.exact && c.exact) return root(number(*a.exact * *a.exact + *c.exact * *c.exact));
-    return root(binary("+", square(a.expression), square(c.expression)));
+    if (a.exact && c.exact) return call("sqrt", number(*a.exact * *a.exact + *c.exact * *c.exact));
+    return call("sqrt", binary("+", square(a.expression), square(c.expression)));
 }
 
 /// The words before `->`, and the state behind it.
@@ -106,11 +108,8 @@ Map read_map(const RelativeFile& file, const RelativeStatement& statement,
     } else {
         made.similarity = std::pair(values[0], values[1]);
         const auto part = [&](const char* function, bool negative) {
-            Expression turn;
-            turn.kind = Expression::Kind::call;
-            turn.name = function;
-            turn.operands = {values[1].expression};
-            Expression product = binary("*", values[0].expression, std::move(turn));
+            Expression product =
+                binary("*", values[0].expression, call(function, values[1].expression));
             if (negative) product = binary("-", number(0), std::move(product));
             return evaluate(product, {});
         };
@@ -144,8 +143,7 @@ std::unique_ptr<Relative> make_ifs(const RelativeFile& file) {
     std::vector<std::string> states;
     for (const RelativeStatement& statement : file.statements)
         if (statement.key == "state") {
-            file.check_words(statement, 1, 1, "NAME");
-            const std::string& name = statement.words.front().text;
+            const std::string& name = file.only_word(statement, "NAME").text;
             if (std::find(states.begin(), states.end(), name) != states.end())
                 file.fail(statement, statement.words.front(),
                           "the state " + name + " is said twice");
@@ -174,8 +172,7 @@ std::unique_ptr<Relative> make_ifs(const RelativeFile& file) {
     system->generations = file.range("generation", 1000);
     system->seed = file.natural("seed", 0, ~std::uint64_t{0}).value_or(1);
     if (const RelativeStatement* from = file.find("from")) {
-        file.check_words(*from, 1, 1, "(x,y)");
-        system->from = file.point(*from, from->words.front());
+        system->from = file.point(*from, file.only_word(*from, "(x,y)"));
     }
     if (const RelativeStatement* start = file.find("start"))
         system->start = read_start(file, *start);

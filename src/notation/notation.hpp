@@ -9,11 +9,10 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "exact/exact.hpp"
-#include "language/language.hpp"
-#include "nature/nature.hpp"
 #include "system/system.hpp"
 #include "word/word.hpp"
 
@@ -25,6 +24,19 @@
 
 namespace algae {
 
+// Of other faces, by name only: who reads claims or generators includes theirs.
+struct Claim;
+struct LanguageTree;
+using Language = std::shared_ptr<const LanguageTree>;
+struct SystemForm;
+struct Point;
+class Relative;
+class IteratedFunctions;
+struct Model;
+struct SolidSetting;
+struct SurfaceSetting;
+enum class StampShape : unsigned char;
+
 // Systems: `.lsys` files.
 
 /// The system that the text of a `.lsys` file says. `file_name` is named in errors and becomes the
@@ -35,7 +47,7 @@ namespace algae {
 /// the axiom, the rules, `ignore`, `terminals`, `interpret`.
 ///
 /// Example: read_lsystem("axiom a; a -> ab", "thread.lsys").rules.size() == 1
-LSystem read_lsystem(std::string_view text, const std::string& file_name);
+Model read_lsystem(std::string_view text, const std::string& file_name);
 
 /// A word in the form in which words are printed, `F_l[+A(1,0.5)]`; `ε` is the empty word. New
 /// symbols are added to the alphabet; names in it that are longer than the notation knows by
@@ -63,7 +75,7 @@ std::string format_lsystem(std::string_view text, const std::string& file_name);
 /// line, with a line break at the end of each. It reads back as the same system, and its own canonical
 /// text is itself. Throws nothing on systems that were read; title, source, names and values of a system
 /// made otherwise must be such as can be written in the notation.
-std::string print_lsystem(const LSystem& system);
+std::string print_lsystem(const Model& system);
 
 /// One rule, as in the canonical text, without a line break.
 std::string print_rule(const Alphabet& alphabet, const Production& rule);
@@ -118,13 +130,13 @@ struct Disappointment {
 /// parameters of a word too; a fraction there for the double nearest to it. Systems with choices derive
 /// the word of the first seed of their setting `seed`, or of seed 1. The word of a system of shape rules
 /// is that of its boxes' symbols. An unknown kind, and a value that cannot be read, is a disappointment too.
-std::vector<Disappointment> unmet_expectations(const LSystem& system, const Budget& budget = {});
+std::vector<Disappointment> unmet_expectations(const Model& system, const Budget& budget = {});
 
 // Claims: `.claim` files, and languages as claims write them.
 
 /// The system that is known by a name: of a gallery entry, or a path, as a claim writes it. What it throws as
 /// `Error` becomes a finding at the place of the name; `Stopped` is passed on.
-using SystemSource = std::function<LSystem(const std::string& name)>;
+using SystemSource = std::function<Model(const std::string& name)>;
 
 /// The claim that the text of a `.claim` file makes (NOTATION.md), over one alphabet. Errors name
 /// `file_name`. Throws `Diagnostics` with everything that is wrong with the text, at most twenty findings
@@ -211,10 +223,17 @@ struct RelativeFile {
                            const std::string& message) const;
     [[noreturn]] void fail(const RelativeStatement& statement, const std::string& message) const;
     [[noreturn]] void fail(const std::string& message) const;
+    /// The same: "expected KEY `wanted`, found 'WORD'", and a hint.
+    [[noreturn]] void refuse(const RelativeStatement& statement, const RelativeWord& word,
+                             const std::string& wanted, const std::string& hint = {}) const;
 
     /// The number of words; throws unless from `least` to `most`.
     void check_words(const RelativeStatement& statement, std::size_t least, std::size_t most,
                      const std::string& arguments) const;
+
+    /// The word of a statement that has one; throws if it has not.
+    const RelativeWord& only_word(const RelativeStatement& statement,
+                                  const std::string& arguments) const;
 
     /// A word as a number: any expression without names, `1/3`, `sqrt(3)/6`, `cos(60)`. Exact where
     /// `evaluate` is.
@@ -224,6 +243,11 @@ struct RelativeFile {
                   double most) const;
     std::uint64_t natural(const RelativeStatement& statement, const RelativeWord& word,
                           std::uint64_t least, std::uint64_t most) const;
+    /// `N` or `N..M`, both at most `most`.
+    std::pair<std::uint64_t, std::uint64_t> range(const RelativeStatement& statement,
+                                                  const RelativeWord& word,
+                                                  std::uint64_t most) const;
+    Colour colour(const RelativeStatement& statement, const RelativeWord& word) const;
     /// `(1,2)` as two numbers.
     Point point(const RelativeStatement& statement, const RelativeWord& word) const;
 
@@ -385,6 +409,13 @@ struct SyntaxError {
 /// "expected `expectation`, found ..." with what stands at `where` or behind the blanks there.
 SyntaxError unexpected(const std::string& expectation, const char* where);
 
+/// "expected `expectation`, found 'WORD'", with the known word that could have been meant.
+SyntaxError unknown_word(const std::string& expectation, std::string_view found,
+                         const std::vector<std::string>& known);
+
+/// "'KEYWORD' is given twice, first in line 3", where the first of both stands.
+SyntaxError given_twice(std::string_view keyword, const char* first, const Source& source);
+
 /// The findings about one text, gathered while it is read further.
 class Findings {
 public:
@@ -398,6 +429,15 @@ public:
         add(source_.offset(place), std::move(message));
     }
     void add(const SyntaxError& error);
+    /// Calls `read` and adds what it throws as a `SyntaxError`.
+    template <class Read>
+    void gather(Read read) {
+        try {
+            read();
+        } catch (const SyntaxError& error) {
+            add(error);
+        }
+    }
 
     bool empty() const { return count_ == 0; }
     std::size_t count() const { return count_; }
@@ -421,6 +461,43 @@ private:
     std::vector<Finding> findings_;
     std::size_t count_ = 0;
 };
+
+/// The operators of a notation: how they are written, and how tightly they bind. The grammar of expressions
+/// takes them as a parameter, so that our notation and those of other programs are read by the same one.
+struct ExpressionDialect {
+    /// Loosest first.
+    enum class Binding { disjunction, conjunction, relation, sum, product, prefix, power };
+    struct Operator {
+        const char* written;
+        const char* name;  // in an Expression; a prefix that changes nothing has none, ""
+        Binding binding;
+    };
+    /// How a^b^c is read: as a^(b^c), as (a^b)^c, or not at all. In the last case an exponent takes
+    /// one sign.
+    enum class Powers { to_the_right, to_the_left, in_brackets };
+
+    std::vector<Operator> infixes, prefixes;
+    Powers powers = Powers::to_the_right;
+    bool spaced = false;  // an infix operator counts only with white space behind it
+};
+
+/// What a reader of another program's text adds to the operators of its dialect.
+struct ExpressionReader {
+    /// Where the next token begins, behind white space and comments.
+    std::function<const char*(const char* here)> next;
+    /// Reads what stands between operators, brackets and calls too, and moves `here` behind it.
+    std::function<Expression(const char*& here)> operand;
+    /// Is told where each operator stands, from left to right.
+    std::function<void(const char* where)> met;
+    /// What stands for an operator and its operands, those innermost first.
+    std::function<Expression(Expression)> made;
+};
+
+/// Reads operands with operators of the dialect before and between them, from `here` on up to where they
+/// cannot go on, and moves `here` there. Throws `SyntaxError` where powers ask for brackets, and
+/// what the reader throws. Linear.
+Expression read_expression(const char*& here, const char* end, const Source& source,
+                           const ExpressionDialect& dialect, const ExpressionReader& reader);
 
 /// The fewest insertions, deletions, replacements and exchanges of neighbours that turn one text
 /// into the other (restricted Damerau-Levenshtein distance). Time the product of the lengths.
@@ -485,27 +562,51 @@ struct ClaimClause {
 /// not counted, and one that is never closed does not hide the lines below it. Linear.
 std::vector<ClaimClause> claim_clauses(std::string_view text);
 
-/// A place in a clause of a claim that moves on over what is read there.
-struct ClaimScanner {
-    const char* here;
-    const char* end;
-
-    explicit ClaimScanner(std::string_view text)
-        : here(text.data()), end(text.data() + text.size()) {}
-
-    /// What is still to be read, after blanks.
-    std::string_view rest();
-    bool at_end() { return rest().empty(); }
-
-    /// Moves over the token if it stands next.
-    bool take(std::string_view token);
-    /// Moves over the word if it stands next and nothing sticks to it.
-    bool take_word(std::string_view word);
-    /// The name that stands next: a letter, then letters, digits, `_` and `'`; empty if there is none.
-    std::string_view name();
-    std::string_view take_name();
-    /// Moves over what stands up to the next blank.
-    std::string_view take_piece();
+/// Statements that exercises have and claims have not, about a system called `answer`: `answer is D0L`.
+struct AnswerIs {
+    std::string form;
 };
+
+/// `answer has at most 2 rules`.
+struct AnswerHas {
+    enum class Counted { rules, letters, axiom_symbols };
+    Counted counted = Counted::rules;
+    bool at_most = false;
+    std::uint64_t count = 0;
+};
+
+/// `figure(answer, 4) is similar to figure(koch, 4)`.
+struct FiguresAre {
+    enum class Relation { similar, congruent, same };
+    struct Figure {
+        std::string system;      // `answer`, or what a system is opened by
+        std::size_t offset = 0;  // where its name stands in the statement, in bytes
+        std::uint64_t generation = 0;
+    };
+    Figure left, right;
+    Relation relation = Relation::same;
+};
+
+using OwnStatement = std::variant<AnswerIs, AnswerHas, FiguresAre>;
+
+/// Whether a text begins as such a statement does. What begins with `answer` is a statement of claims unless the answer
+/// is a system (`of_system`).
+///
+/// Example: is_own_statement("answer has 2 rules", true)
+/// Example: !is_own_statement("growth(answer) = 2^n", true)
+bool is_own_statement(std::string_view text, bool of_system);
+
+/// The statement that a text says which begins so, without comments. Throws `SyntaxError`.
+OwnStatement read_own_statement(std::string_view text);
+
+/// The pieces of a text between blanks.
+///
+/// Example: blank_separated(" a  b ").size() == 2
+std::vector<std::string_view> blank_separated(std::string_view text);
+
+/// Whether a text is a name in claims: a letter, then letters, digits, `_` and `'`.
+///
+/// Example: is_claim_name("h_1'") && !is_claim_name("1a")
+bool is_claim_name(std::string_view text);
 
 }  // namespace algae

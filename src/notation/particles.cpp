@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "nature/nature.hpp"
 #include "notation/detail/relative_values.hpp"
 
 // Systems of particles, `.particles`.
@@ -22,8 +23,9 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// The words of one statement, taken from the left.
 class Words {
 public:
-    Words(const RelativeFile& file, const RelativeStatement& statement, std::string wanted)
-        : file_(file), statement_(statement), wanted_(std::move(wanted)) {}
+    Words(const RelativeFile& file, const RelativeStatement& statement, std::string wanted,
+          const std::vector<std::string>& kinds)
+        : file_(file), statement_(statement), wanted_(std::move(wanted)), kinds_(kinds) {}
 
     bool more() const { return next_ < statement_.words.size(); }
     bool take(const std::string& text) {
@@ -43,7 +45,7 @@ public:
     }
     Point point() { return file_.point(statement_, word()); }
     /// `MEAN` or `MEAN +- SPREAD`.
-    Scatter scatter(double least) {
+    Scatter scatter(double least = -infinite) {
         const RelativeWord& first = word();
         Scatter found{file_.number(statement_, first, least, infinite), 0};
         if (take("+-") || take("±")) found.spread = number(0, infinite);
@@ -53,19 +55,16 @@ public:
                            " where the spread goes down");
         return found;
     }
-    /// The same of any sign.
-    Scatter any_scatter() {
-        Scatter found{number(-infinite, infinite), 0};
-        if (take("+-") || take("±")) found.spread = number(0, infinite);
-        return found;
-    }
-    Colour colour() {
-        const RelativeWord& text = word();
-        try {
-            return colour_named(text.text);
-        } catch (const Error& error) {
-            file_.fail(statement_, text, error.what());
-        }
+    Colour colour() { return file_.colour(statement_, word()); }
+    /// The number of the kind that a word names.
+    std::size_t kind() {
+        const RelativeWord& name = word();
+        const auto found = std::ranges::find(kinds_, name.text);
+        if (found == kinds_.end())
+            file_.fail(statement_, name,
+                       "no kind " + algae::quoted(name.text) + did_you_mean(name.text, kinds_) +
+                           "; expected one that a line `kind NAME` begins");
+        return static_cast<std::size_t>(found - kinds_.begin());
     }
     void end() const {
         if (more()) fail();
@@ -74,44 +73,102 @@ public:
 private:
     [[noreturn]] void fail() const {
         if (next_ < statement_.words.size())
-            file_.fail(statement_, statement_.words[next_],
-                       "expected " + statement_.key + " " + wanted_ + ", found " +
-                           algae::quoted(statement_.words[next_].text));
+            file_.refuse(statement_, statement_.words[next_], wanted_);
         file_.fail(statement_, "expected " + statement_.key + " " + wanted_);
     }
 
     const RelativeFile& file_;
     const RelativeStatement& statement_;
     std::string wanted_;
+    const std::vector<std::string>& kinds_;
     std::size_t next_ = 0;
 };
 
-const std::vector<RelativeKey>& keys() {
-    static const std::vector<RelativeKey> known{
-        {"kind", "NAME", true},
-        {"speed", "NUMBER [+- SPREAD]", true},
-        {"angle", "DEGREES [+- SPREAD]", true},
-        {"life", "FRAMES [+- SPREAD]", true},
-        {"size", "NUMBER [+- SPREAD]", true},
-        {"tint", "COLOUR [COLOUR]", true},
-        {"opacity", "SHARE [SHARE]", true},
-        {"weight", "NUMBER", true},
-        {"drag", "SHARE", true},
-        {"inherits", "SHARE", true},
-        {"trail", "FRAMES", true},
-        {"bursts", "KIND COUNT [+- SPREAD]", true},
-        {"born", "KIND COUNT [+- SPREAD] at (x,y) [to (x,y)] [from FRAME] [until FRAME] [every N]",
-         true},
-        {"gravity", "NUMBER"},
-        {"force", "(x,y)"},
-        {"ground", "HEIGHT [BOUNCE]"},
-        {"frames", "LAST"},
-        {"show", "FRAME ..."},
-        {"view", "(x,y) (x,y)"},
-        {"sky", "COLOUR"},
-        {"seed", "S"}};
-    return known;
+/// What is said of a kind of particles: a key, what stands behind it, and how that is read.
+struct KindKey {
+    const char* name;
+    const char* arguments;
+    void (*read)(Words&, ParticleKind&);
+};
+
+constexpr KindKey kind_keys[] = {
+    {"speed", "NUMBER [+- SPREAD]", [](Words& w, ParticleKind& kind) { kind.speed = w.scatter(); }},
+    {"angle", "DEGREES [+- SPREAD]",
+     [](Words& w, ParticleKind& kind) { kind.angle = w.scatter(); }},
+    {"life", "FRAMES [+- SPREAD]", [](Words& w, ParticleKind& kind) { kind.life = w.scatter(1); }},
+    {"size", "NUMBER [+- SPREAD]", [](Words& w, ParticleKind& kind) { kind.size = w.scatter(0); }},
+    {"tint", "COLOUR [COLOUR]",
+     [](Words& w, ParticleKind& kind) {
+         kind.born = w.colour();
+         kind.dying = w.more() ? w.colour() : kind.born;
+     }},
+    {"opacity", "SHARE [SHARE]",
+     [](Words& w, ParticleKind& kind) {
+         kind.opacity_born = w.number(0, 1);
+         kind.opacity_dying = w.more() ? w.number(0, 1) : kind.opacity_born;
+     }},
+    {"weight", "NUMBER",
+     [](Words& w, ParticleKind& kind) { kind.weight = w.number(-infinite, infinite); }},
+    {"drag", "SHARE", [](Words& w, ParticleKind& kind) { kind.drag = w.number(0, 1); }},
+    {"inherits", "SHARE", [](Words& w, ParticleKind& kind) { kind.inherits = w.number(0, 1); }},
+    {"trail", "FRAMES", [](Words& w, ParticleKind& kind) { kind.trail = w.natural(0, 1000); }},
+    {"bursts", "KIND COUNT [+- SPREAD]", [](Words& w, ParticleKind& kind) {
+         kind.bursts_into = w.kind();
+         kind.fragments = w.scatter(0);
+     }}};
+
+/// The same of the whole; `read` is nullptr where a key is read when all others are.
+struct ShowKey {
+    const char* name;
+    const char* arguments;
+    void (*read)(Words&, ParticleShow&);
+    bool repeats = false;
+};
+
+Emitter emitter(Words& w) {
+    Emitter made;
+    made.kind = w.kind();
+    made.count = w.scatter(0);
+    while (w.more()) {
+        if (w.take("at"))
+            made.from = made.to = w.point();
+        else if (w.take("to"))
+            made.to = w.point();
+        else if (w.take("from"))
+            made.first = w.natural(0, any);
+        else if (w.take("until"))
+            made.last = w.natural(0, any);
+        else if (w.take("every"))
+            made.every = w.natural(1, any);
+        else
+            break;
+    }
+    return made;
 }
+
+constexpr ShowKey show_keys[] = {
+    {"born", "KIND COUNT [+- SPREAD] at (x,y) [to (x,y)] [from FRAME] [until FRAME] [every N]",
+     [](Words& w, ParticleShow& show) { show.system.emitters.push_back(emitter(w)); }, true},
+    {"gravity", "NUMBER",
+     [](Words& w, ParticleShow& show) {
+         show.system.force = {0, -w.number(-infinite, infinite)};
+     }},
+    {"force", "(x,y)", [](Words& w, ParticleShow& show) { show.system.force = w.point(); }},
+    {"ground", "HEIGHT [BOUNCE]",
+     [](Words& w, ParticleShow& show) {
+         show.system.ground = w.number(-infinite, infinite);
+         if (w.more()) show.system.bounce = w.number(0, 1);
+     }},
+    {"frames", "LAST", nullptr},
+    {"show", "FRAME ...", nullptr},
+    {"view", "(x,y) (x,y)",
+     [](Words& w, ParticleShow& show) {
+         show.view.emplace();
+         show.view->add(w.point());
+         show.view->add(w.point());
+     }},
+    {"sky", "COLOUR", [](Words& w, ParticleShow& show) { show.sky = w.colour(); }},
+    {"seed", "S", nullptr}};
 
 class Reader {
 public:
@@ -129,12 +186,13 @@ public:
         for (const RelativeStatement& statement : file_.statements) {
             if (statement.key == "kind")
                 kind = kind + 1;
-            else if (is_of_kind(statement.key)) {
+            else if (const KindKey* key = find(kind_keys, statement.key)) {
                 if (kind == any)
                     file_.fail(statement, "expected a line `kind NAME` before " + statement.key);
-                read_of_kind(statement, show->system.kinds[kind]);
-            } else {
-                read_of_all(statement, *show);
+                read_statement(statement, *key, show->system.kinds[kind]);
+            } else if (const ShowKey* of_show = find(show_keys, statement.key);
+                       of_show && of_show->read) {
+                read_statement(statement, *of_show, *show);
             }
         }
         show->system.seed = seed_value(file_);
@@ -154,108 +212,23 @@ public:
     }
 
 private:
-    static const std::string& arguments(const std::string& key) {
-        return std::find_if(keys().begin(), keys().end(),
-                            [&](const RelativeKey& known) { return known.name == key; })
-            ->arguments;
-    }
-    static bool is_of_kind(const std::string& key) {
-        static const std::vector<std::string> of_kind{"speed",    "angle",   "life",   "size",
-                                                      "tint",     "opacity", "weight", "drag",
-                                                      "inherits", "trail",   "bursts"};
-        return std::find(of_kind.begin(), of_kind.end(), key) != of_kind.end();
+    template <class Key, std::size_t count>
+    static const Key* find(const Key (&keys)[count], const std::string& name) {
+        const auto found = std::ranges::find(keys, name, &Key::name);
+        return found == std::end(keys) ? nullptr : found;
     }
     void name_kind(const RelativeStatement& statement) {
-        file_.check_words(statement, 1, 1, "NAME");
-        const std::string& name = statement.words.front().text;
-        if (std::find(names_.begin(), names_.end(), name) != names_.end())
-            file_.fail(statement, statement.words.front(),
-                       "the kind " + algae::quoted(name) + " is there already");
+        const RelativeWord& word = file_.only_word(statement, "NAME");
+        const std::string& name = word.text;
+        if (std::ranges::count(names_, name) > 0)
+            file_.fail(statement, word, "the kind " + algae::quoted(name) + " is there already");
         names_.push_back(name);
     }
-    std::size_t kind_named(const RelativeStatement& statement, const RelativeWord& word) const {
-        const auto found = std::find(names_.begin(), names_.end(), word.text);
-        if (found == names_.end())
-            file_.fail(statement, word,
-                       "no kind " + algae::quoted(word.text) + did_you_mean(word.text, names_) +
-                           "; expected one that a line `kind NAME` begins");
-        return static_cast<std::size_t>(found - names_.begin());
-    }
-    void read_of_kind(const RelativeStatement& statement, ParticleKind& kind) const {
-        Words words(file_, statement, arguments(statement.key));
-        const std::string& key = statement.key;
-        if (key == "speed")
-            kind.speed = words.any_scatter();
-        else if (key == "angle")
-            kind.angle = words.any_scatter();
-        else if (key == "life")
-            kind.life = words.scatter(1);
-        else if (key == "size")
-            kind.size = words.scatter(0);
-        else if (key == "weight")
-            kind.weight = words.number(-infinite, infinite);
-        else if (key == "drag")
-            kind.drag = words.number(0, 1);
-        else if (key == "inherits")
-            kind.inherits = words.number(0, 1);
-        else if (key == "trail")
-            kind.trail = words.natural(0, 1000);
-        else if (key == "tint") {
-            kind.born = words.colour();
-            kind.dying = words.more() ? words.colour() : kind.born;
-        } else if (key == "opacity") {
-            kind.opacity_born = words.number(0, 1);
-            kind.opacity_dying = words.more() ? words.number(0, 1) : kind.opacity_born;
-        } else {
-            kind.bursts_into = kind_named(statement, words.word());
-            kind.fragments = words.scatter(0);
-        }
+    template <class Key, class Read>
+    void read_statement(const RelativeStatement& statement, const Key& key, Read& into) const {
+        Words words(file_, statement, key.arguments, names_);
+        key.read(words, into);
         words.end();
-    }
-    void read_of_all(const RelativeStatement& statement, ParticleShow& show) const {
-        const std::string& key = statement.key;
-        const auto known = std::find_if(keys().begin(), keys().end(),
-                                        [&](const RelativeKey& k) { return k.name == key; });
-        if (known == keys().end() || key == "show" || key == "frames" || key == "seed") return;
-        Words words(file_, statement, known->arguments);
-        if (key == "gravity")
-            show.system.force = {0, -words.number(-infinite, infinite)};
-        else if (key == "force")
-            show.system.force = words.point();
-        else if (key == "sky")
-            show.sky = words.colour();
-        else if (key == "ground") {
-            show.system.ground = words.number(-infinite, infinite);
-            if (words.more()) show.system.bounce = words.number(0, 1);
-        } else if (key == "view") {
-            Box box;
-            box.add(words.point());
-            box.add(words.point());
-            show.view = box;
-        } else {
-            show.system.emitters.push_back(emitter(statement, words));
-        }
-        words.end();
-    }
-    Emitter emitter(const RelativeStatement& statement, Words& words) const {
-        Emitter made;
-        made.kind = kind_named(statement, words.word());
-        made.count = words.scatter(0);
-        while (words.more()) {
-            if (words.take("at"))
-                made.from = made.to = words.point();
-            else if (words.take("to"))
-                made.to = words.point();
-            else if (words.take("from"))
-                made.first = words.natural(0, any);
-            else if (words.take("until"))
-                made.last = words.natural(0, any);
-            else if (words.take("every"))
-                made.every = words.natural(1, any);
-            else
-                break;
-        }
-        return made;
     }
 
     const RelativeFile& file_;
@@ -265,7 +238,10 @@ private:
 }  // namespace
 
 RelativeKind particles_kind() {
-    return {"particles", "a system of particles", keys(),
+    std::vector<RelativeKey> keys{{"kind", "NAME", true}};
+    for (const KindKey& key : kind_keys) keys.push_back({key.name, key.arguments, true});
+    for (const ShowKey& key : show_keys) keys.push_back({key.name, key.arguments, key.repeats});
+    return {"particles", "a system of particles", std::move(keys),
             [](const RelativeFile& file) { return Reader(file).read(); }};
 }
 

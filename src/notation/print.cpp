@@ -4,6 +4,8 @@
 #include <utility>
 #include <vector>
 
+#include "model/model.hpp"
+
 #include "notation/detail/reading.hpp"
 
 // The canonical text of a system, and of a file with its comments.
@@ -206,7 +208,7 @@ void add_words(const LSystem& system, const Printer& printer, Lines& lines) {
     lines.setting("ignore", printer.apart(system.ignored));
 }
 
-std::string print_start(const Settings::Start& start) {
+std::string print_start(const Drawing::Start& start) {
     return joined({piece(start.x), piece(start.y), piece(start.heading)}, " ");
 }
 
@@ -220,50 +222,50 @@ std::string print_direction(const Direction& direction) {
 }
 
 /// What symbols leave in space, and where steps bend to.
-void add_space(const Settings& settings, const Printer& printer, Lines& lines) {
-    for (const SolidSetting& solid : settings.solids)
+void add_space(const Drawing& drawing, const Printer& printer, Lines& lines) {
+    for (const SolidSetting& solid : drawing.solids)
         lines.setting("solid", printer.apart({solid.symbol}) + ' ' + print_solid(solid));
-    for (const SurfaceSetting& surface : settings.surfaces)
+    for (const SurfaceSetting& surface : drawing.surfaces)
         lines.setting("surface", printer.apart({surface.symbol}) + ' ' + print_surface(surface));
-    if (const auto& to = settings.tropism)
+    if (const auto& to = drawing.tropism)
         lines.setting("tropism", joined({piece(to->x), piece(to->y), piece(to->z)}, " "));
-    lines.number("susceptibility", settings.susceptibility);
+    lines.number("susceptibility", drawing.susceptibility);
 }
 
 /// How figures in space are looked at.
-void add_views(const Settings& settings, Lines& lines) {
-    if (const auto& camera = settings.camera) {
+void add_views(const Drawing& drawing, Lines& lines) {
+    if (const auto& camera = drawing.camera) {
         std::vector<std::string> parts{print_direction(camera->from)};
         if (camera->perspective) parts.emplace_back("perspective");
         if (camera->opening) parts.push_back(piece(*camera->opening));
         lines.setting("camera", joined(parts, " "));
     }
-    if (settings.light) lines.setting("light", print_direction(*settings.light));
-    lines.number("fog", settings.fog);
+    if (drawing.light) lines.setting("light", print_direction(*drawing.light));
+    lines.number("fog", drawing.fog);
 }
 
-void add_settings(const Settings& settings, const Printer& printer, Lines& lines) {
-    lines.number("angle", settings.angle);
-    lines.number("step", settings.step);
-    lines.number("shrink", settings.shrink);
-    if (settings.start) lines.setting("start", print_start(*settings.start));
-    lines.number("spin", settings.spin);
-    lines.number("scale", settings.scale);
-    lines.number("narrow", settings.narrow);
-    lines.setting("plot", printer.apart(settings.plotters));
-    for (const Settings::Stamp& stamp : settings.stamps)
+void add_settings(const Drawing& drawing, const Printer& printer, Lines& lines) {
+    lines.number("angle", drawing.angle);
+    lines.number("step", drawing.step);
+    lines.number("shrink", drawing.shrink);
+    if (drawing.start) lines.setting("start", print_start(*drawing.start));
+    lines.number("spin", drawing.spin);
+    lines.number("scale", drawing.scale);
+    lines.number("narrow", drawing.narrow);
+    lines.setting("plot", printer.apart(drawing.plotters));
+    for (const Drawing::Stamp& stamp : drawing.stamps)
         lines.setting("stamp", printer.apart({stamp.symbol}) + ' ' + shape_name(stamp.shape));
-    add_space(settings, printer, lines);
-    lines.number("width", settings.width);
-    lines.setting("colour", joined(settings.colours, " "));
-    if (settings.clockwise) lines.setting("turn", "clockwise");
-    add_views(settings, lines);
-    if (settings.generations) lines.setting("generation", print_range(*settings.generations));
-    if (settings.seeds) lines.setting("seed", print_range(*settings.seeds));
+    add_space(drawing, printer, lines);
+    lines.number("width", drawing.width);
+    lines.setting("colour", joined(drawing.colours, " "));
+    if (drawing.clockwise) lines.setting("turn", "clockwise");
+    add_views(drawing, lines);
+    if (drawing.generations) lines.setting("generation", print_range(*drawing.generations));
+    if (drawing.seeds) lines.setting("seed", print_range(*drawing.seeds));
 }
 
 /// The canonical text of a system, line by line.
-std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
+std::vector<CanonicalLine> canonical_lines(const Model& system) {
     const Printer printer(system.alphabet);
     Lines lines;
     lines.setting("title", system.title);
@@ -283,7 +285,7 @@ std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
         lines.setting("interpret", printer.rule(rule));
     for (const EnvironmentSetting& environment : system.environments)
         lines.setting("environment", print_environment(system.alphabet, environment));
-    add_settings(system.settings, printer, lines);
+    add_settings(system.drawing, printer, lines);
     for (const Expectation& expectation : system.expectations)
         lines.setting("expect", expectation.kind + ' ' + std::to_string(expectation.generation) +
                                     ": " + expectation.value);
@@ -292,7 +294,7 @@ std::vector<CanonicalLine> canonical_lines(const LSystem& system) {
 
 }  // namespace
 
-std::string print_lsystem(const LSystem& system) {
+std::string print_lsystem(const Model& system) {
     std::string out;
     for (const CanonicalLine& line : canonical_lines(system)) {
         out += line.text + '\n';
@@ -401,7 +403,7 @@ private:
 }  // namespace
 
 std::string format_lsystem(std::string_view text, const std::string& file_name) {
-    const LSystem system = read_lsystem(text, file_name);
+    const Model system = read_lsystem(text, file_name);
     return Formatter(text, "").formatted(canonical_lines(system));
 }
 

@@ -2,6 +2,8 @@
 #include <cctype>
 #include <utility>
 
+#include "model/model.hpp"
+
 #include "notation/detail/reading.hpp"
 
 // A `.lsys` file from its text.
@@ -423,6 +425,8 @@ void read_inner(const Clause& clause, Reading& outer) {
                     outer.findings,
                     outer.lexicon,
                     inner.system,
+                    outer.drawing,
+                    outer.expectations,
                     outer.constants,
                     outer.broken,
                     {},
@@ -450,13 +454,14 @@ void read_inner(const Clause& clause, Reading& outer) {
 
 }  // namespace
 
-LSystem read_system(std::string_view text, const Source& source, Findings& findings,
-                    const std::string& name, const std::vector<std::string>& declared) {
-    LSystem system;
+Model read_system(std::string_view text, const Source& source, Findings& findings,
+                  const std::string& name, const std::vector<std::string>& declared) {
+    Model system;
     system.name = name;
     Lexicon lexicon(system.alphabet);
     for (const std::string& symbol : declared) lexicon.declare(symbol);
-    Reading reading{source, findings, lexicon, system, {}, {}, {}, {}, false};
+    Reading reading{source, findings, lexicon, system, system.drawing, system.expectations,
+                    {},     {},       {},      {},     false};
     const std::vector<Clause> all = clauses(text);
     name_systems(all, reading);
     read_clauses(all, reading);
@@ -472,9 +477,9 @@ LSystem read_system(std::string_view text, const Source& source, Findings& findi
     return system;
 }
 
-LSystem read_lsystem(std::string_view text, const std::string& file_name) {
+Model read_lsystem(std::string_view text, const std::string& file_name) {
     return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
-        LSystem system = read_system(text, source, findings, file_name, {});
+        Model system = read_system(text, source, findings, file_name, {});
         findings.throw_if_any();
         return system;
     });

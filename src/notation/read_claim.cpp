@@ -6,7 +6,10 @@
 #include <utility>
 #include <vector>
 
+#include "model/model.hpp"
+
 #include "notation/detail/claim_reading.hpp"
+#include "notation/detail/grammar.hpp"
 
 // A `.claim` file from its text, and whether a system fits the family that its definition names.
 //
@@ -177,15 +180,15 @@ struct ClaimDefinition {
 };
 
 /// The system of a definition and the place of what it was read from.
-LSystem system_of(const ClaimDefinition& definition, std::string_view rest, ClaimReading& reading) {
+Model system_of(const ClaimDefinition& definition, std::string_view rest, ClaimReading& reading) {
     const std::string name(definition.name);
     if (!rest.starts_with('{')) return reading.opened(std::string(rest), rest.data());
     const char* const close = closing_brace(rest.data(), rest.data() + rest.size());
     if (close + 1 != rest.data() + rest.size())
         throw unexpected("the end of the definition", close + 1);
     const std::size_t faults = reading.findings.count();
-    LSystem system = read_system(rest.substr(1, rest.size() - 2), reading.source, reading.findings,
-                                 name, reading.long_names);
+    Model system = read_system(rest.substr(1, rest.size() - 2), reading.source, reading.findings,
+                               name, reading.long_names);
     if (reading.findings.count() > faults) throw DependsOnError();
     return system;
 }
@@ -203,9 +206,9 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
     if (rest.empty())
         throw unexpected("a system between braces or the name of one",
                          family.data() + family.size());
-    LSystem system = system_of(definition, rest, reading);
+    Model system = system_of(definition, rest, reading);
     system.name = definition.name;
-    definition.meaning->written = std::make_shared<const LSystem>(system);
+    definition.meaning->written = std::make_shared<const Model>(system);
     const bool is_rewriting = is_rewriting_family(family);
     const auto refuse = [&](const std::string& reason) {
         throw SyntaxError{family.data(), std::string(definition.name) + " is called a " +
@@ -229,31 +232,29 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
 /// A word and braces with rules in them: a system of a family that there is not.
 void refuse_unknown_family(std::string_view value) {
     const std::string_view word = first_word(value);
-    ClaimScanner rest(value.substr(word.size()));
-    if (word.empty() || !is_morphism(rest)) return;
+    const std::string_view rest = trimmed(value.substr(word.size()));
+    if (word.empty() || !is_morphism(rest.data(), rest.data() + rest.size())) return;
     std::vector<std::string> families = common_families();
     families.insert(families.end(), rewriting_families().begin(), rewriting_families().end());
-    throw SyntaxError{word.data(),
-                      "expected a family of systems (0L, PD0L, ET0L, IL, ...), found " +
-                          quoted(word) + did_you_mean(word, families)};
-}
-
-void expect_end(ClaimScanner& scanner, const char* expected) {
-    if (!scanner.at_end()) throw unexpected(expected, scanner.here);
+    throw unknown_word("a family of systems (0L, PD0L, ET0L, IL, ...)", word, families);
 }
 
 /// Takes `let NAME = VALUE` apart and makes the name known. Throws `SyntaxError`.
 ClaimDefinition begin_definition(const ClaimClause& clause, ClaimReading& reading) {
-    ClaimScanner scanner(clause.text.substr(clause.keyword.size()));
+    const char* here = clause.text.data() + clause.keyword.size();
+    const char* const end = clause.text.data() + clause.text.size();
     ClaimDefinition definition;
-    definition.name = scanner.take_name();
-    if (definition.name.empty()) throw unexpected("a name after 'let'", scanner.here);
-    definition.meaning = &reading.define(definition.name);
-    definition.meaning->end = scanner.end;
-    if (!scanner.take("=")) throw unexpected("'='", scanner.here);
-    definition.value = scanner.rest();
-    if (definition.value.empty())
-        throw unexpected("a language, a system or a morphism after '='", scanner.here);
+    const auto on_name = grammar::told([&](std::string_view name) {
+        definition.name = name;
+        definition.meaning = &reading.define(name);
+        definition.meaning->end = end;
+    });
+    using grammar::wanted;
+    grammar::read(here, end,
+                  wanted("a name after 'let'")[grammar::claim_name[on_name]] >>
+                      wanted("'='")['='] >>
+                      wanted("a language, a system or a morphism after '='")[!grammar::x3::eoi]);
+    definition.value = grammar::between(here, end);
     if (clause.unclosed) throw SyntaxError{clause.unclosed, "'{' is never closed"};
     if (!definition.is_system()) refuse_unknown_family(definition.value);
     return definition;
@@ -264,29 +265,24 @@ ClaimDefinition begin_definition(const ClaimClause& clause, ClaimReading& readin
 void read_definition(const ClaimDefinition& definition, ClaimReading& reading, Claim& claim) {
     if (definition.is_system()) return read_system_definition(definition, reading, claim);
     ClaimName& meaning = *definition.meaning;
-    ClaimScanner scanner(definition.value);
-    if (is_morphism(scanner)) {
-        ClaimScanner ahead = scanner;
-        meaning.morphism = parse_morphism(ahead, reading);
-        if (ahead.at_end()) {
+    const char* here = definition.value.data();
+    const char* const end = here + definition.value.size();
+    if (is_morphism(here, end)) {
+        const char* behind = here;
+        meaning.morphism = parse_morphism(behind, end, reading);
+        const std::string_view rest = trimmed(grammar::between(behind, end));
+        if (rest.empty()) {
             meaning.kind = ClaimName::Kind::morphism;
             return;
         }
-        if (!ahead.rest().starts_with('(') && !ahead.rest().starts_with('^'))
-            throw unexpected("the end of the definition, or '(' and a language", ahead.here);
+        if (!rest.starts_with('(') && !rest.starts_with('^'))
+            throw unexpected("the end of the definition, or '(' and a language", rest.data());
     }
-    meaning.language = parse_language(scanner, reading);
-    expect_end(scanner, "an operator or the end of the definition");
+    meaning.language = parse_language(here, end, reading);
+    if (here != end) throw unexpected("an operator or the end of the definition", here);
     meaning.language.language = named(meaning.language.language, std::string(definition.name));
     meaning.kind = ClaimName::Kind::language;
     claim.languages.push_back(meaning.language.language);
-}
-
-const std::vector<std::string>& clause_words() {
-    static const std::vector<std::string> all{"claim",  "source", "note",      "alphabet",
-                                              "allow",  "let",    "show",      "lemma",
-                                              "refute", "closed", "not closed"};
-    return all;
 }
 
 /// Reads the clauses of one claim: the alphabet first, then systems, as both say how words are cut into
@@ -340,9 +336,7 @@ private:
     template <class Read>
     void guarded(Read read) {
         try {
-            read();
-        } catch (const SyntaxError& error) {
-            reading_.findings.add(error);
+            reading_.findings.gather(read);
         } catch (const DependsOnError&) {  // its cause is among the findings
         }
     }
@@ -358,25 +352,22 @@ private:
     }
 
     void read_clause(const ClaimClause& clause) {
-        using Purpose = ClaimedStatement::Purpose;
         const std::string_view word = clause.keyword;
         if (word == "claim" || word == "source" || word == "note") return read_text(clause);
         if (clause.unclosed) throw SyntaxError{clause.unclosed, "'{' is never closed"};
         if (word == "allow") return read_allowance(clause);
-        if (word == "show") return read_claimed(clause, Purpose::show);
-        if (word == "lemma") return read_claimed(clause, Purpose::lemma);
-        if (word == "refute") return read_claimed(clause, Purpose::refute);
+        if (word == "show" || word == "lemma" || word == "refute") return read_claimed(clause);
         if (is_closure_fact(clause.text)) {
             claim_.closure.push_back(parse_closure_fact(clause.text, reading_));
             return;
         }
+        static const std::vector<std::string> words{"claim",  "source", "note",      "alphabet",
+                                                    "allow",  "let",    "show",      "lemma",
+                                                    "refute", "closed", "not closed"};
         constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
-        throw SyntaxError{
-            clause.text.data(),
-            "expected claim, source, note, alphabet, allow, let, show, lemma, refute or closed, "
-            "found " +
-                quoted(word) +
-                (reading_.findings.count() < most ? did_you_mean(word, clause_words()) : "")};
+        throw unknown_word(
+            "claim, source, note, alphabet, allow, let, show, lemma, refute or closed", word,
+            reading_.findings.count() < most ? words : std::vector<std::string>());
     }
 
     void read_text(const ClaimClause& clause) {
@@ -390,17 +381,18 @@ private:
         }
         for (const auto& [keyword, where] : given_)
             if (keyword == clause.keyword)
-                throw SyntaxError{clause.text.data(),
-                                  quoted(keyword) + " is given twice, first in line " +
-                                      std::to_string(reading_.source.place(where).line)};
+                throw given_twice(clause.keyword, where, reading_.source);
         given_.emplace_back(clause.keyword, clause.text.data());
         (clause.keyword == "claim" ? claim_.title : claim_.source) = value;
     }
 
-    void read_claimed(const ClaimClause& clause, ClaimedStatement::Purpose purpose) {
+    void read_claimed(const ClaimClause& clause) {
+        using Purpose = ClaimedStatement::Purpose;
         std::string_view text = clause.text.substr(clause.keyword.size());
         ClaimedStatement claimed;
-        claimed.purpose = purpose;
+        claimed.purpose = clause.keyword == "show"    ? Purpose::show
+                          : clause.keyword == "lemma" ? Purpose::lemma
+                                                      : Purpose::refute;
         if (const std::size_t by = find_word(text, "by"); by != std::string_view::npos) {
             const std::string_view citation = trimmed(text.substr(by + 2));
             if (citation.empty())
@@ -440,9 +432,10 @@ WrittenLanguage read_language(std::string_view text, const SystemSource& open,
     return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
         ClaimReading reading(source, findings, open);
         reading.opens_systems = true;
-        ClaimScanner scanner(text);
-        const Language language = parse_language(scanner, reading).language;
-        if (!scanner.at_end()) throw unexpected("an operator", scanner.here);
+        const char* here = text.data();
+        const char* const end = here + text.size();
+        const Language language = parse_language(here, end, reading).language;
+        if (here != end) throw unexpected("an operator", here);
         reading.finish();
         return WrittenLanguage{reading.alphabet, language};
     });

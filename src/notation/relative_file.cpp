@@ -1,11 +1,16 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <set>
 
-#include "notation/detail/expression_grammar.hpp"
+#include "nature/nature.hpp"
+#include "notation/detail/reading.hpp"
 #include "notation/detail/relative_values.hpp"
 
 // The files of other generators than L-systems: lines `key value ...` with `#` comments.
@@ -20,8 +25,7 @@
 namespace algae {
 
 const RelativeStatement* RelativeFile::find(std::string_view key) const {
-    const auto found = std::find_if(statements.begin(), statements.end(),
-                                    [&](const RelativeStatement& s) { return s.key == key; });
+    const auto found = std::ranges::find(statements, key, &RelativeStatement::key);
     return found == statements.end() ? nullptr : &*found;
 }
 
@@ -35,8 +39,7 @@ void RelativeFile::add(const std::string& key, const std::vector<std::string>& w
 
 void RelativeFile::set(const std::string& key, const std::vector<std::string>& words,
                        const std::string& option) {
-    const auto found = std::find_if(statements.begin(), statements.end(),
-                                    [&](const RelativeStatement& s) { return s.key == key; });
+    const auto found = std::ranges::find(statements, key, &RelativeStatement::key);
     RelativeFile changed;
     changed.name = option;
     changed.add(key, words);
@@ -60,6 +63,18 @@ void RelativeFile::fail(const RelativeStatement& statement, const std::string& m
 }
 
 void RelativeFile::fail(const std::string& message) const { throw Error(name + ": " + message); }
+
+void RelativeFile::refuse(const RelativeStatement& statement, const RelativeWord& word,
+                          const std::string& wanted, const std::string& hint) const {
+    fail(statement, word,
+         "expected " + statement.key + " " + wanted + ", found " + algae::quoted(word.text) + hint);
+}
+
+const RelativeWord& RelativeFile::only_word(const RelativeStatement& statement,
+                                            const std::string& arguments) const {
+    check_words(statement, 1, 1, arguments);
+    return statement.words.front();
+}
 
 void RelativeFile::check_words(const RelativeStatement& statement, std::size_t least,
                                std::size_t most, const std::string& arguments) const {
@@ -86,13 +101,11 @@ double RelativeFile::number(const RelativeStatement& statement, const RelativeWo
                             double least, double most) const {
     const double value = quantity(statement, word).value;
     if (value >= least && value <= most) return value;
-    const std::string wanted =
-        std::isinf(most)    ? "of at least " + shortest_decimal(least)
-        : std::isinf(least) ? "of at most " + shortest_decimal(most)
-                            : "from " + shortest_decimal(least) + " to " + shortest_decimal(most);
-    fail(statement, word,
-         "expected " + statement.key + " with a number " + wanted + ", found " +
-             algae::quoted(word.text));
+    refuse(statement, word,
+           "with a number " + (std::isinf(most)    ? "of at least " + shortest_decimal(least)
+                               : std::isinf(least) ? "of at most " + shortest_decimal(most)
+                                                   : "from " + shortest_decimal(least) + " to " +
+                                                         shortest_decimal(most)));
 }
 
 std::uint64_t RelativeFile::natural(const RelativeStatement& statement, const RelativeWord& word,
@@ -101,9 +114,19 @@ std::uint64_t RelativeFile::natural(const RelativeStatement& statement, const Re
     const char* const end = word.text.data() + word.text.size();
     const auto [stop, problem] = std::from_chars(word.text.data(), end, value);
     if (problem == std::errc() && stop == end && value >= least && value <= most) return value;
-    fail(statement, word,
-         "expected " + statement.key + " with a whole number from " + std::to_string(least) +
-             " to " + std::to_string(most) + ", found " + algae::quoted(word.text));
+    refuse(statement, word,
+           "with a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+}
+
+std::pair<std::uint64_t, std::uint64_t> RelativeFile::range(const RelativeStatement& statement,
+                                                            const RelativeWord& word,
+                                                            std::uint64_t most) const {
+    const std::size_t dots = word.text.find("..");
+    const auto part = [&](const std::string& text) {
+        return natural(statement, {text, word.offset}, 0, most);
+    };
+    const std::uint64_t first = part(word.text.substr(0, dots));
+    return {first, dots == std::string::npos ? first : part(word.text.substr(dots + 2))};
 }
 
 Point RelativeFile::point(const RelativeStatement& statement, const RelativeWord& word) const {
@@ -124,55 +147,50 @@ Point RelativeFile::point(const RelativeStatement& statement, const RelativeWord
 std::optional<double> RelativeFile::number(std::string_view key, double least, double most) const {
     const RelativeStatement* statement = find(key);
     if (!statement) return std::nullopt;
-    check_words(*statement, 1, 1, "NUMBER");
-    return number(*statement, statement->words.front(), least, most);
+    return number(*statement, only_word(*statement, "NUMBER"), least, most);
 }
 
 std::optional<std::uint64_t> RelativeFile::natural(std::string_view key, std::uint64_t least,
                                                    std::uint64_t most) const {
     const RelativeStatement* statement = find(key);
     if (!statement) return std::nullopt;
-    check_words(*statement, 1, 1, "N");
-    return natural(*statement, statement->words.front(), least, most);
+    return natural(*statement, only_word(*statement, "N"), least, most);
 }
 
 std::optional<std::pair<std::uint64_t, std::uint64_t>> RelativeFile::range(
     std::string_view key, std::uint64_t most) const {
     const RelativeStatement* statement = find(key);
     if (!statement) return std::nullopt;
-    check_words(*statement, 1, 1, "N or N..M");
-    const RelativeWord& word = statement->words.front();
-    const std::size_t dots = word.text.find("..");
-    const auto part = [&](const std::string& text) {
-        return natural(*statement, {text, word.offset}, 0, most);
-    };
-    const std::uint64_t first = part(word.text.substr(0, dots));
-    const std::uint64_t last = dots == std::string::npos ? first : part(word.text.substr(dots + 2));
-    if (last < first)
+    const RelativeWord& word = only_word(*statement, "N or N..M");
+    const auto found = range(*statement, word, most);
+    if (found.second < found.first)
         fail(*statement, word, "the range " + algae::quoted(word.text) + " goes down");
-    return std::pair(first, last);
+    return found;
 }
 
 std::optional<std::string> RelativeFile::text(std::string_view key) const {
     const RelativeStatement* statement = find(key);
     if (!statement) return std::nullopt;
-    check_words(*statement, 1, 1, "TEXT");
-    return statement->words.front().text;
+    return only_word(*statement, "TEXT").text;
 }
 
 std::optional<std::string> RelativeFile::choice(std::string_view key,
                                                 const std::vector<std::string>& choices) const {
     const RelativeStatement* statement = find(key);
     if (!statement) return std::nullopt;
-    std::string wanted;
-    for (const std::string& one : choices) wanted += (wanted.empty() ? "" : "|") + one;
-    check_words(*statement, 1, 1, wanted);
-    const std::string& word = statement->words.front().text;
-    if (std::find(choices.begin(), choices.end(), word) == choices.end())
-        fail(*statement, statement->words.front(),
-             "expected " + statement->key + " " + wanted + ", found " + algae::quoted(word) +
-                 did_you_mean(word, choices));
-    return word;
+    const std::string wanted = fmt::format("{}", fmt::join(choices, "|"));
+    const RelativeWord& word = only_word(*statement, wanted);
+    if (std::ranges::count(choices, word.text) == 0)
+        refuse(*statement, word, wanted, did_you_mean(word.text, choices));
+    return word.text;
+}
+
+Colour RelativeFile::colour(const RelativeStatement& statement, const RelativeWord& word) const {
+    try {
+        return colour_named(word.text);
+    } catch (const Error& error) {
+        fail(statement, word, error.what());
+    }
 }
 
 void RelativeFile::describe(Relative& relative) const {
@@ -181,17 +199,13 @@ void RelativeFile::describe(Relative& relative) const {
     relative.source = text("source").value_or("");
     if (const RelativeStatement* colours = find("colour"))
         for (const RelativeWord& word : colours->words) {
-            try {
-                if (word.text != "along") colour_named(word.text);
-            } catch (const Error& error) {
-                fail(*colours, word, error.what());
-            }
-            relative.settings.colours.push_back(word.text);
+            if (word.text != "along") colour(*colours, word);
+            relative.style.colours.push_back(word.text);
         }
     if (const RelativeStatement* width = find("width")) {
-        check_words(*width, 1, 1, "POINTS");
-        number(*width, width->words.front(), 0.001, 1000);
-        relative.settings.width = quantity(*width, width->words.front());
+        const RelativeWord& points = only_word(*width, "POINTS");
+        number(*width, points, 0.001, 1000);
+        relative.style.width = quantity(*width, points);
     }
 }
 
@@ -221,23 +235,13 @@ std::size_t comment_start(std::string_view line, std::string_view key) {
     return line.size();
 }
 
-/// The words of `line` from `begin` to `end`.
-std::vector<RelativeWord> words_of(std::string_view line, std::size_t begin, std::size_t end) {
+/// The words of a part of a line; blanks in their brackets are left out.
+std::vector<RelativeWord> words_of(std::string_view line, std::string_view part) {
     std::vector<RelativeWord> found;
-    std::size_t here = begin;
-    while (here < end) {
-        if (is_space(line[here])) {
-            ++here;
-            continue;
-        }
-        std::size_t stop = here;
-        int depth = 0;
-        for (; stop < end && (depth > 0 || !is_space(line[stop])); ++stop)
-            depth += line[stop] == '(' ? 1 : line[stop] == ')' ? -1 : 0;
-        RelativeWord word{{}, here};
-        for (; here < stop; ++here)
-            if (!is_space(line[here])) word.text += line[here];
-        found.push_back(std::move(word));
+    for (const std::string_view piece : pieces(part)) {
+        std::string word;
+        for (const std::string_view solid : blank_separated(piece)) word += solid;
+        found.push_back({std::move(word), static_cast<std::size_t>(piece.data() - line.data())});
     }
     return found;
 }
@@ -250,7 +254,7 @@ RelativeFile read_relative_file(std::string_view text, const std::string& name,
         {"title", "TEXT"}, {"source", "TEXT"}, {"colour", "COLOUR ..."}, {"width", "POINTS"}};
     keys.insert(keys.end(), own_keys.begin(), own_keys.end());
     std::vector<std::string> names;
-    for (const RelativeKey& key : keys) names.push_back(key.name);
+    std::ranges::transform(keys, std::back_inserter(names), &RelativeKey::name);
 
     const Source source(text, name);
     Findings findings(source);
@@ -264,11 +268,12 @@ RelativeFile read_relative_file(std::string_view text, const std::string& name,
         const std::string_view line = text.substr(start, end - start);
         const std::size_t offset = start;
         start = end + 1;
-        std::size_t begin = 0;
-        while (begin < line.size() && is_space(line[begin])) ++begin;
+        const auto begin =
+            static_cast<std::size_t>(std::ranges::find_if_not(line, is_space) - line.begin());
         if (begin == line.size()) continue;
-        std::size_t key_end = begin;
-        while (key_end < line.size() && !is_space(line[key_end])) ++key_end;
+        const auto key_end = static_cast<std::size_t>(
+            std::find_if(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end(), is_space) -
+            line.begin());
         RelativeStatement statement;
         statement.key = line.substr(begin, key_end - begin);
         const std::size_t stop = comment_start(line, statement.key);
@@ -277,28 +282,24 @@ RelativeFile read_relative_file(std::string_view text, const std::string& name,
             comments.push_back(std::move(statement.behind));
             continue;
         }
-        const auto known = std::find_if(keys.begin(), keys.end(), [&](const RelativeKey& key) {
-            return key.name == statement.key;
-        });
+        const auto known = std::ranges::find(keys, statement.key, &RelativeKey::name);
         if (known == keys.end()) {
-            findings.add(offset + begin, "unknown statement " + algae::quoted(statement.key) +
-                                             did_you_mean(statement.key, names) +
-                                             "; expected one of " +
-                                             joined(keys, ", ", &RelativeKey::name));
+            findings.add(offset + begin,
+                         "unknown statement " + algae::quoted(statement.key) +
+                             did_you_mean(statement.key, names) +
+                             fmt::format("; expected one of {}", fmt::join(names, ", ")));
             continue;
         }
         if (!known->repeats && !said.insert(statement.key).second) {
             findings.add(offset + begin, statement.key + " is said twice");
             continue;
         }
-        if (takes_whole_line(statement.key)) {
-            const std::string_view rest = trimmed(line.substr(key_end, stop - key_end));
-            if (!rest.empty())
-                statement.words.push_back(
-                    {std::string(rest), static_cast<std::size_t>(rest.data() - line.data())});
-        } else {
-            statement.words = words_of(line, key_end, stop);
-        }
+        const std::string_view rest = trimmed(line.substr(key_end, stop - key_end));
+        if (!takes_whole_line(statement.key))
+            statement.words = words_of(line, rest);
+        else if (!rest.empty())
+            statement.words.push_back(
+                {std::string(rest), static_cast<std::size_t>(rest.data() - line.data())});
         if (statement.words.empty() && !known->arguments.empty()) {
             findings.add(offset + begin,
                          "expected " + known->name + " " + known->arguments + ", found no value");
@@ -331,40 +332,50 @@ std::string print_relative_file(const RelativeFile& file) {
     return out;
 }
 
-std::optional<std::vector<double>> hurst_values(const RelativeFile& file, const char* key) {
+namespace {
+
+/// What `read(statement, word)` makes of each word of the statement of this key.
+template <class Read>
+auto each_value(const RelativeFile& file, const char* key, Read read) {
+    std::optional<std::vector<decltype(read(file.statements[0], file.statements[0].words[0]))>>
+        found;
     const RelativeStatement* statement = file.find(key);
-    if (!statement) return std::nullopt;
-    std::vector<double> found;
-    for (const RelativeWord& word : statement->words) {
-        found.push_back(file.quantity(*statement, word).value);
-        if (!(found.back() > 0 && found.back() < 1))
-            file.fail(*statement, word,
-                      "expected " + statement->key + " with a number between 0 and 1, found " +
-                          algae::quoted(word.text));
-    }
+    if (!statement) return found;
+    found.emplace();
+    for (const RelativeWord& word : statement->words) found->push_back(read(*statement, word));
     return found;
+}
+
+}  // namespace
+
+std::optional<std::vector<double>> hurst_values(const RelativeFile& file, const char* key) {
+    return each_value(file, key, [&](const RelativeStatement& said, const RelativeWord& word) {
+        const double found = file.quantity(said, word).value;
+        if (!(found > 0 && found < 1)) file.refuse(said, word, "with a number between 0 and 1");
+        return found;
+    });
+}
+
+std::optional<std::vector<double>> number_values(const RelativeFile& file, const char* key,
+                                                 double least, double most) {
+    return each_value(file, key, [&](const RelativeStatement& said, const RelativeWord& word) {
+        return file.number(said, word, least, most);
+    });
+}
+
+std::optional<std::vector<std::uint64_t>> natural_values(const RelativeFile& file, const char* key,
+                                                         std::uint64_t least, std::uint64_t most) {
+    return each_value(file, key, [&](const RelativeStatement& said, const RelativeWord& word) {
+        return file.natural(said, word, least, most);
+    });
 }
 
 std::optional<double> positive_value(const RelativeFile& file, const char* key) {
     const RelativeStatement* statement = file.find(key);
     if (!statement) return std::nullopt;
-    file.check_words(*statement, 1, 1, "NUMBER");
-    const RelativeWord& word = statement->words.front();
+    const RelativeWord& word = file.only_word(*statement, "NUMBER");
     const double found = file.quantity(*statement, word).value;
-    if (!(found > 0))
-        file.fail(*statement, word,
-                  "expected " + statement->key + " with a number above 0, found " +
-                      algae::quoted(word.text));
-    return found;
-}
-
-std::optional<std::vector<std::uint64_t>> natural_values(const RelativeFile& file, const char* key,
-                                                         std::uint64_t least, std::uint64_t most) {
-    const RelativeStatement* statement = file.find(key);
-    if (!statement) return std::nullopt;
-    std::vector<std::uint64_t> found;
-    for (const RelativeWord& word : statement->words)
-        found.push_back(file.natural(*statement, word, least, most));
+    if (!(found > 0)) file.refuse(*statement, word, "with a number above 0");
     return found;
 }
 

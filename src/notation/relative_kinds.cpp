@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <map>
 
+#include "nature/nature.hpp"
 #include "notation/detail/relative_values.hpp"
 
 // The kinds of files that describe other generators than L-systems, and the short ones among them.
@@ -20,17 +21,14 @@ namespace {
 std::unique_ptr<Relative> make_boxes(const RelativeFile& file) {
     auto cover = std::make_unique<BoxCover>();
     file.describe(*cover);
-    const std::string shape =
-        file.choice("set", {"segment", "square", "koch", "coast"}).value_or("koch");
-    cover->shape = shape == "segment"  ? BoxCover::Shape::segment
-                   : shape == "square" ? BoxCover::Shape::square
-                   : shape == "koch"   ? BoxCover::Shape::koch
-                                       : BoxCover::Shape::coast;
-    if (const RelativeStatement* cells = file.find("cells")) {
-        cover->cells.clear();
-        for (const RelativeWord& word : cells->words)
-            cover->cells.push_back(file.number(*cells, word, 1.0 / 4096, 1));
-    }
+    static const std::map<std::string, BoxCover::Shape> shapes{
+        {"segment", BoxCover::Shape::segment},
+        {"square", BoxCover::Shape::square},
+        {"koch", BoxCover::Shape::koch},
+        {"coast", BoxCover::Shape::coast}};
+    cover->shape =
+        shapes.at(file.choice("set", {"segment", "square", "koch", "coast"}).value_or("koch"));
+    cover->cells = number_values(file, "cells", 1.0 / 4096, 1).value_or(cover->cells);
     cover->plot = file.choice("show", {"boxes", "plot"}).value_or("boxes") == "plot";
     cover->turned = file.choice("squares", {"grid", "turned"}).value_or("grid") == "turned";
     cover->seed = seed_value(file);
@@ -103,9 +101,8 @@ std::vector<Terrain::View> views_of(const RelativeFile& file, const RelativeStat
         if (view == known.end()) {
             std::vector<std::string> names;
             for (const auto& [name, which] : known) names.push_back(name);
-            file.fail(statement, word,
-                      "expected view map, contours, solid, coast or grid, found " +
-                          algae::quoted(word.text) + did_you_mean(word.text, names));
+            file.refuse(statement, word, "map, contours, solid, coast or grid",
+                        did_you_mean(word.text, names));
         }
         found.push_back(view->second);
     }
@@ -222,9 +219,8 @@ const std::vector<RelativeKind>& relative_kinds() {
 
 const RelativeKind* relative_kind(std::string_view file_name) {
     const auto& kinds = relative_kinds();
-    const auto found = std::find_if(kinds.begin(), kinds.end(), [&](const RelativeKind& kind) {
-        return file_name.ends_with("." + kind.ending);
-    });
+    const auto found = std::ranges::find_if(
+        kinds, [&](const RelativeKind& kind) { return file_name.ends_with("." + kind.ending); });
     return found == kinds.end() ? nullptr : &*found;
 }
 

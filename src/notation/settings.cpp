@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/detail/reading.hpp"
 
@@ -217,7 +218,7 @@ void read_environment(const Clause& clause, Reading& reading) {
 // How figures are drawn.
 
 /// A setting of one number.
-template <std::optional<Quantity> Settings::*number>
+template <std::optional<Quantity> Drawing::*number>
 void read_number(const Clause& clause, Reading& reading) {
     const std::string_view name = clause.keyword, value = clause.value();
     Quantity quantity = quantity_of(value, reading);
@@ -225,7 +226,7 @@ void read_number(const Clause& clause, Reading& reading) {
         throw SyntaxError{value.data(), "expected a width above 0, found " + quoted(value)};
     if ((name == "step" || name == "shrink" || name == "scale") && quantity.value == 0)
         throw SyntaxError{value.data(), "expected a " + std::string(name) + " other than 0"};
-    reading.system.settings.*number = std::move(quantity);
+    reading.drawing.*number = std::move(quantity);
 }
 
 void read_start(const Clause& clause, Reading& reading) {
@@ -234,11 +235,11 @@ void read_start(const Clause& clause, Reading& reading) {
         if (i >= parts.size()) throw unexpected(what, end_of(clause));
         return quantity_of(parts[i], reading);
     };
-    Settings::Start start{part(0, "x, y and heading"), part(1, "y and heading"),
-                          part(2, "a heading")};
+    Drawing::Start start{part(0, "x, y and heading"), part(1, "y and heading"),
+                         part(2, "a heading")};
     if (parts.size() > 3)
         throw unexpected("the end of the line after x, y and heading", parts[3].data());
-    reading.system.settings.start = std::move(start);
+    reading.drawing.start = std::move(start);
 }
 
 /// Throws if the symbol has a stamp, a solid or a surface already.
@@ -250,9 +251,9 @@ void check_unnamed(Symbol symbol, const char* place, const Reading& reading) {
                                              algae::quoted(reading.system.alphabet.name(symbol)) +
                                              " has a " + what + " already"};
     };
-    check(reading.system.settings.stamps, "stamp");
-    check(reading.system.settings.solids, "solid");
-    check(reading.system.settings.surfaces, "surface");
+    check(reading.drawing.stamps, "stamp");
+    check(reading.drawing.solids, "solid");
+    check(reading.drawing.surfaces, "surface");
 }
 
 /// The one symbol of the text, which has no shape yet; `more` is what else a message expects.
@@ -275,7 +276,7 @@ void read_stamp(const Clause& clause, Reading& reading) {
     const Symbol symbol = symbol_of(between(value.data(), shape.data()), reading, " and a shape");
     for (const StampShape known : {StampShape::square, StampShape::circle, StampShape::triangle})
         if (shape == shape_name(known)) {
-            reading.system.settings.stamps.push_back({symbol, known});
+            reading.drawing.stamps.push_back({symbol, known});
             return;
         }
     refuse(shape, shapes);
@@ -303,7 +304,7 @@ void read_solid(const Clause& clause, Reading& reading) {
                               "the measure " + quoted(parts[i]) + " is given twice"};
         solid.measures.push_back(measure->name);
     }
-    reading.system.settings.solids.push_back(std::move(solid));
+    reading.drawing.solids.push_back(std::move(solid));
 }
 
 Triple point_at(const char*& here, const char* end, Reading& reading) {
@@ -340,7 +341,7 @@ void read_surface(const Clause& clause, Reading& reading) {
         throw SyntaxError{parts[1].data(), "expected 16 points for a patch, row by row" + found};
     if (has_points && surface.points.size() < least_corners)
         throw SyntaxError{parts[1].data(), "expected at least three points for a polygon" + found};
-    reading.system.settings.surfaces.push_back(std::move(surface));
+    reading.drawing.surfaces.push_back(std::move(surface));
 }
 
 /// So many numbers, and no more than that; `what` is for messages.
@@ -359,11 +360,11 @@ void read_tropism(const Clause& clause, Reading& reading) {
     const auto to = numbers_of(clause, 3, "three coordinates", reading);
     if (to[0].value == 0 && to[1].value == 0 && to[2].value == 0)
         throw SyntaxError{clause.value().data(), "expected a direction, found the zero vector"};
-    reading.system.settings.tropism = Triple{to[0], to[1], to[2]};
+    reading.drawing.tropism = Triple{to[0], to[1], to[2]};
 }
 
 void read_susceptibility(const Clause& clause, Reading& reading) {
-    reading.system.settings.susceptibility = numbers_of(clause, 1, "a number", reading)[0];
+    reading.drawing.susceptibility = numbers_of(clause, 1, "a number", reading)[0];
 }
 
 void read_fog(const Clause& clause, Reading& reading) {
@@ -371,7 +372,7 @@ void read_fog(const Clause& clause, Reading& reading) {
     if (!(fog.value >= 0 && fog.value <= 1))
         throw SyntaxError{clause.value().data(),
                           "expected a share from 0 to 1, found " + quoted(clause.value())};
-    reading.system.settings.fog = std::move(fog);
+    reading.drawing.fog = std::move(fog);
 }
 
 Direction direction_of(const std::vector<std::string_view>& parts, const Clause& clause,
@@ -400,14 +401,14 @@ void read_camera(const Clause& clause, Reading& reading) {
                               "expected degrees from 1 to 120, found " + quoted(parts[3])};
     }
     if (parts.size() > 4) throw unexpected("the end of the line", parts[4].data());
-    reading.system.settings.camera = std::move(camera);
+    reading.drawing.camera = std::move(camera);
 }
 
 void read_light(const Clause& clause, Reading& reading) {
     const auto parts = pieces(clause.value());
     Direction light = direction_of(parts, clause, reading);
     if (parts.size() > 2) throw unexpected("the end of the line", parts[2].data());
-    reading.system.settings.light = std::move(light);
+    reading.drawing.light = std::move(light);
 }
 
 void read_colours(const Clause& clause, Reading& reading) {
@@ -424,7 +425,7 @@ void read_colours(const Clause& clause, Reading& reading) {
         } catch (const Error& error) {
             throw SyntaxError{colour.data(), error.what()};
         }
-        reading.system.settings.colours.emplace_back(colour);
+        reading.drawing.colours.emplace_back(colour);
     }
 }
 
@@ -432,7 +433,7 @@ void read_turn(const Clause& clause, Reading& reading) {
     const std::string_view value = clause.value();
     if (value != "clockwise" && value != "counter-clockwise")
         throw unexpected("'clockwise' or 'counter-clockwise'", value.data());
-    reading.system.settings.clockwise = value == "clockwise";
+    reading.drawing.clockwise = value == "clockwise";
 }
 
 // Generations, seeds and what is expected of a generation.
@@ -485,9 +486,9 @@ void read_expectation(const Clause& clause, Reading& reading) {
     x3::phrase_parse(here, end, head, grammar::blank);
     if (!is_one_of(kinds, kind)) refuse_many(kind, kinds);
     if (here == end) throw unexpected("a value", here);
-    reading.system.expectations.push_back({std::string(kind), number_below(number, "a generation"),
-                                           std::string(between(here, end)),
-                                           reading.source.place(clause.text.data())});
+    reading.expectations.push_back({std::string(kind), number_below(number, "a generation"),
+                                    std::string(between(here, end)),
+                                    reading.source.place(clause.text.data())});
 }
 
 }  // namespace
@@ -525,29 +526,28 @@ const std::vector<Setting>& settings() {
          [](C c, R r) { r.system.terminals = symbols_of(c, r); }},
         {"interpret", Stage::interpretation, true, read_interpretation},
         {"environment", other, true, read_environment},
-        {"angle", other, false, read_number<&Settings::angle>},
-        {"step", other, false, read_number<&Settings::step>},
-        {"shrink", other, false, read_number<&Settings::shrink>},
+        {"angle", other, false, read_number<&Drawing::angle>},
+        {"step", other, false, read_number<&Drawing::step>},
+        {"shrink", other, false, read_number<&Drawing::shrink>},
         {"start", other, false, read_start},
-        {"spin", other, false, read_number<&Settings::spin>},
-        {"scale", other, false, read_number<&Settings::scale>},
-        {"narrow", other, false, read_number<&Settings::narrow>},
-        {"plot", Stage::plot, false,
-         [](C c, R r) { r.system.settings.plotters = symbols_of(c, r); }},
+        {"spin", other, false, read_number<&Drawing::spin>},
+        {"scale", other, false, read_number<&Drawing::scale>},
+        {"narrow", other, false, read_number<&Drawing::narrow>},
+        {"plot", Stage::plot, false, [](C c, R r) { r.drawing.plotters = symbols_of(c, r); }},
         {"stamp", Stage::stamp, true, read_stamp},
         {"solid", Stage::solid, true, read_solid},
         {"surface", Stage::surface, true, read_surface},
         {"tropism", other, false, read_tropism},
         {"susceptibility", other, false, read_susceptibility},
-        {"width", other, false, read_number<&Settings::width>},
+        {"width", other, false, read_number<&Drawing::width>},
         {"colour", other, false, read_colours},
         {"turn", other, false, read_turn},
         {"camera", other, false, read_camera},
         {"light", other, false, read_light},
         {"fog", other, false, read_fog},
         {"generation", other, false,
-         [](C c, R r) { r.system.settings.generations = range_of(c, "a generation"); }},
-        {"seed", other, false, [](C c, R r) { r.system.settings.seeds = range_of(c, "a seed"); }},
+         [](C c, R r) { r.drawing.generations = range_of(c, "a generation"); }},
+        {"seed", other, false, [](C c, R r) { r.drawing.seeds = range_of(c, "a seed"); }},
         {"expect", other, true, read_expectation}};
     return all;
 }

@@ -89,6 +89,21 @@ std::string_view trimmed(std::string_view text) {
     return {begin, static_cast<std::size_t>(blanks_from - begin)};
 }
 
+std::vector<std::string_view> blank_separated(std::string_view text) {
+    std::vector<std::string_view> found;
+    std::size_t begin = 0;  // of a piece
+    for (std::size_t here = 0; here < text.size();) {
+        const Character next = first_character(text.substr(here));
+        if (is_blank(next.code)) {
+            if (here > begin) found.push_back(text.substr(begin, here - begin));
+            begin = here + next.bytes;
+        }
+        here += next.bytes;
+    }
+    if (begin < text.size()) found.push_back(text.substr(begin));
+    return found;
+}
+
 std::string code_point_name(char32_t code) {
     std::string hexadecimal;
     for (; code != 0 || hexadecimal.size() < 4; code >>= 4)
@@ -232,6 +247,17 @@ Diagnostic Source::finding(std::size_t offset, std::string message) const {
 
 SyntaxError unexpected(const std::string& expectation, const char* where) {
     return {where, "expected " + expectation + ", found ", false};
+}
+
+SyntaxError unknown_word(const std::string& expectation, std::string_view found,
+                         const std::vector<std::string>& known) {
+    return {found.data(),
+            "expected " + expectation + ", found " + quoted(found) + did_you_mean(found, known)};
+}
+
+SyntaxError given_twice(std::string_view keyword, const char* first, const Source& source) {
+    return {keyword.data(), quoted(keyword) + " is given twice, first in line " +
+                                std::to_string(source.place(first).line)};
 }
 
 void Findings::add(const SyntaxError& error) {

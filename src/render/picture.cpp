@@ -78,7 +78,7 @@ void check_figures(std::span<const Plate> plates) {
 /// `unset`: the width where neither options nor figure say one.
 double line_width(const Figure& figure, const PictureOptions& options, double unset) {
     if (options.line_width) return *options.line_width;
-    const std::optional<Quantity>& own = figure.settings().width;
+    const std::optional<Quantity>& own = figure.style().width;
     if (!own) return unset;
     if (!(own->value > 0 && own->value <= largest_vector))
         throw Error("the setting width must be above 0 and at most " +
@@ -104,7 +104,7 @@ private:
 /// How wide the widest stroke is, as a multiple of the line width. Only where strokes may grow
 /// wider does this take a pass over the figure.
 double widest_stroke(const Figure& figure, const Budget& budget) {
-    const std::optional<Quantity>& narrow = figure.settings().narrow;
+    const std::optional<Quantity>& narrow = figure.style().narrow;
     if (!narrow || std::fabs(narrow->value) <= 1) return 1;
     WidestStroke measure;
     const double extent = std::max(figure.box().breadth(), figure.box().height());
@@ -169,7 +169,7 @@ double scale_bar_length(double breadth) {
 }
 
 const std::vector<std::string>& colours_of(const Figure& figure, const PictureOptions& options) {
-    return options.colours.empty() ? figure.settings().colours : options.colours;
+    return options.colours.empty() ? figure.style().colours : options.colours;
 }
 
 Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arrangement,

@@ -21,6 +21,8 @@
 
 namespace algae {
 
+struct Model;
+
 /// The digits; of more than 60 the first ones and how many there are.
 std::string readable(const Integer& value);
 
@@ -90,9 +92,9 @@ struct Json::Field {
     mutable Json value;  // lists hold constants, and large values are moved out of them
 };
 
-/// A system and its class.
+/// A system, which must outlive the report, and its class.
 struct SystemReport {
-    LSystem system;
+    const Model& system;
     Class kind;
 };
 

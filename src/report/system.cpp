@@ -9,6 +9,7 @@
 
 #include <utility>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 namespace algae {
@@ -110,20 +111,20 @@ Json to_json(const SystemReport& report) {
     for (const EnvironmentSetting& environment : system.environments)
         environments.add(as_json(system.alphabet, environment));
     out.set("environments", std::move(environments));
-    out.set("plot", names(system.alphabet, system.settings.plotters));
+    out.set("plot", names(system.alphabet, system.drawing.plotters));
     Json stamps = Json::array();
-    for (const Settings::Stamp& stamp : system.settings.stamps)
+    for (const Drawing::Stamp& stamp : system.drawing.stamps)
         stamps.add(Json{{"symbol", system.alphabet.name(stamp.symbol)},
                         {"shape", shape_name(stamp.shape)}});
     out.set("stamps", std::move(stamps));
     Json solids = Json::array();
-    for (const SolidSetting& solid : system.settings.solids)
+    for (const SolidSetting& solid : system.drawing.solids)
         solids.add({{"symbol", system.alphabet.name(solid.symbol)},
                     {"kind", solid.kind},
                     {"measures", solid.measures}});
     out.set("solids", std::move(solids));
     Json surfaces = Json::array();
-    for (const SurfaceSetting& surface : system.settings.surfaces)
+    for (const SurfaceSetting& surface : system.drawing.surfaces)
         surfaces.add(
             Json{{"symbol", system.alphabet.name(surface.symbol)}, {"kind", surface.kind}});
     out.set("surfaces", std::move(surfaces));
@@ -156,28 +157,28 @@ std::string to_text(const SystemReport& report) {
     for (const EnvironmentSetting& environment : system.environments)
         environments.push_back(print_environment(system.alphabet, environment));
     list("environments", environments);
-    line("plot", joined(names(system.alphabet, system.settings.plotters), " "));
-    for (const Settings::Stamp& stamp : system.settings.stamps)
+    line("plot", joined(names(system.alphabet, system.drawing.plotters), " "));
+    for (const Drawing::Stamp& stamp : system.drawing.stamps)
         stamps.push_back(system.alphabet.name(stamp.symbol) + ' ' + shape_name(stamp.shape));
     list("stamps", stamps);
     std::vector<std::string> solids, surfaces;
-    for (const SolidSetting& solid : system.settings.solids)
+    for (const SolidSetting& solid : system.drawing.solids)
         solids.push_back(system.alphabet.name(solid.symbol) + ' ' + print_solid(solid));
     list("solids", solids);
-    for (const SurfaceSetting& surface : system.settings.surfaces)
+    for (const SurfaceSetting& surface : system.drawing.surfaces)
         surfaces.push_back(system.alphabet.name(surface.symbol) + ' ' + print_surface(surface));
     list("surfaces", surfaces);
     line("deterministic", answer(kind.deterministic));
     line("propagating", answer(kind.propagating));
     line("bracketed", answer(kind.bracketed));
-    const auto& settings = system.settings;
+    const auto& drawing = system.drawing;
     line("angle",
-         settings.angle ? to_text(settings.angle->expression) : "90 (the file does not say)");
-    if (const auto& start = settings.start)
+         drawing.angle ? to_text(drawing.angle->expression) : "90 (the file does not say)");
+    if (const auto& start = drawing.start)
         line("start",
              fmt::format("{} {} {}", to_text(start->x.expression), to_text(start->y.expression),
                          to_text(start->heading.expression)));
-    if (const auto& shown = settings.generations)
+    if (const auto& shown = drawing.generations)
         line("generation", shown->first == shown->second
                                ? std::to_string(shown->first)
                                : fmt::format("{}..{}", shown->first, shown->second));

@@ -50,14 +50,29 @@ std::vector<std::string> schedule_names(const LSystem& system) {
     return names;
 }
 
+const std::vector<EnvironmentKind>& environment_kinds() {
+    static const std::vector<EnvironmentKind> kinds{
+        {"x", "", {0}},
+        {"y", "", {0}},
+        {"z", "", {0}},
+        {"position", "", {0}},
+        {"heading", "", {0}},
+        {"clip", "two corners, X Y X Y or X Y Z X Y Z", {4, 6}},
+        {"collision", "a radius", {1}},
+        {"light", "a radius", {1}},
+        {"external", "", {0}}};
+    return kinds;
+}
+
+bool is_communication(std::string_view name) { return name.size() > 1 && name[0] == '?'; }
+
 bool LSystem::operator==(const LSystem& other) const {
     return title == other.title && source == other.source && identifiers == other.identifiers &&
            alphabet == other.alphabet && declared == other.declared &&
            constants == other.constants && inner == other.inner && axiom == other.axiom &&
            rules == other.rules && tables == other.tables && schedule == other.schedule &&
            ignored == other.ignored && terminals == other.terminals &&
-           interpretation == other.interpretation && environments == other.environments &&
-           settings == other.settings && expectations == other.expectations;
+           interpretation == other.interpretation && environments == other.environments;
 }
 
 namespace {

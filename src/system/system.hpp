@@ -15,7 +15,7 @@
 #include "exact/exact.hpp"
 #include "word/word.hpp"
 
-// system: an L-system as it was written (rules, axiom, settings of its drawing), its classes as views with the theory's types
+// system: an L-system as it was written (axiom, rules and what belongs to them), its classes as views with the theory's types
 // (D0L, 0L, IL, S0L, ET0L, tree systems), and the one idea of this library: `fold`.
 //
 // A D0L system is a morphism h and a word w. A homomorphic image of h^n(w) never needs the word: one value a letter is
@@ -103,139 +103,6 @@ std::string shortest_text(const Rational& value);
 /// Example: to_text(parsed("((x+y)/2)")) == "(x+y)/2"
 std::string to_text(const Expression& expression);
 
-/// A colour, each part from 0 to 1.
-struct Colour {
-    double red = 0, green = 0, blue = 0;
-    bool operator==(const Colour&) const = default;
-};
-
-/// The colour of a name or a hexadecimal code: `black`, `darkgreen`, `#080`, `#008000`. Names are
-/// those of CSS, in any case.
-///
-/// Throws Error with the nearest name if there is no such colour.
-///
-/// Example: colour_named("#ff0000") == colour_named("red")
-Colour colour_named(std::string_view text);
-
-/// The names, in alphabetical order.
-///
-/// Example: colour_names().front() == "aqua"
-std::vector<std::string_view> colour_names();
-
-/// The pure colour of a hue in degrees: 0 red, 120 green, 240 blue, 360 red again.
-///
-/// Example: hue(120) == colour_named("lime")
-Colour hue(double degrees);
-
-/// That a symbol is a solid or moves the turtle, as a file says it: `solid F box height width`. The
-/// first parameter of F is then the height and the second the width.
-struct SolidSetting {
-    Symbol symbol = 0;
-    std::string kind;                   // one of solid_kinds()
-    std::vector<std::string> measures;  // what the parameters are, in order
-
-    bool operator==(const SolidSetting&) const = default;
-};
-
-/// A kind of solids: its name and its measures. Each name has an older one, by which the notation of
-/// parametric systems in VRML knew it: `_typeCube` with `_width`.
-struct SolidKind {
-    struct Name {
-        std::string name, reserved;
-    };
-    Name name;
-    std::vector<Name> measures;
-};
-
-/// box, cylinder, cone and sphere, which stand around the turtle, rotation and translation, which
-/// turn and move it.
-///
-/// Example: solid_kinds().front().name.name == "box"
-const std::vector<SolidKind>& solid_kinds();
-
-/// The kind of that name, by either of its names; null if there is none.
-///
-/// Example: solid_kind("_typeCube")->name.name == "box"
-/// Example: solid_kind("cube") == nullptr
-const SolidKind* solid_kind(std::string_view name);
-
-/// A direction seen from a figure, in degrees: `azimuth` counter-clockwise from +x, seen from above,
-/// and `elevation` above the horizon, from -90 to 90.
-struct Direction {
-    Quantity azimuth, elevation;
-    bool operator==(const Direction&) const = default;
-};
-
-/// Where a camera stands: `camera -60 15 perspective 40`.
-struct CameraSetting {
-    Direction from;
-    bool perspective = false;
-    std::optional<Quantity> opening;  // degrees that the picture spans in perspective, below 180
-    bool operator==(const CameraSetting&) const = default;
-};
-
-/// Three coordinates: `tropism 0 0 -1`.
-struct Triple {
-    Quantity x, y, z;
-    bool operator==(const Triple&) const = default;
-};
-
-/// A surface that a symbol leaves where the turtle stands: `surface K leaf`,
-/// `surface K polygon (0,0,0) (1,0,0) (1,1,0)`. Points are along heading, left and up, in steps.
-struct SurfaceSetting {
-    Symbol symbol = 0;
-    std::string kind;            // one of surface_kinds()
-    std::vector<Triple> points;  // of a polygon its corners, of a patch its 16 Bezier points
-
-    bool operator==(const SurfaceSetting&) const = default;
-};
-
-/// leaf, petal and disc, which are known by name, polygon and patch, which have points.
-///
-/// Example: surface_kinds().front() == "leaf"
-const std::vector<std::string>& surface_kinds();
-
-/// The shapes that a stamp may have.
-enum class StampShape : unsigned char { square, circle, triangle };
-
-/// How a system wants to be drawn. Whatever a file does not say is absent here and has the value
-/// given in the comment.
-struct Settings {
-    std::optional<Quantity> angle;   // degrees that + and - turn by; 90
-    std::optional<Quantity> step;    // length of F and f in generation 0; 1
-    std::optional<Quantity> shrink;  // factor on the step per generation; 1
-    struct Start {
-        Quantity x, y, heading;  // heading in degrees, 0 along +x, counter-clockwise
-        bool operator==(const Start&) const = default;
-    };
-    std::optional<Start> start;      // 0 0 0
-    std::optional<Quantity> spin;    // degrees added to the start heading per generation; 0
-    std::optional<Quantity> scale;   // factor of the symbol * on the turtle's own step; * ignored
-    std::optional<Quantity> narrow;  // factor of the symbol ! on the line width; ! ignored
-    std::optional<Quantity> width;   // line width, in points of the picture; 1
-    bool clockwise = false;          // `turn clockwise`: + turns right
-    std::vector<Symbol> plotters;    // `plot F`: F(x,y) draws a line to the point (x,y)
-    struct Stamp {
-        Symbol symbol = 0;
-        StampShape shape = StampShape::square;
-        bool operator==(const Stamp&) const = default;
-    };
-    std::vector<Stamp> stamps;         // `stamp S square`: S leaves a filled shape where it stands
-    std::vector<SolidSetting> solids;  // `solid F box width`: F is a box, its parameter the width
-    std::vector<SurfaceSetting> surfaces;  // `surface K leaf`: K leaves a surface
-    std::optional<Triple> tropism;  // direction that steps bend to, as strong as it is long; none
-    std::optional<Quantity> susceptibility;  // factor on how far they bend; 1
-    std::optional<CameraSetting> camera;     // of figures in space; -60 15
-    std::optional<Direction> light;          // where it comes from; over the camera's left shoulder
-    std::optional<Quantity> fog;       // share that the farthest part takes of the background; 0
-    std::vector<std::string> colours;  // `colour`: names or #rrggbb, the first for the start, the
-                                       // symbol ' goes on to the next; `along`: hue by position
-    std::optional<std::pair<std::uint64_t, std::uint64_t>> generations;  // `generation 0..6`
-    std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;        // `seed 1..3`; 1
-
-    bool operator==(const Settings&) const = default;
-};
-
 /// What fills the communication modules of one name, as a file says it: `environment ?E clip 0 0 4 3`.
 struct EnvironmentSetting {
     Symbol module = 0;
@@ -319,22 +186,10 @@ struct Production {
     }
 };
 
-/// What a file says must come out: `expect length 3: 148`. The value is kept as written.
-struct Expectation {
-    std::string kind;  // length, word, segments, distinct, vertices, end, box, ...
-    std::uint64_t generation = 0;
-    std::string value;
-    Place place;
-
-    bool operator==(const Expectation& other) const {
-        return kind == other.kind && generation == other.generation && value == other.value;
-    }
-};
-
 struct InnerSystem;
 
-/// The L-system as its file says it: every construct of the notation, none interpreted.
-/// What a theorem needs is a view of it (D0L, OL, IL, ...), or a reason why not.
+/// The L-system as its file says it: every construct that its words depend on, none interpreted. How
+/// it is drawn is no part of it; that is said by the Model. What a theorem needs is a view of it (D0L, OL, IL, ...), or a reason why not.
 struct LSystem {
     std::string name;  // of the file or gallery entry it came from, for messages; may be empty
     std::string title;
@@ -353,8 +208,6 @@ struct LSystem {
     std::vector<Symbol> terminals;           // `terminals`: E0L
     std::vector<Production> interpretation;  // `interpret L -> F`
     std::vector<EnvironmentSetting> environments;  // at most one for each module
-    Settings settings;
-    std::vector<Expectation> expectations;
 
     bool operator==(const LSystem& other) const;  // all but names and places of origin
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "model/model.hpp"
 #include "turtle/detail/module_turtle.hpp"
 #include "turtle/detail/plane_figure.hpp"
 
@@ -51,7 +52,7 @@ std::map<Symbol, const Production*> interpretation(const LSystem& system) {
 /// stand on a path of their own and not on the machine's stack.
 class Reader {
 public:
-    explicit Reader(const LSystem& system)
+    explicit Reader(const Model& system)
         : system_(system),
           rules_(interpretation(system)),
           known_(system.alphabet.size(), State::unread),
@@ -101,11 +102,10 @@ private:
         }
         known_[a] = State::read;
         const std::string& name = system_.alphabet.name(a);
-        if (turns_out_of_plane(name) || leaves(system_.settings.solids, a))
-            refuse_space(system_, a);
-        if (leaves(system_.settings.surfaces, a))
+        if (turns_out_of_plane(name) || leaves(system_.drawing.solids, a)) refuse_space(system_, a);
+        if (leaves(system_.drawing.surfaces, a))
             throw Error("the symbol " + name + " leaves a surface, expected segments only");
-        const TurtleOperation operation = named_operation(name, system_.settings, 0);
+        const TurtleOperation operation = named_operation(name, system_.drawing, 0);
         if (operation <= TurtleOperation::cut)
             commands_[a].push_back(static_cast<Command>(operation));
     }
@@ -115,7 +115,7 @@ private:
                     system_.alphabet.name(a) + why);
     }
 
-    const LSystem& system_;
+    const Model& system_;
     std::map<Symbol, const Production*> rules_;
     std::vector<State> known_;
     std::vector<std::vector<Command>> commands_;
@@ -123,7 +123,7 @@ private:
 
 }  // namespace
 
-Commands::Commands(const LSystem& system, const std::vector<Symbol>& letters)
+Commands::Commands(const Model& system, const std::vector<Symbol>& letters)
     : commands_(system.alphabet.size()) {
     Reader reader(system);
     for (const Symbol a : letters) {

@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <numbers>
 
+#include "model/model.hpp"
 #include "turtle/detail/module_turtle.hpp"
 
 // A turtle's walk in words, symbol by symbol.
@@ -51,7 +52,7 @@ std::optional<AxisTurn> axis_turn(const Attitude& a, const Attitude& b) {
 /// Keeps what a turtle does, and puts it into words.
 class Explainer : public TurtleEvents {
 public:
-    Explainer(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word)
+    Explainer(const Model& system, const ModuleKinds& kinds, const ModuleString& word)
         : system_(system), kinds_(kinds), word_(word), text_(system.alphabet, kinds) {}
 
     bool wants_modules() const override { return true; }
@@ -115,7 +116,7 @@ public:
         if (index == known_.colour && !known_.paint) return;
         known_.colour = index;
         known_.paint.reset();
-        const auto& list = system_.settings.colours;
+        const auto& list = system_.drawing.colours;
         note("colour " + std::to_string(index) +
              (list.empty() ? "" : ", " + list[index % list.size()]));
     }
@@ -148,9 +149,9 @@ private:
     /// What + or - says by itself.
     double said(double turn) const {
         const std::uint32_t arity = kinds_.arity(word_.kinds[module_]);
-        double amount = arity > 0                ? word_.values[offset_ - arity]
-                        : system_.settings.angle ? system_.settings.angle->value
-                                                 : 90;
+        double amount = arity > 0               ? word_.values[offset_ - arity]
+                        : system_.drawing.angle ? system_.drawing.angle->value
+                                                : 90;
         if (is_interpreted()) return turn;
         for (const double own : {amount, -amount})
             if (std::fabs(std::remainder(own - turn, 360)) < 1e-6 &&
@@ -220,7 +221,7 @@ private:
         return "nothing";
     }
 
-    const LSystem& system_;
+    const Model& system_;
     const ModuleKinds& kinds_;
     const ModuleString& word_;
     ModuleText text_;
@@ -250,7 +251,7 @@ std::optional<double> heading_angle(const TurtleState& state) {
     return angle < -1e-9 ? angle + 360 : std::max(angle, 0.0);
 }
 
-Explanation explanation(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+Explanation explanation(const Model& system, const ModuleKinds& kinds, const ModuleString& word,
                         std::uint64_t generation, std::uint64_t seed, const Budget& budget) {
     const ModuleTurtle turtle(system, kinds, generation, seed);
     Explainer explainer(system, kinds, word);

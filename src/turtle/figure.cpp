@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "model/model.hpp"
 #include "turtle/detail/module_turtle.hpp"
 
 // Which figure in the plane a system has, and the figure of a word of modules.
@@ -69,19 +70,19 @@ class ModuleFigure : public Figure {
 public:
     /// Walks the word once. Throws Error if a symbol or a tropism leaves the plane, and as
     /// ModuleTurtle does. `seed` is for interpretations with probabilities.
-    ModuleFigure(const LSystem& system, const ModuleKinds& kinds, ModuleString word,
+    ModuleFigure(const Model& system, const ModuleKinds& kinds, ModuleString word,
                  std::uint64_t generation, std::uint64_t seed, const Budget& budget);
 
     const Box& box() const override { return box_; }
     const Integer& segments() const override { return facts_.segments; }
     const Facts& facts() const override { return facts_; }
     std::optional<std::uint64_t> strokes() const override { return strokes_; }
-    const Settings& settings() const override { return settings_; }
+    const FigureStyle& style() const override { return style_; }
     /// Draws every stroke, whatever the resolution.
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
 private:
-    Settings settings_;
+    FigureStyle style_;
     ModuleTurtle turtle_;
     ModuleString word_;
     Facts facts_;
@@ -90,10 +91,10 @@ private:
 };
 
 /// Whether commands without parameters say all that a turtle is to do with words of letters.
-bool is_plain(const LSystem& system) {
-    const Settings& settings = system.settings;
-    if (!settings.stamps.empty() || !settings.solids.empty() || !settings.surfaces.empty() ||
-        settings.tropism)
+bool is_plain(const Model& system) {
+    const Drawing& drawing = system.drawing;
+    if (!drawing.stamps.empty() || !drawing.solids.empty() || !drawing.surfaces.empty() ||
+        drawing.tropism)
         return false;
     return std::all_of(
         system.interpretation.begin(), system.interpretation.end(), [](const Production& rule) {
@@ -104,11 +105,13 @@ bool is_plain(const LSystem& system) {
 
 }  // namespace
 
-ModuleFigure::ModuleFigure(const LSystem& system, const ModuleKinds& kinds, ModuleString word,
+ModuleFigure::ModuleFigure(const Model& system, const ModuleKinds& kinds, ModuleString word,
                            std::uint64_t generation, std::uint64_t seed, const Budget& budget)
-    : settings_(system.settings), turtle_(system, kinds, generation, seed), word_(std::move(word)) {
+    : style_(style_of(system.drawing)),
+      turtle_(system, kinds, generation, seed),
+      word_(std::move(word)) {
     if (const auto symbol = turtle_.symbol_of_space(word_)) refuse_space(system, *symbol);
-    if (settings_.tropism && settings_.tropism->z.value != 0)
+    if (system.drawing.tropism && system.drawing.tropism->z.value != 0)
         throw Error("the tropism of " + turtle_.name() +
                     " bends it out of the plane: expected a figure in the plane");
     Surveyor surveyor;
@@ -133,13 +136,13 @@ void ModuleFigure::draw(Canvas& canvas, double /*resolution*/, const Budget& bud
     turtle_.walk(word_, events, budget);
 }
 
-std::unique_ptr<Figure> module_figure(const LSystem& system, const ModuleKinds& kinds,
+std::unique_ptr<Figure> module_figure(const Model& system, const ModuleKinds& kinds,
                                       ModuleString word, std::uint64_t generation,
                                       std::uint64_t seed, const Budget& budget) {
     return std::make_unique<ModuleFigure>(system, kinds, std::move(word), generation, seed, budget);
 }
 
-std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Budget& budget,
+std::unique_ptr<Figure> figure(const Model& system, std::uint64_t n, const Budget& budget,
                                const FigureChoices& choices) {
     const bool plain = is_plain(system);
     if (const View<D0L> rules = as_d0l(system); rules && plain)
@@ -153,7 +156,7 @@ std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Bud
     return figure(system, derived.kinds, std::move(derived.word), n, derived.seed, budget);
 }
 
-std::unique_ptr<Figure> figure(const LSystem& system, const Word& word, std::uint64_t n,
+std::unique_ptr<Figure> figure(const Model& system, const Word& word, std::uint64_t n,
                                const Budget& budget) {
     std::vector<Word> images;
     for (Symbol a = 0; a < system.alphabet.size(); ++a) images.push_back(Word{a});
@@ -162,14 +165,14 @@ std::unique_ptr<Figure> figure(const LSystem& system, const Word& word, std::uin
     return plane_figure(system, std::move(rules), 0, n, budget);
 }
 
-std::unique_ptr<Figure> figure(const LSystem& system, const ModuleKinds& kinds, ModuleString word,
+std::unique_ptr<Figure> figure(const Model& system, const ModuleKinds& kinds, ModuleString word,
                                std::uint64_t n, std::uint64_t seed, const Budget& budget) {
     if (is_plain(system) && word.values.empty())
         return figure(system, letters(kinds, word), n, budget);
     return module_figure(system, kinds, std::move(word), n, seed, budget);
 }
 
-std::unique_ptr<Figure> open_figure(const LSystem& system, std::uint64_t n, const Budget& budget,
+std::unique_ptr<Figure> open_figure(const Model& system, std::uint64_t n, const Budget& budget,
                                     const FigureChoices& choices,
                                     std::shared_ptr<Environment> external) {
     if (!class_of(system).open) return figure(system, n, budget, choices);

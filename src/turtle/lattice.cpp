@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "model/model.hpp"
+
 // The exact lattice of a turtle in the plane: directions, motions and coordinates.
 //
 // A turtle that turns by a rational part p/q of a full turn and walks in unit steps stands on numbers
@@ -46,16 +48,16 @@ std::int64_t rounded_units(double degrees) {
 
 }  // namespace
 
-Compass::Compass(const Settings& settings, std::uint64_t n) {
-    const Quantity angle = settings.angle.value_or(quantity(Rational(90)));
-    const Quantity start = settings.start ? settings.start->heading : quantity(Rational(0));
-    const Quantity spin = settings.spin.value_or(quantity(Rational(0)));
+Compass::Compass(const Drawing& drawing, std::uint64_t n) {
+    const Quantity angle = drawing.angle.value_or(quantity(Rational(90)));
+    const Quantity start = drawing.start ? drawing.start->heading : quantity(Rational(0));
+    const Quantity spin = drawing.spin.value_or(quantity(Rational(0)));
     const double start_degrees = start.value + spin.value * static_cast<double>(n);
     if (angle.exact && start.exact && spin.exact) {
         const Rational turn = part_of_turn(*angle.exact);
         const Rational first = part_of_turn(*start.exact + *spin.exact * Rational(Integer(n)));
         Rational mirrored = turn;
-        if (settings.clockwise && !turn.is_zero()) mirrored = Rational(1) - turn;
+        if (drawing.clockwise && !turn.is_zero()) mirrored = Rational(1) - turn;
         const Integer common = lcm(Integer(4), lcm(turn.denominator(), first.denominator()));
         exact_ = turn.denominator() <= largest_exact_denominator &&
                  first.denominator() <= largest_exact_denominator && common <= 3600;
@@ -70,7 +72,7 @@ Compass::Compass(const Settings& settings, std::uint64_t n) {
     }
     exact_ = false;
     order_ = rounded_order;
-    turn_ = normal(settings.clockwise ? -rounded_units(angle.value) : rounded_units(angle.value));
+    turn_ = normal(drawing.clockwise ? -rounded_units(angle.value) : rounded_units(angle.value));
     start_ = normal(rounded_units(start_degrees));
 }
 

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <span>
 
+#include "model/model.hpp"
+
 // The turtle for words of modules: its attitude in space, what it does at each command, and its walk.
 //
 // Each module of the word is obeyed, or interpreted if some interpretation rule of its kind matches: then
@@ -425,8 +427,8 @@ std::string figure_name(const LSystem& system, std::uint64_t generation) {
            (system.name.empty() ? "" : " of " + system.name);
 }
 
-ModuleTurtle::ModuleTurtle(const LSystem& system, const ModuleKinds& kinds,
-                           std::uint64_t generation, std::uint64_t seed)
+ModuleTurtle::ModuleTurtle(const Model& system, const ModuleKinds& kinds, std::uint64_t generation,
+                           std::uint64_t seed)
     : rules_(compiled_rules(interpretation_of(system), {}, &kinds)),
       name_(figure_name(system, generation)),
       manner_(turtle_manner(system, generation, name_)),
@@ -437,8 +439,8 @@ ModuleTurtle::ModuleTurtle(const LSystem& system, const ModuleKinds& kinds,
                                                kinds.arity(static_cast<ModuleKind>(kind))));
     for (std::size_t i = 0; i < rules_.kinds.size(); ++i) {
         const auto kind = static_cast<ModuleKind>(i);
-        commands_.push_back(
-            turtle_command(*rules_.system, rules_.kinds.letter(kind), rules_.kinds.arity(kind)));
+        commands_.push_back(turtle_command(rules_.system->alphabet, system.drawing,
+                                           rules_.kinds.letter(kind), rules_.kinds.arity(kind)));
         interpreted_.push_back(has_interpretation(kind));
     }
 }

@@ -6,6 +6,8 @@
 #include <numeric>
 #include <unordered_map>
 
+#include "model/model.hpp"
+
 // What a figure leaves on the paper, whatever the order and direction of its strokes: how much of it is
 // different (trace), the strokes themselves (outline), and whether two figures are similar.
 //
@@ -210,7 +212,7 @@ private:
     Point from_;
 };
 
-Outline drawn_outline(const LSystem& system, std::uint64_t n, const Budget& budget,
+Outline drawn_outline(const Model& system, std::uint64_t n, const Budget& budget,
                       const FigureChoices& choices) {
     const auto drawing = figure(system, n, budget, choices);
     OutlineCanvas canvas(drawing->facts().step * 1e-6);
@@ -301,21 +303,20 @@ private:
 };
 
 /// The outline by exact places; nothing where the system needs more than those.
-std::optional<Outline> lattice_outline(const LSystem& system, std::uint64_t n,
-                                       const Budget& budget) {
-    if (!system.settings.stamps.empty() || class_of(system).parametric) return std::nullopt;
+std::optional<Outline> lattice_outline(const Model& system, std::uint64_t n, const Budget& budget) {
+    if (!system.drawing.stamps.empty() || class_of(system).parametric) return std::nullopt;
     const View<D0L> rules = as_d0l(system);
-    const Compass compass(system.settings, n);
+    const Compass compass(system.drawing, n);
     if (!rules || !compass.is_exact()) return std::nullopt;
     const Commands commands(system, rules->letters);
-    const Settings& settings = system.settings;
+    const Drawing& drawing = system.drawing;
     const Quantity one = quantity(Rational(1));
-    const Quantity step = settings.step.value_or(one), shrink = settings.shrink.value_or(one);
+    const Quantity step = drawing.step.value_or(one), shrink = drawing.shrink.value_or(one);
     std::optional<Rational> unit;
     if (step.exact && shrink.exact && n < 1000)
         unit = *step.exact * power(*shrink.exact, static_cast<long>(n));
     std::complex<double> start;
-    if (settings.start) start = {settings.start->x.value, settings.start->y.value};
+    if (drawing.start) start = {drawing.start->x.value, drawing.start->y.value};
     LatticeWalk walk(compass, start, step.value * std::pow(shrink.value, static_cast<double>(n)));
     const Word word = derive(*rules, n, budget);
     for (const Symbol letter : word)
@@ -326,7 +327,7 @@ std::optional<Outline> lattice_outline(const LSystem& system, std::uint64_t n,
 
 }  // namespace
 
-Outline outline(const LSystem& system, std::uint64_t n, const Budget& budget,
+Outline outline(const Model& system, std::uint64_t n, const Budget& budget,
                 const FigureChoices& choices) {
     std::optional<Outline> found = lattice_outline(system, n, budget);
     if (!found) found = drawn_outline(system, n, budget, choices);

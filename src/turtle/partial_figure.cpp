@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "model/model.hpp"
 #include "turtle/detail/scene.hpp"
 
 // Figures as far as a turtle has come, with the turtle where it is: the frames of a film of the walk.
@@ -48,7 +49,7 @@ public:
     const Integer& segments() const override { return whole().segments(); }
     const Facts& facts() const override { return whole().facts(); }
     std::optional<std::uint64_t> strokes() const override { return whole().strokes(); }
-    const Settings& settings() const override { return whole().settings(); }
+    const FigureStyle& style() const override { return whole().style(); }
     bool is_layered() const override { return whole().is_layered(); }
     std::optional<Point> place(const Vector& point) const override { return whole().place(point); }
     bool has_scale() const override { return whole().has_scale(); }
@@ -124,9 +125,9 @@ private:
 /// Builds what comes of the first symbols of a word.
 class PartBuilder : public SceneBuilder {
 public:
-    PartBuilder(const Settings& settings, const ModuleTurtle& turtle, std::size_t modules,
+    PartBuilder(const Drawing& drawing, const ModuleTurtle& turtle, std::size_t modules,
                 std::size_t part, const Budget& budget)
-        : SceneBuilder(settings, turtle.name(), modules, budget), part_(part) {}
+        : SceneBuilder(drawing, turtle.name(), modules, budget), part_(part) {}
 
     void before(std::size_t module, const TurtleState& state) override {
         open_ = module < part_;
@@ -150,7 +151,7 @@ private:
 
 /// What all parts have in common.
 struct Stage {
-    LSystem system;
+    Model system;
     DerivedModules derived;
     std::uint64_t n = 0;
     ViewChoices choices;
@@ -180,12 +181,12 @@ public:
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override {
         const Stage& stage = *stage_;
         const ModuleTurtle turtle(stage.system, stage.derived.kinds, stage.n, stage.derived.seed);
-        PartBuilder builder(stage.system.settings, turtle, stage.derived.word.kinds.size(), part_,
+        PartBuilder builder(stage.system.drawing, turtle, stage.derived.word.kinds.size(), part_,
                             budget);
         turtle.walk(stage.derived.word, builder, budget);
         Scene part = builder.finished();
         add_turtle(part, turtle_, stage.size);
-        SpaceView(std::move(part), stage.system.settings, {}, stage.choices, budget)
+        SpaceView(std::move(part), style_of(stage.system.drawing), {}, stage.choices, budget)
             .draw(canvas, resolution, budget);
     }
 
@@ -214,7 +215,7 @@ std::vector<std::size_t> frames_of_progress(std::size_t symbols, std::size_t mos
     return found;
 }
 
-std::vector<std::unique_ptr<Figure>> partial_figures(const LSystem& system,
+std::vector<std::unique_ptr<Figure>> partial_figures(const Model& system,
                                                      const DerivedModules& derived, std::uint64_t n,
                                                      const std::vector<std::size_t>& symbols,
                                                      const Budget& budget) {
@@ -242,7 +243,7 @@ std::vector<std::unique_ptr<Figure>> partial_figures(const LSystem& system,
     return figures;
 }
 
-std::vector<std::unique_ptr<Figure>> partial_views(const LSystem& system,
+std::vector<std::unique_ptr<Figure>> partial_views(const Model& system,
                                                    const DerivedModules& derived, std::uint64_t n,
                                                    const std::vector<std::size_t>& symbols,
                                                    const ViewChoices& choices,
@@ -274,7 +275,7 @@ std::vector<std::unique_ptr<Figure>> partial_views(const LSystem& system,
     room.add(high);
     stage->choices.sight = room;
     if (!stage->choices.gap) stage->choices.gap = branches ? 0 : 1;
-    stage->whole = std::make_unique<SpaceView>(std::move(all.scene), system.settings,
+    stage->whole = std::make_unique<SpaceView>(std::move(all.scene), style_of(system.drawing),
                                                SceneFacts{all.end.position, all.facts.step},
                                                stage->choices, budget);
     stage->room = stage->whole->box();

@@ -6,6 +6,7 @@
 #include <optional>
 #include <unordered_set>
 
+#include "model/model.hpp"
 #include "turtle/detail/module_turtle.hpp"
 
 // Figures in the plane: what a generation of a D0L system draws and measures, without its word.
@@ -354,14 +355,14 @@ std::optional<Rational> exact_or(const std::optional<Quantity>& setting, long ot
     return setting ? setting->exact : Rational(otherwise);
 }
 
-PenSettings pen_settings(const LSystem& system, std::uint64_t generation) {
-    const Settings& settings = system.settings;
+PenSettings pen_settings(const Model& system, std::uint64_t generation) {
+    const Drawing& drawing = system.drawing;
     PenSettings pen;
-    if (settings.start) pen.start = {settings.start->x.value, settings.start->y.value};
+    if (drawing.start) pen.start = {drawing.start->x.value, drawing.start->y.value};
     pen.figure = figure_name(system, generation);
-    pen.unit = step_length(settings, generation, pen.figure);
-    if (settings.scale) pen.scale = settings.scale->value;
-    if (settings.narrow) pen.narrow = settings.narrow->value;
+    pen.unit = step_length(drawing, generation, pen.figure);
+    if (drawing.scale) pen.scale = drawing.scale->value;
+    if (drawing.narrow) pen.narrow = drawing.narrow->value;
     return pen;
 }
 
@@ -418,16 +419,18 @@ Point walk_letters(const D0L& rules, const Fates& fates, std::uint64_t steps,
 class PlaneFigure : public Figure {
 public:
     /// `steps` of `rules` from its axiom, drawn as generation `generation` of `system`.
-    PlaneFigure(const LSystem& system, D0L rules, std::uint64_t steps, std::uint64_t generation,
+    PlaneFigure(const Model& system, D0L rules, std::uint64_t steps, std::uint64_t generation,
                 const Budget& budget)
-        : settings_(system.settings),
+        : style_(style_of(system.drawing)),
+          start_(system.drawing.start),
           rules_(std::move(rules)),
           steps_(steps),
-          compass_(system.settings, generation),
+          compass_(system.drawing, generation),
           commands_(system, rules_.letters),
           fates_(rules_),
           pen_(pen_settings(system, generation)) {
-        const auto step = exact_or(settings_.step, 1), shrink = exact_or(settings_.shrink, 1);
+        const auto step = exact_or(system.drawing.step, 1),
+                   shrink = exact_or(system.drawing.shrink, 1);
         if (step && shrink && generation < 100'000)
             exact_unit_ = *step * power(*shrink, static_cast<long>(generation));
         pen_.letters = letters_for_drawing(rules_, steps_, pen_.figure, budget);
@@ -449,7 +452,7 @@ public:
         return facts_.segments.to_uint64();
     }
 
-    const Settings& settings() const override { return settings_; }
+    const FigureStyle& style() const override { return style_; }
 
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override {
         if (resolution > 0 && is_foldable() && !has_polygons())
@@ -514,15 +517,14 @@ private:
         motions.append(motion, fold(rules_, steps_, Lift{motions, letter}, budget));
 
         // Directions are exact; the unit and the start may be doubles all the same.
-        facts_.exact = exact_unit_ &&
-                       (!settings_.start || (settings_.start->x.exact && settings_.start->y.exact));
+        facts_.exact = exact_unit_ && (!start_ || (start_->x.exact && start_->y.exact));
         const CyclotomicRing& ring = motions.ring();
         const auto coordinate = [&](const CyclotomicInteger& number, Coordinate::Part part,
                                     const Rational& factor, bool vertical) {
             if (facts_.exact) {
-                const Rational offset = !settings_.start ? Rational(0)
-                                        : vertical       ? *settings_.start->y.exact
-                                                         : *settings_.start->x.exact;
+                const Rational offset = !start_    ? Rational(0)
+                                        : vertical ? *start_->y.exact
+                                                   : *start_->x.exact;
                 return Coordinate(ring, number, part, *exact_unit_ * factor, offset);
             }
             const auto point = ring.to_complex(number);
@@ -687,7 +689,8 @@ private:
         });
     }
 
-    Settings settings_;
+    FigureStyle style_;
+    std::optional<Drawing::Start> start_;
     D0L rules_;
     std::uint64_t steps_;
     Compass compass_;
@@ -701,7 +704,7 @@ private:
 
 }  // namespace
 
-std::unique_ptr<Figure> plane_figure(const LSystem& system, D0L rules, std::uint64_t steps,
+std::unique_ptr<Figure> plane_figure(const Model& system, D0L rules, std::uint64_t steps,
                                      std::uint64_t generation, const Budget& budget) {
     return std::make_unique<PlaneFigure>(system, std::move(rules), steps, generation, budget);
 }

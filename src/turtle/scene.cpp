@@ -5,6 +5,8 @@
 #include <map>
 #include <utility>
 
+#include "model/model.hpp"
+
 // Scenes: what a turtle leaves in space.
 //
 // A SceneBuilder hears of the walk and writes down rods, polygons and solids. Each rod knows the rod at
@@ -99,9 +101,9 @@ double total_length(const Scene& scene) {
     return sum;
 }
 
-Scene box_scene(const LSystem& system, const std::vector<ShapeBox>& boxes) {
+Scene box_scene(const Model& system, const std::vector<ShapeBox>& boxes) {
     Scene out;
-    out.colours = system.settings.colours;
+    out.colours = system.drawing.colours;
     out.solids.reserve(boxes.size());
     for (const ShapeBox& box : boxes) {
         const auto middle = [&](std::size_t axis) {
@@ -116,12 +118,12 @@ Scene box_scene(const LSystem& system, const std::vector<ShapeBox>& boxes) {
     return out;
 }
 
-SceneBuilder::SceneBuilder(const Settings& settings, std::string name, std::size_t modules,
+SceneBuilder::SceneBuilder(const Drawing& drawing, std::string name, std::size_t modules,
                            const Budget& budget)
     : budget_(budget), modules_(static_cast<double>(modules)) {
     scene_.name = std::move(name);
-    scene_.colours = settings.colours;
-    for (const std::string& colour : settings.colours) {
+    scene_.colours = drawing.colours;
+    for (const std::string& colour : drawing.colours) {
         along_.push_back(colour == "along");
         runs_along_ = runs_along_ || along_.back();
     }
@@ -198,21 +200,38 @@ Scene SceneBuilder::finished() {
     return std::move(scene_);
 }
 
+ViewChoices view_choices(const Drawing& drawing) {
+    ViewChoices choices;
+    if (const auto& camera = drawing.camera) {
+        choices.camera = {camera->from.azimuth.value, camera->from.elevation.value,
+                          camera->perspective};
+        if (camera->opening) choices.camera.opening = camera->opening->value;
+    }
+    if (const auto& light = drawing.light)
+        choices.light = Light{light->azimuth.value, light->elevation.value};
+    if (drawing.fog) choices.fog = drawing.fog->value;
+    return choices;
+}
+
+FigureStyle style_of(const Drawing& drawing) {
+    return {drawing.colours, drawing.width, drawing.narrow};
+}
+
 namespace {
 
 /// Whether the turtle leaves the plane for a symbol that interpretations leave alone.
-bool leaves_plane(const LSystem& system, Symbol symbol) {
-    const Settings& settings = system.settings;
-    for (const SolidSetting& solid : settings.solids)
+bool leaves_plane(const Model& system, Symbol symbol) {
+    const Drawing& drawing = system.drawing;
+    for (const SolidSetting& solid : drawing.solids)
         if (solid.symbol == symbol) return true;
-    for (const SurfaceSetting& surface : settings.surfaces)
+    for (const SurfaceSetting& surface : drawing.surfaces)
         if (surface.symbol == symbol) return !is_flat(surface);
     return turns_out_of_plane(system.alphabet.name(symbol));
 }
 
 /// Whether a symbol of `plot` is written with three coordinates.
-bool plots_in_space(const LSystem& system) {
-    const auto& plotters = system.settings.plotters;
+bool plots_in_space(const Model& system) {
+    const auto& plotters = system.drawing.plotters;
     const auto plots = [&](const ModuleWord& word) {
         return std::any_of(word.arguments.begin(), word.arguments.end(), [&](const auto& module) {
             const Symbol symbol = word.letters[module.first];
@@ -248,15 +267,15 @@ std::vector<Symbol> walked_letters(const LSystem& system) {
 
 }  // namespace
 
-bool leaves_plane(const LSystem& system) {
-    if (system.settings.tropism && system.settings.tropism->z.value != 0) return true;
+bool leaves_plane(const Model& system) {
+    if (system.drawing.tropism && system.drawing.tropism->z.value != 0) return true;
     if (plots_in_space(system) || class_of(system).shape) return true;
     const std::vector<Symbol> letters = walked_letters(system);
     return std::any_of(letters.begin(), letters.end(),
                        [&](Symbol symbol) { return leaves_plane(system, symbol); });
 }
 
-SpaceDerivation scene(const LSystem& system, std::uint64_t n, const Budget& budget,
+SpaceDerivation scene(const Model& system, std::uint64_t n, const Budget& budget,
                       const FigureChoices& choices, std::shared_ptr<Environment> external) {
     if (class_of(system).shape) {
         const View<ShapeSystem> shapes = as_shape(system);
@@ -270,10 +289,10 @@ SpaceDerivation scene(const LSystem& system, std::uint64_t n, const Budget& budg
     return scene(system, derived.kinds, derived.word, n, derived.seed, budget);
 }
 
-SpaceDerivation scene(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+SpaceDerivation scene(const Model& system, const ModuleKinds& kinds, const ModuleString& word,
                       std::uint64_t n, std::uint64_t seed, const Budget& budget) {
     const ModuleTurtle turtle(system, kinds, n, seed);
-    SceneBuilder builder(system.settings, turtle.name(), word.kinds.size(), budget);
+    SceneBuilder builder(system.drawing, turtle.name(), word.kinds.size(), budget);
     SpaceDerivation out;
     out.end = turtle.walk(word, builder, budget);
     out.scene = builder.finished();

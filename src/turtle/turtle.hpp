@@ -26,6 +26,9 @@
 
 namespace algae {
 
+struct Drawing;
+struct Model;
+
 // -------------------------------------------------------------------------------------------------
 // Places and directions
 
@@ -177,6 +180,33 @@ struct SpaceBox {
 };
 
 // -------------------------------------------------------------------------------------------------
+// Colours
+
+/// A colour, each part from 0 to 1.
+struct Colour {
+    double red = 0, green = 0, blue = 0;
+    bool operator==(const Colour&) const = default;
+};
+
+/// The colour of a name or a hexadecimal code: `black`, `darkgreen`, `#080`, `#008000`. Names are
+/// those of CSS, in any case.
+///
+/// Throws Error with the nearest name if there is no such colour.
+///
+/// Example: colour_named("#ff0000") == colour_named("red")
+Colour colour_named(std::string_view text);
+
+/// The names, in alphabetical order.
+///
+/// Example: colour_names().front() == "aqua"
+std::vector<std::string_view> colour_names();
+
+/// The pure colour of a hue in degrees: 0 red, 120 green, 240 blue, 360 red again.
+///
+/// Example: hue(120) == colour_named("lime")
+Colour hue(double degrees);
+
+// -------------------------------------------------------------------------------------------------
 // Figures in the plane
 
 /// What a figure is drawn on. A figure calls these in drawing order; a canvas knows picture
@@ -252,6 +282,19 @@ struct Facts {
     double widest = 0;  // of the strokes whose width is a length, that of the widest
 };
 
+/// How the lines of a figure want to be drawn. Whatever nobody says is absent here and has the value given in the
+/// comment.
+struct FigureStyle {
+    std::vector<std::string> colours;  // as in Drawing; black
+    std::optional<Quantity> width;     // in points of the picture; 1
+    std::optional<Quantity> narrow;    // factor of the symbol ! on the line width; ! ignored
+};
+
+/// What the settings of a file say of it.
+///
+/// Example: style_of(read_lsystem("axiom F; colour red", "").drawing).colours.size() == 1
+FigureStyle style_of(const Drawing& drawing);
+
 /// A drawing of one generation of a system, ready to be sent to a canvas as often as one likes.
 /// It holds the rules, not the strokes: drawing streams, and takes memory for one path down the
 /// derivation only.
@@ -270,7 +313,7 @@ public:
     /// not known to fit 64 bits.
     virtual std::optional<std::uint64_t> strokes() const = 0;
     /// How this figure wants to be drawn, unless the caller knows better.
-    virtual const Settings& settings() const = 0;
+    virtual const FigureStyle& style() const = 0;
 
     /// Draws everything. A part of the derivation whose drawing lies within `resolution` (in the
     /// figure's own units, 0 for none) of the straight way from its start to its end may be replaced
@@ -305,16 +348,16 @@ struct FigureChoices {
 /// that nobody made (the message names the rule or symbol), BoundReached if the budget does not
 /// suffice. For D0L systems O(n * size of the rules) exact operations, for others the length of
 /// the words.
-std::unique_ptr<Figure> figure(const LSystem& system, std::uint64_t n, const Budget& budget,
+std::unique_ptr<Figure> figure(const Model& system, std::uint64_t n, const Budget& budget,
                                const FigureChoices& choices = {});
 
 /// The figure of one word of a system, drawn as its generation `n` is.
-std::unique_ptr<Figure> figure(const LSystem& system, const Word& word, std::uint64_t n,
+std::unique_ptr<Figure> figure(const Model& system, const Word& word, std::uint64_t n,
                                const Budget& budget);
 
 /// The same of a word of modules over these kinds. The seed is for interpretations that have
 /// probabilities. Exact where nothing in the word or the system has parameters.
-std::unique_ptr<Figure> figure(const LSystem& system, const ModuleKinds& kinds, ModuleString word,
+std::unique_ptr<Figure> figure(const Model& system, const ModuleKinds& kinds, ModuleString word,
                                std::uint64_t n, std::uint64_t seed, const Budget& budget);
 
 // -------------------------------------------------------------------------------------------------
@@ -432,7 +475,7 @@ public:
     /// `external` answers the modules that the file leaves to a program; it may be missing where there
     /// are none. Throws what Rewriting throws, Error if a module has no environment, ProgramWanted if
     /// it is left to a program and `external` is missing.
-    OpenDevelopment(const LSystem& system, const RewritingChoices& choices,
+    OpenDevelopment(const Model& system, const RewritingChoices& choices,
                     std::shared_ptr<Environment> external = nullptr, const Budget& budget = {});
 
     /// The word of this generation, filled.
@@ -449,6 +492,7 @@ public:
 private:
     void fill(const Budget& budget);
 
+    std::shared_ptr<const Model> system_;
     Rewriting rewriting_;
     std::shared_ptr<Environments> environments_;
     std::uint64_t seed_;
@@ -460,13 +504,13 @@ private:
 /// The word of generation n of any system: of one with communication modules that of
 /// OpenDevelopment, of others what derived_modules gives. Throws what these throw, and Error if the
 /// system has tables and nobody says which.
-DerivedModules open_modules(const LSystem& system, std::uint64_t n, const FigureChoices& choices,
+DerivedModules open_modules(const Model& system, std::uint64_t n, const FigureChoices& choices,
                             std::shared_ptr<Environment> external, const Budget& budget);
 
 /// The figure of generation n of any system: of one with communication modules that of the word of
 /// OpenDevelopment, of others what `figure` gives. Throws what these throw, and Error if the system
 /// has tables and nobody says which.
-std::unique_ptr<Figure> open_figure(const LSystem& system, std::uint64_t n, const Budget& budget,
+std::unique_ptr<Figure> open_figure(const Model& system, std::uint64_t n, const Budget& budget,
                                     const FigureChoices& choices = {},
                                     std::shared_ptr<Environment> external = nullptr);
 
@@ -506,7 +550,7 @@ struct Outline {
 /// The outline of generation `n`. Exact for D0L systems whose angles are exact, that do not change
 /// the length of a step within a figure and fill nothing. Throws what `figure` throws, BoundReached
 /// if there are more than a million strokes. The length of the word times the degree of the ring.
-Outline outline(const LSystem& system, std::uint64_t n, const Budget& budget = {},
+Outline outline(const Model& system, std::uint64_t n, const Budget& budget = {},
                 const FigureChoices& choices = {});
 
 /// Whether two outlines are the same but for a motion of the plane, its mirror images, and size.
@@ -555,7 +599,7 @@ class Commands {
 public:
     /// Throws Error if a symbol asks for a turtle in space (& ^ \ / and so on) or leaves a surface, if the
     /// interpretation goes round in circles, or needs more than plain rules.
-    explicit Commands(const LSystem& system, const std::vector<Symbol>& letters);
+    explicit Commands(const Model& system, const std::vector<Symbol>& letters);
 
     const std::vector<Command>& of(Symbol a) const { return commands_[a]; }
     /// Whether any of the letters has this command.
@@ -654,7 +698,7 @@ std::optional<double> heading_angle(const TurtleState& state);
 /// with an interpretation says all that comes of it. Linear in the length of the word.
 ///
 /// Throws what a walk throws.
-Explanation explanation(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+Explanation explanation(const Model& system, const ModuleKinds& kinds, const ModuleString& word,
                         std::uint64_t generation, std::uint64_t seed, const Budget& budget = {});
 
 /// The colour of turtles that are drawn.
@@ -669,7 +713,7 @@ std::vector<std::size_t> frames_of_progress(std::size_t symbols, std::size_t mos
 
 /// The figure of a word after each of these numbers of symbols, which rise; all in one box. Throws
 /// what `figure` throws. Linear in the length of the word.
-std::vector<std::unique_ptr<Figure>> partial_figures(const LSystem& system,
+std::vector<std::unique_ptr<Figure>> partial_figures(const Model& system,
                                                      const DerivedModules& derived, std::uint64_t n,
                                                      const std::vector<std::size_t>& symbols,
                                                      const Budget& budget);
@@ -723,7 +767,7 @@ struct Scene {
     std::vector<Vector> corners;
     std::vector<Face> faces;
     std::vector<Solid> solids;
-    std::vector<std::string> colours;  // as in Settings
+    std::vector<std::string> colours;  // as in Drawing
     std::string name;                  // "generation 8 of honda", as messages call it
 
     /// Appends a face with these corners.
@@ -763,7 +807,7 @@ struct SpaceDerivation {
 ///
 /// Example: leaves_plane(read_lsystem("axiom F+A; A -> &A", ""))
 /// Example: !leaves_plane(read_lsystem("axiom F+A; A -> +A; B -> &", ""))
-bool leaves_plane(const LSystem& system);
+bool leaves_plane(const Model& system);
 
 /// Generation `n` of a system in space, derived as open_modules says, walked by a turtle; of a
 /// system of shape rules its boxes.
@@ -776,13 +820,13 @@ bool leaves_plane(const LSystem& system);
 /// budget.memory. Linear in the length of the word.
 ///
 /// Example: scene(read_lsystem("axiom F^(90)F(2)", ""), 0, {}).end.position == Vector{1, 0, 2}
-SpaceDerivation scene(const LSystem& system, std::uint64_t n, const Budget& budget,
+SpaceDerivation scene(const Model& system, std::uint64_t n, const Budget& budget,
                       const FigureChoices& choices = {},
                       std::shared_ptr<Environment> external = nullptr);
 
 /// The same for one word of modules over these kinds, drawn as generation `n` is. The seed is for
 /// interpretations that have probabilities.
-SpaceDerivation scene(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+SpaceDerivation scene(const Model& system, const ModuleKinds& kinds, const ModuleString& word,
                       std::uint64_t n, std::uint64_t seed, const Budget& budget);
 
 /// How many different segments and ends of them a scene has; see trace of a Figure.
@@ -867,8 +911,8 @@ struct ViewChoices {
 
 /// How the settings of a file want their scenes to be looked at.
 ///
-/// Example: view_choices(read_lsystem("axiom F; camera 30 20", "").settings).camera == Camera{30, 20}
-ViewChoices view_choices(const Settings& settings);
+/// Example: view_choices(read_lsystem("axiom F; camera 30 20", "").drawing).camera == Camera{30, 20}
+ViewChoices view_choices(const Drawing& drawing);
 
 /// What is known of a scene that its rods do not tell.
 struct SceneFacts {
@@ -886,7 +930,7 @@ class SpaceView : public Figure {
 public:
     /// Throws Error on a camera, light or fog out of bounds, BoundReached if the scene takes more than
     /// the budget's memory.
-    SpaceView(Scene scene, const Settings& settings, const SceneFacts& facts,
+    SpaceView(Scene scene, const FigureStyle& style, const SceneFacts& facts,
               const ViewChoices& choices, const Budget& budget);
 
     const Box& box() const override { return box_; }
@@ -894,7 +938,7 @@ public:
     /// Box and end have three coordinates: those of the scene.
     const Facts& facts() const override { return facts_; }
     std::optional<std::uint64_t> strokes() const override { return scene_.parts(); }
-    const Settings& settings() const override { return settings_; }
+    const FigureStyle& style() const override { return style_; }
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
     bool is_layered() const override { return true; }
     std::optional<Point> place(const Vector& point) const override;
@@ -905,7 +949,7 @@ public:
 
 private:
     Scene scene_;
-    Settings settings_;
+    FigureStyle style_;
     ViewChoices choices_;
     Projection projection_;
     Facts facts_;
@@ -922,7 +966,7 @@ private:
 ///
 /// Throws what `scene` and SpaceView throw. Drawing is linear in the length of the word
 /// and whatever SpaceView takes.
-std::vector<std::unique_ptr<Figure>> partial_views(const LSystem& system,
+std::vector<std::unique_ptr<Figure>> partial_views(const Model& system,
                                                    const DerivedModules& derived, std::uint64_t n,
                                                    const std::vector<std::size_t>& symbols,
                                                    const ViewChoices& choices,

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/model.hpp"
+
 // What a file says that its symbols mean to a turtle, with all their parameters, and how its turtle starts.
 //
 // A declaration of the file comes first: `plot` with two or three parameters, `stamp`, `solid`, `surface`.
@@ -163,27 +165,27 @@ std::vector<Vector> stamp_corners(StampShape shape, double size, const TurtleSta
 namespace {
 
 /// What the file itself says of the letter. False if it says nothing.
-bool take_setting(const Settings& settings, Symbol letter, TurtleCommand& command) {
+bool take_setting(const Drawing& drawing, Symbol letter, TurtleCommand& command) {
     if ((command.parameters == 2 || command.parameters == 3) &&
-        std::count(settings.plotters.begin(), settings.plotters.end(), letter) > 0) {
+        std::count(drawing.plotters.begin(), drawing.plotters.end(), letter) > 0) {
         command.operation = TurtleOperation::plot;
         command.leaves_plane = command.parameters > 2;
         return true;
     }
-    for (const Settings::Stamp& stamp : settings.stamps)
+    for (const Drawing::Stamp& stamp : drawing.stamps)
         if (stamp.symbol == letter) {
             command.operation = TurtleOperation::stamp;
             command.shape = stamp.shape;
             return true;
         }
-    for (const SolidSetting& solid : settings.solids)
+    for (const SolidSetting& solid : drawing.solids)
         if (solid.symbol == letter) {
             command.operation = TurtleOperation::solid;
             command.solid.emplace(solid);
             command.leaves_plane = true;
             return true;
         }
-    for (const SurfaceSetting& surface : settings.surfaces)
+    for (const SurfaceSetting& surface : drawing.surfaces)
         if (surface.symbol == letter) {
             command.operation = TurtleOperation::surface;
             command.faces = surface_faces(surface);
@@ -195,7 +197,7 @@ bool take_setting(const Settings& settings, Symbol letter, TurtleCommand& comman
 
 }  // namespace
 
-TurtleOperation named_operation(const std::string& name, const Settings& settings,
+TurtleOperation named_operation(const std::string& name, const Drawing& drawing,
                                 std::uint32_t parameters) {
     using enum TurtleOperation;
     static constexpr std::pair<char, TurtleOperation> table[] = {{'G', draw_unmarked},
@@ -222,8 +224,8 @@ TurtleOperation named_operation(const std::string& name, const Settings& setting
     if (name.size() != 1) return nothing;
     for (const auto& [symbol, operation] : table) {
         if (symbol != name[0]) continue;
-        const bool wants_factor = parameters == 0 && ((operation == scale && !settings.scale) ||
-                                                      (operation == width && !settings.narrow));
+        const bool wants_factor = parameters == 0 && ((operation == scale && !drawing.scale) ||
+                                                      (operation == width && !drawing.narrow));
         return wants_factor ? nothing : operation;
     }
     return nothing;
@@ -239,12 +241,13 @@ std::uint32_t TurtleCommand::read() const {
     return all ? parameters : std::min(parameters, 1U);
 }
 
-TurtleCommand turtle_command(const LSystem& system, Symbol letter, std::uint32_t parameters) {
+TurtleCommand turtle_command(const Alphabet& alphabet, const Drawing& drawing, Symbol letter,
+                             std::uint32_t parameters) {
     TurtleCommand command;
     command.parameters = parameters;
-    if (take_setting(system.settings, letter, command)) return command;
-    const std::string& name = system.alphabet.name(letter);
-    command.operation = named_operation(name, system.settings, parameters);
+    if (take_setting(drawing, letter, command)) return command;
+    const std::string& name = alphabet.name(letter);
+    command.operation = named_operation(name, drawing, parameters);
     command.leaves_plane = turns_out_of_plane(name);
     return command;
 }
@@ -257,33 +260,32 @@ double value_or(const std::optional<Quantity>& setting, double otherwise) {
 
 }  // namespace
 
-double step_length(const Settings& settings, std::uint64_t generation, const std::string& name) {
-    const double step = value_or(settings.step, 1) *
-                        std::pow(value_or(settings.shrink, 1), static_cast<double>(generation));
+double step_length(const Drawing& drawing, std::uint64_t generation, const std::string& name) {
+    const double step = value_or(drawing.step, 1) *
+                        std::pow(value_or(drawing.shrink, 1), static_cast<double>(generation));
     if (!std::isfinite(step) || step == 0)
         throw Error(name + ": the step of the turtle is " + std::to_string(step) +
                     ", expected a length that a drawing can have; see step and shrink");
     return step;
 }
 
-TurtleManner turtle_manner(const LSystem& system, std::uint64_t generation,
-                           const std::string& name) {
-    const Settings& settings = system.settings;
+TurtleManner turtle_manner(const Model& system, std::uint64_t generation, const std::string& name) {
+    const Drawing& drawing = system.drawing;
     TurtleManner manner;
-    manner.angle = value_or(settings.angle, 90);
-    manner.clockwise = settings.clockwise;
+    manner.angle = value_or(drawing.angle, 90);
+    manner.clockwise = drawing.clockwise;
     if (manner.clockwise) manner.angle = -manner.angle;
-    manner.scale = value_or(settings.scale, 1);
-    manner.narrow = value_or(settings.narrow, 1);
-    manner.susceptibility = value_or(settings.susceptibility, 1);
-    if (const auto& to = settings.tropism)
+    manner.scale = value_or(drawing.scale, 1);
+    manner.narrow = value_or(drawing.narrow, 1);
+    manner.susceptibility = value_or(drawing.susceptibility, 1);
+    if (const auto& to = drawing.tropism)
         manner.tropism = Vector{to->x.value, to->y.value, to->z.value};
     TurtleState& start = manner.start;
-    start.step = step_length(settings, generation, name);
-    double heading = std::fmod(value_or(settings.spin, 0) * static_cast<double>(generation), 360.0);
-    if (settings.start) {
-        start.position = {settings.start->x.value, settings.start->y.value, 0};
-        heading += settings.start->heading.value;
+    start.step = step_length(drawing, generation, name);
+    double heading = std::fmod(value_or(drawing.spin, 0) * static_cast<double>(generation), 360.0);
+    if (drawing.start) {
+        start.position = {drawing.start->x.value, drawing.start->y.value, 0};
+        heading += drawing.start->heading.value;
     }
     if (!std::isfinite(heading))
         throw Error(name + ": the heading of the start is no number; see start and spin");

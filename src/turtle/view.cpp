@@ -493,29 +493,16 @@ std::vector<char> adjoining_edges(const Scene& scene) {
 
 }  // namespace
 
-ViewChoices view_choices(const Settings& settings) {
-    ViewChoices choices;
-    if (const auto& camera = settings.camera) {
-        choices.camera = {camera->from.azimuth.value, camera->from.elevation.value,
-                          camera->perspective};
-        if (camera->opening) choices.camera.opening = camera->opening->value;
-    }
-    if (const auto& light = settings.light)
-        choices.light = Light{light->azimuth.value, light->elevation.value};
-    if (settings.fog) choices.fog = settings.fog->value;
-    return choices;
-}
-
-SpaceView::SpaceView(Scene scene, const Settings& settings, const SceneFacts& facts,
+SpaceView::SpaceView(Scene scene, const FigureStyle& style, const SceneFacts& facts,
                      const ViewChoices& choices, const Budget& budget)
     : scene_(std::move(scene)),
-      settings_(settings),
+      style_(style),
       choices_(choices),
       projection_(choices.camera, choices.sight ? *choices.sight : thick_box(scene_)) {
     check_size(scene_, budget);
     if (!choices_.light) choices_.light = usual_light(choices_.camera);
     const Lighting checked(*choices_.light, choices_.fog, choices_.background, 0, 0);
-    settings_.narrow.reset();  // widths are those of the rods
+    style_.narrow.reset();  // widths are those of the rods
     next_.assign(scene_.rods.size(), Rod::none);
     for (std::uint32_t i = 0; i < scene_.rods.size(); ++i) {
         const Rod& rod = scene_.rods[i];

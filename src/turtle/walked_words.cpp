@@ -4,6 +4,7 @@
 #include <string>
 #include <utility>
 
+#include "model/model.hpp"
 #include "turtle/detail/module_turtle.hpp"
 #include "turtle/detail/plane_figure.hpp"
 
@@ -117,7 +118,7 @@ std::vector<std::string> communication_names(const LSystem& system, const Module
 
 }  // namespace
 
-Traversal traversal_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+Traversal traversal_of(const Model& system, const ModuleKinds& kinds, const ModuleString& word,
                        std::uint64_t generation, std::uint64_t seed, const Budget& budget) {
     Traversal course;
     course.generation = generation;
@@ -127,9 +128,10 @@ Traversal traversal_of(const LSystem& system, const ModuleKinds& kinds, const Mo
     return course;
 }
 
-OpenDevelopment::OpenDevelopment(const LSystem& system, const RewritingChoices& choices,
+OpenDevelopment::OpenDevelopment(const Model& system, const RewritingChoices& choices,
                                  std::shared_ptr<Environment> external, const Budget& budget)
-    : rewriting_(system, choices, budget),
+    : system_(std::make_shared<const Model>(system)),
+      rewriting_(system, choices, budget),
       environments_(std::make_shared<Environments>(system, std::move(external))),
       seed_(choices.seed),
       is_open_(class_of(system).open),
@@ -152,8 +154,7 @@ void OpenDevelopment::go_to(std::uint64_t n, const std::vector<std::size_t>& tab
 void OpenDevelopment::fill(const Budget& budget) {
     if (!is_open_) return;
     const CompiledRules& rules = rewriting_.rules();
-    const Traversal course =
-        traversal_of(*rules.system, rules.kinds, word_, generation_, seed_, budget);
+    const Traversal course = traversal_of(*system_, rules.kinds, word_, generation_, seed_, budget);
     const auto answers = environments_->answers(course, budget);
     std::size_t module = 0, offset = 0;
     for (std::size_t i = 0; i < answers.size(); ++i) {
@@ -164,7 +165,7 @@ void OpenDevelopment::fill(const Budget& budget) {
     }
 }
 
-DerivedModules open_modules(const LSystem& system, std::uint64_t n, const FigureChoices& choices,
+DerivedModules open_modules(const Model& system, std::uint64_t n, const FigureChoices& choices,
                             std::shared_ptr<Environment> external, const Budget& budget) {
     if (!class_of(system).open) return derived_modules(system, n, choices, budget);
     if (leaves_tables_open(system) && !choices.seed && choices.tables.empty())

@@ -113,32 +113,33 @@ NamedSystem Reader::named_system(const Field& field) const {
     return {found->first, found->second};
 }
 
-Language Reader::on_one(const Field& field, const std::string& name) const {
-    static const std::map<std::string, Tree::Kind> kinds = {
-        {"star", Tree::Kind::star}, {"plus", Tree::Kind::plus}, {"reversal", Tree::Kind::reversal}};
-    Tree tree;
-    tree.parts = {language(field.at(name))};
-    if (const auto kind = kinds.find(name); kind != kinds.end()) {
-        field.only({name});
-        tree.kind = kind->second;
-    } else if (name == "complement") {
-        field.only({name, "letters"});
-        tree.kind = Tree::Kind::complement;
-        tree.letters = letters(field.at("letters"));
-    } else {
-        field.only({name, "morphism"});
-        tree.kind = name == "image" ? Tree::Kind::image : Tree::Kind::inverse_image;
-        tree.morphism = morphism(field.at("morphism"));
-    }
-    return std::make_shared<const Tree>(std::move(tree));
-}
+namespace {
+
+/// An operation on languages: its name in a certificate, where the field `with` may stand beside the operands, and what
+/// stands around the operands in words. An operation on one language has nothing between them.
+struct Operation {
+    std::string_view name;
+    Tree::Kind kind;
+    std::string_view with;
+    const char *before, *between, *after;
+};
+
+constexpr std::array<Operation, 10> operations = {{
+    {"concatenation", Tree::Kind::concatenation, "", "(", " ", ")"},
+    {"difference", Tree::Kind::difference, "", "(", " - ", ")"},
+    {"intersection", Tree::Kind::intersection, "", "(", " & ", ")"},
+    {"union", Tree::Kind::united, "", "(", " | ", ")"},
+    {"star", Tree::Kind::star, "", "", "", "*"},
+    {"plus", Tree::Kind::plus, "", "", "", "+"},
+    {"reversal", Tree::Kind::reversal, "", "reversal of ", "", ""},
+    {"complement", Tree::Kind::complement, "letters", "complement of ", "", " over "},
+    {"image", Tree::Kind::image, "morphism", "image of ", "", " under "},
+    {"inverse image", Tree::Kind::inverse_image, "morphism", "inverse image of ", "", " under "},
+}};
+
+}  // namespace
 
 Language Reader::language(const Field& field) const {
-    static const std::map<std::string, Tree::Kind> of_two = {
-        {"union", Tree::Kind::united},
-        {"intersection", Tree::Kind::intersection},
-        {"difference", Tree::Kind::difference},
-        {"concatenation", Tree::Kind::concatenation}};
     if (field.has("words")) {
         field.only({"words"});
         return words_of(words(field.at("words")));
@@ -148,14 +149,23 @@ Language Reader::language(const Field& field) const {
         const NamedSystem named = named_system(field.at("generated"));
         return generated_by(named.system, named.name);
     }
-    for (const auto& [name, kind] : of_two) {
-        if (!field.has(name)) continue;
-        field.only({name});
-        const auto [left, right] = field.at(name).pair();
-        return combination(kind, {language(left), language(right)});
+    for (const Operation& each : operations) {
+        if (!field.has(each.name)) continue;
+        std::vector<std::string_view> names{each.name};
+        if (!each.with.empty()) names.push_back(each.with);
+        field.only(names);
+        Tree tree;
+        tree.kind = each.kind;
+        if (*each.between) {
+            const auto [left, right] = field.at(each.name).pair();
+            tree.parts = {language(left), language(right)};
+        } else {
+            tree.parts = {language(field.at(each.name))};
+        }
+        if (each.with == "letters") tree.letters = letters(field.at(each.with));
+        if (each.with == "morphism") tree.morphism = morphism(field.at(each.with));
+        return std::make_shared<const Tree>(std::move(tree));
     }
-    for (const char* name : {"star", "plus", "reversal", "complement", "image", "inverse image"})
-        if (field.has(name)) return on_one(field, name);
     field.fail("expected a language");
 }
 
@@ -295,22 +305,20 @@ Language generated_by(std::shared_ptr<const System> system, std::string name) {
     return std::make_shared<const Tree>(std::move(tree));
 }
 
-Language combination(Tree::Kind kind, std::vector<Language> parts) {
+Language combination(Tree::Kind kind, std::vector<Language> parts,
+                     std::map<Symbol, Word> morphism) {
     Tree tree;
     tree.kind = kind;
     tree.parts = std::move(parts);
+    tree.morphism = std::move(morphism);
     return std::make_shared<const Tree>(std::move(tree));
 }
 
 bool same(const Language& left, const Language& right) {
-    if (left->kind != right->kind || left->words != right->words ||
-        left->letters != right->letters || left->morphism != right->morphism ||
-        left->parts.size() != right->parts.size())
-        return false;
-    if (left->system && !(*left->system == *right->system)) return false;
-    for (std::size_t i = 0; i < left->parts.size(); ++i)
-        if (!same(left->parts[i], right->parts[i])) return false;
-    return true;
+    return std::tie(left->kind, left->words, left->letters, left->morphism) ==
+               std::tie(right->kind, right->words, right->letters, right->morphism) &&
+           (!left->system || *left->system == *right->system) &&
+           std::ranges::equal(left->parts, right->parts, same);
 }
 
 bool is_regular(const Language& language) {
@@ -335,34 +343,29 @@ std::shared_ptr<const Alphabet> read_alphabet(const Field& field) {
 Entry read_entry(const Field& field, const Reader& reader) {
     using Verdict = Entry::Verdict;
     const Field given = field.at("verdict");
-    static const std::map<std::string, Verdict> verdicts = {{"proved", Verdict::proved},
-                                                            {"refuted", Verdict::refuted},
-                                                            {"undecided", Verdict::undecided},
-                                                            {"cited", Verdict::cited}};
-    const auto verdict = verdicts.find(given.text());
-    if (verdict == verdicts.end())
+    struct Known {
+        std::string_view name;
+        Verdict verdict;
+        std::string_view with;  // the field beside it
+    };
+    static constexpr std::array<Known, 4> known = {{{"proved", Verdict::proved, "proof"},
+                                                    {"refuted", Verdict::refuted, "proof"},
+                                                    {"cited", Verdict::cited, "citation"},
+                                                    {"undecided", Verdict::undecided, "verdict"}}};
+    const auto found = std::ranges::find(known, given.text(), &Known::name);
+    if (found == known.end())
         given.fail("expected proved, refuted, undecided or cited, found '" + given.text() + "'");
     Entry entry{field,
                 field.at("text").text(),
                 reader.statement(field.at("statement")),
-                verdict->second,
+                found->verdict,
                 std::nullopt,
                 ""};
-    switch (entry.verdict) {
-        case Verdict::proved:
-        case Verdict::refuted:
-            field.only({"text", "statement", "verdict", "proof"});
-            entry.proof = field.at("proof");
-            break;
-        case Verdict::cited:
-            field.only({"text", "statement", "verdict", "citation"});
-            entry.citation = field.at("citation").text();
-            if (entry.citation.empty()) field.at("citation").fail("the source is missing");
-            break;
-        case Verdict::undecided:
-            field.only({"text", "statement", "verdict"});
-            break;
-    }
+    field.only({"text", "statement", "verdict", found->with});
+    if (found->with == "proof") entry.proof = field.at("proof");
+    if (entry.verdict != Verdict::cited) return entry;
+    entry.citation = field.at("citation").text();
+    if (entry.citation.empty()) field.at("citation").fail("the source is missing");
     return entry;
 }
 
@@ -402,12 +405,22 @@ namespace {
 using Json = nlohmann::ordered_json;
 using End = ObstructionCase::End;
 
-const std::map<std::string, End>& ends() {
-    static const std::map<std::string, End> all = {{"no image", End::no_image},
-                                                   {"needed", End::needed},
-                                                   {"sources", End::sources},
-                                                   {"conflict", End::conflict},
-                                                   {"choice", End::choice}};
+/// How a case ends, and with which fields.
+struct Ending {
+    std::string_view name;
+    End end;
+    std::vector<std::string_view> fields;
+
+    bool has(std::string_view field) const { return std::ranges::count(fields, field) > 0; }
+};
+
+const std::vector<Ending>& endings() {
+    static const std::vector<Ending> all = {
+        {"no image", End::no_image, {"letter"}},
+        {"needed", End::needed, {}},
+        {"sources", End::sources, {"sources"}},
+        {"conflict", End::conflict, {"word", "images", "rules", "cases"}},
+        {"choice", End::choice, {"letter", "rules", "cases"}}};
     return all;
 }
 
@@ -426,24 +439,21 @@ public:
             if (!excluded.images.empty()) each["images"] = words(excluded.images);
             written["excluded"].push_back(std::move(each));
         }
-        for (const auto& [name, end] : ends())
-            if (end == part.end) written["end"] = name;
-        if (part.end == End::no_image || part.end == End::choice)
-            written["letter"] = alphabet_.name(part.letter);
-        if (part.end == End::sources) {
+        const Ending& ending = *std::ranges::find(endings(), part.end, &Ending::end);
+        written["end"] = ending.name;
+        if (ending.has("letter")) written["letter"] = alphabet_.name(part.letter);
+        if (ending.has("sources")) {
             written["sources"] = Json::array();
             for (const auto& set : part.sources) written["sources"].push_back(words(set));
         }
-        if (part.end == End::conflict) {
+        if (ending.has("word")) {
             written["word"] = word(part.word);
             written["images"] = words(part.images);
         }
-        if (part.end == End::conflict || part.end == End::choice) {
-            written["rules"] = rules(part.rules);
-            written["cases"] = Json::array();
-            for (const ObstructionCase& each : part.cases)
-                written["cases"].push_back(one_case(each));
-        }
+        if (!ending.has("cases")) return written;
+        written["rules"] = rules(part.rules);
+        written["cases"] = Json::array();
+        for (const ObstructionCase& each : part.cases) written["cases"].push_back(one_case(each));
         return written;
     }
 
@@ -518,39 +528,24 @@ ObstructionCase read_case(const Reader& reader, const Field& field) {
     for (const Field& each : field.at("excluded").list())
         read.excluded.push_back(read_excluded(reader, each));
     const Field end = field.at("end");
-    const auto found = ends().find(end.text());
-    if (found == ends().end()) end.fail("no case ends with '" + end.text() + "'");
-    read.end = found->second;
-    const auto read_cases = [&] {
-        read.rules = read_rules(reader, field.at("rules"));
-        for (const Field& each : field.at("cases").list())
-            read.cases.push_back(read_case(reader, each));
-    };
-    switch (read.end) {
-        case End::no_image:
-            field.only({"excluded", "end", "letter"});
-            read.letter = reader.letter(field.at("letter"));
-            break;
-        case End::needed:
-            field.only({"excluded", "end"});
-            break;
-        case End::sources:
-            field.only({"excluded", "end", "sources"});
-            for (const Field& set : field.at("sources").list())
-                read.sources.push_back(reader.words(set));
-            break;
-        case End::conflict:
-            field.only({"excluded", "end", "word", "images", "rules", "cases"});
-            read.word = reader.word(field.at("word"));
-            read.images = reader.words(field.at("images"));
-            read_cases();
-            break;
-        case End::choice:
-            field.only({"excluded", "end", "letter", "rules", "cases"});
-            read.letter = reader.letter(field.at("letter"));
-            read_cases();
-            break;
+    const auto found = std::ranges::find(endings(), end.text(), &Ending::name);
+    if (found == endings().end()) end.fail("no case ends with '" + end.text() + "'");
+    read.end = found->end;
+    std::vector<std::string_view> fields = found->fields;
+    fields.insert(fields.end(), {"excluded", "end"});
+    field.only(fields);
+    if (found->has("letter")) read.letter = reader.letter(field.at("letter"));
+    if (found->has("sources"))
+        for (const Field& set : field.at("sources").list())
+            read.sources.push_back(reader.words(set));
+    if (found->has("word")) {
+        read.word = reader.word(field.at("word"));
+        read.images = reader.words(field.at("images"));
     }
+    if (!found->has("cases")) return read;
+    read.rules = read_rules(reader, field.at("rules"));
+    for (const Field& each : field.at("cases").list())
+        read.cases.push_back(read_case(reader, each));
     return read;
 }
 
@@ -600,48 +595,19 @@ std::string morphism_text(const std::map<Symbol, Word>& morphism, const Alphabet
 
 std::string language_text(const Language& language, const Alphabet& alphabet) {
     const auto part = [&](std::size_t i) { return language_text(language->parts[i], alphabet); };
-    const auto of_two = [&](const char* sign) { return "(" + part(0) + sign + part(1) + ")"; };
     std::string text;
-    switch (language->kind) {
-        case Tree::Kind::words:
-            for (const Word& word : language->words)
-                text += (text.empty() ? "" : ", ") + spell(alphabet, word);
-            text = "{" + text + "}";
-            break;
-        case Tree::Kind::generated:
-            return "L(" + language->name + ")";
-        case Tree::Kind::united:
-            text = of_two(" | ");
-            break;
-        case Tree::Kind::intersection:
-            text = of_two(" & ");
-            break;
-        case Tree::Kind::difference:
-            text = of_two(" - ");
-            break;
-        case Tree::Kind::concatenation:
-            text = of_two(" ");
-            break;
-        case Tree::Kind::star:
-            text = part(0) + "*";
-            break;
-        case Tree::Kind::plus:
-            text = part(0) + "+";
-            break;
-        case Tree::Kind::reversal:
-            text = "reversal of " + part(0);
-            break;
-        case Tree::Kind::complement:
-            text = "complement of " + part(0) + " over " + spell(alphabet, language->letters);
-            break;
-        case Tree::Kind::image:
-            text = "image of " + part(0) + " under " + morphism_text(language->morphism, alphabet);
-            break;
-        case Tree::Kind::inverse_image:
-            text = "inverse image of " + part(0) + " under " +
-                   morphism_text(language->morphism, alphabet);
-            break;
+    if (language->kind == Tree::Kind::generated) return "L(" + language->name + ")";
+    if (language->kind == Tree::Kind::words) {
+        for (const Word& word : language->words)
+            text += (text.empty() ? "" : ", ") + spell(alphabet, word);
+        return shortened("{" + text + "}");
     }
+    const Operation& operation = *std::ranges::find(operations, language->kind, &Operation::kind);
+    text = operation.before + part(0);
+    if (*operation.between) text += operation.between + part(1);
+    text += operation.after;
+    if (operation.with == "letters") text += spell(alphabet, language->letters);
+    if (operation.with == "morphism") text += morphism_text(language->morphism, alphabet);
     return shortened(text);
 }
 

@@ -1,4 +1,8 @@
+#include <algorithm>
+#include <array>
 #include <new>
+#include <string_view>
+#include <vector>
 
 #include "exact/exact.hpp"
 #include "verify/detail/checking.hpp"
@@ -10,70 +14,151 @@
 
 namespace algae::verify {
 
-void wrong_kind(const Field& proof, const std::string& by) {
-    proof.at("by").refuse("no proof by '" + by + "' shows this");
+namespace {
+
+using Kind = Statement::Kind;
+
+/// A kind of proof: of which statements, whether of these, of their opposites or of both, with which fields.
+struct Method {
+    enum Shows { either, statement, opposite };
+    std::string_view by;
+    std::vector<Kind> kinds;  // empty: all
+    Shows shows = either;
+    std::vector<std::string_view> fields;  // besides "by"
+    void (*check)(const Obligation& task) = nullptr;
+};
+
+void check_construction(const Obligation& task) {
+    task.proof.at("system").only({"axiom", "tables", "terminals"});
+    throw BoundReached(Bound::method,
+                       "it rests on a system made by the constructions of a theorem");
 }
 
-void check_regular(const Checking& with, const Language& language, const Field& proof) {
-    if (language->kind == Tree::Kind::generated &&
-        !finite_values(language, with.alphabet(), with.budget))
-        proof.refuse("a system occurs in the expression whose language is not finite");
-    for (const Language& part : language->parts) check_regular(with, part, proof);
+void check_dimension(const Obligation&) {
+    throw BoundReached(Bound::method, "how the parts of a limit set meet is not worked out again");
 }
 
-void check_proof(const Checking& with, const Statement& statement, bool holds, const Field& proof) {
-    using Kind = Statement::Kind;
-    const std::string by = proof.at("by").text();
-    if (by == "construction") {
-        proof.only({"by", "system"});
-        proof.at("system").only({"axiom", "tables", "terminals"});
-        throw BoundReached(Bound::method,
-                           "it rests on a system made by the constructions of a theorem");
+void check_environment(const Obligation&) {
+    throw BoundReached(Bound::method, "what environments answer is not worked out again");
+}
+
+const std::vector<Method>& methods() {
+    static const std::vector<Kind> family{Kind::family}, pair{Kind::equal, Kind::included},
+        equal{Kind::equal}, included{Kind::included}, empty{Kind::empty},
+        rewriting{Kind::rewrites, Kind::chance}, sequences{Kind::equal_sequences};
+    constexpr auto either = Method::either, holds = Method::statement, fails = Method::opposite;
+    static const std::vector<Method> all = {
+        {"construction", {}, either, {"system"}, check_construction},
+        {"dimension", {Kind::dimension, Kind::boundary}, either, {"conditions"}, check_dimension},
+        {"reversal", family, either, {"proof"}, check_reversal},
+        {"empty word", family, fails, {}, check_empty_word},
+        {"sparse", family, fails, {}, check_sparse},
+        {"cases", family, fails, {"obstruction"}, check_cases},
+        {"system", family, holds, {"system"}, check_finite_system},
+        {"form", family, holds, {}, check_form},
+        {"equal", family, holds, {"system", "proof"}, check_equal_to_form},
+        {"finite", family, holds, {}, check_all_finite},
+        {"regular", family, holds, {}, check_regular_family},
+        {"values", {Kind::finite, Kind::empty, Kind::size}, either, {}, check_size_of_values},
+        {"relations", empty, holds, {}, check_no_word},
+        {"word", empty, fails, {"word"}, check_a_word},
+        {"infinite", {Kind::size}, fails, {"proof"}, check_infinite_part},
+        {"values", pair, either, {}, check_values},
+        {"word", pair, fails, {"word"}, check_word_in_one},
+        {"derivatives", pair, holds, {}, check_derivatives},
+        {"identical", pair, holds, {}, check_identical},
+        {"sequences", pair, holds, {"proof"}, check_same_sequences},
+        {"sections", equal, holds, {"words", "sections"}, check_sections},
+        {"both", equal, holds, {"proofs"}, check_both},
+        {"induction", included, holds, {"base"}, check_induction},
+        {"relations", included, holds, {}, check_relations},
+        {"membership", {Kind::member}, either, {"derivation", "preimage"}, check_membership},
+        {"derivation", {Kind::derives}, holds, {"words", "tables"}, check_derivation},
+        {"exhausted", {Kind::derives}, fails, {}, check_not_derived},
+        {"environment", rewriting, either, {}, check_environment},
+        {"rewriting", rewriting, either, {}, check_rewriting},
+        {"balance", sequences, holds, {"bound", "states", "accepts"}, check_balance},
+        {"lengths", sequences, holds, {}, check_finite_sequences},
+        {"generation", sequences, fails, {"generation", "position"}, check_difference},
+        {"terms", {Kind::equal_growth}, holds, {}, check_equal_terms},
+        {"generation", {Kind::equal_growth}, fails, {"generation"}, check_other_length},
+        {"terms", {Kind::growth_formula}, holds, {"terms"}, check_formula_terms},
+        {"generation", {Kind::growth_formula}, fails, {"generation"}, check_formula_fails},
+        {"components", {Kind::growth_class}, either, {}, check_growth_class},
+    };
+    return all;
+}
+
+/// The kinds of proof that a language is infinite.
+const std::vector<Method>& methods_of_infinity() {
+    static const std::vector<Method> all = {
+        {"endless round", {}, Method::either, {"rules", "other"}, check_endless_round},
+        {"endless tables",
+         {},
+         Method::either,
+         {"again", "other", "before", "round", "beside", "kept", "after"},
+         check_endless_tables},
+        {"pumping", {}, Method::either, {"prefix", "middle", "suffix"}, check_pumping},
+        {"part", {}, Method::either, {"index", "proof"}, check_part},
+    };
+    return all;
+}
+
+void check_by(const std::vector<Method>& methods, const Obligation& task) {
+    const std::string& by = task.proof.at("by").text();
+    for (const Method& method : methods) {
+        const auto& kinds = method.kinds;
+        if (method.by != by ||
+            method.shows == (task.holds ? Method::opposite : Method::statement) ||
+            (!kinds.empty() && !std::ranges::count(kinds, task.statement.kind)))
+            continue;
+        std::vector<std::string_view> fields = method.fields;
+        fields.push_back("by");
+        task.proof.only(fields);
+        return method.check(task);
     }
-    if (by == "dimension") {
-        proof.only({"by", "conditions"});
-        if (statement.kind != Kind::dimension && statement.kind != Kind::boundary)
-            wrong_kind(proof, by);
-        throw BoundReached(Bound::method,
-                           "how the parts of a limit set meet is not worked out again");
-    }
-    switch (statement.kind) {
-        case Kind::family:
-            return check_family(with, statement, holds, proof, by);
-        case Kind::finite:
-        case Kind::empty:
-        case Kind::size:
-            return check_size(with, statement, holds, proof, by);
-        case Kind::equal:
-        case Kind::included:
-            return check_comparison(with, statement, holds, proof, by);
-        case Kind::member:
-            return check_membership(with, statement, holds, proof, by);
-        case Kind::derives:
-            return check_derivation(with, statement, holds, proof, by);
-        case Kind::rewrites:
-        case Kind::chance:
-            return check_rewriting(with, statement, holds, proof, by);
-        case Kind::equal_sequences:
-            return check_sequences(with, statement, holds, proof, by);
-        case Kind::equal_growth:
-        case Kind::growth_formula:
-        case Kind::growth_class:
-            return check_growth(with, statement, holds, proof, by);
-        case Kind::dimension:
-        case Kind::boundary:
-            break;
-    }
-    wrong_kind(proof, by);
+    const bool infinite = task.statement.kind == Kind::finite && !task.holds;
+    if (!infinite || &methods == &methods_of_infinity()) task.wrong_kind();
+    check_by(methods_of_infinity(), task);
+}
+
+}  // namespace
+
+void Obligation::wrong_kind() const {
+    const Field by = proof.at("by");
+    by.refuse("no proof by '" + by.text() + "' shows this");
+}
+
+bool Obligation::contains(const Language& in, const Word& word) const {
+    return verify::contains(in, word, alphabet(), budget);
+}
+
+std::optional<std::set<Word>> Obligation::values(const Language& of) const {
+    return finite_values(of, alphabet(), budget);
+}
+
+void check_regular(const Obligation& task, const Language& language) {
+    if (language->kind == Tree::Kind::generated && !task.values(language))
+        task.refuse("a system occurs in the expression whose language is not finite");
+    for (const Language& part : language->parts) check_regular(task, part);
+}
+
+void check_proof(const Obligation& task) { check_by(methods(), task); }
+
+void check_infinite(const Obligation& task, const Language& language, const Field& proof) {
+    Statement infinite;
+    infinite.kind = Kind::finite;
+    infinite.languages = {language};
+    check_by(methods_of_infinity(), task.part(infinite, false, proof));
 }
 
 namespace {
 
-Finding check(const Checking& with, const Entry& entry) {
+Finding check(const Certificate& certificate, const Entry& entry, const Budget& budget) {
     using Outcome = Finding::Outcome;
     Finding found;
     const bool refuted = entry.verdict == Entry::Verdict::refuted;
-    found.statement = statement_text(entry.statement, refuted, with.alphabet());
+    found.statement = statement_text(entry.statement, refuted, *certificate.alphabet);
     found.path = entry.field.path();
     found.line = entry.field.line();
     if (entry.verdict == Entry::Verdict::undecided) return found;
@@ -83,7 +168,9 @@ Finding check(const Checking& with, const Entry& entry) {
         return found;
     }
     try {
-        check_proof(with, entry.statement, refuted == entry.statement.negated, *entry.proof);
+        check_proof({certificate,
+                     Reader(*certificate.alphabet, certificate.systems, certificate.rewritings),
+                     budget, entry.statement, refuted == entry.statement.negated, *entry.proof});
         found.outcome = Outcome::checked;
     } catch (const Flaw& flaw) {
         found.outcome = Outcome::wrong;
@@ -103,29 +190,15 @@ Finding check(const Checking& with, const Entry& entry) {
 }  // namespace
 
 std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget) {
-    const Checking with{certificate,
-                        Reader(*certificate.alphabet, certificate.systems, certificate.rewritings),
-                        budget};
     std::vector<Finding> all;
-    for (const Entry& entry : certificate.entries) all.push_back(check(with, entry));
+    for (const Entry& entry : certificate.entries) all.push_back(check(certificate, entry, budget));
     return all;
 }
 
 std::string to_string(Finding::Outcome outcome) {
-    using Outcome = Finding::Outcome;
-    switch (outcome) {
-        case Outcome::checked:
-            return "checked";
-        case Outcome::cited:
-            return "cited: not checked";
-        case Outcome::not_checked:
-            return "not checked";
-        case Outcome::wrong:
-            return "WRONG";
-        case Outcome::undecided:
-            break;
-    }
-    return "undecided";
+    static constexpr std::array names = {"checked", "cited: not checked", "undecided",
+                                         "not checked", "WRONG"};
+    return names.at(static_cast<std::size_t>(outcome));
 }
 
 }  // namespace algae::verify

@@ -15,42 +15,6 @@
 
 namespace algae::verify {
 
-/// A function of n that is a sum of polynomials in n times powers b^n, exactly; 0^0 is 1.
-class ExponentialPolynomial {
-public:
-    ExponentialPolynomial() = default;
-
-    /// The function that a formula gives: numbers, n, + - * / ^ and brackets; ^ binds tightest and to the
-    /// right. Throws Error at `field` if it cannot be read, BoundReached if it is no such function, or too large.
-    static ExponentialPolynomial read(const Field& field);
-    /// The sum of the terms that a proof lists: {"coefficient", "power", "base"} each.
-    static ExponentialPolynomial read_terms(const Field& field);
-
-    Rational operator()(std::uint64_t n) const;
-    /// The order of the linear recurrence that it obeys.
-    std::size_t order() const;
-
-    bool operator==(const ExponentialPolynomial&) const = default;
-
-private:
-    friend class FormulaReader;
-    using Coefficients = std::vector<Rational>;  // of 1, n, n^2, ...
-
-    static ExponentialPolynomial constant(const Rational& value);
-    static ExponentialPolynomial raised(const ExponentialPolynomial& base,
-                                        const ExponentialPolynomial& exponent, const Field& field);
-    /// The inverse, of a constant times a power b^n. Throws BoundReached if it is something else.
-    ExponentialPolynomial inverse(const Field& field) const;
-    const Rational* as_constant() const;
-    void add(const ExponentialPolynomial& other, const Rational& factor);
-    ExponentialPolynomial times(const ExponentialPolynomial& other) const;
-    void settle();
-    /// Throws BoundReached where it has grown too large.
-    void check_size(const Field& field) const;
-
-    std::map<Rational, Coefficients> terms_;  // by base; no polynomial is zero
-};
-
 namespace {
 
 constexpr std::uint64_t most_bits = 200'000;
@@ -74,108 +38,161 @@ Rational checked_power(const Rational& base, const Integer& exponent, const Fiel
 
 }  // namespace
 
-ExponentialPolynomial ExponentialPolynomial::constant(const Rational& value) {
-    ExponentialPolynomial made;
-    made.terms_[Rational(1)] = {value};
-    made.settle();
-    return made;
-}
+/// A function of n that is a sum of polynomials in n times powers b^n, exactly; 0^0 is 1.
+class ExponentialPolynomial {
+public:
+    ExponentialPolynomial() = default;
 
-void ExponentialPolynomial::settle() {
-    for (auto term = terms_.begin(); term != terms_.end();) {
-        Coefficients& all = term->second;
-        if (term->first.is_zero() && all.size() > 1) all.resize(1);  // n 0^n is 0
-        while (!all.empty() && all.back().is_zero()) all.pop_back();
-        term = all.empty() ? terms_.erase(term) : std::next(term);
-    }
-}
-
-void ExponentialPolynomial::check_size(const Field& field) const {
-    if (order() > most_coefficients)
-        too_hard(field, "the formula has too many terms to be checked");
-    for (const auto& [base, coefficients] : terms_) {
-        std::uint64_t most = bits(base);
-        for (const Rational& each : coefficients) most = std::max(most, bits(each));
-        if (most > most_bits) too_hard(field, "the formula has numbers too large to be checked");
-    }
-}
-
-void ExponentialPolynomial::add(const ExponentialPolynomial& other, const Rational& factor) {
-    for (const auto& [base, coefficients] : other.terms_) {
-        Coefficients& sum = terms_[base];
-        if (sum.size() < coefficients.size()) sum.resize(coefficients.size());
-        for (std::size_t i = 0; i < coefficients.size(); ++i) sum[i] += factor * coefficients[i];
-    }
-    settle();
-}
-
-ExponentialPolynomial ExponentialPolynomial::times(const ExponentialPolynomial& other) const {
-    ExponentialPolynomial product;
-    for (const auto& [base, left] : terms_)
-        for (const auto& [other_base, right] : other.terms_) {
-            Coefficients& sum = product.terms_[base * other_base];
-            if (sum.size() < left.size() + right.size() - 1)
-                sum.resize(left.size() + right.size() - 1);
-            for (std::size_t i = 0; i < left.size(); ++i)
-                for (std::size_t j = 0; j < right.size(); ++j) sum[i + j] += left[i] * right[j];
+    /// The function that a formula gives: numbers, n, + - * / ^ and brackets; ^ binds tightest and to the
+    /// right. Throws Error at `field` if it cannot be read, BoundReached if it is no such function, or too large.
+    static ExponentialPolynomial read(const Field& field);
+    /// The sum of the terms that a proof lists: {"coefficient", "power", "base"} each.
+    static ExponentialPolynomial read_terms(const Field& field) {
+        ExponentialPolynomial all;
+        for (const Field& each : field.list()) {
+            each.only({"coefficient", "power", "base"});
+            const auto rational = [&](const char* name) {
+                const Field part = each.at(name);
+                if (part.text().size() > 10'000)
+                    too_hard(part, "the number is too large to be checked");
+                return Rational(part.text());
+            };
+            const std::uint64_t power = each.at("power").number();
+            if (power >= most_coefficients) too_hard(each, "the power is too large to be checked");
+            ExponentialPolynomial term;
+            Coefficients coefficients(static_cast<std::size_t>(power) + 1);
+            coefficients.back() = rational("coefficient");
+            term.terms_[rational("base")] = std::move(coefficients);
+            term.settle();
+            all.add(term, 1);
         }
-    product.settle();
-    return product;
-}
+        return all;
+    }
 
-const Rational* ExponentialPolynomial::as_constant() const {
-    static const Rational zero;
-    if (terms_.empty()) return &zero;
-    const auto& [base, coefficients] = *terms_.begin();
-    return terms_.size() == 1 && base == Rational(1) && coefficients.size() == 1
-               ? &coefficients.front()
-               : nullptr;
-}
-
-ExponentialPolynomial ExponentialPolynomial::inverse(const Field& field) const {
-    if (terms_.empty()) field.fail("a division by 0");
-    const auto& [base, coefficients] = *terms_.begin();
-    if (terms_.size() != 1 || coefficients.size() != 1 || base.is_zero())
-        too_hard(field, "a formula that divides by this cannot be checked");
-    ExponentialPolynomial made;
-    made.terms_[Rational(1) / base] = {Rational(1) / coefficients.front()};
-    return made;
-}
-
-ExponentialPolynomial ExponentialPolynomial::raised(const ExponentialPolynomial& base,
-                                                    const ExponentialPolynomial& exponent,
-                                                    const Field& field) {
-    if (const Rational* times = exponent.as_constant();
-        times && times->denominator() == 1 && times->numerator() >= 0) {
-        if (times->numerator() > 1000) {
-            if (const Rational* value = base.as_constant())
-                return constant(checked_power(*value, times->numerator(), field));
-            too_hard(field, "the power is too large to be checked");
+    Rational operator()(std::uint64_t n) const {
+        Rational value;
+        for (const auto& [base, coefficients] : terms_) {
+            Rational polynomial;
+            for (auto each = coefficients.rbegin(); each != coefficients.rend(); ++each)
+                polynomial = polynomial * Rational(Integer(n)) + *each;
+            value += polynomial * power(base, static_cast<std::int64_t>(n));
         }
-        ExponentialPolynomial product = constant(1);
-        for (std::uint64_t i = times->numerator().to_uint64(); i > 0; --i) {
-            product = product.times(base);
-            product.check_size(field);
+        return value;
+    }
+    /// The order of the linear recurrence that it obeys.
+    std::size_t order() const {
+        std::size_t order = 0;
+        for (const auto& [base, coefficients] : terms_) order += coefficients.size();
+        return order;
+    }
+
+    bool operator==(const ExponentialPolynomial&) const = default;
+
+private:
+    friend class FormulaReader;
+    using Coefficients = std::vector<Rational>;  // of 1, n, n^2, ...
+
+    static ExponentialPolynomial constant(const Rational& value) {
+        ExponentialPolynomial made;
+        made.terms_[Rational(1)] = {value};
+        made.settle();
+        return made;
+    }
+    static ExponentialPolynomial raised(const ExponentialPolynomial& base,
+                                        const ExponentialPolynomial& exponent, const Field& field) {
+        if (const Rational* times = exponent.as_constant();
+            times && times->denominator() == 1 && times->numerator() >= 0) {
+            if (times->numerator() > 1000) {
+                if (const Rational* value = base.as_constant())
+                    return constant(checked_power(*value, times->numerator(), field));
+                too_hard(field, "the power is too large to be checked");
+            }
+            ExponentialPolynomial product = constant(1);
+            for (std::uint64_t i = times->numerator().to_uint64(); i > 0; --i) {
+                product = product.times(base);
+                product.check_size(field);
+            }
+            return product;
         }
+        const Rational* value = base.as_constant();
+        const auto linear = exponent.terms_.find(Rational(1));
+        if (!value || exponent.terms_.size() > 1 || linear == exponent.terms_.end() ||
+            linear->second.size() > 2)
+            too_hard(field, "a formula with such a power cannot be checked");
+        const Rational fixed = linear->second[0];
+        const Rational slope = linear->second.size() > 1 ? linear->second[1] : Rational();
+        if (fixed.denominator() != 1 || slope.denominator() != 1)
+            too_hard(field, "a formula with a broken exponent cannot be checked");
+        if (value->is_zero() && (sign(fixed) < 0 || sign(slope) < 0))
+            field.fail("a negative power of 0");
+        ExponentialPolynomial made;
+        made.terms_[checked_power(*value, slope.numerator(), field)] = {
+            checked_power(*value, fixed.numerator(), field)};
+        made.settle();
+        return made;
+    }
+    /// The inverse, of a constant times a power b^n. Throws BoundReached if it is something else.
+    ExponentialPolynomial inverse(const Field& field) const {
+        if (terms_.empty()) field.fail("a division by 0");
+        const auto& [base, coefficients] = *terms_.begin();
+        if (terms_.size() != 1 || coefficients.size() != 1 || base.is_zero())
+            too_hard(field, "a formula that divides by this cannot be checked");
+        ExponentialPolynomial made;
+        made.terms_[Rational(1) / base] = {Rational(1) / coefficients.front()};
+        return made;
+    }
+    const Rational* as_constant() const {
+        static const Rational zero;
+        if (terms_.empty()) return &zero;
+        const auto& [base, coefficients] = *terms_.begin();
+        return terms_.size() == 1 && base == Rational(1) && coefficients.size() == 1
+                   ? &coefficients.front()
+                   : nullptr;
+    }
+    void add(const ExponentialPolynomial& other, const Rational& factor) {
+        for (const auto& [base, coefficients] : other.terms_) {
+            Coefficients& sum = terms_[base];
+            if (sum.size() < coefficients.size()) sum.resize(coefficients.size());
+            for (std::size_t i = 0; i < coefficients.size(); ++i)
+                sum[i] += factor * coefficients[i];
+        }
+        settle();
+    }
+    ExponentialPolynomial times(const ExponentialPolynomial& other) const {
+        ExponentialPolynomial product;
+        for (const auto& [base, left] : terms_)
+            for (const auto& [other_base, right] : other.terms_) {
+                Coefficients& sum = product.terms_[base * other_base];
+                if (sum.size() < left.size() + right.size() - 1)
+                    sum.resize(left.size() + right.size() - 1);
+                for (std::size_t i = 0; i < left.size(); ++i)
+                    for (std::size_t j = 0; j < right.size(); ++j) sum[i + j] += left[i] * right[j];
+            }
+        product.settle();
         return product;
     }
-    const Rational* value = base.as_constant();
-    const auto linear = exponent.terms_.find(Rational(1));
-    if (!value || exponent.terms_.size() > 1 || linear == exponent.terms_.end() ||
-        linear->second.size() > 2)
-        too_hard(field, "a formula with such a power cannot be checked");
-    const Rational fixed = linear->second[0];
-    const Rational slope = linear->second.size() > 1 ? linear->second[1] : Rational();
-    if (fixed.denominator() != 1 || slope.denominator() != 1)
-        too_hard(field, "a formula with a broken exponent cannot be checked");
-    if (value->is_zero() && (sign(fixed) < 0 || sign(slope) < 0))
-        field.fail("a negative power of 0");
-    ExponentialPolynomial made;
-    made.terms_[checked_power(*value, slope.numerator(), field)] = {
-        checked_power(*value, fixed.numerator(), field)};
-    made.settle();
-    return made;
-}
+    void settle() {
+        for (auto term = terms_.begin(); term != terms_.end();) {
+            Coefficients& all = term->second;
+            if (term->first.is_zero() && all.size() > 1) all.resize(1);  // n 0^n is 0
+            while (!all.empty() && all.back().is_zero()) all.pop_back();
+            term = all.empty() ? terms_.erase(term) : std::next(term);
+        }
+    }
+    /// Throws BoundReached where it has grown too large.
+    void check_size(const Field& field) const {
+        if (order() > most_coefficients)
+            too_hard(field, "the formula has too many terms to be checked");
+        for (const auto& [base, coefficients] : terms_) {
+            std::uint64_t most = bits(base);
+            for (const Rational& each : coefficients) most = std::max(most, bits(each));
+            if (most > most_bits)
+                too_hard(field, "the formula has numbers too large to be checked");
+        }
+    }
+
+    std::map<Rational, Coefficients> terms_;  // by base; no polynomial is zero
+};
 
 /// Reads a formula from left to right.
 class FormulaReader {
@@ -287,107 +304,64 @@ ExponentialPolynomial ExponentialPolynomial::read(const Field& field) {
     return FormulaReader(field).whole();
 }
 
-ExponentialPolynomial ExponentialPolynomial::read_terms(const Field& field) {
-    ExponentialPolynomial all;
-    for (const Field& each : field.list()) {
-        each.only({"coefficient", "power", "base"});
-        const auto rational = [&](const char* name) {
-            const Field part = each.at(name);
-            if (part.text().size() > 10'000)
-                too_hard(part, "the number is too large to be checked");
-            return Rational(part.text());
-        };
-        const std::uint64_t power = each.at("power").number();
-        if (power >= most_coefficients) too_hard(each, "the power is too large to be checked");
-        ExponentialPolynomial term;
-        Coefficients coefficients(static_cast<std::size_t>(power) + 1);
-        coefficients.back() = rational("coefficient");
-        term.terms_[rational("base")] = std::move(coefficients);
-        term.settle();
-        all.add(term, 1);
-    }
-    return all;
-}
-
-Rational ExponentialPolynomial::operator()(std::uint64_t n) const {
-    Rational value;
-    for (const auto& [base, coefficients] : terms_) {
-        Rational polynomial;
-        for (auto each = coefficients.rbegin(); each != coefficients.rend(); ++each)
-            polynomial = polynomial * Rational(Integer(n)) + *each;
-        value += polynomial * power(base, static_cast<std::int64_t>(n));
-    }
-    return value;
-}
-
-std::size_t ExponentialPolynomial::order() const {
-    std::size_t order = 0;
-    for (const auto& [base, coefficients] : terms_) order += coefficients.size();
-    return order;
-}
-
 namespace {
+
+void must_be_d0l(const Obligation& task) {
+    for (std::size_t i = 0; i < task.statement.systems.size(); ++i)
+        if (!is_d0l(task.system(i))) task.refuse("a system is not D0L");
+}
+
+}  // namespace
 
 /// The lengths of both systems obey linear recurrences of as many terms as they have letters, so their
 /// difference obeys one of as many as both have together.
-void check_terms(const Checking& with, const System& left, const System& right,
-                 const Field& proof) {
-    Lengths one(left), other(right);
+void check_equal_terms(const Obligation& task) {
+    must_be_d0l(task);
+    Lengths one(task.system(0)), other(task.system(1));
     const std::size_t terms = one.letters() + other.letters();
     for (std::size_t n = 0; n < terms; ++n) {
-        with.budget.check();
+        task.budget.check();
         if (one.length() != other.length())
-            proof.refuse("generation " + std::to_string(n) + " differs in length");
+            task.refuse("generation " + std::to_string(n) + " differs in length");
         one.next();
         other.next();
     }
 }
 
-void check_equal_growth(const Checking& with, const Statement& statement, bool holds,
-                        const Field& proof, const std::string& by) {
-    const System& left = *statement.systems[0].system;
-    const System& right = *statement.systems[1].system;
-    if (!is_d0l(right)) proof.refuse("a system is not D0L");
-    if (holds && by == "terms") {
-        proof.only({"by"});
-        return check_terms(with, left, right, proof);
-    }
-    if (holds || by != "generation") wrong_kind(proof, by);
-    proof.only({"by", "generation"});
-    const Integer generation = proof.at("generation").integer();
-    if (length_of_generation(left, generation, with.budget) ==
-        length_of_generation(right, generation, with.budget))
-        proof.at("generation").refuse("both words are of the same length");
+void check_other_length(const Obligation& task) {
+    must_be_d0l(task);
+    check_lengths_differ(task);
 }
 
-void check_formula(const Checking& with, const Statement& statement, bool holds, const Field& proof,
-                   const std::string& by) {
-    const System& system = *statement.systems[0].system;
-    const auto formula = ExponentialPolynomial::read(*statement.formula);
-    if (holds && by == "terms") {
-        proof.only({"by", "terms"});
-        Lengths lengths(system);
-        const std::size_t terms = lengths.letters() + formula.order();
-        if (proof.has("terms") &&
-            !(ExponentialPolynomial::read_terms(proof.at("terms")) == formula))
-            proof.at("terms").refuse("the formula has other terms");
-        for (std::size_t n = 0; n < terms; ++n, lengths.next()) {
-            with.budget.check();
-            if (formula(n) != Rational(lengths.length()))
-                proof.refuse("generation " + std::to_string(n) + " has " +
-                             to_string(lengths.length()) + " letters");
-        }
-        return;
+void check_formula_terms(const Obligation& task) {
+    must_be_d0l(task);
+    const auto formula = ExponentialPolynomial::read(*task.statement.formula);
+    Lengths lengths(task.system());
+    const std::size_t terms = lengths.letters() + formula.order();
+    if (task.proof.has("terms") &&
+        !(ExponentialPolynomial::read_terms(task.proof.at("terms")) == formula))
+        task.proof.at("terms").refuse("the formula has other terms");
+    for (std::size_t n = 0; n < terms; ++n, lengths.next()) {
+        task.budget.check();
+        if (formula(n) != Rational(lengths.length()))
+            task.refuse("generation " + std::to_string(n) + " has " + to_string(lengths.length()) +
+                        " letters");
     }
-    if (holds || by != "generation") wrong_kind(proof, by);
-    proof.only({"by", "generation"});
-    const Integer generation = proof.at("generation").integer();
-    const Integer length = length_of_generation(system, generation, with.budget);
+}
+
+void check_formula_fails(const Obligation& task) {
+    must_be_d0l(task);
+    const auto formula = ExponentialPolynomial::read(*task.statement.formula);
+    const Field field = task.proof.at("generation");
+    const Integer generation = field.integer();
+    const Integer length = length_of_generation(task.system(), generation, task.budget);
     if (generation > 10'000)
         throw BoundReached(Bound::method, "the formula is not worked out beyond 10000");
     if (formula(generation.to_uint64()) == Rational(length))
-        proof.at("generation").refuse("the word has as many letters as the formula says");
+        field.refuse("the word has as many letters as the formula says");
 }
+
+namespace {
 
 /// Which letters can be reached from which, by one step or more.
 class LetterGraph {
@@ -451,34 +425,16 @@ Growth growth_of(const System& system) {
     return {cycles == 1 ? "bounded" : "polynomial", cycles - 1};
 }
 
-namespace {
-
-void check_class(const Statement& statement, bool holds, const Field& proof,
-                 const std::string& by) {
-    if (by != "components") wrong_kind(proof, by);
-    proof.only({"by"});
-    const Growth found = growth_of(*statement.systems[0].system);
+void check_growth_class(const Obligation& task) {
+    must_be_d0l(task);
+    const Statement& statement = task.statement;
+    const Growth found = growth_of(task.system());
     const bool is =
         found.name == statement.family && (!statement.size || *statement.size == found.degree);
-    if (is != holds)
-        proof.refuse(
+    if (is != task.holds)
+        task.refuse(
             "the growth is " + found.name +
             (found.name == "polynomial" ? " of degree " + std::to_string(found.degree) : ""));
-}
-
-}  // namespace
-
-void check_growth(const Checking& with, const Statement& statement, bool holds, const Field& proof,
-                  const std::string& by) {
-    if (!is_d0l(*statement.systems[0].system)) proof.refuse("a system is not D0L");
-    switch (statement.kind) {
-        case Statement::Kind::equal_growth:
-            return check_equal_growth(with, statement, holds, proof, by);
-        case Statement::Kind::growth_formula:
-            return check_formula(with, statement, holds, proof, by);
-        default:
-            return check_class(statement, holds, proof, by);
-    }
 }
 
 }  // namespace algae::verify

@@ -14,6 +14,7 @@ namespace algae::verify {
 
 namespace {
 
+using Kind = Statement::Kind;
 using Letters = std::set<Symbol>;
 
 /// One step of one letter.
@@ -30,14 +31,14 @@ bool within(const Word& word, const Letters& letters) {
     return std::all_of(word.begin(), word.end(), [&](Symbol a) { return letters.contains(a); });
 }
 
-class Checker {
+class Courses {
 public:
-    Checker(const Checking& with, const System& system, const Field& proof)
-        : with_(with), system_(system), proof_(proof) {}
+    Courses(const Obligation& task, const System& system)
+        : task_(task), system_(system), proof_(task.proof) {}
 
     void check() {
-        const Symbol again = with_.reader.letter(proof_.at("again"));
-        const Symbol other = with_.reader.letter(proof_.at("other"));
+        const Symbol again = task_.letter("again");
+        const Symbol other = task_.letter("other");
         const Course before = course("before"), round = course("round"), beside = course("beside"),
                      kept = course("kept"), after = course("after");
         Letters terminals;
@@ -75,8 +76,8 @@ private:
         Course steps;
         for (const Field& field : proof_.at(name).list()) {
             field.only({"table", "letter", "successor", "place"});
-            Step step{field.at("table").number(), with_.reader.letter(field.at("letter")),
-                      with_.reader.word(field.at("successor")), field.at("place").number(), field};
+            Step step{field.at("table").number(), task_.reader.letter(field.at("letter")),
+                      task_.reader.word(field.at("successor")), field.at("place").number(), field};
             if (step.table >= system_.tables.size())
                 field.at("table").refuse("there is no such table");
             const auto& all = system_.tables[static_cast<std::size_t>(step.table)][step.letter];
@@ -134,7 +135,7 @@ private:
         proof_.at("beside").refuse("it does not part from the round");
     }
 
-    const Checking& with_;
+    const Obligation& task_;
     const System& system_;
     const Field& proof_;
 };
@@ -146,11 +147,11 @@ private:
 /// as `round` at some point but for the place, by the same tables to `other`; `kept` by the same tables from
 /// `other` to itself; `after` from `other` to a terminal. All letters beside them can finish: derive words
 /// of terminals by the tables that follow. So n rounds give a word of L(G) with n letters and more.
-void check_endless_tables(const Checking& with, const Language& language, const Field& proof) {
-    proof.only({"by", "again", "other", "before", "round", "beside", "kept", "after"});
+void check_endless_tables(const Obligation& task) {
+    const Language& language = task.language();
     if (language->kind != Tree::Kind::generated || language->system->context)
-        proof.refuse("the language is not given by a system without context");
-    Checker(with, *language->system, proof).check();
+        task.refuse("the language is not given by a system without context");
+    Courses(task, *language->system).check();
 }
 
 namespace {
@@ -160,284 +161,194 @@ struct RoundRule {
     Word successor;
 };
 
+}  // namespace
+
 /// Each rule of the round has the letter of the next one, the last has that of the first; the first has
 /// another letter besides that lasts. So there are words with any number of lasting letters.
-void check_round(const Checking& with, const Language& language, const Field& proof) {
-    proof.only({"by", "rules", "other"});
+void check_endless_round(const Obligation& task) {
+    const Language& language = task.language();
     if (language->kind != Tree::Kind::generated)
-        proof.refuse("the language is not given by a system");
+        task.refuse("the language is not given by a system");
     const System& system = *language->system;
     if (system.context || system.tables.size() != 1 || !has_only_terminals(system))
-        proof.refuse("the system is not 0L");
+        task.refuse("the system is not 0L");
     const auto& table = system.tables.front();
     std::vector<RoundRule> rules;
-    for (const Field& field : proof.at("rules").list()) {
+    for (const Field& field : task.proof.at("rules").list()) {
         field.only({"letter", "successor"});
-        const RoundRule rule{with.reader.letter(field.at("letter")),
-                             with.reader.word(field.at("successor"))};
+        const RoundRule rule{task.reader.letter(field.at("letter")),
+                             task.reader.word(field.at("successor"))};
         const auto& all = table[rule.letter];
         if (std::find(all.begin(), all.end(), rule.successor) == all.end())
             field.refuse("the system has no such rule");
         rules.push_back(rule);
     }
-    if (rules.empty()) proof.at("rules").refuse("a round has a rule");
+    if (rules.empty()) task.proof.at("rules").refuse("a round has a rule");
     const auto letters = accessible_letters(system, system.axiom);
     if (std::find(letters.begin(), letters.end(), rules[0].letter) == letters.end())
-        proof.at("rules").refuse("the letter of the first rule occurs in no derived word");
+        task.proof.at("rules").refuse("the letter of the first rule occurs in no derived word");
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const Symbol next = rules[(i + 1) % rules.size()].letter;
         if (std::count(rules[i].successor.begin(), rules[i].successor.end(), next) == 0)
-            proof.at("rules").list()[i].refuse(
+            task.proof.at("rules").list()[i].refuse(
                 "the letter of the next rule is not in its successor");
     }
-    const Symbol other = with.reader.letter(proof.at("other"));
+    const Symbol other = task.letter("other");
     const Symbol next = rules[1 % rules.size()].letter;
     const Word& first = rules[0].successor;
     if (std::count(first.begin(), first.end(), other) < (other == next ? 2 : 1))
-        proof.at("other").refuse("the first rule has no such letter besides that of the next rule");
+        task.proof.at("other").refuse(
+            "the first rule has no such letter besides that of the next rule");
     if (!lasting_letters(table).contains(other))
-        proof.at("other").refuse("the letter is gone after some steps, whatever it becomes");
+        task.proof.at("other").refuse("the letter is gone after some steps, whatever it becomes");
 }
 
-void check_pumping(const Checking& with, const Language& language, const Field& proof) {
-    proof.only({"by", "prefix", "middle", "suffix"});
-    check_regular(with, language, proof);
-    const Word prefix = with.reader.word(proof.at("prefix"));
-    const Word middle = with.reader.word(proof.at("middle"));
-    const Word suffix = with.reader.word(proof.at("suffix"));
-    if (middle.empty()) proof.at("middle").refuse("nothing is repeated");
-    Derivatives derivatives(with.alphabet(), with.budget);
-    const auto before = derivatives.derivative(derivatives.term(language), prefix);
+void check_pumping(const Obligation& task) {
+    check_regular(task, task.language());
+    const Word prefix = task.word("prefix");
+    const Word middle = task.word("middle");
+    const Word suffix = task.word("suffix");
+    if (middle.empty()) task.proof.at("middle").refuse("nothing is repeated");
+    Derivatives derivatives(task.alphabet(), task.budget);
+    const auto before = derivatives.derivative(derivatives.term(task.language()), prefix);
     if (!derivatives.equal(before, derivatives.derivative(before, middle)))
-        proof.at("middle").refuse("what may follow is not the same before and after it");
+        task.proof.at("middle").refuse("what may follow is not the same before and after it");
     if (!derivatives.nullable(derivatives.derivative(before, suffix)))
-        proof.at("suffix").refuse("the word is not in the language");
+        task.proof.at("suffix").refuse("the word is not in the language");
 }
+
+namespace {
 
 /// Throws Flaw if no word is known to be in the language.
-void check_has_word(const Checking& with, const Language& language, const Field& proof) {
+void check_has_word(const Obligation& task, const Language& language) {
     try {
-        if (!within_regular(language, words_of({}), with.alphabet(), with.budget)) return;
+        if (!within_regular(language, words_of({}), task.alphabet(), task.budget)) return;
     } catch (const Error& error) {
         throw BoundReached(Bound::method,
                            std::string("whether the other part has a word: ") + error.what());
     }
-    proof.refuse("the other part has no word");
+    task.refuse("the other part has no word");
 }
 
-void check_part(const Checking& with, const Language& language, const Field& proof) {
-    proof.only({"by", "index", "proof"});
-    const std::uint64_t index = proof.at("index").number();
-    switch (language->kind) {
-        case Tree::Kind::united:
-        case Tree::Kind::concatenation:
-        case Tree::Kind::star:
-        case Tree::Kind::plus:
-        case Tree::Kind::reversal:
-            break;
-        default:
-            proof.refuse("an infinite part does not make this infinite");
+/// Throws Flaw if a word of the left language is not in the right one, a regular expression.
+void check_within(const Obligation& task, const Language& left, const Language& right,
+                  const char* otherwise) {
+    try {
+        if (within_regular(left, right, task.alphabet(), task.budget)) return;
+    } catch (const Error& error) {
+        task.refuse(error.what());
     }
-    if (index >= language->parts.size()) proof.at("index").refuse("there is no such part");
-    if (language->kind == Tree::Kind::concatenation)
-        check_has_word(with, language->parts[1 - static_cast<std::size_t>(index)], proof);
-    const Field part = proof.at("proof");
-    check_infinite(with, language->parts[static_cast<std::size_t>(index)], part,
-                   part.at("by").text());
+    task.refuse(otherwise);
 }
 
 }  // namespace
 
-void check_infinite(const Checking& with, const Language& language, const Field& proof,
-                    const std::string& by) {
-    if (by == "endless round") return check_round(with, language, proof);
-    if (by == "endless tables") return check_endless_tables(with, language, proof);
-    if (by == "pumping") return check_pumping(with, language, proof);
-    if (by == "part") return check_part(with, language, proof);
-    wrong_kind(proof, by);
+void check_part(const Obligation& task) {
+    const Tree& whole = *task.language();
+    const Field field = task.proof.at("index");
+    const std::uint64_t number = field.number();
+    using enum Tree::Kind;
+    if (!std::ranges::count(std::array{united, concatenation, star, plus, reversal}, whole.kind))
+        task.refuse("an infinite part does not make this infinite");
+    if (number >= whole.parts.size()) field.refuse("there is no such part");
+    const auto index = static_cast<std::size_t>(number);
+    if (whole.kind == concatenation) check_has_word(task, whole.parts[1 - index]);
+    check_infinite(task, whole.parts[index], task.proof.at("proof"));
 }
 
-namespace {
-
-void check_size_of_values(const Checking& with, const Statement& statement, bool holds,
-                          const Field& proof) {
-    proof.only({"by"});
-    const auto words = finite_values(statement.languages[0], with.alphabet(), with.budget);
-    bool found = false;
-    switch (statement.kind) {
-        case Statement::Kind::finite:
-            found = words.has_value();
-            break;
-        case Statement::Kind::empty:
-            found = words && words->empty();
-            break;
-        default:
-            found = words && *statement.size == words->size();
-            break;
-    }
-    if (found == holds) return;
-    proof.refuse(words ? "the language has " + std::to_string(words->size()) + " words"
-                       : "the language is infinite");
+void check_infinite_part(const Obligation& task) {
+    check_infinite(task, task.language(), task.proof.at("proof"));
 }
 
-}  // namespace
-
-void check_size(const Checking& with, const Statement& statement, bool holds, const Field& proof,
-                const std::string& by) {
-    const Language& language = statement.languages[0];
-    const bool of_empty = statement.kind == Statement::Kind::empty;
-    if (by == "values") return check_size_of_values(with, statement, holds, proof);
-    if (of_empty && holds && by == "relations") {
-        proof.only({"by"});
-        try {
-            if (within_regular(language, words_of({}), with.alphabet(), with.budget)) return;
-        } catch (const Error& error) {
-            proof.refuse(error.what());
-        }
-        proof.refuse("the language has a word");
-    }
-    if (of_empty && !holds && by == "word") {
-        proof.only({"by", "word"});
-        const Word word = with.reader.word(proof.at("word"));
-        if (contains(language, word, with.alphabet(), with.budget)) return;
-        proof.at("word").refuse("the word is not in the language");
-    }
-    if (of_empty || holds) wrong_kind(proof, by);
-    if (statement.kind == Statement::Kind::finite) return check_infinite(with, language, proof, by);
-    if (by != "infinite") wrong_kind(proof, by);
-    proof.only({"by", "proof"});
-    const Field infinite = proof.at("proof");
-    check_infinite(with, language, infinite, infinite.at("by").text());
+void check_size_of_values(const Obligation& task) {
+    const auto words = task.values(task.language());
+    const bool found = words && (task.statement.kind == Kind::finite ||
+                                 words->size() == task.statement.size.value_or(0));
+    if (found != task.holds)
+        task.refuse(words ? "the language has " + std::to_string(words->size()) + " words"
+                          : "the language is infinite");
 }
 
-namespace {
+void check_no_word(const Obligation& task) {
+    check_within(task, task.language(), words_of({}), "the language has a word");
+}
 
-using Kind = Statement::Kind;
+void check_a_word(const Obligation& task) {
+    if (!task.contains(task.language(), task.word("word")))
+        task.proof.at("word").refuse("the word is not in the language");
+}
 
-void check_values(const Checking& with, const Statement& statement, bool holds,
-                  const Field& proof) {
-    const auto left = finite_values(statement.languages[0], with.alphabet(), with.budget);
-    if (statement.kind == Kind::included && holds) {
-        if (!left) proof.refuse("the left language is infinite");
+void check_values(const Obligation& task) {
+    const auto left = task.values(task.language());
+    if (task.statement.kind == Kind::included && task.holds) {
+        if (!left) task.refuse("the left language is infinite");
         for (const Word& word : *left)
-            if (!contains(statement.languages[1], word, with.alphabet(), with.budget))
-                proof.refuse("a word is in the left language only");
+            if (!task.contains(task.language(1), word))
+                task.refuse("a word is in the left language only");
         return;
     }
-    const auto right = finite_values(statement.languages[1], with.alphabet(), with.budget);
-    if (!left || !right) proof.refuse("one of the languages is infinite");
-    const bool found = statement.kind == Kind::equal ? *left == *right
-                                                     : std::includes(right->begin(), right->end(),
-                                                                     left->begin(), left->end());
-    if (found != holds)
-        proof.refuse(found ? "every word is in both languages" : "a word is in one language only");
+    const auto right = task.values(task.language(1));
+    if (!left || !right) task.refuse("one of the languages is infinite");
+    const bool found =
+        task.statement.kind == Kind::equal
+            ? *left == *right
+            : std::includes(right->begin(), right->end(), left->begin(), left->end());
+    if (found != task.holds)
+        task.refuse(found ? "every word is in both languages" : "a word is in one language only");
 }
 
-void check_derivatives(const Checking& with, const Statement& statement, const Field& proof) {
-    Derivatives derivatives(with.alphabet(), with.budget);
-    const auto left = derivatives.term(statement.languages[0]);
-    const auto right = derivatives.term(statement.languages[1]);
-    if (!derivatives.included(left, right)) proof.refuse("a word is in the left language only");
-    if (statement.kind == Kind::equal && !derivatives.included(right, left))
-        proof.refuse("a word is in the right language only");
+void check_derivatives(const Obligation& task) {
+    Derivatives derivatives(task.alphabet(), task.budget);
+    const auto left = derivatives.term(task.language());
+    const auto right = derivatives.term(task.language(1));
+    if (!derivatives.included(left, right)) task.refuse("a word is in the left language only");
+    if (task.statement.kind == Kind::equal && !derivatives.included(right, left))
+        task.refuse("a word is in the right language only");
 }
 
-void check_word(const Checking& with, const Statement& statement, const Field& proof) {
-    const Field field = proof.at("word");
-    const Word word = with.reader.word(field);
-    const auto in = [&](const Language& language) {
-        return contains(language, word, with.alphabet(), with.budget);
-    };
-    const bool left = in(statement.languages[0]), right = in(statement.languages[1]);
+void check_word_in_one(const Obligation& task) {
+    const Field field = task.proof.at("word");
+    const Word word = task.reader.word(field);
+    const auto in = [&](const Language& language) { return task.contains(language, word); };
+    const bool left = in(task.language()), right = in(task.language(1));
     if (left == right)
         field.refuse(left ? "the word is in both languages" : "the word is in neither language");
-    if (statement.kind == Kind::included && right)
+    if (task.statement.kind == Kind::included && right)
         field.refuse("the word is in the right language only");
 }
 
 /// The sequences of the two systems are equal, so their languages are.
-void check_same_sequences(const Checking& with, const Statement& statement, const Field& proof) {
+void check_same_sequences(const Obligation& task) {
     Statement sequences;
     sequences.kind = Kind::equal_sequences;
-    for (const Language& language : statement.languages) {
+    for (const Language& language : task.statement.languages) {
         if (language->kind != Tree::Kind::generated)
-            proof.refuse("a language is not given by a system");
+            task.refuse("a language is not given by a system");
         sequences.systems.push_back({language->name, language->system});
     }
-    check_proof(with, sequences, true, proof.at("proof"));
+    check_proof(task.part(sequences, true, task.proof.at("proof")));
 }
 
-void check_both(const Checking& with, const Statement& statement, const Field& proof) {
-    const auto [one, other] = proof.at("proofs").pair();
+void check_both(const Obligation& task) {
+    const auto [one, other] = task.proof.at("proofs").pair();
     Statement included;
     included.kind = Kind::included;
-    included.languages = statement.languages;
-    check_proof(with, included, true, one);
+    included.languages = task.statement.languages;
+    check_proof(task.part(included, true, one));
     std::swap(included.languages[0], included.languages[1]);
-    check_proof(with, included, true, other);
+    check_proof(task.part(included, true, other));
 }
 
-void check_relations(const Checking& with, const Statement& statement, const Field& proof) {
-    bool within = false;
-    try {
-        within = within_regular(statement.languages[0], statement.languages[1], with.alphabet(),
-                                with.budget);
-    } catch (const Error& error) {
-        proof.refuse(error.what());
-    }
-    if (!within) proof.refuse("a word of the left language is not in the right one");
+void check_relations(const Obligation& task) {
+    check_within(task, task.language(), task.language(1),
+                 "a word of the left language is not in the right one");
 }
 
-}  // namespace
-
-void check_comparison(const Checking& with, const Statement& statement, bool holds,
-                      const Field& proof, const std::string& by) {
-    const bool of_equality = statement.kind == Kind::equal;
-    if (by == "values") {
-        proof.only({"by"});
-        check_values(with, statement, holds, proof);
-    } else if (!holds) {
-        if (by != "word") wrong_kind(proof, by);
-        proof.only({"by", "word"});
-        check_word(with, statement, proof);
-    } else if (by == "derivatives") {
-        proof.only({"by"});
-        check_derivatives(with, statement, proof);
-    } else if (by == "identical") {
-        proof.only({"by"});
-        if (!same(statement.languages[0], statement.languages[1]))
-            proof.refuse("the expressions are not the same");
-    } else if (by == "sequences") {
-        proof.only({"by", "proof"});
-        check_same_sequences(with, statement, proof);
-    } else if (by == "sections" && of_equality) {
-        for (const Language& language : statement.languages)
-            if (language->kind != Tree::Kind::generated || !is_d0l(*language->system))
-                proof.refuse("a language is not given by a D0L system");
-        check_sections(with, *statement.languages[0]->system, *statement.languages[1]->system,
-                       proof);
-    } else if (by == "induction" && !of_equality) {
-        check_induction(with, statement.languages[0], statement.languages[1], proof);
-    } else if (by == "relations" && !of_equality) {
-        proof.only({"by"});
-        check_relations(with, statement, proof);
-    } else if (by == "both" && of_equality) {
-        proof.only({"by", "proofs"});
-        check_both(with, statement, proof);
-    } else {
-        wrong_kind(proof, by);
-    }
+void check_identical(const Obligation& task) {
+    if (!same(task.language(), task.language(1))) task.refuse("the expressions are not the same");
 }
 
 namespace {
-
-Language with_morphism(Tree::Kind kind, std::map<Symbol, Word> morphism, Language part) {
-    Tree tree;
-    tree.kind = kind;
-    tree.morphism = std::move(morphism);
-    tree.parts = {std::move(part)};
-    return std::make_shared<const Tree>(std::move(tree));
-}
 
 /// The words that come in one step from shorter words of the language, by successors that are not empty:
 /// of words over new letters, one for each rule, that spell a word of the language.
@@ -461,31 +372,30 @@ Language longer_words(const System& system, const Language& language) {
         {any, combination(Tree::Kind::concatenation, {words_of(std::move(longer)), any})});
     const Language uses = combination(
         Tree::Kind::intersection,
-        {with_morphism(Tree::Kind::inverse_image, std::move(predecessors), language), one_longer});
-    return with_morphism(Tree::Kind::image, std::move(successors), uses);
+        {combination(Tree::Kind::inverse_image, {language}, std::move(predecessors)), one_longer});
+    return combination(Tree::Kind::image, {uses}, std::move(successors));
 }
 
 }  // namespace
 
-void check_induction(const Checking& with, const Language& left, const Language& right,
-                     const Field& proof) {
-    proof.only({"by", "base"});
+void check_induction(const Obligation& task) {
+    const Language &left = task.language(0), &right = task.language(1);
     if (right->kind != Tree::Kind::generated || right->system->context ||
         right->system->tables.size() != 1 || !has_only_terminals(*right->system))
-        proof.refuse("the right language is not given by an 0L system");
-    const auto base = proof.at("base").list();
+        task.refuse("the right language is not given by an 0L system");
+    const auto base = task.proof.at("base").list();
     std::vector<Word> words;
     for (const Field& each : base) {
-        words.push_back(with.reader.word(each));
-        if (!contains(right, words.back(), with.alphabet(), with.budget))
+        words.push_back(task.reader.word(each));
+        if (!task.contains(right, words.back()))
             each.refuse("the word is not in the right language");
     }
-    Derivatives derivatives(with.alphabet(), with.budget);
+    Derivatives derivatives(task.alphabet(), task.budget);
     const Language steps = longer_words(*right->system, left);
     const auto all =
         derivatives.term(combination(Tree::Kind::united, {steps, words_of(std::move(words))}));
     if (!derivatives.included(derivatives.term(left), all))
-        proof.refuse("a word that is not in the base does not come from a shorter word");
+        task.refuse("a word that is not in the base does not come from a shorter word");
 }
 
 }  // namespace algae::verify

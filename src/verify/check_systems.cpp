@@ -17,7 +17,10 @@
 
 namespace algae::verify {
 
-void check_steps(const Checking& with, const System& system, const Word& from, const Word& to,
+namespace {
+
+/// Checks a derivation from one word to the other: the fields `words` and `tables` of a proof.
+void check_steps(const Obligation& task, const System& system, const Word& from, const Word& to,
                  const Field& field) {
     const auto words = field.at("words").list();
     if (words.empty()) field.at("words").refuse("a derivation has a word");
@@ -31,11 +34,11 @@ void check_steps(const Checking& with, const System& system, const Word& from, c
         field.refuse(
             "the system has several tables, and the derivation does not say which are used");
     }
-    Word word = with.reader.word(words[0]);
+    Word word = task.reader.word(words[0]);
     if (word != from) words[0].refuse("the derivation does not begin with the word it should");
     for (std::size_t i = 1; i < words.size(); ++i) {
-        with.budget.check();
-        const Word next = with.reader.word(words[i]);
+        task.budget.check();
+        const Word next = task.reader.word(words[i]);
         if (system.context) {
             if (next_word(system, word) != next)
                 words[i].refuse("the word before gives another word");
@@ -50,216 +53,181 @@ void check_steps(const Checking& with, const System& system, const Word& from, c
     if (word != to) words.back().refuse("the derivation does not end with the word it should");
 }
 
-void check_derivation(const Checking& with, const Statement& statement, bool holds,
-                      const Field& proof, const std::string& by) {
-    const System& system = *statement.systems[0].system;
-    const Word from = statement.from.value_or(system.axiom);
-    if (holds && by == "derivation") {
-        proof.only({"by", "words", "tables"});
-        check_steps(with, system, from, statement.word, proof);
-        if (statement.steps && *statement.steps + 1 != proof.at("words").list().size())
-            proof.at("words").refuse("the derivation has another number of steps");
-        return;
-    }
-    if (holds || by != "exhausted") wrong_kind(proof, by);
-    proof.only({"by"});
-    if (derives(system, from, statement.word, statement.steps, with.budget))
-        proof.refuse("the word is derived");
+}  // namespace
+
+void check_derivation(const Obligation& task) {
+    const auto& [word, steps] = std::tie(task.statement.word, task.statement.steps);
+    const System& system = task.system();
+    check_steps(task, system, task.statement.from.value_or(system.axiom), word, task.proof);
+    const Field words = task.proof.at("words");
+    if (steps && *steps + 1 != words.list().size())
+        words.refuse("the derivation has another number of steps");
 }
 
-void check_membership(const Checking& with, const Statement& statement, bool holds,
-                      const Field& proof, const std::string& by) {
-    if (by != "membership") wrong_kind(proof, by);
-    proof.only({"by", "derivation", "preimage"});
-    const Language& language = statement.languages[0];
-    if (proof.has("preimage")) {
-        const Field preimage = proof.at("preimage");
-        const Word word = with.reader.word(preimage);
-        if (!holds || proof.has("derivation") || language->kind != Tree::Kind::image)
+void check_not_derived(const Obligation& task) {
+    const Statement& statement = task.statement;
+    const System& system = task.system();
+    if (derives(system, statement.from.value_or(system.axiom), statement.word, statement.steps,
+                task.budget))
+        task.refuse("the word is derived");
+}
+
+void check_membership(const Obligation& task) {
+    const Language& language = task.language();
+    if (task.proof.has("preimage")) {
+        const Field preimage = task.proof.at("preimage");
+        const Word word = task.reader.word(preimage);
+        if (!task.holds || task.proof.has("derivation") || language->kind != Tree::Kind::image)
             preimage.refuse("this does not show it");
-        if (image_of(word, language->morphism, with.budget) != statement.word)
+        if (image_of(word, language->morphism, task.budget) != task.statement.word)
             preimage.refuse("the word is not its image");
-        if (!contains(language->parts[0], word, with.alphabet(), with.budget))
+        if (!task.contains(language->parts[0], word))
             preimage.refuse("it is not in the language whose image this is");
         return;
     }
-    if (proof.has("derivation")) {
-        const Field derivation = proof.at("derivation");
+    if (task.proof.has("derivation")) {
+        const Field derivation = task.proof.at("derivation");
         derivation.only({"words", "tables"});
         Language source = language;  // of a reversal, the derivation is that of the reversed word
-        Word word = statement.word;
+        Word word = task.statement.word;
         for (; source->kind == Tree::Kind::reversal; source = source->parts[0])
             std::reverse(word.begin(), word.end());
         if (source->kind != Tree::Kind::generated)
             derivation.refuse("the language is not given by a system");
-        if (!holds)
+        if (!task.holds)
             derivation.refuse("a derivation does not show that a word is not in a language");
         const System& system = *source->system;
-        check_steps(with, system, system.axiom, word, derivation);
-        if (!std::all_of(word.begin(), word.end(), [&](Symbol a) { return system.terminal[a]; }))
-            derivation.refuse("a letter of the word is no terminal");
+        check_steps(task, system, system.axiom, word, derivation);
+        if (!is_terminal(system, word)) derivation.refuse("a letter of the word is no terminal");
         return;
     }
-    if (contains(language, statement.word, with.alphabet(), with.budget) != holds)
-        proof.refuse(holds ? "the word is not in the language" : "the word is in the language");
+    if (task.contains(language, task.statement.word) != task.holds)
+        task.refuse(task.holds ? "the word is not in the language" : "the word is in the language");
 }
 
-void check_rewriting(const Checking& with, const Statement& statement, bool holds,
-                     const Field& proof, const std::string& by) {
-    if (by == "environment") {
-        proof.only({"by"});
-        throw BoundReached(Bound::method, "what environments answer is not worked out again");
-    }
-    if (by != "rewriting") wrong_kind(proof, by);
-    proof.only({"by"});
-    const ModuleSystem& system = *statement.rewriting;
+void check_rewriting(const Obligation& task) {
+    const Statement& statement = task.statement;
+    const ModuleSystem& system = *task.statement.rewriting;
     const Rational found = chance(system, statement.modules_from.value_or(system.axiom),
-                                  statement.modules, *statement.steps, proof, with.budget);
+                                  statement.modules, *statement.steps, task.proof, task.budget);
     const bool is_so = statement.kind == Statement::Kind::chance ? found == *statement.probability
                                                                  : !found.is_zero();
-    if (is_so != holds) proof.refuse("the word has the probability " + to_string(found));
+    if (is_so != task.holds) task.refuse("the word has the probability " + to_string(found));
 }
 
 namespace {
 
-std::set<Word> finite_words(const Checking& with, const Language& language, const Field& proof) {
-    auto words = finite_values(language, with.alphabet(), with.budget);
-    if (!words) proof.refuse("the language is infinite");
+std::set<Word> finite_words(const Obligation& task) {
+    auto words = task.values(task.language());
+    if (!words) task.refuse("the language is infinite");
     return std::move(*words);
 }
 
-Statement equality(const Language& left, const Language& right) {
-    Statement equal;
-    equal.kind = Statement::Kind::equal;
-    equal.languages = {left, right};
-    return equal;
-}
-
-std::shared_ptr<const System> system_of_form(const Checking& with, const std::string& family,
-                                             const Field& field) {
-    auto system = std::make_shared<const System>(with.reader.system(field));
-    if (const auto beyond = beyond_form(*system, family, with.certificate.empty_axiom))
+void must_have_form(const Obligation& task, const System& system, const Field& field) {
+    const std::string& family = task.statement.family;
+    if (const auto beyond = beyond_form(system, family, task.certificate.empty_axiom))
         field.refuse("the system has not the form of " + family + ": " + *beyond);
-    return system;
 }
 
-/// Derives the words of a system and stops at the first terminal word that should not be there.
-void check_finite_system(const Checking& with, const std::string& family, const Language& language,
-                         const Field& proof) {
-    const auto words = finite_words(with, language, proof);
-    const auto system = system_of_form(with, family, proof.at("system"));
-    const auto derived = finite_values(generated_by(system, ""), with.alphabet(), with.budget);
-    if (derived != words) proof.at("system").refuse("the system does not generate the language");
-}
-
-void check_form(const Checking& with, const std::string& family, const Language& language,
-                const Field& proof) {
-    if (language->kind != Tree::Kind::generated)
-        proof.refuse("the language is not given by a system");
-    if (const auto beyond = beyond_form(*language->system, family, with.certificate.empty_axiom))
-        proof.refuse("the system has not the form of " + family + ": " + *beyond);
-}
-
-void check_all_finite(const Checking& with, const std::string& family, const Language& language,
-                      const Field& proof) {
-    static constexpr std::array all = {"E0L", "ET0L", "EDT0L", "IL", "REG", "CF"};
-    if (std::find(all.begin(), all.end(), family) == all.end())
-        proof.refuse("not all finite languages are " + family);
-    const auto words = finite_words(with, language, proof);
-    const bool has_axiom = std::any_of(words.begin(), words.end(), [&](const Word& word) {
-        return with.certificate.empty_axiom || !word.empty();
-    });
-    if (family == "IL" && !has_axiom) proof.refuse("no word of the language can be the axiom");
-}
-
-void check_cases(const Checking& with, const std::string& family, const Language& language,
-                 const Field& proof) {
-    const auto& all = all_families();
-    const auto found = std::find_if(all.begin(), all.end(),
-                                    [&](Family each) { return to_string(each) == family; });
-    if (found == all.end()) proof.refuse("no proof by cases is known for " + family);
-    const auto words = finite_words(with, language, proof);
-    FamilyObstruction obstruction = read_obstruction(with.reader, proof.at("obstruction"));
-    obstruction.family = *found;
-    obstruction.empty_axiom = with.certificate.empty_axiom;
-    obstruction.language =
-        make_finite_language(with.certificate.alphabet, {words.begin(), words.end()});
-    if (const auto flaw = flaw_in(obstruction, with.budget)) proof.refuse(*flaw);
-}
-
-/// All families are closed under reversal, and it is its own inverse.
-void check_reversal(const Checking& with, const Statement& statement, bool holds,
-                    const Field& proof) {
-    if (statement.languages[0]->kind != Tree::Kind::reversal)
-        proof.refuse("the language is no reversal");
-    Statement part = statement;
-    part.languages = statement.languages[0]->parts;
-    check_proof(with, part, holds, proof.at("proof"));
-}
-
-/// The lengths of the words are infinitely many, and so few that they hold no arithmetic progression; but those
-/// of an infinite context-free language do (Parikh 1966).
-void check_sparse(const Statement& statement, const Field& proof) {
-    const Language& language = statement.languages[0];
-    if (statement.family != "REG" && statement.family != "CF")
-        proof.refuse("this shows nothing of " + statement.family);
-    if (language->kind != Tree::Kind::generated || !is_d0l(*language->system))
-        proof.refuse("the language is not given by a D0L system");
-    const Growth growth = growth_of(*language->system);
-    if (growth.name != "exponential" && (growth.name != "polynomial" || growth.degree < 2))
-        proof.refuse("the lengths grow no faster than n");
-}
-
-/// A propagating system derives the empty word from no other.
-void check_empty_word(const Checking& with, const Statement& statement, const Field& proof) {
-    if (!statement.family.starts_with('P'))
-        proof.refuse("a system of the family " + statement.family + " may derive the empty word");
-    if (with.certificate.empty_axiom) proof.refuse("the empty word may be the axiom");
-    if (!contains(statement.languages[0], {}, with.alphabet(), with.budget))
-        proof.refuse("the empty word is not in the language");
+/// The language of the system in a proof, which must have the form of the family.
+Language language_of_form(const Obligation& task) {
+    const Field field = task.proof.at("system");
+    auto system = std::make_shared<const System>(task.reader.system(field));
+    must_have_form(task, *system, field);
+    return generated_by(std::move(system), "");
 }
 
 }  // namespace
 
-void check_family(const Checking& with, const Statement& statement, bool holds, const Field& proof,
-                  const std::string& by) {
-    const Language& language = statement.languages[0];
-    if (by == "reversal") {
-        proof.only({"by", "proof"});
-        check_reversal(with, statement, holds, proof);
-    } else if (!holds && by == "empty word") {
-        proof.only({"by"});
-        check_empty_word(with, statement, proof);
-    } else if (!holds && by == "sparse") {
-        proof.only({"by"});
-        check_sparse(statement, proof);
-    } else if (!holds) {
-        if (by != "cases") wrong_kind(proof, by);
-        proof.only({"by", "obstruction"});
-        check_cases(with, statement.family, language, proof);
-    } else if (by == "system") {
-        proof.only({"by", "system"});
-        check_finite_system(with, statement.family, language, proof);
-    } else if (by == "form") {
-        proof.only({"by"});
-        check_form(with, statement.family, language, proof);
-    } else if (by == "equal") {
-        proof.only({"by", "system", "proof"});
-        const auto system = system_of_form(with, statement.family, proof.at("system"));
-        check_proof(with, equality(generated_by(system, ""), language), true, proof.at("proof"));
-    } else if (by == "finite") {
-        proof.only({"by"});
-        check_all_finite(with, statement.family, language, proof);
-    } else if (by == "regular") {
-        proof.only({"by"});
-        if (statement.family != "REG" && statement.family != "CF") wrong_kind(proof, by);
-        check_regular(with, language, proof);
-    } else {
-        wrong_kind(proof, by);
-    }
+/// Derives the words of a system and stops at the first terminal word that should not be there.
+void check_finite_system(const Obligation& task) {
+    const auto words = finite_words(task);
+    if (task.values(language_of_form(task)) != words)
+        task.proof.at("system").refuse("the system does not generate the language");
+}
+
+void check_form(const Obligation& task) {
+    const Language& language = task.language();
+    if (language->kind != Tree::Kind::generated)
+        task.refuse("the language is not given by a system");
+    must_have_form(task, *language->system, task.proof);
+}
+
+void check_equal_to_form(const Obligation& task) {
+    Statement equal;
+    equal.kind = Statement::Kind::equal;
+    equal.languages = {language_of_form(task), task.language()};
+    check_proof(task.part(equal, true, task.proof.at("proof")));
+}
+
+void check_all_finite(const Obligation& task) {
+    static constexpr std::array all = {"E0L", "ET0L", "EDT0L", "IL", "REG", "CF"};
+    const std::string& family = task.statement.family;
+    if (std::find(all.begin(), all.end(), family) == all.end())
+        task.refuse("not all finite languages are " + family);
+    const auto words = finite_words(task);
+    const bool has_axiom = std::ranges::any_of(
+        words, [&](const Word& word) { return task.certificate.empty_axiom || !word.empty(); });
+    if (family == "IL" && !has_axiom) task.refuse("no word of the language can be the axiom");
+}
+
+void check_regular_family(const Obligation& task) {
+    if (task.statement.family != "REG" && task.statement.family != "CF") task.wrong_kind();
+    check_regular(task, task.language());
+}
+
+void check_cases(const Obligation& task) {
+    const auto& all = all_families();
+    const std::string& family = task.statement.family;
+    const auto found =
+        std::ranges::find_if(all, [&](Family each) { return to_string(each) == family; });
+    if (found == all.end()) task.refuse("no proof by cases is known for " + family);
+    const auto words = finite_words(task);
+    FamilyObstruction obstruction = read_obstruction(task.reader, task.proof.at("obstruction"));
+    obstruction.family = *found;
+    obstruction.empty_axiom = task.certificate.empty_axiom;
+    obstruction.language =
+        make_finite_language(task.certificate.alphabet, {words.begin(), words.end()});
+    if (const auto flaw = flaw_in(obstruction, task.budget)) task.refuse(*flaw);
+}
+
+/// All families are closed under reversal, and it is its own inverse.
+void check_reversal(const Obligation& task) {
+    if (task.language()->kind != Tree::Kind::reversal) task.refuse("the language is no reversal");
+    Statement part = task.statement;
+    part.languages = task.language()->parts;
+    check_proof(task.part(part, task.holds, task.proof.at("proof")));
+}
+
+/// The lengths of the words are infinitely many, and so few that they hold no arithmetic progression; but those
+/// of an infinite context-free language do (Parikh 1966).
+void check_sparse(const Obligation& task) {
+    const Language& language = task.language();
+    if (task.statement.family != "REG" && task.statement.family != "CF")
+        task.refuse("this shows nothing of " + task.statement.family);
+    if (language->kind != Tree::Kind::generated || !is_d0l(*language->system))
+        task.refuse("the language is not given by a D0L system");
+    const Growth growth = growth_of(*language->system);
+    if (growth.name != "exponential" && (growth.name != "polynomial" || growth.degree < 2))
+        task.refuse("the lengths grow no faster than n");
+}
+
+/// A propagating system derives the empty word from no other.
+void check_empty_word(const Obligation& task) {
+    if (!task.statement.family.starts_with('P'))
+        task.refuse("a system of the family " + task.statement.family +
+                    " may derive the empty word");
+    if (task.certificate.empty_axiom) task.refuse("the empty word may be the axiom");
+    if (!task.contains(task.language(), {})) task.refuse("the empty word is not in the language");
 }
 
 namespace {
+
+/// The systems of a statement about sequences.
+std::pair<const System&, const System&> d0l_pair(const Obligation& task) {
+    if (!is_d0l(task.system(0)) || !is_d0l(task.system(1))) task.refuse("a system is not D0L");
+    return {task.system(0), task.system(1)};
+}
 
 constexpr std::uint64_t furthest =
     100'000;  // of numbers of generations and of what they are repeated by
@@ -286,12 +254,14 @@ bool covers_all(const std::vector<Progression>& progressions) {
     return true;
 }
 
-Word next(const System& system, const Word& word, const Budget& budget) {
+/// The next word of a D0L system, of at most so many letters.
+Word next(const System& system, const Word& word, const Budget& budget,
+          std::size_t longest = 10'000'000) {
     Word longer;
     budget.check();
     for (const Symbol a : word) {
         const Word& image = system.tables.front()[a].front();
-        if (longer.size() + image.size() > 10'000'000)
+        if (longer.size() + image.size() > longest)
             throw BoundReached(Bound::method, "the words of the sequences are too long");
         longer.insert(longer.end(), image.begin(), image.end());
     }
@@ -306,48 +276,54 @@ Word generation(const System& system, Word word, std::uint64_t steps, const Budg
 }
 
 /// The system of every so many generations, from one on. Letters that are not accessible stay as they are.
-System section(const System& system, std::uint64_t first, std::uint64_t step,
-               const Budget& budget) {
+NamedSystem section(const System& system, std::uint64_t first, std::uint64_t step,
+                    const Budget& budget) {
     System part = system;
     part.axiom = generation(system, system.axiom, first, budget);
     auto& images = part.tables.front();
     for (Symbol a = 0; a < images.size(); ++a) images[a] = {{a}};
     for (const Symbol a : accessible_letters(system, system.axiom))
         images[a] = {generation(system, {a}, step, budget)};
-    return part;
+    return {"", std::make_shared<const System>(std::move(part))};
 }
 
 }  // namespace
 
-void check_sections(const Checking& with, const System& left, const System& right,
-                    const Field& proof) {
-    proof.only({"by", "words", "sections"});
+void check_sections(const Obligation& task) {
+    for (const Language& language : task.statement.languages)
+        if (language->kind != Tree::Kind::generated || !is_d0l(*language->system))
+            task.refuse("a language is not given by a D0L system");
+    const System& left = *task.language(0)->system;
+    const System& right = *task.language(1)->system;
     std::vector<Progression> numbers_left, numbers_right;
-    for (const Field& each : proof.at("words").list()) {
+    for (const Field& each : task.proof.at("words").list()) {
         const auto [one, other] = each.pair();
         numbers_left.push_back({one.number(), 0});
         numbers_right.push_back({other.number(), 0});
-        if (generation(left, left.axiom, one.number(), with.budget) !=
-            generation(right, right.axiom, other.number(), with.budget))
+        if (generation(left, left.axiom, one.number(), task.budget) !=
+            generation(right, right.axiom, other.number(), task.budget))
             each.refuse("these generations are not the same word");
     }
-    for (const Field& each : proof.at("sections").list()) {
+    for (const Field& each : task.proof.at("sections").list()) {
         each.only({"left", "step", "right", "stride", "proof"});
         const Progression one{each.at("left").number(), each.at("step").number()};
         const Progression other{each.at("right").number(), each.at("stride").number()};
         if (one.step == 0 || other.step == 0) each.refuse("a section goes on");
-        const System first = section(left, one.first, one.step, with.budget);
-        const System second = section(right, other.first, other.step, with.budget);
-        if (!is_d0l(first) || !is_d0l(second)) each.refuse("a section is not D0L");
-        const Field balance = each.at("proof");
-        if (balance.at("by").text() != "balance") wrong_kind(balance, balance.at("by").text());
-        check_balance(with, first, second, balance);
+        Statement equal;
+        equal.kind = Statement::Kind::equal_sequences;
+        equal.systems = {section(left, one.first, one.step, task.budget),
+                         section(right, other.first, other.step, task.budget)};
+        const auto balance = task.part(equal, true, each.at("proof"));
+        if (!is_d0l(balance.system(0)) || !is_d0l(balance.system(1)))
+            each.refuse("a section is not D0L");
+        if (balance.proof.at("by").text() != "balance") balance.wrong_kind();
+        check_proof(balance);
         numbers_left.push_back(one);
         numbers_right.push_back(other);
     }
-    if (!covers_all(numbers_left)) proof.refuse("a generation of the left system is in no section");
+    if (!covers_all(numbers_left)) task.refuse("a generation of the left system is in no section");
     if (!covers_all(numbers_right))
-        proof.refuse("a generation of the right system is in no section");
+        task.refuse("a generation of the right system is in no section");
 }
 
 namespace {
@@ -375,15 +351,15 @@ std::optional<Overhang> with_letter(const Overhang& before, const Word& left, co
     return Overhang{false, Word(other.begin() + middle, other.end())};
 }
 
-std::map<Overhang, std::size_t> read_states(const Checking& with, const Field& proof) {
-    const Field field = proof.at("states");
-    const std::uint64_t bound = proof.at("bound").number();
+std::map<Overhang, std::size_t> read_states(const Obligation& task) {
+    const Field field = task.proof.at("states");
+    const std::uint64_t bound = task.proof.at("bound").number();
     std::map<Overhang, std::size_t> states;
     for (const Field& each : field.list()) {
         each.only({"ahead", "word"});
         const std::string& ahead = each.at("ahead").text();
         if (ahead != "left" && ahead != "right") each.at("ahead").fail("expected left or right");
-        Overhang state{ahead == "left", with.reader.word(each.at("word"))};
+        Overhang state{ahead == "left", task.reader.word(each.at("word"))};
         if (state.word.empty()) state.left_ahead = true;
         if (state.word.size() > bound) each.refuse("the overflow is longer than the bound");
         if (states.empty() && !state.word.empty()) each.refuse("the first overflow is not empty");
@@ -398,24 +374,23 @@ std::map<Overhang, std::size_t> read_states(const Checking& with, const Field& p
 
 /// g^k(w) leads from the empty overflow to itself for every k, so g and h agree on it: by induction the
 /// sequences of g and h are the same.
-void check_balance(const Checking& with, const System& left, const System& right,
-                   const Field& proof) {
-    proof.only({"by", "bound", "states", "accepts"});
-    if (proof.has("accepts")) {
-        const Field repeats = proof.at("accepts");
+void check_balance(const Obligation& task) {
+    const auto [left, right] = d0l_pair(task);
+    if (task.proof.has("accepts")) {
+        const Field repeats = task.proof.at("accepts");
         repeats.only({"steps", "earlier"});
         if (repeats.at("steps").number() <= repeats.at("earlier").number())
             repeats.refuse("nothing repeats before it begins");
     }
-    if (left.axiom != right.axiom) proof.refuse("the axioms differ");
+    if (left.axiom != right.axiom) task.refuse("the axioms differ");
     const auto letters = accessible_letters(left, left.axiom);
-    const auto states = read_states(with, proof);
+    const auto states = read_states(task);
     const std::size_t refusal = states.size();
-    with.budget.check_memory(letters.size() * (refusal + 1) * (refusal + 1) / 8, "the automaton");
+    task.budget.check_memory(letters.size() * (refusal + 1) * (refusal + 1) / 8, "the automaton");
     Relations start;
     for (const Symbol a : letters) {
         const auto& image = right.tables.front()[a];
-        if (image.size() != 1) proof.refuse("a letter has two images in the right system");
+        if (image.size() != 1) task.refuse("a letter has two images in the right system");
         BooleanMatrix relation(refusal + 1);
         relation.set(refusal, refusal);
         for (const auto& [state, number] : states) {
@@ -428,77 +403,52 @@ void check_balance(const Checking& with, const System& left, const System& right
     const auto leaves = [&](const Relations& relations) {
         return !relation_of(left.axiom, relations, refusal + 1).at(0, 0);
     };
-    if (some_relations(left, start, refusal + 1, leaves, with.budget))
-        proof.at("states").refuse(
+    if (some_relations(left, start, refusal + 1, leaves, task.budget))
+        task.proof.at("states").refuse(
             "a word of the sequence does not lead through these overflows back to the empty one");
 }
 
-namespace {
+namespace {}  // namespace
 
-void check_finite_sequences(const Checking& with, const System& left, const System& right,
-                            const Field& proof) {
-    proof.only({"by"});
+void check_finite_sequences(const Obligation& task) {
+    constexpr std::size_t most = 50'000'000;  // letters of the words together
+    const auto [left, right] = d0l_pair(task);
     std::set<Word> known;
     std::uint64_t letters = 0;
     Word one = left.axiom, other = right.axiom;
-    const auto next = [](const System& system, const Word& word) {
-        Word longer;
-        for (const Symbol a : word) {
-            const Word& image = system.tables.front()[a].front();
-            longer.insert(longer.end(), image.begin(), image.end());
-        }
-        return longer;
-    };
     for (std::uint64_t generation = 0;; ++generation) {
-        with.budget.check();
-        if (one != other) proof.refuse("generation " + std::to_string(generation) + " differs");
+        task.budget.check();
+        if (one != other) task.refuse("generation " + std::to_string(generation) + " differs");
         if (!known.insert(one).second) return;  // equal words give equal words from here on
         letters += one.size() + 16;
-        if (letters > 50'000'000)
+        if (letters > most)
             throw BoundReached(Bound::method, "the words of the sequences are too long");
-        one = next(left, one);
-        other = next(right, other);
+        one = next(left, one, task.budget, most);
+        other = next(right, other, task.budget, most);
     }
 }
 
-void check_difference(const Checking& with, const System& left, const System& right,
-                      const Field& proof) {
-    proof.only({"by", "generation", "position"});
-    const Integer generation = proof.at("generation").integer();
-    if (!proof.has("position")) {
-        if (length_of_generation(left, generation, with.budget) ==
-            length_of_generation(right, generation, with.budget))
-            proof.at("generation").refuse("both words are of the same length");
-        return;
-    }
+void check_lengths_differ(const Obligation& task) {
+    const Field field = task.proof.at("generation");
+    const Integer generation = field.integer();
+    if (length_of_generation(task.system(0), generation, task.budget) ==
+        length_of_generation(task.system(1), generation, task.budget))
+        field.refuse("both words are of the same length");
+}
+
+void check_difference(const Obligation& task) {
+    const auto [left, right] = d0l_pair(task);
+    if (!task.proof.has("position")) return check_lengths_differ(task);
+    const Integer generation = task.proof.at("generation").integer();
     if (generation > 100'000)
         throw BoundReached(Bound::method, "the letters of generation " + to_string(generation) +
                                               " are not looked up");
-    const Integer position = proof.at("position").integer();
-    const auto one = letter_of_generation(left, generation.to_uint64(), position, with.budget);
-    const auto other = letter_of_generation(right, generation.to_uint64(), position, with.budget);
+    const Integer position = task.proof.at("position").integer();
+    const auto one = letter_of_generation(left, generation.to_uint64(), position, task.budget);
+    const auto other = letter_of_generation(right, generation.to_uint64(), position, task.budget);
     if (one == other)
-        proof.at("position")
+        task.proof.at("position")
             .refuse(one ? "both words have the same letter there" : "neither word is so long");
-}
-
-}  // namespace
-
-void check_sequences(const Checking& with, const Statement& statement, bool holds,
-                     const Field& proof, const std::string& by) {
-    const System& left = *statement.systems[0].system;
-    const System& right = *statement.systems[1].system;
-    if (!is_d0l(left) || !is_d0l(right)) proof.refuse("a system is not D0L");
-    if (!holds) {
-        if (by != "generation") wrong_kind(proof, by);
-        check_difference(with, left, right, proof);
-    } else if (by == "balance") {
-        check_balance(with, left, right, proof);
-    } else if (by == "lengths") {
-        check_finite_sequences(with, left, right, proof);
-    } else {
-        wrong_kind(proof, by);
-    }
 }
 
 }  // namespace algae::verify

@@ -1,6 +1,7 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <array>
 #include <cstddef>
 #include <iterator>
 #include <set>
@@ -155,23 +156,10 @@ JsonValue parse_json(std::string_view text, const std::string& file) {
 namespace {
 
 const char* found(JsonValue::Kind kind) {
-    switch (kind) {
-        case JsonValue::Kind::null:
-            return "null";
-        case JsonValue::Kind::truth:
-            return "true or false";
-        case JsonValue::Kind::number:
-            return "a number";
-        case JsonValue::Kind::real:
-            return "a number that is negative or not whole";
-        case JsonValue::Kind::text:
-            return "a string";
-        case JsonValue::Kind::list:
-            return "a list";
-        case JsonValue::Kind::object:
-            break;
-    }
-    return "an object";
+    static constexpr std::array names = {
+        "null",     "true or false", "a number", "a number that is negative or not whole",
+        "a string", "a list",        "an object"};
+    return names.at(static_cast<std::size_t>(kind));
 }
 
 }  // namespace
@@ -181,7 +169,7 @@ void Field::expect(JsonValue::Kind kind, const char* what) const {
         fail(std::string("expected ") + what + ", found " + found(value_->kind));
 }
 
-void Field::only(std::initializer_list<std::string_view> names) const {
+void Field::only(const std::vector<std::string_view>& names) const {
     expect(JsonValue::Kind::object, "an object");
     for (std::size_t i = 0; i < value_->keys.size(); ++i)
         if (std::find(names.begin(), names.end(), value_->keys[i]) == names.end())

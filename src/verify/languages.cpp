@@ -51,33 +51,26 @@ Derivatives::Term Derivatives::complement(Term part) {
 }
 
 Derivatives::Term Derivatives::any(std::vector<Term> parts) {
-    std::set<Term> distinct;
-    for (const Term part : parts) {
-        if (nodes_[part].kind == Kind::any)
-            distinct.insert(nodes_[part].parts.begin(), nodes_[part].parts.end());
-        else if (part != none_)
-            distinct.insert(part);
-    }
-    const Term everything = complement(none_);
-    if (distinct.contains(everything)) return everything;
-    if (distinct.empty()) return none_;
-    if (distinct.size() == 1) return *distinct.begin();
-    return made({Kind::any, 0, {distinct.begin(), distinct.end()}});
+    return combined(Kind::any, parts, none_, complement(none_));
 }
 
 Derivatives::Term Derivatives::all(std::vector<Term> parts) {
-    const Term everything = complement(none_);
+    return combined(Kind::all, parts, complement(none_), none_);
+}
+
+Derivatives::Term Derivatives::combined(Kind kind, const std::vector<Term>& parts, Term neutral,
+                                        Term absorbing) {
     std::set<Term> distinct;
     for (const Term part : parts) {
-        if (nodes_[part].kind == Kind::all)
+        if (nodes_[part].kind == kind)
             distinct.insert(nodes_[part].parts.begin(), nodes_[part].parts.end());
-        else if (part != everything)
+        else if (part != neutral)
             distinct.insert(part);
     }
-    if (distinct.contains(none_)) return none_;
-    if (distinct.empty()) return everything;
+    if (distinct.contains(absorbing)) return absorbing;
+    if (distinct.empty()) return neutral;
     if (distinct.size() == 1) return *distinct.begin();
-    return made({Kind::all, 0, {distinct.begin(), distinct.end()}});
+    return made({kind, 0, {distinct.begin(), distinct.end()}});
 }
 
 Derivatives::Term Derivatives::word(const Word& word, Term rest) {
@@ -297,6 +290,10 @@ void must_be_short(const Word& word) {
 
 using Images = std::map<Symbol, Word>;
 
+bool erases(const Images& images) {
+    return std::ranges::any_of(images, [](const auto& each) { return each.second.empty(); });
+}
+
 /// For each letter, between which positions of the word its image stands.
 Relations places(const std::vector<Symbol>& letters, const Images& images, const Word& word) {
     must_be_short(word);
@@ -304,12 +301,8 @@ Relations places(const std::vector<Symbol>& letters, const Images& images, const
     for (const Symbol a : letters) {
         BooleanMatrix relation(word.size() + 1);
         if (const auto image = images.find(a); image != images.end())
-            for (std::size_t i = 0; image->second.size() <= word.size() - i; ++i) {
-                if (std::equal(image->second.begin(), image->second.end(),
-                               word.begin() + static_cast<std::ptrdiff_t>(i)))
-                    relation.set(i, i + image->second.size());
-                if (i == word.size()) break;
-            }
+            for (std::size_t i = 0; i <= word.size(); ++i)
+                if (stands_at(image->second, word, i)) relation.set(i, i + image->second.size());
         start.emplace(a, std::move(relation));
     }
     return start;
@@ -412,9 +405,8 @@ private:
     }
 
     bool generated(const System& system, const Word& word) const {
-        for (const Symbol a : word)
-            if (!system.terminal[a]) return false;
-        return derives(system, system.axiom, word, std::nullopt, budget_);
+        return is_terminal(system, word) &&
+               derives(system, system.axiom, word, std::nullopt, budget_);
     }
 
     bool concatenated(const Tree& tree, const Word& word) {
@@ -441,14 +433,6 @@ private:
         return reached[word.size()];
     }
 
-    static Language image_under(Images morphism, const Language& part) {
-        Tree tree;
-        tree.kind = Tree::Kind::image;
-        tree.morphism = std::move(morphism);
-        tree.parts = {part};
-        return std::make_shared<const Tree>(std::move(tree));
-    }
-
     /// The image of an operation is the operation on images where that is so; otherwise all words with
     /// this image are tried.
     bool image(const Tree& tree, const Word& word) {
@@ -464,26 +448,25 @@ private:
             case Tree::Kind::concatenation:
             case Tree::Kind::star:
             case Tree::Kind::plus: {
-                auto images = images_of_.find(&tree);
-                if (images == images_of_.end()) {
+                auto& images = images_of_[&tree];
+                if (!images) {
                     std::vector<Language> parts;
                     for (const Language& each : part.parts)
-                        parts.push_back(image_under(tree.morphism, each));
-                    images =
-                        images_of_.emplace(&tree, combination(part.kind, std::move(parts))).first;
+                        parts.push_back(combination(Tree::Kind::image, {each}, tree.morphism));
+                    images = combination(part.kind, std::move(parts));
                 }
-                return in(images->second, word);
+                return in(images, word);
             }
             case Tree::Kind::image: {
-                Images both;
-                for (const auto& [a, image] : part.morphism)
-                    if (const auto further = image_of(image, tree.morphism, budget_))
-                        both[a] = *further;
-                auto through = images_of_.find(&tree);
-                if (through == images_of_.end())
-                    through = images_of_.emplace(&tree, image_under(std::move(both), part.parts[0]))
-                                  .first;
-                return in(through->second, word);
+                auto& through = images_of_[&tree];
+                if (!through) {
+                    Images both;
+                    for (const auto& [a, image] : part.morphism)
+                        if (const auto further = image_of(image, tree.morphism, budget_))
+                            both[a] = *further;
+                    through = combination(Tree::Kind::image, part.parts, std::move(both));
+                }
+                return in(through, word);
             }
             default:
                 break;
@@ -493,12 +476,10 @@ private:
             const auto term = derivatives.term(std::make_shared<const Tree>(tree));
             return derivatives.nullable(derivatives.derivative(term, word));
         }
-        for (const auto& [a, image] : tree.morphism)
-            if (image.empty())
-                throw BoundReached(
-                    Bound::method,
-                    "whether a word is the image of a word of this language cannot be checked: a "
-                    "letter is erased");
+        if (erases(tree.morphism))
+            throw BoundReached(Bound::method,
+                               "whether a word is the image of a word of this language cannot be "
+                               "checked: a letter is erased");
         Word before;
         std::uint64_t tries = 0;
         return some_preimage(tree, word, 0, before, tries);
@@ -511,10 +492,7 @@ private:
             throw BoundReached(Bound::method, "too many words have this image");
         if (done == word.size()) return in(tree.parts[0], before);
         for (const auto& [a, image] : tree.morphism) {
-            if (image.size() > word.size() - done ||
-                !std::equal(image.begin(), image.end(),
-                            word.begin() + static_cast<std::ptrdiff_t>(done)))
-                continue;
+            if (!stands_at(image, word, done)) continue;
             before.push_back(a);
             const bool found = some_preimage(tree, word, done + image.size(), before, tries);
             before.pop_back();
@@ -538,10 +516,8 @@ private:
     }
 
     bool with_context(const System& system, const Images& morphism, const Word& word) const {
-        const bool erases = std::any_of(morphism.begin(), morphism.end(),
-                                        [](const auto& each) { return each.second.empty(); });
         return some_word(
-            system, system.axiom, erases ? SIZE_MAX : word.size(), budget_,
+            system, system.axiom, erases(morphism) ? SIZE_MAX : word.size(), budget_,
             [&](const Word& each) { return image_of(each, morphism, budget_) == word; });
     }
 
@@ -555,6 +531,10 @@ private:
 };
 
 }  // namespace
+
+bool is_terminal(const System& system, const Word& word) {
+    return std::ranges::all_of(word, [&](Symbol a) { return system.terminal[a]; });
+}
 
 bool contains(const Language& language, const Word& word, const Alphabet& alphabet,
               const Budget& budget) {
@@ -609,14 +589,10 @@ Language either(const Language& left, const Language& right) {
 /// The words whose images are in the language or that have no image.
 Language before_image(const std::map<Symbol, Word>& morphism, const Language& language,
                       const Alphabet& alphabet) {
-    Tree tree;
-    tree.kind = Tree::Kind::inverse_image;
-    tree.morphism = morphism;
-    tree.parts = {language};
     std::vector<Word> letters;
     for (const auto& [a, image] : morphism) letters.push_back({a});
     const Language with_image = combination(Tree::Kind::star, {words_of(std::move(letters))});
-    return either(std::make_shared<const Tree>(std::move(tree)),
+    return either(combination(Tree::Kind::inverse_image, {language}, morphism),
                   complement_of(with_image, alphabet));
 }
 
@@ -626,10 +602,8 @@ bool generated_within(const System& system, const Language& right, const Alphabe
     const auto automaton = derivatives.automaton(derivatives.term(right));
     const std::size_t states = automaton.next.size();
     if (system.context) {
-        Tree leaf;
-        leaf.kind = Tree::Kind::generated;
-        leaf.system = std::make_shared<const System>(system);
-        for (const Word& word : finite_values_of_leaf(leaf, budget)) {
+        const Language leaf = generated_by(std::make_shared<const System>(system), "");
+        for (const Word& word : finite_values_of_leaf(*leaf, budget)) {
             std::size_t state = 0;
             for (const Symbol a : word) state = automaton.next[state][a];
             if (!automaton.accepting[state]) return false;
@@ -750,10 +724,6 @@ Set derived(const System& system, const Budget& budget) {
     return std::move(known.words);
 }
 
-bool is_terminal(const System& system, const Word& word) {
-    return std::all_of(word.begin(), word.end(), [&](Symbol a) { return system.terminal[a]; });
-}
-
 /// All words u whose images are this word.
 void add_preimages(const std::map<Symbol, Word>& morphism, const Word& word, Bounded& all,
                    const Budget& budget) {
@@ -763,10 +733,7 @@ void add_preimages(const std::map<Symbol, Word>& morphism, const Word& word, Bou
     for (std::size_t done = 0; done < word.size(); ++done)
         for (const Word& start : ending[done])
             for (const auto& [a, image] : morphism) {
-                if (image.empty() || image.size() > word.size() - done ||
-                    !std::equal(image.begin(), image.end(),
-                                word.begin() + static_cast<std::ptrdiff_t>(done)))
-                    continue;
+                if (image.empty() || !stands_at(image, word, done)) continue;
                 Word longer = start;
                 longer.push_back(a);
                 bytes += 80 + longer.size() * sizeof(Symbol);
@@ -804,12 +771,9 @@ public:
             case Tree::Kind::star:
             case Tree::Kind::plus: {
                 auto part = of(tree.parts[0]);
-                if (!part) return std::nullopt;
+                if (!part || !std::ranges::all_of(*part, &Word::empty)) return std::nullopt;
                 if (tree.kind == Tree::Kind::star) part->insert(Word{});
-                if (std::all_of(part->begin(), part->end(),
-                                [](const Word& w) { return w.empty(); }))
-                    return part;
-                return std::nullopt;
+                return part;
             }
             case Tree::Kind::reversal: {
                 const auto part = of(tree.parts[0]);
@@ -876,9 +840,7 @@ private:
     std::optional<Set> preimages(const Set& words, const std::map<Symbol, Word>& morphism) const {
         Bounded all(budget_);
         for (const Word& word : words) add_preimages(morphism, word, all, budget_);
-        const bool erases = std::any_of(morphism.begin(), morphism.end(),
-                                        [](const auto& each) { return each.second.empty(); });
-        if (erases && !all.words.empty()) return std::nullopt;
+        if (erases(morphism) && !all.words.empty()) return std::nullopt;
         return std::move(all.words);
     }
 

@@ -110,9 +110,38 @@ public:
     }
 
 private:
-    Rational of_part(const Modules& word, std::uint64_t steps, std::size_t begin, std::size_t end);
+    Rational of_part(const Modules& word, std::uint64_t steps, std::size_t begin, std::size_t end) {
+        std::vector<Rational> ways(end - begin + 1);  // by where the modules so far may end
+        ways[0] = Rational(1);
+        for (const Module& module : word) {
+            budget_.check();
+            std::vector<Rational> longer(ways.size());
+            for (std::size_t i = 0; i < ways.size(); ++i) {
+                if (ways[i].is_zero()) continue;
+                for (std::size_t j = i; j < ways.size(); ++j)
+                    longer[j] += ways[i] * of_module(module, steps, begin + i, begin + j);
+            }
+            ways = std::move(longer);
+        }
+        return ways.back();
+    }
     Rational of_module(const Module& module, std::uint64_t steps, std::size_t begin,
-                       std::size_t end);
+                       std::size_t end) {
+        const Rational as_it_is(end == begin + 1 && to_[begin] == module ? 1 : 0);
+        if (steps == 0) return as_it_is;
+        const auto [entry, is_new] = choices_.try_emplace(module);
+        if (is_new) entry->second = choices(system_, {module}, 0, proof_);
+        const Choices& next = entry->second;
+        if (next.empty()) return as_it_is;
+        const std::tuple key(module, steps, begin, end);
+        if (const auto found = known_.find(key); found != known_.end()) return found->second;
+        Rational sum;
+        for (const auto& [probability, successor] : next)
+            sum += probability * of_part(successor, steps - 1, begin, end);
+        known_.emplace(key, sum);
+        budget_.check_memory(known_.size() * 300, "the probabilities of parts of a word");
+        return sum;
+    }
 
     const ModuleSystem& system_;
     const Modules& to_;
@@ -121,41 +150,6 @@ private:
     std::map<Module, Choices> choices_;
     std::map<std::tuple<Module, std::uint64_t, std::size_t, std::size_t>, Rational> known_;
 };
-
-Rational Chance::of_part(const Modules& word, std::uint64_t steps, std::size_t begin,
-                         std::size_t end) {
-    std::vector<Rational> ways(end - begin + 1);  // by where the modules so far may end
-    ways[0] = Rational(1);
-    for (const Module& module : word) {
-        budget_.check();
-        std::vector<Rational> longer(ways.size());
-        for (std::size_t i = 0; i < ways.size(); ++i) {
-            if (ways[i].is_zero()) continue;
-            for (std::size_t j = i; j < ways.size(); ++j)
-                longer[j] += ways[i] * of_module(module, steps, begin + i, begin + j);
-        }
-        ways = std::move(longer);
-    }
-    return ways.back();
-}
-
-Rational Chance::of_module(const Module& module, std::uint64_t steps, std::size_t begin,
-                           std::size_t end) {
-    const Rational as_it_is(end == begin + 1 && to_[begin] == module ? 1 : 0);
-    if (steps == 0) return as_it_is;
-    const auto [entry, is_new] = choices_.try_emplace(module);
-    if (is_new) entry->second = choices(system_, {module}, 0, proof_);
-    const Choices& next = entry->second;
-    if (next.empty()) return as_it_is;
-    const std::tuple key(module, steps, begin, end);
-    if (const auto found = known_.find(key); found != known_.end()) return found->second;
-    Rational sum;
-    for (const auto& [probability, successor] : next)
-        sum += probability * of_part(successor, steps - 1, begin, end);
-    known_.emplace(key, sum);
-    budget_.check_memory(known_.size() * 300, "the probabilities of parts of a word");
-    return sum;
-}
 
 /// By deriving all words.
 Rational walked(const ModuleSystem& system, const Modules& from, const Modules& to,

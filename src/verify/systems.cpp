@@ -5,6 +5,7 @@
 
 #include "exact/exact.hpp"
 #include "verify/detail/checking.hpp"
+#include "verify/detail/languages.hpp"
 #include "verify/verify.hpp"
 
 // Systems of the checker: their steps on words, the relations that derivations induce on the states of an automaton, and the lengths of
@@ -31,29 +32,27 @@ std::vector<Symbol> accessible_letters(const System& system, const Word& from) {
 }
 
 bool has_only_terminals(const System& system) {
-    const auto letters = accessible_letters(system, system.axiom);
-    return std::all_of(letters.begin(), letters.end(),
-                       [&](Symbol a) { return system.terminal[a]; });
+    return is_terminal(system, accessible_letters(system, system.axiom));
 }
 
 namespace {
 
-bool is_deterministic(const System& system) {
+/// Whether in every table the successors of every accessible letter are so.
+template <class Property>
+bool each_successors(const System& system, Property is_so) {
     const auto letters = accessible_letters(system, system.axiom);
-    return std::all_of(system.tables.begin(), system.tables.end(), [&](const auto& table) {
-        return std::all_of(letters.begin(), letters.end(),
-                           [&](Symbol a) { return table[a].size() == 1; });
+    return std::ranges::all_of(system.tables, [&](const auto& table) {
+        return std::ranges::all_of(letters, [&](Symbol a) { return is_so(table[a]); });
     });
 }
 
+bool is_deterministic(const System& system) {
+    return each_successors(system, [](const auto& all) { return all.size() == 1; });
+}
+
 bool is_propagating(const System& system) {
-    const auto letters = accessible_letters(system, system.axiom);
-    return std::all_of(system.tables.begin(), system.tables.end(), [&](const auto& table) {
-        return std::all_of(letters.begin(), letters.end(), [&](Symbol a) {
-            return std::all_of(table[a].begin(), table[a].end(),
-                               [](const Word& word) { return !word.empty(); });
-        });
-    });
+    return each_successors(system,
+                           [](const auto& all) { return !std::ranges::count(all, Word{}); });
 }
 
 }  // namespace
@@ -70,9 +69,8 @@ std::set<Symbol> lasting_letters(const System::Successors& table) {
         before = letters.size();
         const std::set<Symbol> known = letters;
         for (const Symbol a : known)
-            if (std::none_of(table[a].begin(), table[a].end(), [&](const Word& word) {
-                    return std::any_of(word.begin(), word.end(),
-                                       [&](Symbol b) { return known.contains(b); });
+            if (std::ranges::none_of(table[a], [&](const Word& word) {
+                    return std::ranges::any_of(word, [&](Symbol b) { return known.contains(b); });
                 }))
                 letters.erase(a);
     }
@@ -86,11 +84,9 @@ bool is_endless(const System& system) {
     for (const Symbol a : accessible_letters(system, system.axiom))
         for (const Word& successor : table[a])
             for (std::size_t i = 0; i < successor.size(); ++i) {
-                const auto others = [&](std::size_t at) {
-                    return at != i && lasting.contains(successor[at]);
-                };
                 bool beside = false;
-                for (std::size_t at = 0; at < successor.size(); ++at) beside = beside || others(at);
+                for (std::size_t at = 0; at < successor.size(); ++at)
+                    beside = beside || (at != i && lasting.contains(successor[at]));
                 if (!beside) continue;
                 const auto derived = accessible_letters(system, {successor[i]});
                 if (std::find(derived.begin(), derived.end(), a) != derived.end()) return true;
@@ -120,27 +116,15 @@ std::optional<std::string> beyond_form(const System& system, const std::string& 
 
 namespace {
 
-/// Whether the letters that are seen before the position, from right to left, end with the context.
-bool matches_left(const System& system, const Word& word, std::size_t position, const Word& left) {
-    std::size_t wanted = left.size();
-    while (wanted > 0 && position > 0) {
-        --position;
-        if (system.ignored[word[position]]) continue;
-        if (word[position] != left[wanted - 1]) return false;
-        --wanted;
+/// Whether the letters that are seen from one place to another begin with the context, read in the same direction.
+template <class Letter, class Wanted>
+bool matches(const System& system, Letter at, Letter end, Wanted wanted, Wanted last) {
+    for (; wanted != last && at != end; ++at) {
+        if (system.ignored[*at]) continue;
+        if (*at != *wanted) return false;
+        ++wanted;
     }
-    return wanted == 0;
-}
-
-bool matches_right(const System& system, const Word& word, std::size_t position,
-                   const Word& right) {
-    std::size_t done = 0;
-    for (++position; done < right.size() && position < word.size(); ++position) {
-        if (system.ignored[word[position]]) continue;
-        if (word[position] != right[done]) return false;
-        ++done;
-    }
-    return done == right.size();
+    return wanted == last;
 }
 
 }  // namespace
@@ -154,8 +138,10 @@ Word next_word(const System& system, const Word& word) {
             if (best &&
                 rule.left.size() + rule.right.size() <= best->left.size() + best->right.size())
                 continue;
-            if (matches_left(system, word, i, rule.left) &&
-                matches_right(system, word, i, rule.right))
+            const auto here = word.begin() + static_cast<std::ptrdiff_t>(i);
+            if (matches(system, std::make_reverse_iterator(here), word.rend(), rule.left.rbegin(),
+                        rule.left.rend()) &&
+                matches(system, here + 1, word.end(), rule.right.begin(), rule.right.end()))
                 best = &rule;
         }
         if (best)
@@ -172,10 +158,7 @@ bool may_give(const System::Successors& table, const Word& from, const Word& to)
         std::set<std::size_t> next;
         for (const std::size_t start : reached)
             for (const Word& image : table[a])
-                if (image.size() <= to.size() - start &&
-                    std::equal(image.begin(), image.end(),
-                               to.begin() + static_cast<std::ptrdiff_t>(start)))
-                    next.insert(start + image.size());
+                if (stands_at(image, to, start)) next.insert(start + image.size());
         reached = std::move(next);
         if (reached.empty()) return false;
     }

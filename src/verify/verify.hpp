@@ -6,7 +6,6 @@
 #include <array>
 #include <compare>
 #include <cstdint>
-#include <initializer_list>
 #include <map>
 #include <memory>
 #include <optional>
@@ -64,7 +63,7 @@ public:
     JsonValue::Kind kind() const { return value_->kind; }
 
     /// Throws Error if this is no object or has a field that is not named here.
-    void only(std::initializer_list<std::string_view> names) const;
+    void only(const std::vector<std::string_view>& names) const;
     bool has(std::string_view name) const;
     /// A field of an object. Throws Error if it is missing.
     Field at(std::string_view name) const;
@@ -247,7 +246,8 @@ struct Tree {
 
 Language words_of(std::vector<Word> words);
 Language generated_by(std::shared_ptr<const System> system, std::string name);
-Language combination(Tree::Kind kind, std::vector<Language> parts);
+Language combination(Tree::Kind kind, std::vector<Language> parts,
+                     std::map<Symbol, Word> morphism = {});
 
 /// Whether the expressions are the same, whatever their systems are called.
 bool same(const Language& left, const Language& right);
@@ -352,7 +352,6 @@ private:
     std::map<Symbol, Word> morphism(const Field& field) const;
     System::Successors table(const Field& field) const;
     System with_context(const Field& field) const;
-    Language on_one(const Field& field, const std::string& name) const;
     bool of_languages(const Field& field, Statement& read) const;
     Statement of_modules(const Field& field, Statement read) const;
     Statement of_dimension(const Field& field, Statement read) const;

@@ -12,7 +12,9 @@
 #include <exception>
 
 #include "dimension/dimension.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 namespace {
 

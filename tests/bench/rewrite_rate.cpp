@@ -13,6 +13,7 @@
 #include <sstream>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "dimension/detail/cells.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/touched_cells.hpp"
 
@@ -43,7 +44,7 @@ Segments path(const Segments& segments) {
     return joined;
 }
 
-LSystem system_of(const char* text) { return read_lsystem(text, "test"); }
+Model system_of(const char* text) { return read_lsystem(text, "test"); }
 
 const char* const koch = "axiom F; F -> F+F--F+F; angle 60";
 

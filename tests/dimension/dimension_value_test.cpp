@@ -1,10 +1,13 @@
 #include "dimension/detail/value.hpp"
+#include "dimension/dimension.hpp"
+#include "growth/growth.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include <cmath>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;

@@ -18,6 +18,7 @@
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/random_systems.hpp"
 #include "system/system.hpp"
@@ -59,7 +60,7 @@ Budget short_time() {
     return budget;
 }
 
-std::optional<RecurrentSet> recurrent_set(const LSystem& system) {
+std::optional<RecurrentSet> recurrent_set(const Model& system) {
     try {
         return RecurrentSet(system, *as_d0l(system), short_time());
     } catch (const Error&) {
@@ -268,7 +269,7 @@ TEST_CASE("the dimension with multiplicity is that of rates found by iteration")
     int looked_at = 0, multiplying = 0;
     CHECK(rc::check([&] {
         const auto [written, angle] = *any_turtle_system();
-        const LSystem system = read_lsystem(text_of(written, angle), "random");
+        const Model system = read_lsystem(text_of(written, angle), "random");
         const auto ways = growth_of_ways(written, angle);
         const auto letters = growth_of_letters(written);
         if (!ways || !letters) return;

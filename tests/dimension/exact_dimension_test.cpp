@@ -6,6 +6,7 @@
 #include <chrono>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;
@@ -132,7 +133,7 @@ TEST_CASE("systems without a formula say why") {
 }
 
 TEST_CASE("past the deadline there is no answer") {
-    const LSystem system = read_lsystem("axiom F; F -> FF-F+F-F-FF; angle 90", "");
+    const Model system = read_lsystem("axiom F; F -> FF-F+F-F-FF; angle 90", "");
     Budget over;
     over.deadline = std::chrono::steady_clock::now();
     CHECK_THROWS_AS(exact_dimension(system, over), BoundReached);

@@ -1,4 +1,5 @@
 #include "dimension/dimension.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -7,6 +8,7 @@
 
 #include "dimension/known_curves.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;
@@ -15,7 +17,7 @@ namespace {
 
 /// The fit of the last generation with at most so many segments.
 BoxFit measured(const KnownCurve& curve, long most) {
-    const LSystem system = read_lsystem(curve.system, curve.name);
+    const Model system = read_lsystem(curve.system, curve.name);
     std::unique_ptr<Figure> chosen;
     for (std::uint64_t n = 1; n < 64; ++n) {
         auto next = figure(system, n, Budget());

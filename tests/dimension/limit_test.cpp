@@ -9,6 +9,7 @@
 #include "dimension/detail/measures.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 
@@ -23,7 +24,7 @@ struct Counted {
 };
 
 Counted counted(const char* text, const LimitCounting& counting) {
-    const LSystem system = read_lsystem(text, "a.lsys");
+    const Model system = read_lsystem(text, "a.lsys");
     Counted found{exact_dimension(system), {}, {}};
     found.counts = limit_counts(RecurrentSet(system, *as_d0l(system)), counting);
     found.fit = fit_limit(found.counts, found.exact.meeting);
@@ -76,7 +77,7 @@ TEST_CASE("nothing is measured above what the rules allow") {
 TEST_CASE("boxes of the limit are those of a far generation") {
     // Against the vertices of generation 7, which lie 1/2187 apart, over grids of its own: in cells of
     // 1/72 they miss few.
-    const LSystem system = read_lsystem("axiom F; F -> F+F--F+F; angle 60", "");
+    const Model system = read_lsystem("axiom F; F -> F+F--F+F; angle 60", "");
     const RecurrentSet set(system, *as_d0l(system));
     LimitCounting counting;
     counting.most_cells = 1000;
@@ -119,7 +120,7 @@ TEST_CASE("the counts of a seed do not change") {
 }
 
 TEST_CASE("counting on the limit stops when it is asked to") {
-    const LSystem system = read_lsystem("axiom F; F -> F+F--F+F; angle 60", "");
+    const Model system = read_lsystem("axiom F; F -> F+F--F+F; angle 60", "");
     const RecurrentSet set(system, *as_d0l(system));
     std::atomic<bool> stop = true;
     Budget budget;

@@ -7,6 +7,8 @@
 #include <memory>
 
 #include "dimension/detail/measures.hpp"
+#include "dimension/dimension.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/turtle.hpp"
 

@@ -12,6 +12,7 @@
 
 #include "dimension/detail/ratio_graph.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;
@@ -221,7 +222,7 @@ TEST_CASE(
 
 TEST_CASE("constants of expressions are enclosed") {
     const auto near = [](const char* text, double value) {
-        const LSystem system = read_lsystem(std::string("let c = ") + text + "; axiom F", "");
+        const Model system = read_lsystem(std::string("let c = ") + text + "; axiom F", "");
         const Expression constant = shortened(system.constants.front().second.expression);
         CHECK(enclosure(constant, 100).has_radius_below(-80));
         CHECK(enclosure(constant, 100).midpoint() == doctest::Approx(value).epsilon(1e-14));
@@ -232,6 +233,6 @@ TEST_CASE("constants of expressions are enclosed") {
     near("exp(2)*log(3)+abs(-2^0.5)", std::exp(2) * std::log(3) + std::sqrt(2));
     near("(2^0.5)^-3", std::pow(2, -1.5));
     near("-(2^(1/3))", -std::cbrt(2));
-    const LSystem system = read_lsystem("let c = 0.5*2*(0.7*0.3)^0.5; axiom F", "");
+    const Model system = read_lsystem("let c = 0.5*2*(0.7*0.3)^0.5; axiom F", "");
     CHECK(to_text(shortened(system.constants.front().second.expression)) == "0.21^0.5");
 }

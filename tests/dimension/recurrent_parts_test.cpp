@@ -12,6 +12,7 @@
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/lattice_parts.hpp"
 #include "system/system.hpp"
@@ -89,7 +90,7 @@ struct Analysis {
     std::size_t component;
     Neighbours neighbours;
 
-    static std::optional<Analysis> of(const LSystem& system) {
+    static std::optional<Analysis> of(const Model& system) {
         try {
             RecurrentSet set(system, *as_d0l(system));
             const std::size_t component = set.components().of_letter[set.axiom().front().piece];
@@ -107,10 +108,10 @@ struct Analysis {
     std::size_t piece() const { return set.components().list[component].letters.front(); }
     std::size_t letters() const { return set.unfolding().letters.size(); }
     std::size_t phase(std::size_t piece) const { return piece / letters(); }
-    char letter(const LSystem& system, std::size_t piece) const {
+    char letter(const Model& system, std::size_t piece) const {
         return system.alphabet.name(set.unfolding().letters[piece % letters()])[0];
     }
-    std::size_t piece_of(const LSystem& system, char letter, std::size_t phase) const {
+    std::size_t piece_of(const Model& system, char letter, std::size_t phase) const {
         const Symbol symbol = *system.alphabet.find(std::string(1, letter));
         const auto& all = set.unfolding().letters;
         return phase * letters() +
@@ -145,7 +146,7 @@ TEST_CASE("different parts are as many as those of words written out on a lattic
     int looked_at = 0, with_coincidences = 0, with_phases = 0;
     CHECK(rc::check([&] {
         const LatticeSystem written = *any_lattice_system();
-        const LSystem system = read_lsystem(written.text(), "random");
+        const Model system = read_lsystem(written.text(), "random");
         const auto found = Analysis::of(system);
         if (!found) return;
         DistinctGrowth growth;
@@ -183,7 +184,7 @@ TEST_CASE("pairs of parts meet exactly if their parts come near again and again"
     int apart = 0, near = 0;
     CHECK(rc::check([&] {
         const LatticeSystem written = *any_lattice_system();
-        const LSystem system = read_lsystem(written.text(), "random");
+        const Model system = read_lsystem(written.text(), "random");
         const auto found = Analysis::of(system);
         if (!found) return;
         const LatticeParts parts(written);

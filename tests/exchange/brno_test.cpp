@@ -6,6 +6,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
 #include "exchange/inputs.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/slow_walk.hpp"
 
@@ -32,8 +33,7 @@ std::string file(const std::string& modules, const std::string& axiom, const std
 }  // namespace
 
 TEST_CASE("the bush is that of the gallery, letter by letter and stroke by stroke") {
-    const LSystem bush = read_brno(example("bush.brno"), "bush.brno"),
-                  known = of_gallery("bush-3d");
+    const Model bush = read_brno(example("bush.brno"), "bush.brno"), known = of_gallery("bush-3d");
     const std::size_t lengths[] = {1, 36, 216, 777, 2556, 8010};
     for (std::uint64_t n = 0; n <= 5; ++n) {
         const std::string word = word_of(bush, n);
@@ -57,7 +57,7 @@ TEST_CASE("the bush is that of the gallery, letter by letter and stroke by strok
     CHECK(own.scene.faces.size() == theirs.scene.faces.size());
     CHECK(own.scene.corners == theirs.scene.corners);
     // And the other way: the gallery's bush has cylinders of its own, one wide.
-    const LSystem written = read_brno(print_brno(known), "bush-3d");
+    const Model written = read_brno(print_brno(known), "bush-3d");
     CHECK(same_scene(scene_of(written, 4).scene, scene_of(known, 4).scene));
 }
 
@@ -72,7 +72,7 @@ TEST_CASE(
     replace("[&FLK", "[\\&FLK");
     replace("]///////[", "]////////[");
     replace("f}", "f\\}");
-    const LSystem printed = read_brno(text, "printed.brno");
+    const Model printed = read_brno(text, "printed.brno");
     const std::size_t lengths[] = {1, 40, 235, 841, 2758, 8629};
     for (std::uint64_t n = 0; n <= 5; ++n) CHECK(word_of(printed, n).size() == 2 * lengths[n]);
 }
@@ -331,8 +331,8 @@ TEST_CASE("files in the form that the writer gives them") {
 TEST_CASE("what is read, written and read again is the same") {
     CHECK(rc::check([] {
         const std::string text = any_brno_text();
-        const LSystem once = read_brno(text, "x.brno");
-        const LSystem twice = read_brno(print_brno(once), "y.brno");
+        const Model once = read_brno(text, "x.brno");
+        const Model twice = read_brno(print_brno(once), "y.brno");
         RC_ASSERT(print_lsystem(once) == print_lsystem(twice));
         RC_ASSERT(once == twice);
     }));
@@ -352,7 +352,7 @@ TEST_CASE("a file's figure is that of its primitives, walked slowly") {
         const double angles[] = {static_cast<double>(below(361)), static_cast<double>(below(361)),
                                  static_cast<double>(below(361))};
         const auto whole = [](double angle) { return std::to_string(static_cast<int>(angle)); };
-        const LSystem read = read_brno(
+        const Model read = read_brno(
             file("F=c(" + diameter + "," + height + "),b=p(" + length + "),X,K=s(" + ball + ")",
                  system.axiom,
                  "L=" + whole(angles[0]) + ",U=" + whole(angles[1]) + ",H=" + whole(angles[2]),
@@ -400,7 +400,7 @@ TEST_CASE("a file's figure is that of its primitives, walked slowly") {
 TEST_CASE("systems that a file can say keep their words and their figures") {
     CHECK(rc::check([] {
         const oracle::WrittenSystem written = *oracle::any_bracketed("&/");
-        LSystem system = oracle::lsystem_of(written);
+        Model system{oracle::lsystem_of(written), {}, {}};
         std::string text = print_lsystem(system) + "interpret f -> " +
                            one_of({"ε", "F", "!(2)F(3)", "F(2)"}) + "\nangle " +
                            std::to_string(below(361)) + "\nstep " + std::to_string(1 + below(3)) +
@@ -414,7 +414,7 @@ TEST_CASE("systems that a file can say keep their words and their figures") {
         } catch (const Error& error) {
             RC_DISCARD(error.what());
         }
-        const LSystem back = read_brno(file, "x.brno");
+        const Model back = read_brno(file, "x.brno");
         for (std::uint64_t n = 0; n <= 2; ++n) {
             RC_ASSERT(word_of(back, n) == word_of(system, n));
             RC_ASSERT(same_scene(scene_of(back, n).scene, scene_of(system, n).scene));

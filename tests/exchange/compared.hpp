@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "oracle/written_system.hpp"
 #include "turtle/turtle.hpp"
 
@@ -23,7 +24,7 @@ std::string refusal(Attempt attempt) {
 }
 
 /// The names of the letters of generation n, a blank behind each.
-inline std::string word_of(const LSystem& system, std::uint64_t n, std::uint64_t seed = 1) {
+inline std::string word_of(const Model& system, std::uint64_t n, std::uint64_t seed = 1) {
     FigureChoices choices;
     choices.seed = seed;
     const DerivedModules derived = derived_modules(system, n, choices);
@@ -57,7 +58,7 @@ inline bool same_scene(const Scene& a, const Scene& b) {
     return true;
 }
 
-inline SpaceDerivation scene_of(const LSystem& system, std::uint64_t n, std::uint64_t seed = 1) {
+inline SpaceDerivation scene_of(const Model& system, std::uint64_t n, std::uint64_t seed = 1) {
     FigureChoices choices;
     choices.seed = seed;
     return scene(system, n, {}, choices);

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 
@@ -21,7 +22,7 @@ inline std::string example(const std::string& name) {
     return text.str();
 }
 
-inline LSystem of_gallery(const std::string& name) {
+inline Model of_gallery(const std::string& name) {
     for (const GalleryEntry& entry : gallery())
         if (entry.name == name) return read_lsystem(entry.text, name);
     throw Error("no " + name);
@@ -32,7 +33,7 @@ inline LSystem of_gallery(const std::string& name) {
 template <class Read, class Print>
 void survive(const std::string& text, const std::string& file, Read read, Print print) {
     try {
-        const LSystem system = read(text, file);
+        const Model system = read(text, file);
         RC_ASSERT(read(print(system), file) == system);
     } catch (const Diagnostics& error) {
         for (const Diagnostic& finding : error.findings()) {

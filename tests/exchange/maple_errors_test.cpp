@@ -5,6 +5,7 @@
 #include "exchange/compared.hpp"
 #include "exchange/detail/formats.hpp"
 #include "exchange/inputs.hpp"
+#include "model/model.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;

@@ -1,4 +1,5 @@
 #include "exchange/detail/formats.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -7,6 +8,7 @@
 #include "exchange/compared.hpp"
 #include "exchange/inputs.hpp"
 #include "exchange/slow_maple.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;
@@ -90,10 +92,10 @@ TEST_CASE("worksheets that call what the gallery has give its words and figures"
          "F := L -> [[\"F\",L]]: Lsystem([[\"X\",[1]]],1);"}};
     for (const auto& [name, text] : worksheets) {
         INFO(name);
-        const LSystem known = of_gallery(name), read = read_maple(text, "x.maple");
-        const std::uint64_t last = known.settings.generations->second;
-        REQUIRE(read.settings.generations);
-        CHECK(read.settings.generations->second == last);
+        const Model known = of_gallery(name), read = read_maple(text, "x.maple");
+        const std::uint64_t last = known.drawing.generations->second;
+        REQUIRE(read.drawing.generations);
+        CHECK(read.drawing.generations->second == last);
         const bool open = name == std::string("plant-stochastic");
         for (std::uint64_t n = 0; n <= std::min<std::uint64_t>(last, 5); ++n)
             for (std::uint64_t seed = 1; seed <= (open ? 3u : 1u); ++seed)
@@ -271,7 +273,7 @@ TEST_CASE("random worksheets of strings do what the procedures do") {
         text += gap() + "]" + gap() + ":" + gap() + "Lsystem" + gap() + "(\"" + axiom + "\"" +
                 gap() + ",R," + gap() + std::to_string(increment) + ",2" + gap() + ")" +
                 one_of({";", ":"}) + gap();
-        const LSystem read = read_maple(text, "x.maple");
+        const Model read = read_maple(text, "x.maple");
         for (unsigned n = 0; n <= 2; ++n) {
             const auto modules = slow_maple::modules_of(slow_maple::rewritten(axiom, rules, n));
             RC_ASSERT(word_of(read, n) == names(modules));
@@ -310,7 +312,7 @@ TEST_CASE("Honda's tree is what the procedures make of it") {
         {'F', [](const List& l) {
              return Modules{{'F', l}};
          }}};
-    const LSystem read = read_maple(example("honda.maple"), "honda.maple");
+    const Model read = read_maple(example("honda.maple"), "honda.maple");
     for (unsigned n = 0; n <= 8; ++n) {
         const Modules word = slow_maple::rewritten({{'^', {90}}, {'A', {1, 0.04}}}, functions, n);
         CHECK(word_of(read, n) == names(word));
@@ -321,9 +323,9 @@ TEST_CASE("Honda's tree is what the procedures make of it") {
 TEST_CASE("systems that a worksheet can say keep their words and their figures") {
     CHECK(rc::check([] {
         const oracle::WrittenSystem written = *oracle::any_bracketed("&/");
-        const LSystem system = read_lsystem(
-            print_lsystem(oracle::lsystem_of(written)) + "angle " + std::to_string(below(361)) +
-                one_of({"", "\nstep 3", "\nstart 1 2 30"}) +
+        const Model system = read_lsystem(
+            print_lsystem({oracle::lsystem_of(written), {}, {}}) + "angle " +
+                std::to_string(below(361)) + one_of({"", "\nstep 3", "\nstart 1 2 30"}) +
                 one_of({"", "\ninterpret G -> ε", "\ninterpret X -> ε"}) +
                 one_of({"", "\ngeneration 1..3"}),
             "x.lsys");
@@ -333,7 +335,7 @@ TEST_CASE("systems that a worksheet can say keep their words and their figures")
         } catch (const Error& error) {
             RC_DISCARD(error.what());
         }
-        const LSystem back = read_maple(text, "x.maple");
+        const Model back = read_maple(text, "x.maple");
         for (std::uint64_t n = 0; n <= 2; ++n) {
             RC_ASSERT(word_of(back, n) == word_of(system, n));
             RC_ASSERT(same_scene(scene_of(back, n).scene, scene_of(system, n).scene));
@@ -360,13 +362,13 @@ TEST_CASE("functions of a worksheet and rules with parameters are the same, lett
             return name + "(" + expression(4) + "," + expression(2) + ")";
         };
         // Constants are printed where they are used.
-        const LSystem system = read_lsystem(
+        const Model system = read_lsystem(
             "let c = 2/3\nlet k_1 = c*2\naxiom A(c,k_1)x(1,2)[&(2)A(2,1)]\nA(p1,p2) -> " +
                 module("F") + "[" + module("+") + module("A") + "@]" + module("B") +
                 "\nB(p1,p2) -> x(p2)|\ngeneration 2",
             "x.lsys");
         const std::string text = print_maple(system);
-        const LSystem back = read_maple(text, "x.maple");
+        const Model back = read_maple(text, "x.maple");
         RC_ASSERT(print_lsystem(back) == print_lsystem(system));
         RC_ASSERT(print_maple(back) == text);
     }));

@@ -9,7 +9,9 @@
 #include "exchange/exchange.hpp"
 #include "exchange/inputs.hpp"
 #include "exchange/netlogo_model.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 using namespace algae::exchange_tests;
@@ -17,15 +19,15 @@ using namespace algae::exchange_tests;
 namespace {
 
 /// The system without what a procedure does not say.
-std::string bare(LSystem system) {
+std::string bare(Model system) {
     system.title = system.source = "";
     system.identifiers.clear();
     system.expectations.clear();
-    system.settings.generations.reset();
+    system.drawing.generations.reset();
     return print_lsystem(system);
 }
 
-LSystem read(const std::string& text) { return read_netlogo(text, "x.netlogo"); }
+Model read(const std::string& text) { return read_netlogo(text, "x.netlogo"); }
 std::string said(const std::string& text) {
     return refusal([&] { read(text); });
 }
@@ -65,7 +67,7 @@ TEST_CASE("the model's three systems are those of the gallery") {
         {koch_island, "koch-island-002"}, {simple_tree, "simple-tree"}, {hilbert, "hilbert-coded"}};
     for (const auto& [text, name] : all) {
         CAPTURE(name);
-        const LSystem own = read(text), known = of_gallery(name);
+        const Model own = read(text), known = of_gallery(name);
         CHECK(bare(own) == bare(known));
         for (std::uint64_t n = 0; n <= 4; ++n) {
             CHECK(word_of(own, n) == word_of(known, n));
@@ -101,7 +103,7 @@ TEST_CASE("the exercises that have a form there are those of the gallery") {
     for (const char* name :
          {"dragon-002", "spiral", "pythagoras-tree", "stochastic-trees", "penrose", "koch"}) {
         CAPTURE(name);
-        const LSystem known = of_gallery(name);
+        const Model known = of_gallery(name);
         CHECK(figure_of(print_netlogo(known), name, 4));
         CHECK(word_of(read(print_netlogo(known)), 4) == word_of(known, 4));
     }
@@ -173,8 +175,8 @@ TEST_CASE("numbers are those of NetLogo") {
          {"-8", "0.5", "1/sqrt(2)", "1/3", "(2^3)^2", "2^3^2", "-(1+2)", "sqrt(sqrt(2))", "360/7",
           "max(1,2)", "(1 < 2)", "2*-3", "cos(60)", "1e-7"}) {
         CAPTURE(text);
-        const LSystem system = read_lsystem("axiom F; step " + std::string(text), "");
-        CHECK(read(print_netlogo(system)).settings.step->value == system.settings.step->value);
+        const Model system = read_lsystem("axiom F; step " + std::string(text), "");
+        CHECK(read(print_netlogo(system)).drawing.step->value == system.drawing.step->value);
     }
 }
 
@@ -413,7 +415,7 @@ TEST_CASE("what is read, written and read again is the same") {
     };
     CHECK(rc::check([&] {
         const std::string text = any_text();
-        const LSystem once = read(text);
+        const Model once = read(text);
         std::string written;
         try {
             written = print_netlogo(once);
@@ -423,13 +425,13 @@ TEST_CASE("what is read, written and read again is the same") {
                       std::string::npos);
             return;
         }
-        const LSystem twice = read(written);
+        const Model twice = read(written);
         RC_LOG() << written;
         for (std::uint64_t n = 0; n <= 2; ++n) {
             RC_ASSERT(word_of(twice, n) == word_of(once, n));
             RC_ASSERT(same_scene(scene_of(twice, n).scene, scene_of(once, n).scene));
         }
-        const LSystem thrice = read(print_netlogo(twice));
+        const Model thrice = read(print_netlogo(twice));
         RC_ASSERT(print_lsystem(thrice) == print_lsystem(twice));
     }));
 }
@@ -465,7 +467,7 @@ TEST_CASE("a procedure's figure is that of the model, run slowly") {
         if (below(2)) set("delta-0", model.delta_0, -90, 360, 1);
         if (below(2)) set("d-delta", model.d_delta, -90, 180, 1);
         if ((model.has_k = below(2))) set("k", model.k, 1, 9, 8);
-        const LSystem system = read(text);
+        const Model system = read(text);
         for (std::uint64_t n = 0; n <= 2; ++n) {
             if (n > 0) model.restart();
             model.draw();
@@ -493,16 +495,16 @@ TEST_CASE("a procedure's figure is that of the model, run slowly") {
 TEST_CASE("systems that a procedure can say keep their words and their figures") {
     CHECK(rc::check([] {
         const oracle::WrittenSystem written = *oracle::any_bracketed("*");
-        std::string text = print_lsystem(oracle::lsystem_of(written)) + "interpret | -> " +
-                           one_of({"ε", "F", "f", "+"}) + "\n" +
+        std::string text = print_lsystem({oracle::lsystem_of(written), {}, {}}) +
+                           "interpret | -> " + one_of({"ε", "F", "f", "+"}) + "\n" +
                            one_of({"", "interpret X -> G\n", "stamp X square\n",
                                    "interpret X -> Y\nstamp Y square\n"}) +
                            one_of({"", "turn clockwise\n"}) + one_of({"", "scale 0.5\n"}) +
                            one_of({"", "shrink 1/3\n", "spin 7\n"}) +
                            one_of({"", "start 1 -2 30\n"}) + "angle " + std::to_string(below(181)) +
                            "\nstep " + one_of({"2", "sqrt(2)", "1/7"}) + "\n";
-        const LSystem system = read_lsystem(text, "x.lsys");
-        const LSystem back = read(print_netlogo(system));
+        const Model system = read_lsystem(text, "x.lsys");
+        const Model back = read(print_netlogo(system));
         for (std::uint64_t n = 0; n <= 2; ++n) {
             RC_ASSERT(word_of(back, n) == word_of(system, n));
             RC_ASSERT(same_scene(scene_of(back, n).scene, scene_of(system, n).scene));

@@ -5,6 +5,7 @@
 #include "exchange/compared.hpp"
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
+#include "model/model.hpp"
 #include "nature/nature.hpp"
 #include "notation/notation.hpp"
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 namespace algae::examples {

@@ -25,6 +25,7 @@ inline Claim claim_of(Statement statement,
 /// What came of a statement, and what verify says of its certificate.
 struct Certified {
     Judgement judgement;
+    nlohmann::ordered_json proof;  // null where there is none
     verify::Finding finding;
     std::string text;  // of the certificate
 
@@ -34,9 +35,7 @@ struct Certified {
         return finding.outcome == Outcome::checked || finding.outcome == Outcome::not_checked;
     }
     bool is_checked() const { return finding.outcome == verify::Finding::Outcome::checked; }
-    std::string rule() const {
-        return judgement.proof ? judgement.proof->at("by").get<std::string>() : "";
-    }
+    std::string rule() const { return proof.is_null() ? "" : proof.at("by").get<std::string>(); }
 };
 
 /// Deciding and verifying take a second each at most; what takes longer is undecided or not checked.
@@ -47,7 +46,12 @@ inline Certified certified(const Claim& claim) {
         return budget;
     };
     const CheckedClaim checked = check(claim, bounded());
-    Certified found{checked.statements.front().judgement, {}, certificate(checked).dump(1)};
+    const Answer& answer = checked.statements.front().answer;
+    const Alphabet& alphabet = *checked.claim.alphabet;
+    Certified found{in_sentences(answer, alphabet),
+                    certificate(answer, alphabet),
+                    {},
+                    certificate(checked).dump(1)};
     found.finding =
         verify::check_certificate(*verify::read_certificate(found.text, "certificate"), bounded())
             .front();

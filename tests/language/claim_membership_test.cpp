@@ -41,7 +41,8 @@ TEST_CASE("membership of all short words in random expressions is that of the de
         const Language& language = made.all.front();
         const auto [longest, words] = short_words(language);
         for (const Word& word : all_words(longest)) {
-            const Judgement found = judge_membership(language, word, *random::letters());
+            const Judgement found = in_sentences(
+                judge_membership(language, word, *random::letters()), *random::letters());
             RC_LOG() << spell(*random::letters(), word) << '\n';
             RC_ASSERT(found.truth == Truth::undecided ||
                       (found.truth == Truth::proved) == words.contains(word));
@@ -53,10 +54,7 @@ TEST_CASE("membership of all short words in random expressions is that of the de
 TEST_CASE("membership of short words in random expressions has certificates that verify checks") {
     CHECK(rc::check([] {
         const random::Languages made = *random::any_language();
-        Statement statement;
-        statement.kind = Statement::Kind::member;
-        statement.languages = made.all;
-        statement.word = random::word_of(*oracle::any_word("ab", 4));
+        Statement statement{HasWord{made.all.front(), random::word_of(*oracle::any_word("ab", 4))}};
         statement.negated = *rc::gen::arbitrary<bool>();
         const random::Certified found = random::sound(random::claim_of(statement, made.systems));
         RC_TAG(found.rule() + ": " + verify::to_string(found.finding.outcome));
@@ -149,11 +147,8 @@ TEST_CASE("membership in systems with contexts is that of the generations, and v
         const Generations generations = generations_of(system, longest);
         for (const std::string& word : words_to_try(generations)) {
             RC_LOG() << system << "; " << word << '\n';
-            Statement statement;
-            statement.kind = Statement::Kind::member;
-            statement.languages = {generated_language(source)};
-            statement.word = context_word(word);
-            Claim claim = random::claim_of(statement, {source});
+            Claim claim = random::claim_of(
+                {HasWord{generated_language(source), context_word(word)}}, {source});
             claim.alphabet = context_letters();
             const random::Certified found = random::sound(claim);
             const Truth truth = found.judgement.truth;
@@ -202,11 +197,11 @@ TEST_CASE(
     const std::string system = "let G = D0L { axiom ab; a -> aab }; let h = { a -> ba; b -> a }; ";
     const random::Certified derived = member(system + "show bbaa in L(G)^R");
     CHECK(derived.judgement.truth == Truth::proved);
-    CHECK(derived.judgement.proof->contains("derivation"));
+    CHECK(derived.proof.contains("derivation"));
     CHECK_MESSAGE(derived.is_checked(), derived.finding.reason);
     const random::Certified image = member(system + "show aab in h(L(G))^R");
     CHECK(image.judgement.truth == Truth::proved);
-    CHECK(!image.judgement.proof->contains("preimage"));
+    CHECK(!image.proof.contains("preimage"));
     CHECK_MESSAGE(image.is_checked(), image.finding.reason);
 }
 
@@ -230,7 +225,7 @@ TEST_CASE(
         const random::Certified found = member(system + "show bb in " + language);
         if (found.judgement.truth != Truth::undecided)
             continue;  // as soon as more is known of such systems
-        CHECK(found.judgement.proof == nullptr);
+        CHECK(found.proof.is_null());
         CHECK(found.is_sound());
     }
 }

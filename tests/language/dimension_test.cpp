@@ -24,11 +24,12 @@ Claim claim_of(const std::string& system, const std::string& statement) {
 }
 
 Truth truth(const std::string& system, const std::string& statement) {
-    return check(claim_of(system, statement)).statements[0].judgement.truth;
+    return check(claim_of(system, statement)).statements[0].answer.truth;
 }
 
 std::string last_sentence(const std::string& system, const std::string& statement) {
-    return check(claim_of(system, statement)).statements[0].judgement.argument.back();
+    const CheckedClaim checked = check(claim_of(system, statement));
+    return sentences(checked.statements[0].answer, *checked.claim.alphabet).back();
 }
 
 }  // namespace
@@ -97,8 +98,8 @@ TEST_CASE("a dimension that is not found in time is undecided, which says nothin
     for (const char* statement : {"dimension(G) = 2", "boundary(G) = 1.5", "dimension(G) <= 1"}) {
         CAPTURE(statement);
         const CheckedClaim found = check(claim_of(terdragon, statement), over);
-        CHECK(found.statements[0].judgement.truth == Truth::undecided);
-        CHECK(found.statements[0].judgement.argument ==
+        CHECK(found.statements[0].answer.truth == Truth::undecided);
+        CHECK(sentences(found.statements[0].answer, *found.claim.alphabet) ==
               std::vector<std::string>{"the time allowed is over"});
     }
 }

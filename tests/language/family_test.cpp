@@ -29,11 +29,7 @@ Language language_of(const std::vector<std::string>& words) {
 
 Claim is(const std::string& family, const Language& language,
          std::vector<std::shared_ptr<const SourceSystem>> systems = {}) {
-    Statement statement;
-    statement.kind = Statement::Kind::family;
-    statement.family = family;
-    statement.languages = {language};
-    return random::claim_of(statement, std::move(systems));
+    return random::claim_of({InFamily{language, family}}, std::move(systems));
 }
 
 /// Every finite language over so many letters of words of at most `longest` letters, for each family: the

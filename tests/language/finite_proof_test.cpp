@@ -2,14 +2,21 @@
 
 #include <doctest/doctest.h>
 
+#include "language/detail/proof.hpp"
+
 using namespace algae;
 
 namespace {
 
 std::string said(const std::vector<std::string>& words, const std::string& family) {
     const FiniteLanguage language = finite_language(words);
-    return verdict_on(language, family_named(family), decide_family(language, family_named(family)))
-        .explanation;
+    const FamilyAnswer answer = decide_family(language, family_named(family));
+    if (answer.witness)
+        return to_string(language) + " is " + family + ": " + to_string(*answer.witness) + ".";
+    std::string text;
+    for (const std::string& line : marked_proof(answer.obstruction.value()))
+        text += plain(line) + "\n";
+    return text;
 }
 
 }  // namespace
@@ -119,6 +126,5 @@ TEST_CASE("a system is a proof, a bound is none") {
     FamilyOptions options;
     options.cases = 0;
     const FiniteLanguage language = finite_language({"a"});
-    CHECK(verdict_on(language, Family{}, decide_family(language, Family{}, options)).truth ==
-          Truth::undecided);
+    CHECK(decide_family(language, Family{}, options).truth == Truth::undecided);
 }

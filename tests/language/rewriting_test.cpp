@@ -1,4 +1,5 @@
 #include "language/detail/judge.hpp"
+#include "language/language.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -27,11 +28,11 @@ const std::string two =
 
 std::string explained(const std::string& system, const std::string& statement) {
     const CheckedClaim checked = check(claim_of(system, statement));
-    return checked.statements[0].judgement.argument.at(0);
+    return sentences(checked.statements[0].answer, *checked.claim.alphabet).at(0);
 }
 
 Truth truth(const std::string& system, const std::string& statement) {
-    return check(claim_of(system, statement)).statements[0].judgement.truth;
+    return check(claim_of(system, statement)).statements[0].answer.truth;
 }
 
 /// A word of a and b, with letters of its own where it is long.
@@ -86,7 +87,7 @@ TEST_CASE("a deadline and a bound leave it undecided") {
     small.memory = 10'000;
     const Claim claim = claim_of("S0L { axiom aaaaaaaaaaaaaaaaaaaa; a -(1/2)-> a; a -(1/2)-> b }",
                                  "P(G ==> a in 1 step) = 0");
-    CHECK(check(claim, small).statements[0].judgement.truth == Truth::undecided);
+    CHECK(check(claim, small).statements[0].answer.truth == Truth::undecided);
 }
 
 TEST_CASE("rules that match together without probabilities are an error at their place") {
@@ -167,7 +168,8 @@ TEST_CASE(
         std::string reached;
         try {
             const CheckedClaim checked = check(claim_of(system, "G ==> Z in 1 step"));
-            const std::string& said = checked.statements[0].judgement.argument.at(0);
+            const std::string said =
+                sentences(checked.statements[0].answer, *checked.claim.alphabet).at(0);
             const std::size_t from = said.find(" ==> ") + 5;
             reached = said.substr(from, said.find(" in 1 step") - from);
         } catch (const Error&) {

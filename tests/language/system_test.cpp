@@ -74,16 +74,10 @@ std::string any_formula(int depth) {
     }
 }
 
-Statement about(Statement::Kind kind, std::vector<std::shared_ptr<const SourceSystem>> systems) {
-    Statement statement;
-    statement.kind = kind;
-    statement.systems = std::move(systems);
-    return statement;
-}
-
-random::Certified decided(Statement statement) {
-    const auto systems = statement.systems;
-    random::Certified found = random::sound(random::claim_of(std::move(statement), systems));
+template <typename Form>
+random::Certified decided(const Form& says,
+                          std::vector<std::shared_ptr<const SourceSystem>> systems) {
+    random::Certified found = random::sound(random::claim_of({says}, std::move(systems)));
     RC_TAG(found.rule() + ": " +
            (found.rule().empty() ? "undecided" : verify::to_string(found.finding.outcome)));
     return found;
@@ -136,11 +130,10 @@ TEST_CASE("what a system derives in so many steps is what all choices and tables
         tried.resize(std::min<std::size_t>(tried.size(), 4));
         for (int i = 0; i < 3; ++i) tried.push_back(*oracle::any_word("abc", 3));
         for (const std::string& word : tried) {
-            Statement statement = about(Statement::Kind::derives, {source(written)});
-            statement.word = random::word_of(word);
-            statement.steps = steps;
+            const auto system = source(written);
             RC_LOG() << word << " in " << steps << '\n';
-            const random::Certified found = decided(statement);
+            const random::Certified found =
+                decided(Derives{system, random::word_of(word), {}, steps}, {system});
             RC_ASSERT(found.judgement.truth ==
                       (words.contains(word) ? Truth::proved : Truth::refuted));
         }
@@ -150,13 +143,13 @@ TEST_CASE("what a system derives in so many steps is what all choices and tables
 TEST_CASE("what a system derives from a word in any number of steps is in some generation") {
     CHECK(rc::check([] {
         oracle::WrittenTables written = *oracle::any_tables(2, true, {"", "a"});
-        Statement statement = about(Statement::Kind::derives, {source(written)});
+        Derives statement{source(written), {}};
         if (*rc::gen::arbitrary<bool>()) {
             written.axiom = *oracle::any_word("abc", 2);
             statement.from = random::word_of(written.axiom);
         }
         statement.word = random::word_of(*oracle::any_word("abc", 3));
-        const random::Certified found = decided(statement);
+        const random::Certified found = decided(statement, {statement.system});
         RC_ASSERT(found.judgement.truth != Truth::undecided);
         bool there = false;
         for (unsigned n = 0; n < 4 && !there; ++n) {
@@ -190,12 +183,12 @@ TEST_CASE("sequences and lengths of random systems are compared as their first g
         };
         bool same = true;
         for (unsigned n = 0; n < 8; ++n) same = same && word(left, n) == word(right, n);
-        RC_ASSERT(decided(about(Statement::Kind::equal_sequences, {pair.first, pair.second}))
-                      .judgement.truth == (same ? Truth::proved : Truth::refuted));
-        RC_ASSERT(decided(about(Statement::Kind::equal_growth, {pair.first, pair.second}))
-                      .judgement.truth == (rewritten_lengths(left, 8) == rewritten_lengths(right, 8)
-                                               ? Truth::proved
-                                               : Truth::refuted));
+        const auto& [one, other] = pair;
+        RC_ASSERT(decided(EqualSequences{one, other}, {one, other}).judgement.truth ==
+                  (same ? Truth::proved : Truth::refuted));
+        RC_ASSERT(decided(EqualGrowth{one, other}, {one, other}).judgement.truth ==
+                  (rewritten_lengths(left, 8) == rewritten_lengths(right, 8) ? Truth::proved
+                                                                             : Truth::refuted));
     }));
 }
 
@@ -209,15 +202,15 @@ TEST_CASE("a formula is the growth of a system if the first lengths are its valu
                            : *rc::gen::elementOf(std::vector<std::string>{
                                  "1", "2", "2^n", "n+1", "2^(n+1)", "2*n+1", "n+2", "3"});
             }));
-        Statement statement = about(Statement::Kind::growth_formula, {system});
-        statement.formula = parsed(text);
+        const HasGrowthFormula statement{system, parsed(text)};
         bool same = true;
         const auto found = rewritten_lengths(as_d0l(*system), 10);
         for (std::size_t n = 0; n < found.size(); ++n)
-            same = same && value(*statement.formula, static_cast<long>(n)) ==
+            same = same && value(statement.formula, static_cast<long>(n)) ==
                                Rational(static_cast<long>(found[n]));
         RC_LOG() << text << '\n';
-        RC_ASSERT(decided(statement).judgement.truth == (same ? Truth::proved : Truth::refuted));
+        RC_ASSERT(decided(statement, {system}).judgement.truth ==
+                  (same ? Truth::proved : Truth::refuted));
     }));
 }
 
@@ -226,9 +219,8 @@ TEST_CASE("classes of growth exclude each other") {
         const auto system = *rc::gen::resize(100, rc::gen::exec([] { return any_d0l("G"); }));
         int right = 0;
         for (const char* name : {"zero", "bounded", "polynomial", "exponential"}) {
-            Statement statement = about(Statement::Kind::growth_class, {system});
-            statement.family = name;
-            right += decided(statement).judgement.truth == Truth::proved;
+            right +=
+                decided(HasGrowthClass{system, name}, {system}).judgement.truth == Truth::proved;
         }
         RC_ASSERT(right == 1);
     }));

@@ -13,13 +13,9 @@ using namespace algae;
 
 namespace {
 
-random::Certified decided(Statement::Kind kind, const random::Languages& made,
-                          const Integer& size = Integer(0)) {
-    Statement statement;
-    statement.kind = kind;
-    statement.languages = made.all;
-    statement.size = size;
-    random::Certified found = random::sound(random::claim_of(statement, made.systems));
+template <typename Form>
+random::Certified decided(const Form& says, const random::Languages& made) {
+    random::Certified found = random::sound(random::claim_of({says}, made.systems));
     RC_TAG(found.rule() + ": " +
            (found.rule().empty() ? "undecided" : verify::to_string(found.finding.outcome)));
     return found;
@@ -30,12 +26,12 @@ random::Certified decided(Statement::Kind kind, const random::Languages& made,
 TEST_CASE("what is found to be finite has the words of the definitions, and no other size") {
     CHECK(rc::check([] {
         const random::Languages made = *random::any_language();
-        const random::Certified finite = decided(Statement::Kind::finite, made);
+        const random::Certified finite = decided(IsFinite{made.all.front()}, made);
         const auto value = finite_value(made.all.front(), *random::letters());
         if (value) RC_ASSERT(finite.judgement.truth == Truth::proved);
         if (finite.judgement.truth == Truth::refuted) {
             RC_ASSERT(!value.has_value());
-            RC_ASSERT(decided(Statement::Kind::size, made, Integer(3)).judgement.truth !=
+            RC_ASSERT(decided(HasSize{made.all.front(), Integer(3)}, made).judgement.truth !=
                       Truth::proved);
             return;
         }
@@ -50,8 +46,8 @@ TEST_CASE("what is found to be finite has the words of the definitions, and no o
             break;
         }
         const Integer size(static_cast<long>(value->words.size()));
-        RC_ASSERT(decided(Statement::Kind::size, made, size).judgement.truth == Truth::proved);
-        RC_ASSERT(decided(Statement::Kind::size, made, size + Integer(1)).judgement.truth ==
+        RC_ASSERT(decided(HasSize{made.all.front(), size}, made).judgement.truth == Truth::proved);
+        RC_ASSERT(decided(HasSize{made.all.front(), size + Integer(1)}, made).judgement.truth ==
                   Truth::refuted);
     }));
 }
@@ -59,7 +55,7 @@ TEST_CASE("what is found to be finite has the words of the definitions, and no o
 TEST_CASE("a language is found empty only if it has no short word") {
     CHECK(rc::check([] {
         const random::Languages made = *random::any_language();
-        const random::Certified empty = decided(Statement::Kind::empty, made);
+        const random::Certified empty = decided(IsEmpty{made.all.front()}, made);
         const auto words = oracle::language_words(made.all.front(), 4);
         if (!words) return;
         if (empty.judgement.truth == Truth::proved) RC_ASSERT(words->empty());
@@ -77,7 +73,7 @@ TEST_CASE("what L(G) and a regular language have in common is found empty or has
                 return make.made({combined(LanguageTree::Kind::intersected,
                                            {generated_language(make.system()), regular})});
             }));
-        const random::Certified empty = decided(Statement::Kind::empty, made);
+        const random::Certified empty = decided(IsEmpty{made.all.front()}, made);
         RC_ASSERT(empty.judgement.truth != Truth::undecided);
         const auto words = oracle::language_words(made.all.front(), 5);
         RC_PRE(words.has_value());

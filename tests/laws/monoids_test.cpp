@@ -1,6 +1,7 @@
 // The laws of every monoid in src, on random elements. What each models is checked while compiling.
 #include "exact/exact.hpp"
 #include "laws/check_laws.hpp"
+#include "model/model.hpp"
 #include "turtle/detail/plane_figure.hpp"
 #include "turtle/turtle.hpp"
 #include "word/word.hpp"
@@ -61,7 +62,7 @@ bool same_motion(const Pieces::value_type& x, const Pieces::value_type& y) {
 }
 
 Compass compass_of(const char* degrees) {
-    Settings settings;
+    Drawing settings;
     settings.angle = quantity(Rational(degrees));
     return Compass(settings, 0);
 }

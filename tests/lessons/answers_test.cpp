@@ -6,6 +6,7 @@
 #include "command/run.hpp"
 #include "exact/exact.hpp"
 #include "lesson/lesson.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;
@@ -15,7 +16,7 @@ namespace {
 
 const fs::path answers = fs::path(ALGAE_SOURCE_DIR) / "lessons" / "answers";
 
-LSystem from_gallery(const std::string& name) {
+Model from_gallery(const std::string& name) {
     for (const GalleryEntry& entry : gallery())
         if (entry.name == name) return read_lsystem(entry.text, name);
     throw Error("no " + name + " in the gallery");

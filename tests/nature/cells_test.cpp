@@ -5,6 +5,7 @@
 
 #include "exact/exact.hpp"
 #include "exchange/exchange.hpp"
+#include "model/model.hpp"
 #include "nature/nature.hpp"
 #include "notation/notation.hpp"
 #include "oracle/cells.hpp"
@@ -165,7 +166,7 @@ TEST_CASE(
           "rule 30\ncells 40\nboundary fixed 1\n", "rule 110\ncells 2\nboundary fixed 1\n",
           "rule 30\ncells 1\nboundary fixed 1\n"}) {
         const CellularAutomaton cells = automaton(text);
-        const LSystem system = system_of_cells(cells);
+        const Model system = system_of_cells(cells);
         Development development(*as_il(system));
         CellDevelopment other(cells.rule, cells.start, cells.boundary);
         bool equal = true;
@@ -188,7 +189,7 @@ TEST_CASE(
         cells.boundary = any_boundary(states);
         cells.boundary.periodic = false;
         cells.start = any_grid(static_cast<std::size_t>(*rc::gen::inRange(1, 12)), 1, states);
-        const LSystem system = system_of_cells(cells);
+        const Model system = system_of_cells(cells);
         Development development(*as_il(system));
         for (std::uint64_t n = 0; n < 6; ++n) {
             std::string word;

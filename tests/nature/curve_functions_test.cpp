@@ -10,6 +10,7 @@
 
 #include "dimension/dimension.hpp"
 #include "exchange/exchange.hpp"
+#include "model/model.hpp"
 #include "nature/detail/iterated_functions.hpp"
 #include "notation/notation.hpp"
 #include "turtle/turtle.hpp"
@@ -75,7 +76,7 @@ const Curve curves[] = {
 TEST_CASE("the attractor of a curve's functions is near its late generations") {
     for (const Curve& curve : curves) {
         INFO(curve.text);
-        const LSystem system = read_lsystem(curve.text, "curve.lsys");
+        const Model system = read_lsystem(curve.text, "curve.lsys");
         const IteratedFunctions functions = functions_of_curve(system);
         const RecurrentSet set(system, *as_d0l(system));
         const auto figure = algae::figure(system, curve.generation, {});
@@ -112,7 +113,7 @@ TEST_CASE("the attractor of a curve's functions is near its late generations") {
 TEST_CASE("the similarity dimension of a curve's functions is the curve's exact dimension") {
     for (const Curve& curve : curves) {
         INFO(curve.text);
-        const LSystem system = read_lsystem(curve.text, "curve.lsys");
+        const Model system = read_lsystem(curve.text, "curve.lsys");
         Budget brief;  // the plant's parts meet in many ways
         brief.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(5);
         const ExactDimension exact = exact_dimension(system, brief);

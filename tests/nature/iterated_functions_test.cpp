@@ -1,4 +1,6 @@
+#include "dimension/dimension.hpp"
 #include "nature/nature.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>

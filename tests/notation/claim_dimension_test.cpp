@@ -1,6 +1,7 @@
 // Claims about dimensions: the numbers they hold, and what is said where they cannot be read.
 #include <doctest/doctest.h>
 
+#include "dimension/dimension.hpp"
 #include "notation/claim_said.hpp"
 
 using namespace algae;
@@ -10,9 +11,11 @@ namespace {
 const std::string system_line = "let G = D0L { axiom F; F -> F+F--F+F; angle 60 }\n";
 
 ClaimedDimension value(const std::string& text) {
-    return *claim(system_line + "show dimension(G) = " + text).statements.at(0).statement.dimension;
+    return said_in<HasDimension>(
+               claim(system_line + "show dimension(G) = " + text).statements.at(0).statement)
+        .dimension;
 }
-double number(const std::string& text) { return value(text).value.enclosure(64).midpoint(); }
+double number(const std::string& text) { return value(text).value->enclosure(64).midpoint(); }
 std::string said(const std::string& text) { return claim_messages(system_line + "show " + text); }
 
 }  // namespace
@@ -43,16 +46,15 @@ TEST_CASE("numbers as the command prints them") {
 }
 
 TEST_CASE("what dimensions are compared by") {
-    using Kind = Statement::Kind;
     const auto statement = [](const std::string& text) {
         return claim(system_line + "show " + text).statements.at(0).statement;
     };
-    CHECK(statement("dimension(G) = 1").kind == Kind::dimension);
-    CHECK(statement("boundary (G) = 1").kind == Kind::boundary);
+    CHECK(is_said<HasDimension>(statement("dimension(G) = 1")));
+    CHECK(is_said<BoundaryHasDimension>(statement("boundary (G) = 1")));
     CHECK(statement("dimension(G) != 1").negated);
     CHECK(statement("not dimension(G) <= 1").negated);
-    CHECK(statement("dimension(G) <= 1").dimension->at_most);
-    CHECK(statement("dimension(G) = 1").drawn->settings.angle.has_value());
+    CHECK(said_in<HasDimension>(statement("dimension(G) <= 1")).dimension.at_most);
+    CHECK(said_in<HasDimension>(statement("dimension(G) = 1")).system->drawing.angle.has_value());
 }
 
 TEST_CASE("what cannot be read is said with its place") {

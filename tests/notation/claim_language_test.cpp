@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "model/model.hpp"
+
 #include "notation/claim_said.hpp"
 
 using namespace algae;

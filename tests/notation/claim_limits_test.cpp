@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "model/model.hpp"
+
 #include "notation/claim_said.hpp"
 
 using namespace algae;

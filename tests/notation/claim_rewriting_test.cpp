@@ -4,7 +4,6 @@
 #include "notation/claim_said.hpp"
 
 using namespace algae;
-using Kind = Statement::Kind;
 
 namespace {
 
@@ -31,28 +30,29 @@ TEST_CASE("systems whose words are derived module by module are definitions of t
 
 TEST_CASE("the probability of a derivation") {
     const Statement chance = statement("P(G ==> ab in 2 steps) = 1/9");
-    CHECK(chance.kind == Kind::chance);
+    const auto said = said_in<HasChance>(chance);
     CHECK(!chance.negated);
-    CHECK(*chance.probability == Rational(1, 9));
-    CHECK(*chance.steps == 2);
-    CHECK(chance.modules.letters.size() == 2);
+    CHECK(said.probability == Rational(1, 9));
+    CHECK(said.derivation.steps == 2);
+    CHECK(said.derivation.word.letters.size() == 2);
     CHECK(chance.text == "P(G ==> ab in 2 steps) = 1/9");
     CHECK(statement("P(G ==> b in 1 step) != 0.25").negated);
-    CHECK(*statement("P(G ==> b in 1 step) = (1/3)^2").probability == Rational(1, 9));
+    CHECK(said_in<HasChance>(statement("P(G ==> b in 1 step) = (1/3)^2")).probability ==
+          Rational(1, 9));
     CHECK(statement("not P (G : a ==> ab in 1 step) = 1").negated);
-    CHECK(statement("P(Q : A(1)A(2) ==> A(2)BA(4)B in 1 step) = 1").modules_from->letters.size() ==
-          2);
-    CHECK(statement("P(G ==> ε in 1 step) = 0").modules.letters.empty());
+    CHECK(said_in<HasChance>(statement("P(Q : A(1)A(2) ==> A(2)BA(4)B in 1 step) = 1"))
+              .derivation.from->letters.size() == 2);
+    CHECK(
+        said_in<HasChance>(statement("P(G ==> ε in 1 step) = 0")).derivation.word.letters.empty());
 }
 
 TEST_CASE("derivations of words with parameters") {
-    const Statement derives = statement("Q ==> A(k^2)B in 1 step");
-    CHECK(derives.kind == Kind::rewrites);
-    CHECK(derives.rewriting->name == "Q");
-    CHECK(derives.modules.arguments.at(0).size() == 1);
-    CHECK(statement("Q ==> A(8/7)Z(1,2) in 1 step").modules.letters.size() == 2);
-    CHECK(statement("C : A ==> A in 1 step").kind == Kind::rewrites);
-    CHECK(statement("D ==> aa in 1 step").kind == Kind::derives);
+    const auto derives = said_in<Rewrites>(statement("Q ==> A(k^2)B in 1 step"));
+    CHECK(derives.system->name == "Q");
+    CHECK(derives.word.arguments.at(0).size() == 1);
+    CHECK(said_in<Rewrites>(statement("Q ==> A(8/7)Z(1,2) in 1 step")).word.letters.size() == 2);
+    CHECK(is_said<Rewrites>(statement("C : A ==> A in 1 step")));
+    CHECK(is_said<Derives>(statement("D ==> aa in 1 step")));
 }
 
 TEST_CASE("what does not fit a family is said with its reason") {

@@ -3,10 +3,12 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "language/language.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 /// The systems that the tests of claims open by name: those of the gallery.
-inline algae::LSystem gallery_system(const std::string& name) {
+inline algae::Model gallery_system(const std::string& name) {
     for (const algae::GalleryEntry& entry : algae::gallery())
         if (entry.name == name) return algae::read_lsystem(entry.text, name + ".lsys");
     throw algae::Error("no file \"" + name + "\", and nothing of that name in the gallery");
@@ -38,6 +40,18 @@ inline std::string claim_messages(const std::string& lines) {
                    std::to_string(finding.place.column) + ": " + finding.message;
     }
     return all;
+}
+
+/// Whether this form of statement is said.
+template <typename Form>
+bool is_said(const algae::Statement& statement) {
+    return std::holds_alternative<Form>(statement.says);
+}
+
+/// What a statement of this form says. Throws if it is of another form.
+template <typename Form>
+Form said_in(const algae::Statement& statement) {
+    return std::get<Form>(statement.says);
 }
 
 /// The language of an expression, as it is printed.

@@ -1,9 +1,13 @@
 #include <doctest/doctest.h>
 
+#include <fstream>
+#include <iterator>
+#include <regex>
+
 #include "notation/claim_said.hpp"
+#include "notation/detail/claim_reading.hpp"
 
 using namespace algae;
-using Kind = Statement::Kind;
 
 namespace {
 
@@ -43,59 +47,59 @@ TEST_CASE("show, lemma and refute, with what they rest on") {
 }
 
 TEST_CASE("what a language is") {
-    CHECK(statement("A | B is PD0L").kind == Kind::family);
-    CHECK(statement("A | B is PD0L").family == "PD0L");
+    CHECK(is_said<InFamily>(statement("A | B is PD0L")));
+    CHECK(said_in<InFamily>(statement("A | B is PD0L")).family == "PD0L");
     for (const char* family : {"0L", "PDT0L", "E0L", "EPDT0L", "IL", "PD1L", "D2L", "(3,1)L"})
-        CHECK(statement(std::string("A is ") + family).family == family);
-    CHECK(statement("A is regular").family == "REG");
-    CHECK(statement("A is REG").family == "REG");
-    CHECK(statement("A is context-free").family == "CF");
+        CHECK(said_in<InFamily>(statement(std::string("A is ") + family)).family == family);
+    CHECK(said_in<InFamily>(statement("A is regular")).family == "REG");
+    CHECK(said_in<InFamily>(statement("A is REG")).family == "REG");
+    CHECK(said_in<InFamily>(statement("A is context-free")).family == "CF");
     CHECK(statement("A is not 0L").negated);
     CHECK(statement("not A is 0L").negated);
-    CHECK(statement("A is finite").kind == Kind::finite);
-    CHECK(statement("A is infinite").kind == Kind::finite);
+    CHECK(is_said<IsFinite>(statement("A is finite")));
+    CHECK(is_said<IsFinite>(statement("A is infinite")));
     CHECK(statement("A is infinite").negated);
     CHECK(!statement("A is not infinite").negated);
-    CHECK(statement("A is empty").kind == Kind::empty);
+    CHECK(is_said<IsEmpty>(statement("A is empty")));
 }
 
 TEST_CASE("languages compared, their words and their size") {
-    CHECK(statement("A == B").kind == Kind::equal);
+    CHECK(is_said<EqualLanguages>(statement("A == B")));
     CHECK(!statement("A == B").negated);
     CHECK(statement("A != B").negated);
-    CHECK(statement("A <= B").kind == Kind::included);
-    CHECK(statement("A <= B").languages.size() == 2);
-    CHECK(statement("a b in A").kind == Kind::member);
-    CHECK(statement("a b in A").word == Word{0, 1});
-    CHECK(statement("ε in A | {b}").word.empty());
+    CHECK(is_said<IncludedIn>(statement("A <= B")));
+    CHECK(said_in<IncludedIn>(statement("A <= B")).inner->name == "A");
+    CHECK(said_in<IncludedIn>(statement("A <= B")).outer->name == "B");
+    CHECK(is_said<HasWord>(statement("a b in A")));
+    CHECK(said_in<HasWord>(statement("a b in A")).word == Word{0, 1});
+    CHECK(said_in<HasWord>(statement("ε in A | {b}")).word.empty());
     CHECK(statement("aa not in A").negated);
-    CHECK(statement("F{}F in A").kind == Kind::member);
-    CHECK(statement("|A| = 2").kind == Kind::size);
-    CHECK(statement("|A| = 2").size == Integer(2));
-    CHECK(statement("|A | B|=123456789012345678901234567890").size ==
+    CHECK(is_said<HasWord>(statement("F{}F in A")));
+    CHECK(is_said<HasSize>(statement("|A| = 2")));
+    CHECK(said_in<HasSize>(statement("|A| = 2")).size == Integer(2));
+    CHECK(said_in<HasSize>(statement("|A | B|=123456789012345678901234567890")).size ==
           Integer("123456789012345678901234567890"));
     CHECK(statement("|A| != 3").negated);
 }
 
 TEST_CASE("what systems derive, and how they grow") {
-    const Statement derives = statement("G ==> abb in 2 steps");
-    CHECK(derives.kind == Kind::derives);
-    CHECK(derives.systems.at(0)->name == "G");
+    const auto derives = said_in<Derives>(statement("G ==> abb in 2 steps"));
+    CHECK(derives.system->name == "G");
     CHECK(derives.steps == 2);
     CHECK(!derives.from);
     CHECK(derives.word == Word{0, 1, 1});
-    CHECK(statement("G : aa ==> abab in 1 step").from == Word{0, 0});
-    CHECK(!statement("not G==>ε").steps);
+    CHECK(said_in<Derives>(statement("G : aa ==> abab in 1 step")).from == Word{0, 0});
+    CHECK(!said_in<Derives>(statement("not G==>ε")).steps);
     CHECK(statement("not G==>ε").negated);
-    CHECK(statement("sequence(G) == sequence(H)").kind == Kind::equal_sequences);
+    CHECK(is_said<EqualSequences>(statement("sequence(G) == sequence(H)")));
     CHECK(statement("sequence(G) != sequence( H )").negated);
-    CHECK(statement("growth(G) == growth(H)").kind == Kind::equal_growth);
-    CHECK(statement("growth(G) = n + 1").kind == Kind::growth_formula);
-    CHECK(to_text(*statement("growth(G) = (n+1)").formula) == "n+1");
-    CHECK(statement("growth(G) ~ polynomial").family == "polynomial");
-    CHECK(!statement("growth(G) ~ polynomial").size);
-    CHECK(statement("growth(G) ~ polynomial 1").size == Integer(1));
-    CHECK(statement("growth(H) ~ exponential").kind == Kind::growth_class);
+    CHECK(is_said<EqualGrowth>(statement("growth(G) == growth(H)")));
+    CHECK(is_said<HasGrowthFormula>(statement("growth(G) = n + 1")));
+    CHECK(to_text(said_in<HasGrowthFormula>(statement("growth(G) = (n+1)")).formula) == "n+1");
+    CHECK(said_in<HasGrowthClass>(statement("growth(G) ~ polynomial")).growth == "polynomial");
+    CHECK(!said_in<HasGrowthClass>(statement("growth(G) ~ polynomial")).degree);
+    CHECK(said_in<HasGrowthClass>(statement("growth(G) ~ polynomial 1")).degree == Integer(1));
+    CHECK(is_said<HasGrowthClass>(statement("growth(H) ~ exponential")));
 }
 
 TEST_CASE("what a claim settles in the table of closure") {
@@ -127,5 +131,16 @@ TEST_CASE("systems are over the alphabet of the claim") {
           "wall S");
     CHECK(read.systems[2]->interactive->rules.size() == read.alphabet->size());
     CHECK(read.systems[3]->tables);
-    CHECK(read.statements[0].statement.word == Word{0, *read.alphabet->find("z")});
+    CHECK(said_in<HasWord>(read.statements[0].statement).word ==
+          Word{0, *read.alphabet->find("z")});
+}
+
+TEST_CASE("NOTATION.md shows each form of statements") {
+    std::ifstream file(std::string(ALGAE_SOURCE_DIR) + "/NOTATION.md");
+    const std::string notation(std::istreambuf_iterator<char>(file), {});
+    CHECK(written_statements().size() == 9);
+    for (const std::string& written : written_statements())
+        CHECK_MESSAGE(notation.find("`" + std::regex_replace(written, std::regex("[|]"), "\\|") +
+                                    "`") != std::string::npos,
+                      written);
 }

@@ -4,6 +4,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "model/model.hpp"
+
 #include "notation/notation.hpp"
 
 using namespace algae;
@@ -11,7 +13,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-LSystem read_file(const fs::path& path) {
+Model read_file(const fs::path& path) {
     std::ifstream in(path, std::ios::binary);
     std::ostringstream text;
     text << in.rdbuf();
@@ -23,7 +25,7 @@ std::size_t check_folder(const std::string& folder) {
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
         if (entry.path().extension() != ".lsys") continue;
         ++files;
-        const LSystem system = read_file(entry.path());
+        const Model system = read_file(entry.path());
         CAPTURE(system.name);
         CHECK(!system.expectations.empty());
         for (const Disappointment& unmet : unmet_expectations(system))

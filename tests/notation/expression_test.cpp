@@ -131,3 +131,59 @@ TEST_CASE("an expression printed is read back as the same expression") {
         RC_ASSERT(evaluate(again, {}).exact == written.exact);
     }));
 }
+
+namespace {
+
+/// Letters with operators of a dialect between them; blanks are skipped.
+std::string read_in(const ExpressionDialect& dialect, const std::string& written) {
+    const Source source(written, "x");
+    const char* here = written.data();
+    const char* const end = here + written.size();
+    std::string met;
+    ExpressionReader reader;
+    reader.next = [&](const char* place) {
+        while (place != end && *place == ' ') ++place;
+        return place;
+    };
+    reader.operand = [&](const char*& place) {
+        if (place == end || *place < 'a' || *place > 'z') throw unexpected("a letter", place);
+        return read_expression(std::string(1, *place++));
+    };
+    reader.met = [&](const char* place) { met += *place; };
+    try {
+        const Expression read = read_expression(here, end, source, dialect, reader);
+        return to_text(read) + " met " + met + " left '" + std::string(here, end) + "'";
+    } catch (const SyntaxError& error) {
+        return std::to_string(error.where - written.data()) + ' ' + error.message;
+    }
+}
+
+}  // namespace
+
+TEST_CASE("expressions in the dialect of another program") {
+    using Binding = ExpressionDialect::Binding;
+    using Powers = ExpressionDialect::Powers;
+    ExpressionDialect dialect{{{"plus", "+", Binding::sum},
+                               {"-", "-", Binding::sum},
+                               {"*", "*", Binding::product},
+                               {"**", "^", Binding::power}},
+                              {{"-", "-", Binding::prefix}, {"+", "", Binding::prefix}}};
+    CHECK(read_in(dialect, "a plus b*c") == "a+b*c met p* left ''");
+    CHECK(read_in(dialect, "a - b - -c )") == "a-b--c met --- left ')'");
+    CHECK(read_in(dialect, "+a*+ -b") == "a*-b met +*+- left ''");
+    CHECK(read_in(dialect, "-a**b") == "-a^b met -* left ''");
+    CHECK(read_in(dialect, "a**b**--c") == "a^b^--c met **-- left ''");
+    CHECK(read_in(dialect, "a ** ?") == "5 expected a letter, found ");
+    dialect.powers = Powers::to_the_left;
+    CHECK(read_in(dialect, "a**b**c") == "(a^b)^c met ** left ''");
+    dialect.powers = Powers::in_brackets;
+    CHECK(read_in(dialect, "-a**-b*c") == "-a^-b*c met -*-* left ''");
+    const std::string ask = " expected brackets that say which power is taken first, found ";
+    CHECK(read_in(dialect, "a**b**c") == "4" + ask);
+    CHECK(read_in(dialect, "a**-b**c") == "5" + ask);
+    CHECK(read_in(dialect, "a**--b") == "4 expected a letter, found ");
+    CHECK(read_in(dialect, "a**+b") == "3 expected a letter, found ");
+    dialect.spaced = true;
+    CHECK(read_in(dialect, "a* b *c") == "a*b met * left '*c'");
+    CHECK(read_in(dialect, "a*") == "a met  left '*'");
+}

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "notation/random_text.hpp"
 

@@ -4,6 +4,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "notation/random_text.hpp"
 
@@ -82,7 +83,7 @@ TEST_CASE("numbers of any length and size") {
 
 TEST_CASE("long texts") {
     constexpr int letters = 1000000;
-    const LSystem system = read_lsystem("axiom " + repeated("F+", letters / 2), "x.lsys");
+    const Model system = read_lsystem("axiom " + repeated("F+", letters / 2), "x.lsys");
     CHECK(system.axiom.letters.size() == letters);
     std::string rules = "axiom X_1\n";
     for (int i = 0; i < 20000; ++i) {
@@ -122,7 +123,7 @@ TEST_CASE("valid texts with something changed") {
         }
         survive(text);
         try {
-            const LSystem system = read_lsystem(text, "x.lsys");
+            const Model system = read_lsystem(text, "x.lsys");
             const std::string printed = print_lsystem(system);
             RC_ASSERT(read_lsystem(printed, "x.lsys") == system);
         } catch (const Diagnostics&) {

@@ -5,6 +5,7 @@
 #include "exact/exact.hpp"
 #include "nature/nature.hpp"
 #include "notation/notation.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 

@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "said.hpp"
 #include "system/system.hpp"
@@ -32,7 +33,7 @@ TEST_CASE("comments stay with the statements of systems within") {
 }
 
 TEST_CASE("braces of polygons stay symbols") {
-    const LSystem system =
+    const Model system =
         read_lsystem("system p { axiom {.F.}; F -> {F} }\naxiom {<p(1)>}\ns -> F", "x.lsys");
     CHECK(system.inner.at(0).system.rules.size() == 1);
     CHECK(print_lsystem(system).find("axiom {<p(1)>}") != std::string::npos);
@@ -96,11 +97,11 @@ TEST_CASE("what is wrong with a system within") {
 }
 
 TEST_CASE("views that need words of letters refuse them") {
-    const LSystem system = read_lsystem(leaf + "axiom F; F -> <leaf(1)>", "x.lsys");
+    const Model system = read_lsystem(leaf + "axiom F; F -> <leaf(1)>", "x.lsys");
     CHECK(class_of(system).name() == "parametric D0L with systems within");
     CHECK(as_d0l(system).reason() == "not a D0L system: there are systems within it");
     CHECK(as_il(system).reason().ends_with("there are systems within it"));
-    const LSystem spliced = read_lsystem("axiom F; F -> <\"GG\">", "x.lsys");
+    const Model spliced = read_lsystem("axiom F; F -> <\"GG\">", "x.lsys");
     CHECK(as_d0l(spliced).reason() ==
           "not a D0L system: the rule at x.lsys:1:10 splices a word in");
 }

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "notation/random_text.hpp"
 
@@ -18,9 +19,9 @@ std::string canonical(const std::string& text) {
     return print_lsystem(read_lsystem(text, "x.lsys"));
 }
 
-void check_round_trip(const LSystem& system) {
+void check_round_trip(const Model& system) {
     const std::string printed = print_lsystem(system);
-    const LSystem again = read_lsystem(printed, "canonical text");
+    const Model again = read_lsystem(printed, "canonical text");
     CHECK(again == system);
     CHECK(print_lsystem(again) == printed);
 }

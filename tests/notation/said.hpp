@@ -3,6 +3,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 /// What is said about a text, or "" if nothing is wrong with it.

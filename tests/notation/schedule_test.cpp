@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "notation/said.hpp"
 
@@ -15,7 +16,7 @@ const std::string two_tables = "axiom a\ntable light\na -> ab\ntable dark\na -> 
 }  // namespace
 
 TEST_CASE("a schedule names tables, wherever it stands") {
-    const LSystem system = read_lsystem("schedule light dark\tlight\n" + two_tables, "x.lsys");
+    const Model system = read_lsystem("schedule light dark\tlight\n" + two_tables, "x.lsys");
     CHECK(system.schedule == std::vector<std::size_t>{0, 1, 0});
     CHECK(schedule_names(system) == std::vector<std::string>{"light", "dark", "light"});
     CHECK(scheduled_table(system, 0) == 0);

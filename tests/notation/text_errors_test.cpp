@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "model/model.hpp"
+
 #include "notation/said.hpp"
 
 using namespace algae;

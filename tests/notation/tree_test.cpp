@@ -4,17 +4,18 @@
 #include <vector>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;
 
 namespace {
 
-LSystem read(const std::string& text) { return read_lsystem(text, "x.lsys"); }
+Model read(const std::string& text) { return read_lsystem(text, "x.lsys"); }
 
 /// A rule laid open: every part with its symbols apart, so that the reader's cuts can be seen.
 std::string laid_open(const std::string& rule) {
-    const LSystem system = read("axiom a\nlet c = 1/4\nlet rest = 1-c\n" + rule);
+    const Model system = read("axiom a\nlet c = 1/4\nlet rest = 1-c\n" + rule);
     REQUIRE(system.rules.size() >= 1);
     const Production& first = system.rules.front();
     std::string out;
@@ -54,7 +55,7 @@ std::string laid_open(const std::string& rule) {
     return out;
 }
 
-std::vector<std::string> names(const LSystem& system, const Word& word) {
+std::vector<std::string> names(const Model& system, const Word& word) {
     std::vector<std::string> out;
     for (const Symbol symbol : word) out.push_back(system.alphabet.name(symbol));
     return out;
@@ -86,7 +87,7 @@ TEST_CASE("symbols") {
           "of <X_12>; is <X_1><2><X_a><1><2><_><x><+><_><x><a_b><c><_>");
     CHECK(laid_open("α_β -> α∧β") == "of <α_β>; is <α><∧><β>");
     CHECK(laid_open("a -> ?Eb?E_1(2)") == "of <a>; is <?E><b><?E_1(2)>");
-    const LSystem declared = read("axiom wallwindow wall\nw->wal window\nalphabet wall window");
+    const Model declared = read("axiom wallwindow wall\nw->wal window\nalphabet wall window");
     CHECK(names(declared, declared.axiom.letters) == Strings{"wall", "window", "wall"});
     CHECK(names(declared, declared.rules[0].successor.letters) == Strings{"w", "a", "l", "window"});
     CHECK(names(declared, declared.declared) == Strings{"wall", "window"});
@@ -155,7 +156,7 @@ TEST_CASE("shape rules") {
 }
 
 TEST_CASE("settings") {
-    const LSystem system = read(
+    const Model system = read(
         "title  A -> B, see #3  # not this\n"
         "source 000 fig. 2.8; id S-005  F-007\n"
         "let r = 1/2\n"
@@ -171,37 +172,37 @@ TEST_CASE("settings") {
     CHECK(names(system, system.ignored) == Strings{"+", "-", "F"});
     CHECK(names(system, system.terminals) == Strings{"a", "b"});
     CHECK(system.interpretation.size() == 1);
-    CHECK(system.settings.angle->exact == Rational(257, 10));
-    CHECK(system.settings.step->exact == Rational(1));
-    CHECK_FALSE(system.settings.shrink->exact.has_value());
-    CHECK(system.settings.shrink->value == doctest::Approx(0.70710678));
-    CHECK(system.settings.start->y.exact == Rational(-1));
-    CHECK(system.settings.start->heading.exact == Rational(181, 2));
-    CHECK(system.settings.spin->exact == Rational(-45));
-    CHECK(system.settings.clockwise == false);
+    CHECK(system.drawing.angle->exact == Rational(257, 10));
+    CHECK(system.drawing.step->exact == Rational(1));
+    CHECK_FALSE(system.drawing.shrink->exact.has_value());
+    CHECK(system.drawing.shrink->value == doctest::Approx(0.70710678));
+    CHECK(system.drawing.start->y.exact == Rational(-1));
+    CHECK(system.drawing.start->heading.exact == Rational(181, 2));
+    CHECK(system.drawing.spin->exact == Rational(-45));
+    CHECK(system.drawing.clockwise == false);
 }
 
 TEST_CASE("colours, turns, generations, tables, expectations") {
-    const LSystem system = read(
+    const Model system = read(
         "axiom a; turn clockwise\ncolour red #ff8000 along # a comment; not a statement\n"
         "generation 2..7\n"
         "table light\na -> b\na -> c\ntable dark ; a -> d\n"
         "expect length 3 : 148 # counted\nexpect word 0: F -  F");
-    CHECK(system.settings.colours == Strings{"red", "#ff8000", "along"});
-    CHECK(system.settings.clockwise);
-    CHECK(system.settings.generations == std::pair<std::uint64_t, std::uint64_t>{2, 7});
+    CHECK(system.drawing.colours == Strings{"red", "#ff8000", "along"});
+    CHECK(system.drawing.clockwise);
+    CHECK(system.drawing.generations == std::pair<std::uint64_t, std::uint64_t>{2, 7});
     CHECK(system.tables == Strings{"light", "dark"});
     CHECK(system.rules[1].table == 0);
     CHECK(system.rules[2].table == 1);
     CHECK(system.expectations[0].value == "148");
     CHECK(system.expectations[1].value == "F -  F");
-    CHECK(read("axiom a; generation 4").settings.generations ==
+    CHECK(read("axiom a; generation 4").drawing.generations ==
           std::pair<std::uint64_t, std::uint64_t>{4, 4});
-    CHECK_FALSE(read("axiom a; turn counter-clockwise").settings.clockwise);
+    CHECK_FALSE(read("axiom a; turn counter-clockwise").drawing.clockwise);
 }
 
 TEST_CASE("places") {
-    const LSystem system = read("# Koch\n  axiom  ε\n  F -> F;  G -> F(1)\n");
+    const Model system = read("# Koch\n  axiom  ε\n  F -> F;  G -> F(1)\n");
     CHECK(to_string(system.axiom_place) == "x.lsys:2:10");
     CHECK(to_string(system.rules[0].place) == "x.lsys:3:3");
     CHECK(to_string(system.rules[1].place) == "x.lsys:3:12");

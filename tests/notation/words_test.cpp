@@ -7,6 +7,7 @@
 #include <set>
 #include <sstream>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 
@@ -36,7 +37,7 @@ std::vector<Line> lines() {
 }
 
 /// The length of a word in symbols and the FNV-1a hash of its text without blanks.
-std::string hash(const LSystem& system, std::uint64_t n) {
+std::string hash(const Model& system, std::uint64_t n) {
     const View<D0L> rules = as_d0l(system);
     REQUIRE_MESSAGE(bool(rules), system.name);
     std::uint64_t value = 0xcbf29ce484222325;
@@ -53,7 +54,7 @@ std::string hash(const LSystem& system, std::uint64_t n) {
 }  // namespace
 
 TEST_CASE("generations 0 to 4 of the systems are those worked out by hand and by another program") {
-    std::map<std::string, LSystem> systems;
+    std::map<std::string, Model> systems;
     for (const GalleryEntry& entry : gallery())
         systems.emplace(std::string(entry.name),
                         read_lsystem(entry.text, std::string(entry.name) + ".lsys"));
@@ -62,7 +63,7 @@ TEST_CASE("generations 0 to 4 of the systems are those worked out by hand and by
         CAPTURE(line.name);
         CAPTURE(line.generation);
         REQUIRE(systems.contains(line.name));
-        LSystem& system = systems.at(line.name);
+        Model& system = systems.at(line.name);
         held[line.name].insert(line.generation);
         if (line.kind == "hash") {
             CHECK(hash(system, line.generation) == line.value);

@@ -69,11 +69,11 @@ std::ostream& operator<<(std::ostream& out, const TurtleSettings& settings) {
     return out << (settings.clockwise ? "clockwise" : "");
 }
 
-Settings settings_of(const TurtleSettings& written) {
-    Settings settings;
+algae::Drawing settings_of(const TurtleSettings& written) {
+    algae::Drawing settings;
     settings.angle = quantity_of(written.angle);
-    settings.start = Settings::Start{quantity_of(written.x), quantity_of(written.y),
-                                     quantity_of(written.heading)};
+    settings.start = algae::Drawing::Start{quantity_of(written.x), quantity_of(written.y),
+                                           quantity_of(written.heading)};
     settings.spin = quantity_of(written.spin);
     settings.step = quantity_of(written.step);
     settings.shrink = quantity_of(written.shrink);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
+
 #include "system/system.hpp"
 
 namespace algae::oracle {
@@ -35,7 +37,7 @@ struct TurtleSettings {
 std::ostream& operator<<(std::ostream& out, const TurtleSettings& settings);
 
 /// The same for the library.
-Settings settings_of(const TurtleSettings& settings);
+algae::Drawing settings_of(const TurtleSettings& settings);
 
 struct Stroke {
     Spot from, to;

@@ -3,6 +3,7 @@
 #include <sstream>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/detail/layout.hpp"
 #include "render/pixels.hpp"
@@ -14,7 +15,7 @@ using namespace algae;
 namespace {
 
 Explanation explained(const std::string& text, std::uint64_t n = 0) {
-    const LSystem system = read_lsystem(text, "small.lsys");
+    const Model system = read_lsystem(text, "small.lsys");
     const DerivedModules derived = derived_modules(system, n, {});
     return explanation(system, derived.kinds, derived.word, n, derived.seed);
 }

@@ -29,12 +29,12 @@ public:
     const Integer& segments() const override { return facts_.segments; }
     const Facts& facts() const override { return facts_; }
     std::optional<std::uint64_t> strokes() const override { return strokes_; }
-    const Settings& settings() const override { return own; }
+    const FigureStyle& style() const override { return own; }
     void draw(Canvas& canvas, double resolution, const Budget&) const override {
         calls_(canvas, resolution);
     }
 
-    Settings own;
+    FigureStyle own;
 
 private:
     struct Measure : Canvas {

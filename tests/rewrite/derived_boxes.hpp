@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 

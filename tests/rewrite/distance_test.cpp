@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/boxes.hpp"
 #include "rewrite/derived_boxes.hpp"

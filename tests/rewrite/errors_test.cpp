@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include "model/model.hpp"
+
 #include "rewrite/words.hpp"
 
 using namespace algae;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "model/model.hpp"
 #include "oracle/modules.hpp"
 #include "oracle/random_systems.hpp"
 #include "rewrite/words.hpp"

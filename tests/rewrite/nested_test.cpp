@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/nested.hpp"
 #include "rewrite/detail/inner_systems.hpp"

@@ -4,6 +4,7 @@
 #include <array>
 #include <map>
 
+#include "model/model.hpp"
 #include "oracle/random_systems.hpp"
 #include "rewrite/rewrite.hpp"
 #include "rewrite/words.hpp"

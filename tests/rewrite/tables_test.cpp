@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "model/model.hpp"
 #include "oracle/random_tables.hpp"
 #include "rewrite/rewrite.hpp"
 #include "rewrite/words.hpp"

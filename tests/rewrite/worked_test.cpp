@@ -1,5 +1,7 @@
 #include <doctest/doctest.h>
 
+#include "model/model.hpp"
+
 #include "rewrite/words.hpp"
 
 // The derivations that are worked out in the literature.

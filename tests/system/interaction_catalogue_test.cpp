@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/interaction.hpp"
 #include "system/detail/interaction.hpp"

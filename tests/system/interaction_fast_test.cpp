@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/interaction.hpp"
 #include "system/detail/interaction.hpp"

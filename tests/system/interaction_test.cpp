@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 
 using namespace algae;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "model/model.hpp"
 #include "oracle/random_systems.hpp"
 #include "oracle/turtle.hpp"
 #include "turtle/turtle.hpp"
@@ -33,11 +34,9 @@ inline rc::Gen<oracle::TurtleSettings> any_turtle() {
         rc::gen::inRange(-3, 4), rc::gen::arbitrary<bool>());
 }
 
-inline LSystem drawn_system(const oracle::WrittenSystem& written,
-                            const oracle::TurtleSettings& settings) {
-    LSystem system = oracle::lsystem_of(written);
-    system.settings = oracle::settings_of(settings);
-    return system;
+inline Model drawn_system(const oracle::WrittenSystem& written,
+                          const oracle::TurtleSettings& settings) {
+    return {oracle::lsystem_of(written), oracle::settings_of(settings), {}};
 }
 
 }  // namespace algae

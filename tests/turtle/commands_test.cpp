@@ -5,6 +5,7 @@
 #include <numeric>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 
 using namespace algae;
 
@@ -12,7 +13,7 @@ namespace {
 
 /// A system with these symbols, and interpretations given as pairs.
 struct Drawn {
-    LSystem system;
+    Model system;
 
     Symbol symbol(const std::string& name) { return system.alphabet.symbol(name); }
     void interpret(const std::string& name, const std::vector<std::string>& successor) {
@@ -32,7 +33,7 @@ struct Drawn {
 
 TEST_CASE("every symbol of a turtle in the plane has its command") {
     Drawn drawn;
-    drawn.system.settings.scale = drawn.system.settings.narrow = quantity(Rational(1, 2));
+    drawn.system.drawing.scale = drawn.system.drawing.narrow = quantity(Rational(1, 2));
     const std::pair<const char*, Command> commands[] = {
         {"F", Command::draw},        {"F_l", Command::draw},       {"G", Command::draw_unmarked},
         {"f", Command::move},        {"f_1", Command::move},       {"+", Command::left},

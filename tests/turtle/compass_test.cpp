@@ -5,23 +5,25 @@
 #include <cmath>
 #include <numbers>
 
+#include "model/model.hpp"
+
 using namespace algae;
 
 namespace {
 
 Compass compass(const char* angle, const char* heading = "0", const char* spin = "0",
                 std::uint64_t n = 0, bool clockwise = false) {
-    Settings settings;
+    Drawing settings;
     settings.angle = quantity(Rational(angle));
     settings.start =
-        Settings::Start{quantity(Rational(0)), quantity(Rational(0)), quantity(Rational(heading))};
+        Drawing::Start{quantity(Rational(0)), quantity(Rational(0)), quantity(Rational(heading))};
     settings.spin = quantity(Rational(spin));
     settings.clockwise = clockwise;
     return Compass(settings, n);
 }
 
 Compass irrational(double angle) {
-    Settings settings;
+    Drawing settings;
     settings.angle = quantity(Rational(1));
     settings.angle->exact.reset();
     settings.angle->value = angle;
@@ -37,7 +39,7 @@ double degrees(const Compass& compass, Compass::Heading turns) {
 }  // namespace
 
 TEST_CASE("orders are the common denominator of all headings, and multiples of 4") {
-    CHECK(Compass(Settings{}, 0).order() == 4);
+    CHECK(Compass(Drawing{}, 0).order() == 4);
     CHECK(compass("60").order() == 12);
     CHECK(compass("45").order() == 8);
     CHECK(compass("25").order() == 72);

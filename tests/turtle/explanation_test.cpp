@@ -4,6 +4,7 @@
 #include <rapidcheck.h>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
@@ -12,7 +13,7 @@ using namespace algae;
 
 namespace {
 
-Explanation explained(const LSystem& system, std::uint64_t n = 0) {
+Explanation explained(const Model& system, std::uint64_t n = 0) {
     const DerivedModules derived = derived_modules(system, n, {});
     return explanation(system, derived.kinds, derived.word, n, derived.seed);
 }
@@ -69,8 +70,8 @@ TEST_CASE("the turtle after each step is where a slower one is after that part o
         const std::string word = *any_word();
         oracle::TurtleSettings settings = *any_turtle();
         settings.spin = settings.shrink = {1, 1};
-        LSystem system = read_lsystem("axiom " + (word.empty() ? "X" : word), "");
-        system.settings = oracle::settings_of(settings);
+        Model system = read_lsystem("axiom " + (word.empty() ? "X" : word), "");
+        system.drawing = oracle::settings_of(settings);
         const Explanation found = explained(system);
         if (word.empty()) return;
         RC_ASSERT(found.steps.size() == word.size());

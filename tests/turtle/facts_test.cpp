@@ -2,6 +2,7 @@
 #include <rapidcheck.h>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
 
@@ -125,11 +126,11 @@ TEST_CASE("facts of far generations are exact and quick") {
 
 TEST_CASE("a step that is no rational number does not make far generations slow") {
     // 2^30 letters that fill the plane: the end stays where it is, because sqrt(2) is undone.
-    LSystem system = drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {});
-    system.settings.shrink = quantity(Rational(1));
-    system.settings.shrink->exact.reset();
-    system.settings.shrink->value = std::sqrt(0.5);
-    system.settings.spin = quantity(Rational(-45));
+    Model system = drawn_system({"FX", {{'X', {"X+YF+"}}, {'Y', {"-FX-Y"}}}}, {});
+    system.drawing.shrink = quantity(Rational(1));
+    system.drawing.shrink->exact.reset();
+    system.drawing.shrink->value = std::sqrt(0.5);
+    system.drawing.spin = quantity(Rational(-45));
     const auto figure = algae::figure(system, 30, Budget());
     CHECK(!figure->facts().exact);
     CHECK(figure->segments() == power(Integer(2), 30));
@@ -152,7 +153,7 @@ TEST_CASE("an angle that is no part of a turn does not make far generations slow
 }
 
 TEST_CASE("a bracket that is interpreted is not a branch") {
-    LSystem system = drawn_system({"F[+F]F", {}}, {});
+    Model system = drawn_system({"F[+F]F", {}}, {});
     const auto interpret = [&](const char* symbol, const char* successor) {
         Production rule;
         rule.predecessor.symbol = system.alphabet.symbol(symbol);
@@ -189,7 +190,7 @@ TEST_CASE("brackets that fall apart while deriving are an error with generation 
 TEST_CASE("a word of a system with choices is drawn as its generation is") {
     oracle::TurtleSettings settings;
     settings.shrink = {1, 2};
-    LSystem system = drawn_system({"F", {{'F', {"F+F", "FF"}}}}, settings);
+    Model system = drawn_system({"F", {{'F', {"F+F", "FF"}}}}, settings);
     CHECK_THROWS_WITH_AS(figure(system, 1, Budget()),
                          "cannot draw written: not a D0L system: F has 2 rules", Error);
     const Symbol draw = *system.alphabet.find("F");

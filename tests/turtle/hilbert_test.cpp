@@ -6,6 +6,7 @@
 #include <array>
 #include <set>
 
+#include "model/model.hpp"
 #include "turtle/of_gallery.hpp"
 #include "turtle/turtle.hpp"
 
@@ -58,7 +59,7 @@ Edges seen_along(std::size_t axis, const Scene& scene) {
 
 TEST_CASE("the Hilbert curve in space visits all 8^n points once and ends below its start") {
     for (const char* name : {"hilbert-3d", "hilbert-3d-001"}) {
-        const LSystem system = of_gallery(name);
+        const Model system = of_gallery(name);
         double side = 0;
         std::size_t points = 1;
         for (std::uint64_t n = 1; n <= 4; ++n) {
@@ -86,7 +87,7 @@ TEST_CASE("the Hilbert curve in space visits all 8^n points once and ends below 
 }
 
 TEST_CASE("from above the Hilbert curve in space is that of the plane, from the sides it is not") {
-    const LSystem in_space = of_gallery("hilbert-3d"), plane = of_gallery("hilbert");
+    const Model in_space = of_gallery("hilbert-3d"), plane = of_gallery("hilbert");
     std::size_t edges = 1;
     for (std::uint64_t n = 1; n <= 4; ++n) {
         edges *= 4;

@@ -1,9 +1,11 @@
+#include "growth/growth.hpp"
 #include "turtle/detail/plane_figure.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/any_turtle.hpp"
@@ -15,7 +17,7 @@ using namespace algae;
 namespace {
 
 /// A generation of a D0L system by the walker of modules, whatever `figure` would choose.
-std::unique_ptr<Figure> by_modules(const LSystem& system, std::uint64_t n) {
+std::unique_ptr<Figure> by_modules(const Model& system, std::uint64_t n) {
     const Rewriting rewriting(system);
     return module_figure(system, rewriting.rules().kinds, derive(rewriting, n), n, 1, Budget());
 }
@@ -50,7 +52,7 @@ TEST_CASE("systems without parameters: the walker of modules draws what the exac
         if (*rc::gen::arbitrary<bool>()) settings.scale = oracle::Fraction{3, 4};
         if (*rc::gen::arbitrary<bool>()) settings.narrow = oracle::Fraction{1, 2};
         const unsigned n = oracle::last_generation_within(written, 300, 4);
-        const LSystem system = drawn_system(written, settings);
+        const Model system = drawn_system(written, settings);
         const auto exact = figure(system, n, Budget()), modules = by_modules(system, n);
         const Recording truth = drawn(*exact, true), canvas = drawn(*modules, true);
         RC_ASSERT(!canvas.lost);
@@ -80,7 +82,7 @@ TEST_CASE("polygons and cut branches are the same by modules") {
         const auto inside = oracle::balanced(*oracle::any_word("FfG.+-[]FX%", 8));
         const oracle::WrittenSystem written{
             "F{" + inside + "}F", {{'F', {*oracle::any_word("F+f", 2)}}, {'X', {"X{F+F+FX}"}}}};
-        const LSystem system = drawn_system(written, *any_turtle());
+        const Model system = drawn_system(written, *any_turtle());
         const unsigned n = oracle::last_generation_within(written, 300, 3);
         const Recording truth = drawn(*figure(system, n, Budget())),
                         canvas = drawn(*by_modules(system, n));

@@ -1,4 +1,5 @@
 #include "turtle/detail/module_turtle.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 
@@ -8,6 +9,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 
@@ -53,7 +55,7 @@ struct Walked {
 };
 
 Walked walked(const std::string& text, std::uint64_t n = 0, std::uint64_t seed = 1) {
-    const LSystem system = read_lsystem(text, "walk.lsys");
+    const Model system = read_lsystem(text, "walk.lsys");
     const Rewriting rewriting(system);
     const ModuleString word = derive(rewriting, n);
     const ModuleTurtle turtle(system, rewriting.rules().kinds, n, seed);
@@ -153,7 +155,7 @@ TEST_CASE("the turtle in space") {
 
 TEST_CASE("Hilbert's curve in space visits every point of its cube once") {
     for (std::uint64_t n = 1; n <= 3; ++n) {
-        const LSystem system = read_lsystem(
+        const Model system = read_lsystem(
             "axiom A; angle 90\n"
             "A -> B-F+CFC+F-D&F^D-F+&&CFC+F+B//\n"
             "B -> A&F^CFB^F^D^^-F-D^|F^B|FC^F^A//\n"
@@ -210,7 +212,7 @@ TEST_CASE("Honda's tree grows upward to the height it should have") {
 TEST_CASE("errors of a walk name the place") {
     // The notation refuses such words; a derivation may make them.
     const auto without = [](std::ptrdiff_t module) -> std::string {
-        const LSystem system = read_lsystem("axiom F(1)[]", "walk.lsys");
+        const Model system = read_lsystem("axiom F(1)[]", "walk.lsys");
         const Rewriting rewriting(system);
         ModuleString word = rewriting.axiom();
         word.kinds.erase(word.kinds.begin() + module);

@@ -4,10 +4,12 @@
 
 #include <string>
 
+#include "model/model.hpp"
+
 #include "notation/notation.hpp"
 
 /// A system that comes with algae.
-inline algae::LSystem of_gallery(const std::string& name) {
+inline algae::Model of_gallery(const std::string& name) {
     for (const algae::GalleryEntry& entry : algae::gallery())
         if (entry.name == name) return algae::read_lsystem(entry.text, name);
     FAIL("no ", name, " in the gallery");

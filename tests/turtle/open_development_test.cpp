@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 

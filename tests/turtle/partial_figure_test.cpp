@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
@@ -38,7 +39,7 @@ TEST_CASE("frames begin with none and end with all symbols") {
 TEST_CASE("a partial figure has the strokes of that part of the word, and the turtle at its end") {
     for (const char* angle : {"60", "25.7", "30; plot P"}) {  // folded, walked, and by modules
         const std::string word = "F+F[-Ff[+F]F]X{F+F}+[F]F";
-        const LSystem system = read_lsystem("axiom " + word + "; angle " + angle, "");
+        const Model system = read_lsystem("axiom " + word + "; angle " + angle, "");
         oracle::TurtleSettings settings;
         settings.angle = angle[0] == '2'   ? oracle::Fraction{257, 10}
                          : angle[0] == '3' ? oracle::Fraction{30, 1}

@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/recording.hpp"
 
@@ -26,7 +27,7 @@ struct Counted : Recording {
 }  // namespace
 
 TEST_CASE("views of a word part by part share a camera and a box, and grow") {
-    const LSystem system =
+    const Model system =
         read_lsystem("axiom F[+F^F]/(40)[&F{F+F+F}]!(0.2)F$F; angle 50", "grown.lsys");
     const DerivedModules derived = derived_modules(system, 0, {});
     const auto symbols = frames_of_progress(derived.word.kinds.size(), 100);

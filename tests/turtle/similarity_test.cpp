@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/turtle.hpp"
 
@@ -24,7 +25,7 @@ TEST_CASE("an outline has the strokes and points that a trace counts") {
          {"axiom F; F -> F+F--F+F; angle 60", "axiom F; F -> F[+F]F[-F]F; angle 30",
           "axiom F-F; F -> FF-F; angle 90; stamp S square", "axiom F(1); F(x) -> F(x/2)+(30)F(x)",
           "axiom F; F -> F+F; angle 25.7"}) {
-        const LSystem system = read_lsystem(text, "test");
+        const Model system = read_lsystem(text, "test");
         for (std::uint64_t n = 0; n < 4; ++n) {
             const Outline found = outline(system, n);
             const Trace counted = trace(*figure(system, n, {}), {});

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "turtle/detail/module_turtle.hpp"
 #include "turtle/detail/scene.hpp"
@@ -117,7 +118,7 @@ TEST_CASE("tropisms bend strokes, in the plane too") {
         scene(read_lsystem("axiom FF; tropism 0 0 -1; susceptibility 0.2", ""), 0, {});
     CHECK(once.end.position.x == doctest::Approx(1 + std::cos(0.2)));
     CHECK(once.end.position.z == doctest::Approx(-std::sin(0.2)));
-    const LSystem plane = read_lsystem("axiom FFF; tropism 0 1 0; susceptibility 0.5", "");
+    const Model plane = read_lsystem("axiom FFF; tropism 0 1 0; susceptibility 0.5", "");
     CHECK_FALSE(leaves_plane(plane));
     CHECK(leaves_plane(read_lsystem("axiom FFF; tropism 0 1 1", "")));
     const double second = 0.5 + 0.5 * std::cos(0.5);  // |H x T| is the cosine of the angle so far
@@ -129,7 +130,7 @@ TEST_CASE("tropisms bend strokes, in the plane too") {
 }
 
 TEST_CASE("boxes of shape rules stand with Y up, each symbol with its colour") {
-    const LSystem system =
+    const Model system =
         read_lsystem("axiom A(4,2,6); A -> div(Y, 1r, 1r){ B C }; colour red green blue", "");
     CHECK(leaves_plane(system));
     const SpaceDerivation found = scene(system, 1, {});

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 

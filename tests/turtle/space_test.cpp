@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/detail/module_turtle.hpp"
@@ -92,7 +93,7 @@ TEST_CASE("walks in space are those of matrices multiplied one by one") {
             word += command;
             if (command != 'F') word += '(' + std::to_string(degrees) + ')';
         }
-        const LSystem system = read_lsystem("axiom " + word, "space");
+        const Model system = read_lsystem("axiom " + word, "space");
         const Rewriting rewriting(system);
         Places places;
         ModuleTurtle(system, rewriting.rules().kinds, 0).walk(rewriting.axiom(), places);

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "turtle/any_turtle.hpp"
 #include "turtle/recording.hpp"
 
@@ -13,7 +14,7 @@ using oracle::Spot;
 
 namespace {
 
-Recording drawn(const LSystem& system, std::uint64_t n, double resolution) {
+Recording drawn(const Model& system, std::uint64_t n, double resolution) {
     Recording canvas;
     figure(system, n, Budget())->draw(canvas, resolution, Budget());
     return canvas;

@@ -9,6 +9,7 @@
 #include <sstream>
 #include <string>
 
+#include "model/model.hpp"
 #include "turtle/of_gallery.hpp"
 #include "turtle/turtle.hpp"
 
@@ -23,7 +24,7 @@ bool near(double a, double b) { return std::fabs(a - b) < 1e-12 * (1 + std::fabs
 TEST_CASE("trees have the segments, lengths and boxes of an independent computation") {
     std::ifstream numbers(ALGAE_SOURCE_DIR "/tests/turtle/trees.txt");
     REQUIRE(numbers);
-    std::map<std::string, LSystem> trees;
+    std::map<std::string, Model> trees;
     int compared = 0;
     for (std::string line; std::getline(numbers, line);) {
         if (line.starts_with("#")) continue;
@@ -37,7 +38,7 @@ TEST_CASE("trees have the segments, lengths and boxes of an independent computat
             low.z >> high.x >> high.y >> high.z;
         REQUIRE(fields);
         if (!trees.count(name)) trees.emplace(name, of_gallery(name));
-        const LSystem& tree = trees.at(name);
+        const Model& tree = trees.at(name);
         CAPTURE(line);
         CHECK(derived_modules(tree, n, {}).word.kinds.size() == modules);
         const SpaceDerivation found = scene(tree, n, {});

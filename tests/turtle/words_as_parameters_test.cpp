@@ -3,9 +3,11 @@
 #include <string>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/detail/module_turtle.hpp"
+#include "turtle/turtle.hpp"
 
 using namespace algae;
 
@@ -22,7 +24,7 @@ public:
 /// The length of all strokes of generation n, or what is said against it.
 std::string drawn(const std::string& text, std::uint64_t n) {
     try {
-        const LSystem system = read_lsystem(text, "walk.lsys");
+        const Model system = read_lsystem(text, "walk.lsys");
         const Rewriting rewriting(system);
         Strokes strokes;
         ModuleTurtle(system, rewriting.rules().kinds, n).walk(derive(rewriting, n), strokes);

@@ -9,6 +9,7 @@
 #include "system/system.hpp"
 
 namespace algae {
+struct Model;
 class Environment;
 class Relative;
 }  // namespace algae
@@ -37,6 +38,9 @@ SourceText open_text(const std::string& file, const Budget& budget);
 
 /// The system in FILE: a path, "-" for standard input, or a name from the gallery. Throws Error,
 /// Diagnostics or BoundReached.
+Model open_model(const std::string& file, const Budget& budget);
+
+/// Its rules alone.
 LSystem open_system(const std::string& file, const Budget& budget);
 
 /// An option that stands for a statement of a relative's file, and what the command line says;
@@ -60,8 +64,8 @@ std::string folder_of(const std::string& file);
 
 /// What a name of a system means in a text: a file in the first of these folders that has it, or what
 /// it means on the command line.
-std::function<LSystem(const std::string&)> systems_from(const std::vector<std::string>& folders,
-                                                        const Budget& budget);
+std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
+                                                      const Budget& budget);
 
 /// `--environment 'COMMAND'`. Only the command line says which program runs, never a file.
 void add_environment_option(Verb& verb, std::string& program);

@@ -50,7 +50,7 @@ struct SpaceOptions {
 
 /// How the scenes of a system are looked at: as the options say, and where they do not, its file.
 /// `background` is that of the picture.
-ViewChoices view_choices(const SpaceOptions& options, const LSystem& system,
+ViewChoices view_choices(const SpaceOptions& options, const Model& system,
                          const std::optional<std::string>& background);
 
 /// A reader: a label as --label says it, "TEXT@x,y" or "TEXT@x,y,z".
@@ -78,7 +78,7 @@ struct PlateChoices {
 class FigurePlates {
 public:
     /// Throws Error if the system leaves a choice and neither `choices` nor the file says which.
-    FigurePlates(const LSystem& system, std::pair<std::uint64_t, std::uint64_t> generations,
+    FigurePlates(const Model& system, std::pair<std::uint64_t, std::uint64_t> generations,
                  const PlateChoices& choices, const Budget& budget);
 
     /// The same caption under every generation.
@@ -95,7 +95,7 @@ private:
 };
 
 /// The generations that a file says its figure shows; Throws Error if it says none.
-std::pair<std::uint64_t, std::uint64_t> shown_generations(const LSystem& system);
+std::pair<std::uint64_t, std::uint64_t> shown_generations(const Model& system);
 
 /// Writes a scene, `-` to standard output; the result says what, as JSON.
 Json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,

@@ -38,7 +38,7 @@ struct RatioGraph {
 /// for more than `RatioGraph::most_states` states.
 ///
 /// Example: ratio_graph(read_lsystem("axiom F(1); F(x) -> F(x/3)+(60)F(x/3)-(120)F(x/3)+(60)F(x/3)", "")).states.size() == 3
-RatioGraph ratio_graph(const LSystem& system, const Budget& budget = {});
+RatioGraph ratio_graph(const Model& system, const Budget& budget = {});
 
 /// By state, whether it leads in every later generation to some state for which this holds.
 std::vector<bool> lasting(const RatioGraph& graph, const std::vector<bool>& holds);
@@ -46,7 +46,7 @@ std::vector<bool> lasting(const RatioGraph& graph, const std::vector<bool>& hold
 /// The D0L system that draws the same figures with steps of the length 1, where every rule
 /// multiplies lengths by the same number and turns stay as they are: only the size of figures
 /// differs.
-std::optional<LSystem> with_equal_lengths(const RatioGraph& graph);
+std::optional<Model> with_equal_lengths(const RatioGraph& graph);
 
 /// The factor m by which the ways from the beginnings to the ends of figures of a ratio graph grow
 /// in each generation: the spectral radius of the matrix that has, for each part outside branches,

@@ -19,7 +19,7 @@ std::int64_t normal_heading(std::int64_t heading, std::int64_t order);
 /// the reason where a turtle's way is not made of exact unit steps and turns: angles that are no
 /// rational part of a turn, symbols that change the step, brackets that do not match in every
 /// successor, cut branches; BoundReached where turns come back only after more than 10,000 levels.
-Unfolding unfolding(const LSystem& system, const D0L& rules, std::size_t phase_factor = 1);
+Unfolding unfolding(const Model& system, const D0L& rules, std::size_t phase_factor = 1);
 
 /// Several eigenvalues outgrow the others together, and more phases may part them.
 struct EqualFactors : Error {

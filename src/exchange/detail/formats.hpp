@@ -15,6 +15,8 @@
 
 namespace algae {
 
+struct Model;
+
 // Brno: brno.cpp.
 
 /// The system in a text file of a geometric interpreter of D0L systems (Brno, 2008): sections
@@ -24,13 +26,13 @@ namespace algae {
 /// cylinder `C(diameter, height)`, a line `P(length)`, a ball `S(diameter)`; those without one do
 /// nothing. `+ -` turn by the angle U, `& ^` by L, `\ /` by H. Throws `Diagnostics` with everything
 /// that is wrong. Linear time.
-LSystem read_brno(std::string_view text, const std::string& name);
+Model read_brno(std::string_view text, const std::string& name);
 
 /// The file of a system. Throws Error that names what no file can say: it has single letters, one
 /// rule for each, whole angles, whole lengths above 0, and no turtle that starts elsewhere than at
 /// the origin and looks along x. Titles stand in a comment; colours, cameras, line widths and what
 /// is expected are left out.
-std::string print_brno(const LSystem& system);
+std::string print_brno(const Model& system);
 
 /// What a module of a Brno file looks like.
 struct BrnoPrimitive {
@@ -92,7 +94,7 @@ std::vector<std::size_t> brace_depths(const std::string& word);
 /// Throws Diagnostics with the place of what is wrong.
 ///
 /// Example: read_maple("Lsystem(\"F\", [\"F\",\"F+F\"], 60, 3);", "").rules.size() == 1
-LSystem read_maple(std::string_view text, const std::string& name);
+Model read_maple(std::string_view text, const std::string& name);
 
 /// The worksheet of a system. What figures look like (colours, camera, widths of lines) and what is
 /// expected of them is not in it, nor all generations but the last. Throws Error that names what a
@@ -100,7 +102,7 @@ LSystem read_maple(std::string_view text, const std::string& name);
 /// for lower-case letters with parameters, and settings that change the figure.
 ///
 /// Example: print_maple(read_lsystem("axiom F", "")) == "Lsystem(\"F\", [], 90, N);\n"
-std::string print_maple(const LSystem& system);
+std::string print_maple(const Model& system);
 
 // NetLogo: netlogo.cpp.
 
@@ -111,13 +113,13 @@ std::string print_maple(const LSystem& system);
 /// ignored. Of several rules for a letter one is chosen at random, all equally likely. Headings
 /// are 0 in the north and grow clockwise; k-shorten and d-delta change d and delta-0 from one
 /// generation to the next. Throws `Diagnostics` with everything that is wrong. Linear time.
-LSystem read_netlogo(std::string_view text, const std::string& name);
+Model read_netlogo(std::string_view text, const std::string& name);
 
 /// The body of a setup procedure that says a system. Throws Error that names what no such procedure
 /// can say: symbols longer than a character, contexts, parameters, tables, polygons, figures in
 /// space, stamps other than squares, probabilities with denominators above 100. Titles stand in a comment;
 /// colours, line widths and what is expected are left out.
-std::string print_netlogo(const LSystem& system);
+std::string print_netlogo(const Model& system);
 
 /// The same written: expressions with what NetLogo knows, all else by its value.
 ///

@@ -68,9 +68,15 @@ public:
 
     /// The value, or what the name that it is stands for, unless that is a number.
     const MapleValue& resolved(const MapleValue& value) const;
-    /// Fail unless it is one of the kind; `what` is "a list of rules".
-    const MapleValue& text(const MapleValue& value, const std::string& what) const;
-    const MapleValue& list(const MapleValue& value, const std::string& what) const;
+    /// Fail unless it is of the kind; `what` is "a list of rules".
+    const MapleValue& of_kind(MapleValue::Kind kind, const MapleValue& value,
+                              const std::string& what) const;
+    const MapleValue& text(const MapleValue& value, const std::string& what) const {
+        return of_kind(MapleValue::Kind::text, value, what);
+    }
+    const MapleValue& list(const MapleValue& value, const std::string& what) const {
+        return of_kind(MapleValue::Kind::list, value, what);
+    }
 
     /// The expression, whose names become constants of the system. Fails unless it is a number.
     const Expression& number(const MapleValue& value, const std::string& what);
@@ -85,8 +91,10 @@ public:
     std::vector<std::pair<std::string, Quantity>> constants() const;
     bool is_constant(const std::string& name) const { return used_.contains(name); }
 
-    [[noreturn]] void fail(const MapleValue& value, const std::string& message) const {
-        scanner_.fail_at(value.offset, message);
+    template <class... Values>
+    [[noreturn]] void fail(const MapleValue& value, fmt::format_string<Values...> message,
+                           Values&&... values) const {
+        scanner_.fail_at(value.offset, fmt::format(message, std::forward<Values>(values)...));
     }
     const Scanner& scanner() const { return scanner_; }
     const MapleWorksheet& sheet() const { return sheet_; }

@@ -8,35 +8,58 @@
 
 namespace algae {
 
+struct Model;
+
 /// A module as the turtle meets it: a symbol and the values of its parameters.
 struct TurtleModule {
     Symbol symbol = 0;
     std::vector<Quantity> parameters;
 };
 
-/// Checks that a format can say a system whose axiom and rules are words of letters without
-/// parameters, and whose rules have no contexts and conditions; several rules for a letter only if
-/// `choices`. Throws Error that names what `format` ("brno") cannot say.
-void check_plain_rules(const LSystem& system, const std::string& format, bool choices);
+/// What of a rule is more than a letter, with parameters if those are allowed, and what it becomes: "it
+/// has a context"; empty if nothing.
+std::string beyond_plain(const Production& rule, bool parameters);
 
-/// What stands for a letter once `interpret` rules have been applied until none matches.
-///
-/// Throws Error that names the interpretation if it has contexts, conditions, probabilities or
-/// parameters on its left side, goes round in circles or gives more than 1000 modules.
-std::vector<TurtleModule> interpreted(const LSystem& system, Symbol letter,
-                                      const std::string& format);
+/// What the printers of formats share: a system, and how they refuse what their format cannot say of it.
+class FormatWriter {
+protected:
+    /// `format` is what errors call it: "brno".
+    FormatWriter(const Model& system, const char* format) : system_(system), format_(format) {}
 
-/// The settings that move every figure but are no matter of words: throws Error where a format
-/// cannot say that there are a tropism, environments, solids of this system and so on. Titles,
-/// colours, cameras, line widths, seeds and what is expected are left out by all formats.
-void check_plain_settings(const LSystem& system, const std::string& format);
+    /// Throws Error: "bush: brno cannot say ...", with the system's name if it has one.
+    [[noreturn]] void refuse(const std::string& what) const;
+    /// Throws Error: "bush.lsys:3:1: brno cannot say the rule A -> B: " and why.
+    [[noreturn]] void refuse(const Production& rule, const std::string& why) const;
 
-/// Throws Error: "bush: brno cannot say ...", with the system's name if it has one.
-[[noreturn]] void cannot_say(const LSystem& system, const std::string& format,
-                             const std::string& what);
+    /// Refuses what no format says: systems within a system, tables, terminals and words of the axiom.
+    void check_parts() const;
+    /// Refuses all but words of letters without parameters as axiom and rules, contexts and conditions;
+    /// several rules for a letter unless `choices`.
+    void check_plain_rules(bool choices) const;
+    /// The settings that move every figure but are no matter of words: refuses a tropism, environments,
+    /// surfaces and plots. Titles, colours, cameras, line widths, seeds and what is expected are left out
+    /// by all formats.
+    void check_plain_settings() const;
 
-/// Throws Error: "bush.lsys:3:1: brno cannot say the rule A -> B: " and why.
-[[noreturn]] void cannot_say(const LSystem& system, const std::string& format,
-                             const Production& rule, const std::string& why);
+    /// What stands for a letter once `interpret` rules have been applied until none matches.
+    ///
+    /// Refuses an interpretation that has contexts, conditions, probabilities or parameters on its left
+    /// side, goes round in circles or gives more than 1000 modules.
+    std::vector<TurtleModule> interpreted(Symbol letter) const;
+
+    const std::string& name(Symbol symbol) const { return system_.alphabet.name(symbol); }
+    /// Whether a setting has this value, which is the one that it has where the file does not say it.
+    static bool is_usual(const std::optional<Quantity>& setting, double value) {
+        return !setting || setting->value == value;
+    }
+
+    const Model& system_;
+
+private:
+    void interpret(const TurtleModule& module, std::size_t depth, std::size_t& steps,
+                   std::vector<TurtleModule>& modules) const;
+
+    const char* format_;
+};
 
 }  // namespace algae

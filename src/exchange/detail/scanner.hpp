@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,10 +52,27 @@ public:
     /// Goes past the next character, which is not white space, and gives it. Fails at the end.
     std::string character(const std::string& expectation);
 
+    /// Operands as `operand` reads them here, with operators of the dialect before and between them.
+    /// `met` is told where each of these stands; what `made` gives stands for an operator with its
+    /// operands.
+    Expression expression(const ExpressionDialect& dialect,
+                          const std::function<Expression()>& operand,
+                          const std::function<void(std::size_t)>& met,
+                          const std::function<Expression(Expression)>& made = {});
+
+    /// How errors name what stands at the next token: "';'" or "the end of the file".
+    std::string found_next();
     /// Throws `Diagnostics`: "expected `expectation`, found ..." with what stands at the next token.
     [[noreturn]] void fail(const std::string& expectation);
     /// Throws `Diagnostics` with this message at an offset of the text.
     [[noreturn]] void fail_at(std::size_t offset, const std::string& message) const;
+    /// The same, with the values where `{}` stand.
+    template <class Value, class... Values>
+    [[noreturn]] void fail_at(std::size_t offset, fmt::format_string<Value, Values...> message,
+                              Value&& value, Values&&... values) const {
+        fail_at(offset,
+                fmt::format(message, std::forward<Value>(value), std::forward<Values>(values)...));
+    }
 
 private:
     void skip();
@@ -73,8 +93,41 @@ struct PlacedWord {
     void add(std::string_view letter, std::size_t offset);
 };
 
+/// The characters of a text, one by one.
+///
+/// Example: characters("aé").size() == 2
+std::vector<std::string_view> characters(std::string_view text);
+
+/// Whether it is a single one.
+///
+/// Example: is_character("é")
+bool is_character(std::string_view text);
+
+/// What is known of a system or another generator as comments behind a mark, those of its texts that
+/// are not empty, a line each.
+///
+/// Example: commented("# ", {"Fern", ""}) == "# Fern\n"
+std::string commented(const char* mark, const std::vector<std::string>& texts);
+
+/// Example: enumerated({"a", "b", "c"}) == "a, b and c"
+std::string enumerated(const std::vector<std::string>& names);
+
+/// Adds what is wrong with a part of a text to what is wrong with all of it.
+void add(Findings& findings, const Diagnostics& error);
+
 /// Adds a finding for each bracket that has no other.
 void check_brackets(const PlacedWord& word, Findings& findings);
+
+/// The bytes of the number without a sign that a text begins with, `2`, `.5`, `1.` or `2.5e-3`; 0 if
+/// it begins with none.
+///
+/// Example: number_size("1.e5+x") == 4
+std::size_t number_size(std::string_view text);
+
+/// The same number as `Rational` reads it: without a point that no digit follows.
+///
+/// Example: plain_number("1.e5") == "1e5"
+std::string plain_number(std::string_view number);
 
 /// Expressions as readers of other programs' files make them.
 Expression number_expression(const Rational& value);

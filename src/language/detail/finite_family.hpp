@@ -61,13 +61,8 @@ struct FamilyAnswer {
 FamilyAnswer decide_family(const FiniteLanguage& language, Family family,
                            const FamilyOptions& options = {}, const Budget& budget = {});
 
-/// The proof in plain sentences, by cases, one statement a line, cases indented by two blanks. It
-/// says what `flaw_in` checks and nothing else.
-std::string proof_text(const FamilyObstruction& obstruction);
-
-/// The answer as a verdict: the system, the proof, or what was tried.
-///
-/// Example: verdict_on(finite_language({"a"}), Family{}, FamilyAnswer{}).truth == Truth::undecided
-Verdict verdict_on(const FiniteLanguage& language, Family family, const FamilyAnswer& answer);
+/// The proof by cases: one sentence a line, cases indented by two blanks, with marks as in detail/proof.hpp. It says
+/// what `flaw_in` checks and nothing else.
+std::vector<std::string> marked_proof(const FamilyObstruction& obstruction);
 
 }  // namespace algae

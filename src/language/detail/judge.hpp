@@ -5,6 +5,7 @@
 // kind of statement.
 
 #include <map>
+#include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
@@ -12,6 +13,7 @@
 
 #include "exact/exact.hpp"
 #include "language/detail/letters.hpp"
+#include "language/detail/proof.hpp"
 #include "language/detail/regular.hpp"
 #include "language/language.hpp"
 #include "system/system.hpp"
@@ -20,10 +22,10 @@ namespace algae {
 
 // --- What is known of a language ---
 
-/// All words of a language, and what was worked out on the way, in sentences.
+/// All words of a language, and what was worked out on the way.
 struct FiniteValue {
     std::vector<Word> words;  // shorter ones first, then by symbol numbers
-    std::vector<std::string> argument;
+    std::vector<Part> known;  // how
 };
 
 /// The words of a language that is found to be finite and has at most 100,000 words: finite sets, finite
@@ -41,11 +43,6 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
 /// Whether a system occurs in the expression.
 bool has_system(const Language& language);
 
-/// An ET0L system for the language of an expression, and by which constructions it was made, in a sentence.
-struct TableValue {
-    ET0L system;
-    std::string argument;
-};
 
 /// Of a language of a system without context, that system; of operations under which E0L or ET0L languages are
 /// closed, the system that the construction makes: with one table as long as the parts have one
@@ -53,6 +50,9 @@ struct TableValue {
 /// not known to be one. Throws what the constructions throw.
 std::optional<TableValue> table_value(const Language& language, const Alphabet& alphabet,
                                       const Budget& budget = {}, bool deterministic = false);
+
+/// What a meeting that there is none of repeats.
+Repeated repeated(const Meeting& meeting, const ET0L& system);
 
 // --- Systems, languages and statements as a certificate writes them (CERTIFICATES.md) ---
 
@@ -69,39 +69,22 @@ nlohmann::ordered_json to_json(const Statement& statement, const Alphabet& alpha
 /// The axiom and the rules of a system whose words are derived module by module; constants are in them as numbers.
 nlohmann::ordered_json to_json(const LSystem& system);
 
-/// The words and tables of a derivation as a certificate writes them.
-nlohmann::ordered_json derivation_json(const Derivation& derivation, const Alphabet& alphabet);
-
-/// The proof by a word that is, or is not, in a language.
-nlohmann::ordered_json word_proof(const Word& word, const Alphabet& alphabet);
-
-/// The proof by the system that constructions make.
-nlohmann::ordered_json construction_proof(const TableValue& tables);
-
-// --- Languages, systems and derivations in sentences ---
+// --- Languages and systems in sentences ---
 
 /// The expression that a name stands for.
 std::string unnamed_text(const Language& language, const Alphabet& alphabet);
 
-/// "what the letters derive in 3 steps does to the states of its automaton what they derive in 2".
-std::string relations_text(const Meeting& meeting, const ET0L& system);
-
 /// A system whose words are derived module by module as sentences speak of it: "the parametric D0L system
 /// with axiom A(1); A(x) : x < 3 -> A(x+1)", constants behind.
 std::string rewriting_text(const LSystem& system);
-
-/// The words of a derivation with arrows between them, shortened if it is long.
-///
-/// Example: arrows({{{}, {}}, {{}}}, Alphabet()) == "ε => ε"
-std::string arrows(const Derivation& derivation, const Alphabet& alphabet);
 
 // --- Judges of languages ---
 
 /// Whether a system derives the word as a word of its language. Tables are followed exactly. A system with
 /// context is derived until its words repeat or, where no rule erases, are longer than the word; the answer is
 /// undecided where neither happens within a bound.
-Judgement judge_generated(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
-                          const Budget& budget = {});
+Answer judge_generated(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
+                       const Budget& budget = {});
 
 /// Whether the word is in the language, by the definition of each operation: of a star all ways to cut the
 /// word, of an image all words with this image. Complete where the parts can be decided: undecided are
@@ -110,8 +93,8 @@ Judgement judge_generated(const SourceSystem& system, const Word& word, const Al
 /// context.
 ///
 /// Throws what budget.check throws, BoundReached where a table is too large.
-Judgement judge_membership(const Language& language, const Word& word, const Alphabet& alphabet,
-                           const Budget& budget = {});
+Answer judge_membership(const Language& language, const Word& word, const Alphabet& alphabet,
+                        const Budget& budget = {});
 
 // What languages have in common with others. Decided where both sides are finite or regular, where the left
 // side of an inclusion is a language of a system without context (or made of such by operations under which
@@ -120,12 +103,12 @@ Judgement judge_membership(const Language& language, const Word& word, const Alp
 // on the length. Both throw what budget.check throws, BoundReached where a table is too large.
 
 /// Whether every word of the first is in the second.
-Judgement judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet,
-                          const Budget& budget = {});
+Answer judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet,
+                       const Budget& budget = {});
 
 /// Whether they have the same words.
-Judgement judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
-                         const Budget& budget = {});
+Answer judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
+                      const Budget& budget = {});
 
 // --- Judges of systems ---
 
@@ -134,37 +117,24 @@ Judgement judge_equality(const Language& left, const Language& right, const Alph
 
 /// Whether the system derives the word: from a word or its axiom, in so many steps or any number of them. For a
 /// system without context decided by the table of factors, for one with context by deriving.
-Judgement judge_derivation(const SourceSystem& system, const Word& word,
-                           const std::optional<Word>& from, std::optional<std::uint64_t> steps,
-                           const Alphabet& alphabet, const Budget& budget = {});
+Answer judge_derivation(const Derives& said, const Alphabet& alphabet, const Budget& budget = {});
 
 /// Whether two D0L systems have the same word in every generation.
-Judgement judge_sequences(const SourceSystem& left, const SourceSystem& right,
-                          const Alphabet& alphabet, const Budget& budget = {});
-
-/// Whether two D0L systems have words of the same length in every generation.
-Judgement judge_growth(const SourceSystem& left, const SourceSystem& right,
+Answer judge_sequences(const SourceSystem& left, const SourceSystem& right,
                        const Budget& budget = {});
 
+/// Whether two D0L systems have words of the same length in every generation.
+Answer judge_growth(const SourceSystem& left, const SourceSystem& right, const Budget& budget = {});
+
 /// Whether the length of generation n of a D0L system is this expression in n.
-Judgement judge_growth_formula(const SourceSystem& system, const Expression& formula,
-                               const Budget& budget = {});
+Answer judge_growth_formula(const SourceSystem& system, const Expression& formula,
+                            const Budget& budget = {});
 
 /// Whether the growth of a D0L system is of this class: zero, bounded, polynomial (of this degree), exponential.
-Judgement judge_growth_class(const SourceSystem& system, const std::string& kind,
-                             const std::optional<Integer>& degree, const Budget& budget = {});
+Answer judge_growth_class(const HasGrowthClass& said, const Budget& budget = {});
 
 /// The system as a D0L system. Throws Error that names it if it is not one.
 D0L as_d0l(const SourceSystem& system);
-
-/// A function of n that is a sum of terms c n^k r^n with rational c and r.
-struct ExponentialPolynomial {
-    std::map<Rational, std::vector<Rational>> terms;  // by r: the coefficients of n^0, n^1, ...
-
-    Rational operator()(std::uint64_t n) const;
-    /// The order of a linear recurrence that it satisfies.
-    std::size_t order() const;
-};
 
 /// The function that an expression in n says: made by + - *, division by constants and powers with a number
 /// as exponent or with a number as base and an exponent like 2n+1. Throws Error for anything else.
@@ -176,20 +146,23 @@ ExponentialPolynomial exponential_polynomial(const Expression& expression);
 /// many steps: by deriving; where there are probabilities, whether the word has one above 0. Parameters
 /// are numbers as Program computes them, and the same only where all their digits are. Throws what
 /// Rewriting::next throws.
-Judgement judge_rewriting(const Statement& statement, const Budget& budget = {});
+Answer judge_rewriting(const Rewrites& said, const Budget& budget = {});
 
 /// Whether the word has exactly this probability in that generation (see distribution). Throws the same.
-Judgement judge_chance(const Statement& statement, const Budget& budget = {});
+Answer judge_chance(const HasChance& said, const Budget& budget = {});
 
 /// Whether the limit set that the system draws has this dimension, or one at most as large: by
 /// `exact_dimension`, and exactly. Where the rules give an upper bound only, nothing below it is said
 /// to be the dimension, nor that it is one. Undecided with the reasons where the rules give no
 /// formula, and where two logarithms agree in 200 digits but no proof of their equality was found.
-Judgement judge_dimension(const LSystem& system, const ClaimedDimension& claimed,
-                          const Budget& budget = {});
+Answer judge_dimension(const Model& system, const ClaimedDimension& claimed,
+                       const Budget& budget = {});
+
+/// Whether what the rules say of the dimension is more than that of the plane.
+bool exceeds_plane(const ExactDimension& found);
 
 /// The same of the boundary of a limit set with interior points.
-Judgement judge_boundary(const LSystem& system, const ClaimedDimension& claimed,
-                         const Budget& budget = {});
+Answer judge_boundary(const Model& system, const ClaimedDimension& claimed,
+                      const Budget& budget = {});
 
 }  // namespace algae

@@ -2,9 +2,17 @@
 
 // Figures that are not drawn by a turtle: lines and polygons, points, links.
 
+#include <cmath>
+
+#include "nature/detail/checks.hpp"
 #include "nature/nature.hpp"
 
 namespace algae {
+
+/// The colour so far on the way from one to the other.
+///
+/// Example: mixed({0, 0, 0}, {1, 1, 1}, 0.25).red == 0.25
+Colour mixed(const Colour& from, const Colour& to, double share);
 
 /// A figure that knows its box and its facts from the beginning.
 class PlainFigure : public Figure {
@@ -13,14 +21,14 @@ public:
     const Integer& segments() const override { return facts_.segments; }
     const Facts& facts() const override { return facts_; }
     std::optional<std::uint64_t> strokes() const override { return strokes_; }
-    const Settings& settings() const override { return settings_; }
+    const FigureStyle& style() const override { return style_; }
 
 protected:
-    explicit PlainFigure(Settings settings) : settings_(std::move(settings)) {}
+    explicit PlainFigure(FigureStyle style) : style_(std::move(style)) {}
     /// Makes the corners of the box, unless it is empty, those of the facts.
     void take_corners();
 
-    Settings settings_;
+    FigureStyle style_;
     Box box_;
     Facts facts_;
     std::optional<std::uint64_t> strokes_;
@@ -42,7 +50,7 @@ struct Path {
 /// a segment among its facts is the mean of all.
 class PathFigure : public PlainFigure {
 public:
-    explicit PathFigure(std::vector<Path> paths, Settings settings = {});
+    explicit PathFigure(std::vector<Path> paths, FigureStyle style = {});
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
     const std::vector<Path>& paths() const { return paths_; }
@@ -72,7 +80,7 @@ class PointFigure : public PlainFigure {
 public:
     /// The dots are made whenever they are drawn; `count` of them, within `box`. Colours beyond 255
     /// start again from 1 where there is a resolution.
-    PointFigure(SendDots send, std::uint64_t count, const Box& box, Settings settings = {});
+    PointFigure(SendDots send, std::uint64_t count, const Box& box, FigureStyle style = {});
 
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
@@ -87,7 +95,7 @@ private:
 class LinkFigure : public PlainFigure {
 public:
     /// `thickness` is a length in the plane, or 0 for the line width; `detail` that of a link.
-    LinkFigure(std::vector<Link> links, double thickness, double detail, Settings settings = {});
+    LinkFigure(std::vector<Link> links, double thickness, double detail, FigureStyle style = {});
 
     void draw(Canvas& canvas, double resolution, const Budget& budget) const override;
 
@@ -95,6 +103,21 @@ private:
     std::vector<Link> links_;
     double thickness_;
 };
+
+/// A figure of a relative among others: messages call it by both names, and its own stands underneath.
+RelativeFigure pictured(const Relative& of, std::unique_ptr<Figure> figure,
+                        const std::string& what);
+RelativeFigure pictured(const Relative& of, std::vector<Path> paths, const std::string& what);
+
+/// The line through points with the least squares of their vertical distances from it. Where all lie
+/// above each other none is best, and it is level.
+struct BestLine {
+    double slope = 0, height = 0;  // height at 0
+    bool is_level = true;
+};
+
+/// Example: best_line({{0, 1}, {1, 3}, {2, 5}}).slope == 2
+BestLine best_line(const std::vector<Point>& points);
 
 /// The graph of evenly spaced values, as a line in a box of `breadth` by 1: its lowest value is at
 /// the bottom and its highest at the top. Values that are all the same lie at the bottom.

@@ -28,6 +28,9 @@ double determinant(const AffineMap& map);
 /// Example: fixed_point(AffineMap{0.5, 0, 0, 0.5, 1, 2}) == Point{2, 4}
 Point fixed_point(const AffineMap& map);
 
+/// For each two states whether maps lead from the first to the second. O(states^3).
+std::vector<std::vector<bool>> reachable(const IteratedFunctions& system);
+
 /// For each state a box that holds its attractor, hardly larger than need be. By supporting lines
 /// in 720 directions: how far a set reaches in a direction is how far its images reach, and each
 /// round makes the bounds of all directions tighter.

@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "dimension/dimension.hpp"
+#include "language/language.hpp"
 #include "notation/detail/reading.hpp"
 #include "notation/notation.hpp"
 
@@ -31,7 +33,7 @@ struct ClaimName {
     LanguageOperand language;
     std::shared_ptr<const SourceSystem> system;
     std::shared_ptr<const LSystem> rewriting;
-    std::shared_ptr<const LSystem> written;  // of any system, with its turtle
+    std::shared_ptr<const Model> written;  // of any system, with its turtle
     Morphism morphism;
 };
 
@@ -65,7 +67,7 @@ public:
     std::shared_ptr<const LSystem> rewriting(std::string_view name) const;
 
     /// The system of this name as it was written. Throws if it is a name of something else.
-    std::shared_ptr<const LSystem> written(std::string_view name) const;
+    std::shared_ptr<const Model> written(std::string_view name) const;
 
     /// A symbol that counts as declared from now on if it has to.
     Symbol declare(std::string_view name);
@@ -73,7 +75,7 @@ public:
     std::shared_ptr<const SourceSystem> add_system(const std::string& name, const LSystem& written,
                                                    const char* where);
     /// The system that `open` knows by this name, which stands at `where`.
-    LSystem opened(const std::string& name, const char* where) const;
+    Model opened(const std::string& name, const char* where) const;
     /// Puts all systems over the alphabet as it is now.
     void finish();
 
@@ -99,28 +101,33 @@ std::size_t find_word(std::string_view text, std::string_view word);
 /// The word that is the whole of the text; ε is the empty word, a text without anything is none.
 Word parse_claimed_word(std::string_view text, ClaimReading& reading);
 
-/// Whether a morphism between braces stands next, not a set of words: there is an arrow between them.
-bool is_morphism(ClaimScanner& scanner);
+/// Whether a morphism between braces stands at `here`, not a set of words: there is an arrow between them.
+bool is_morphism(const char* here, const char* end);
+
+// What follows reads from `here` on, up to where it cannot go on, and moves `here` there.
 
 /// Reads the morphism `{ a -> ab; b -> ε }` that stands next.
-Morphism parse_morphism(ClaimScanner& scanner, ClaimReading& reading);
+Morphism parse_morphism(const char*& here, const char* end, ClaimReading& reading);
 
-/// Reads one language expression, up to where it cannot go on. Where `between_bars`, a `|` with `=` behind
-/// it ends the expression, as in `|A| = 3`. Throws `SyntaxError` or `DependsOnError`. Linear, but for
-/// the letters that images and complements are about; brackets nest at most 200 deep, operations 1000.
-LanguageOperand parse_language(ClaimScanner& scanner, ClaimReading& reading,
+/// Reads one language expression. Where `between_bars`, a `|` with `=` behind it ends the expression, as in
+/// `|A| = 3`. Throws `SyntaxError` or `DependsOnError`. Linear, but for the letters that images and
+/// complements are about; brackets nest at most 200 deep, operations 1000.
+LanguageOperand parse_language(const char*& here, const char* end, ClaimReading& reading,
                                bool between_bars = false);
-
-/// Reads a natural number of at most a thousand digits; `what` it is for. Throws `SyntaxError`.
-Integer parse_number(ClaimScanner& scanner, const char* what);
 
 /// Reads `log 4 / log 3`, a rational number, or several of them joined by `=` which have to be equal; a
 /// decimal number behind a `=` is what comes before it, rounded. Throws `SyntaxError`.
-DimensionValue parse_dimension_value(ClaimScanner& scanner);
+DimensionValue parse_dimension_value(const char*& here, const char* end);
+
+/// The number of these digits, of which there are at most a thousand. Throws `SyntaxError`.
+Integer natural_number(std::string_view digits);
 
 /// The statement that is the whole of the text: `A is not 0L`, `A == B`, `a in A`, `|A| = 3`,
 /// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
 Statement parse_statement(std::string_view text, ClaimReading& reading);
+
+/// An example of each form of statements, as NOTATION.md has them, in the order in which the forms are tried.
+std::vector<std::string> written_statements();
 
 /// The name by which statements keep a family of languages: "REG" and "regular" are REG, "CF" and
 /// "context-free" are CF, names of families of L-systems stay; nothing if there is no such family.

@@ -4,6 +4,7 @@
 #include <boost/spirit/home/x3.hpp>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "notation/detail/expression_grammar.hpp"
@@ -37,7 +38,8 @@ struct Blank : x3::parser<Blank> {
 };
 inline constexpr Blank blank;
 
-/// What a function reads, which moves its first argument on: the grammar of expressions is compiled apart.
+/// What a function reads, which moves its first argument on: the grammar of expressions is compiled apart. If it
+/// returns a bool, that says whether it matches.
 template <class Function>
 struct ByHand : x3::parser<ByHand<Function>> {
     using attribute_type = x3::unused_type;
@@ -46,10 +48,15 @@ struct ByHand : x3::parser<ByHand<Function>> {
     explicit ByHand(Function read) : function(std::move(read)) {}
 
     template <class Context, class RuleContext, class Attribute>
-    bool parse(const char*& first, const char* const& last, const Context&, RuleContext&,
+    bool parse(const char*& first, const char* const& last, const Context& context, RuleContext&,
                Attribute&) const {
-        function(first, last);
-        return true;
+        x3::skip_over(first, last, context);
+        if constexpr (std::is_void_v<std::invoke_result_t<Function, const char*&, const char*>>) {
+            function(first, last);
+            return true;
+        } else {
+            return function(first, last);
+        }
     }
 
     Function function;
@@ -78,6 +85,33 @@ struct Name : x3::parser<Name> {
     }
 };
 inline constexpr Name name;
+
+/// An action that is told the text which `raw` matched.
+template <class Tell>
+auto told(Tell tell) {
+    return [tell = std::move(tell)](auto& context) { tell(text_of(x3::_attr(context))); };
+}
+
+/// An action that sets a value.
+template <class Value, class New>
+auto sets(Value& value, New to) {
+    return [&value, to = std::move(to)](auto&) { value = to; };
+}
+
+/// Where the next token begins.
+inline const auto here = x3::raw[x3::eps];
+
+inline const auto digits = x3::raw[x3::lexeme[+x3::char_('0', '9')]];
+
+/// What stands up to the next blank.
+inline const auto piece = x3::raw[x3::lexeme[+(x3::char_ - blank)]];
+
+/// A name in claims: an ASCII letter, then letters, digits, `_` and `'`.
+inline const auto behind_letter = x3::ascii::alnum | x3::char_("_'");
+inline const auto claim_name = x3::raw[x3::lexeme[x3::ascii::alpha >> *behind_letter]];
+
+/// A name that is this one.
+inline auto word(const char* text) { return x3::lexeme[x3::lit(text) >> !behind_letter]; }
 
 /// A symbol, by the lexicon: the word grammars are fed their alphabet by hand.
 struct SymbolParser : x3::parser<SymbolParser> {
@@ -133,5 +167,22 @@ struct wanted {
         return Wanted<Value>(x3::as_parser(inner), expectation);
     }
 };
+
+/// Reads the text from `first` on by the grammar, with blanks between its tokens, and moves `first` behind it;
+/// false if it does not match.
+template <class Grammar>
+bool read(const char*& first, const char* last, const Grammar& grammar) {
+    return x3::phrase_parse(first, last, grammar, blank);
+}
+
+/// The same of the whole text; throws that `rest` was expected where it goes on behind the grammar.
+template <class Grammar>
+bool read_all(std::string_view text, const Grammar& grammar, const char* rest) {
+    const char* first = text.data();
+    const char* const last = first + text.size();
+    const bool matches = read(first, last, grammar);
+    if (matches && first != last) throw unexpected(rest, first);
+    return matches;
+}
 
 }  // namespace algae::grammar

@@ -14,6 +14,8 @@
 
 namespace algae {
 
+struct Expectation;
+
 /// One setting or rule, cut out of its line: without comment, without blanks at its ends.
 struct Clause {
     std::string_view text;
@@ -62,6 +64,8 @@ struct Reading {
     Findings& findings;
     Lexicon& lexicon;
     LSystem& system;
+    Drawing& drawing;  // of the whole file, as expectations are
+    std::vector<Expectation>& expectations;
 
     std::unordered_map<std::string, std::size_t> constants;  // to their index in the system
     std::unordered_set<std::string> broken;  // names whose statement was wrong: no further findings
@@ -154,7 +158,7 @@ auto read_whole(std::string_view text, const std::string& name, Read read) {
 /// The system that a part of a source describes, in the notation of `.lsys` files, with findings at their
 /// places in the source. `declared` are names of more than one character that are symbols there without
 /// having been declared. The system is meaningless if findings were added.
-LSystem read_system(std::string_view text, const Source& source, Findings& findings,
-                    const std::string& name, const std::vector<std::string>& declared);
+Model read_system(std::string_view text, const Source& source, Findings& findings,
+                  const std::string& name, const std::vector<std::string>& declared);
 
 }  // namespace algae

@@ -20,7 +20,10 @@ RelativeKind particles_kind();
 std::optional<std::vector<double>> hurst_values(const RelativeFile& file, const char* key);
 /// A number above 0.
 std::optional<double> positive_value(const RelativeFile& file, const char* key);
-/// All words of the statement of this key, as whole numbers.
+/// All words of the statement of this key, as numbers from `least` to `most`.
+std::optional<std::vector<double>> number_values(const RelativeFile& file, const char* key,
+                                                 double least, double most);
+/// The same as whole numbers.
 std::optional<std::vector<std::uint64_t>> natural_values(const RelativeFile& file, const char* key,
                                                          std::uint64_t least, std::uint64_t most);
 /// `N` or `N..M`, both at most `most`.

@@ -18,7 +18,7 @@ std::string place_of(const Query& query, const Traversal& course);
 
 /// What the turtle draws and is asked on its way over the word of a generation. `seed` is that of
 /// the derivation. Throws what ModuleTurtle throws.
-Traversal traversal_of(const LSystem& system, const ModuleKinds& kinds, const ModuleString& word,
+Traversal traversal_of(const Model& system, const ModuleKinds& kinds, const ModuleString& word,
                        std::uint64_t generation, std::uint64_t seed = 1, const Budget& budget = {});
 
 /// The environments of all communication modules of a system: those that its file sets, and without

@@ -12,6 +12,7 @@
 namespace algae {
 
 enum class Command : unsigned char;  // in the face of this room
+struct Drawing;
 
 /// The directions a turtle of one generation can look: multiples of a full turn divided by `order`.
 /// A heading is a number of such units, counter-clockwise from +x, taken modulo the order.
@@ -25,7 +26,7 @@ public:
     using Heading = std::int64_t;
 
     /// The compass of generation n: settings with their defaults, the start turned by n * spin.
-    Compass(const Settings& settings, std::uint64_t n);
+    Compass(const Drawing& drawing, std::uint64_t n);
 
     std::int64_t order() const { return order_; }
     /// Whether directions are exact: the ring of order `order()` is small enough to compute in.

@@ -13,6 +13,10 @@
 
 namespace algae {
 
+struct SolidSetting;
+struct SurfaceSetting;
+enum class StampShape : unsigned char;
+
 /// What modules of a symbol mean that a file declares with `solid`.
 class SolidModule {
 public:
@@ -87,7 +91,7 @@ enum class TurtleOperation : std::uint8_t {
 };
 
 /// What a symbol means by its name, where the file does not declare it, with so many parameters.
-TurtleOperation named_operation(const std::string& name, const Settings& settings,
+TurtleOperation named_operation(const std::string& name, const Drawing& drawing,
                                 std::uint32_t parameters);
 
 /// Whether the name alone makes a figure one in space: & ^ \ / and $.
@@ -98,7 +102,7 @@ bool turns_out_of_plane(const std::string& name);
 struct TurtleCommand {
     TurtleOperation operation = TurtleOperation::nothing;
     std::uint32_t parameters = 0;
-    StampShape shape = StampShape::square;   // of a stamp
+    StampShape shape{};                      // of a stamp
     std::optional<SolidModule> solid;        // of a solid
     std::vector<std::vector<Vector>> faces;  // of a surface
     bool leaves_plane = false;               // the figure is one in space where this is done
@@ -107,8 +111,9 @@ struct TurtleCommand {
     std::uint32_t read() const;
 };
 
-/// The command of a letter with this number of parameters, in this system.
-TurtleCommand turtle_command(const LSystem& system, Symbol letter, std::uint32_t parameters);
+/// The command of a letter with this number of parameters, in a system over this alphabet.
+TurtleCommand turtle_command(const Alphabet& alphabet, const Drawing& drawing, Symbol letter,
+                             std::uint32_t parameters);
 
 /// What hears of a turtle's walk, in the order of the word. All points are in the units of the file.
 class TurtleEvents {
@@ -162,12 +167,11 @@ struct TurtleManner {
 
 /// The length of a step in a generation; `name` is what messages call it. Throws Error if it is 0 or not
 /// a number.
-double step_length(const Settings& settings, std::uint64_t generation, const std::string& name);
+double step_length(const Drawing& drawing, std::uint64_t generation, const std::string& name);
 
 /// The manner of a system in a generation; `name` is what messages call it. Throws Error if the step is
 /// 0 or no number, or the heading no number.
-TurtleManner turtle_manner(const LSystem& system, std::uint64_t generation,
-                           const std::string& name);
+TurtleManner turtle_manner(const Model& system, std::uint64_t generation, const std::string& name);
 
 /// "generation 5 of koch", as messages call it.
 std::string figure_name(const LSystem& system, std::uint64_t generation);
@@ -205,7 +209,7 @@ class ModuleTurtle {
 public:
     /// For words over these kinds. Throws Error if an interpretation rule has contexts, `Diagnostics` if
     /// constant expression has no value, and Error if the step is 0 or no number.
-    ModuleTurtle(const LSystem& system, const ModuleKinds& kinds, std::uint64_t generation,
+    ModuleTurtle(const Model& system, const ModuleKinds& kinds, std::uint64_t generation,
                  std::uint64_t seed = 1);
 
     /// Walks the word and says where it ends. Linear in the number of commands.

@@ -20,13 +20,13 @@ double total_length(const Scene& scene);
 /// alphabet.
 ///
 /// Example: box_scene(read_lsystem("axiom A", ""), {{0, {0, 0, 0}, {1, 2, 3}}}).solids.front().size == Vector{1, 3, 2}
-Scene box_scene(const LSystem& system, const std::vector<ShapeBox>& boxes);
+Scene box_scene(const Model& system, const std::vector<ShapeBox>& boxes);
 
 /// Makes a Scene of what a turtle does.
 class SceneBuilder : public TurtleEvents {
 public:
     /// For a word of so many modules.
-    SceneBuilder(const Settings& settings, std::string name, std::size_t modules,
+    SceneBuilder(const Drawing& drawing, std::string name, std::size_t modules,
                  const Budget& budget);
 
     void before(std::size_t module, const TurtleState&) override;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -13,6 +14,13 @@
 #include "verify/verify.hpp"
 
 namespace algae::verify {
+
+/// Whether this part of a word stands there from a position on.
+inline bool stands_at(const Word& part, const Word& word, std::size_t position) {
+    return part.size() <= word.size() - position &&
+           std::equal(part.begin(), part.end(),
+                      word.begin() + static_cast<std::ptrdiff_t>(position));
+}
 
 /// A relation on the numbers below `size`, row after row.
 class BooleanMatrix {
@@ -111,37 +119,91 @@ Integer length_of_generation(const System& system, const Integer& generation, co
 std::optional<Symbol> letter_of_generation(const System& system, std::uint64_t generation,
                                            Integer position, const Budget& budget);
 
-/// What a proof is checked with.
-struct Checking {
+/// A proof, and what it has to show: its statement, or the opposite where that does not hold. The
+/// statement's own `negated` does not matter. Functions that check it return if the proof shows that; they throw
+/// Flaw if it does not, Error if it is not as CERTIFICATES.md says, BoundReached if it cannot be checked
+/// within the budget.
+struct Obligation {
     const Certificate& certificate;
     Reader reader;
     const Budget& budget;
+    const Statement& statement;
+    bool holds = true;
+    Field proof;
 
     const Alphabet& alphabet() const { return *certificate.alphabet; }
+    const Language& language(std::size_t i = 0) const { return statement.languages[i]; }
+    const System& system(std::size_t i = 0) const { return *statement.systems[i].system; }
+    Word word(std::string_view field) const { return reader.word(proof.at(field)); }
+    Symbol letter(std::string_view field) const { return reader.letter(proof.at(field)); }
+    bool contains(const Language& in, const Word& word) const;
+    /// All words of a language; nothing if it is infinite.
+    std::optional<std::set<Word>> values(const Language& of) const;
+
+    /// What a part of the proof has to show.
+    Obligation part(const Statement& shown, bool so, Field by) const {
+        return {certificate, reader, budget, shown, so, std::move(by)};
+    }
+    [[noreturn]] void refuse(const std::string& why) const { proof.refuse(why); }
+    /// The proof is of no kind that shows such a statement: throws Flaw.
+    [[noreturn]] void wrong_kind() const;
 };
 
-/// Checks that a proof shows a statement (`holds`) or its opposite. Returns if it does; throws Flaw if
-/// it does not, Error if the proof is not as CERTIFICATES.md says, BoundReached if it cannot be
-/// checked within the budget. The statement's own `negated` does not matter.
-void check_proof(const Checking& with, const Statement& statement, bool holds, const Field& proof);
+/// Checks a proof of any kind.
+void check_proof(const Obligation& task);
 
-// The same for statements of these kinds; `by` is what the proof says of itself.
-void check_family(const Checking& with, const Statement& statement, bool holds, const Field& proof,
-                  const std::string& by);
-void check_size(const Checking& with, const Statement& statement, bool holds, const Field& proof,
-                const std::string& by);  // finite, empty, size
-void check_comparison(const Checking& with, const Statement& statement, bool holds,
-                      const Field& proof, const std::string& by);  // equal, included
-void check_membership(const Checking& with, const Statement& statement, bool holds,
-                      const Field& proof, const std::string& by);
-void check_derivation(const Checking& with, const Statement& statement, bool holds,
-                      const Field& proof, const std::string& by);
-void check_rewriting(const Checking& with, const Statement& statement, bool holds,
-                     const Field& proof, const std::string& by);  // rewrites, chance
-void check_sequences(const Checking& with, const Statement& statement, bool holds,
-                     const Field& proof, const std::string& by);
-void check_growth(const Checking& with, const Statement& statement, bool holds, const Field& proof,
-                  const std::string& by);  // equal growth, formula, class
+// The same for one kind of proof each. Of families:
+void check_reversal(const Obligation& task);
+void check_empty_word(const Obligation& task);
+void check_sparse(const Obligation& task);
+void check_cases(const Obligation& task);
+void check_finite_system(const Obligation& task);
+void check_form(const Obligation& task);
+void check_equal_to_form(const Obligation& task);
+void check_all_finite(const Obligation& task);
+void check_regular_family(const Obligation& task);
+// Of the size of a language:
+void check_size_of_values(const Obligation& task);
+void check_no_word(const Obligation& task);
+void check_a_word(const Obligation& task);
+void check_infinite_part(const Obligation& task);
+void check_endless_round(const Obligation& task);
+void check_endless_tables(const Obligation& task);
+void check_pumping(const Obligation& task);
+void check_part(const Obligation& task);
+// Of equality and inclusion:
+void check_values(const Obligation& task);
+void check_word_in_one(const Obligation& task);
+void check_derivatives(const Obligation& task);
+void check_identical(const Obligation& task);
+void check_same_sequences(const Obligation& task);
+void check_sections(const Obligation& task);
+void check_induction(const Obligation& task);
+void check_relations(const Obligation& task);
+void check_both(const Obligation& task);
+// Of words and derivations:
+void check_membership(const Obligation& task);
+void check_derivation(const Obligation& task);
+void check_not_derived(const Obligation& task);
+void check_rewriting(const Obligation& task);
+// Of sequences and growth:
+void check_balance(const Obligation& task);
+void check_finite_sequences(const Obligation& task);
+void check_difference(const Obligation& task);
+void check_equal_terms(const Obligation& task);
+void check_other_length(const Obligation& task);
+void check_formula_terms(const Obligation& task);
+void check_formula_fails(const Obligation& task);
+void check_growth_class(const Obligation& task);
+
+/// Checks that a language is infinite, by one of the kinds of proof that show only this.
+void check_infinite(const Obligation& task, const Language& language, const Field& proof);
+
+/// Throws Flaw where two words of D0L systems in a generation have the same length.
+void check_lengths_differ(const Obligation& task);
+
+/// Throws Flaw if a system occurs in the expression whose language is not finite.
+void check_regular(const Obligation& task, const Language& language);
 
 /// How the lengths of a D0L system grow: "zero", "bounded", "polynomial" or "exponential", and the degree.
 struct Growth {
@@ -149,29 +211,6 @@ struct Growth {
     std::size_t degree = 0;
 };
 Growth growth_of(const System& system);
-
-/// Checks that a language is infinite.
-void check_infinite(const Checking& with, const Language& language, const Field& proof,
-                    const std::string& by);
-/// Checks that two D0L systems have the same sequence, by the automaton of overflows in the proof.
-void check_balance(const Checking& with, const System& left, const System& right,
-                   const Field& proof);
-/// Checks that two D0L systems generate the same language, by the sections of their sequences in the proof.
-void check_sections(const Checking& with, const System& left, const System& right,
-                    const Field& proof);
-/// Throws Flaw if a system occurs in the expression whose language is not finite.
-void check_regular(const Checking& with, const Language& language, const Field& proof);
-
-/// Checks by induction on the length that a regular language is within that of a system.
-void check_induction(const Checking& with, const Language& left, const Language& right,
-                     const Field& proof);
-
-/// The proof is of no kind that shows such a statement: throws Flaw.
-[[noreturn]] void wrong_kind(const Field& proof, const std::string& by);
-
-/// Checks a derivation from one word to the other: the fields `words` and `tables` of a proof.
-void check_steps(const Checking& with, const System& system, const Word& from, const Word& to,
-                 const Field& field);
 
 /// A statement, or its opposite, on one line. Long expressions are shortened in the middle.
 std::string statement_text(const Statement& statement, bool refuted, const Alphabet& alphabet);

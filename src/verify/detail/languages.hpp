@@ -72,6 +72,7 @@ private:
     Term star(Term part);
     Term any(std::vector<Term> parts);
     Term all(std::vector<Term> parts);
+    Term combined(Kind kind, const std::vector<Term>& parts, Term neutral, Term absorbing);
     Term complement(Term part);
     Term word(const Word& word, Term rest);
     Term convert(const Tree& tree, bool reversed);
@@ -99,6 +100,9 @@ bool contains(const Language& language, const Word& word, const Alphabet& alphab
 /// The image of a word under a morphism; nothing if a letter has none.
 std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& morphism,
                              const Budget& budget);
+
+/// Whether all letters of the word are terminals of the system.
+bool is_terminal(const System& system, const Word& word);
 
 /// Whether the system derives a word, from here, in this number of steps, or in any. Terminals do not matter.
 bool derives(const System& system, const Word& from, const Word& to,

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "exact/exact.hpp"
-#include "system/system.hpp"
+#include "turtle/turtle.hpp"
 
-// The tables behind settings that name something: colours of CSS, kinds of solids, of surfaces and of environments. Each
-// table is the only list of its names; reading, printing and completion ask it.
+// Colours by name: those of CSS that figures are likely to want, in the only list of their names; reading, printing and
+// completion ask it.
 
 namespace algae {
 namespace {
@@ -125,47 +125,5 @@ Colour hue(double degrees) {
     };
     return {part(0), part(120), part(240)};
 }
-
-const std::vector<SolidKind>& solid_kinds() {
-    static const std::vector<SolidKind> kinds = [] {
-        const SolidKind::Name colour{"colour", "_color"}, height{"height", "_height"},
-            radius{"radius", "_radius"}, x{"x", "_x"}, y{"y", "_y"}, z{"z", "_z"};
-        return std::vector<SolidKind>{
-            {{"box", "_typeCube"}, {{"width", "_width"}, height, {"depth", "_depth"}, colour}},
-            {{"cylinder", "_typeCylinder"}, {radius, height, colour}},
-            {{"cone", "_typeCone"}, {{"radius", "_bottomRadius"}, height, colour}},
-            {{"sphere", "_typeSphere"}, {radius, colour}},
-            {{"rotation", "_typeRotation"}, {x, y, z}},
-            {{"translation", "_typeTranslation"}, {x, y, z}}};
-    }();
-    return kinds;
-}
-
-const SolidKind* solid_kind(std::string_view name) {
-    for (const SolidKind& kind : solid_kinds())
-        if (kind.name.name == name || kind.name.reserved == name) return &kind;
-    return nullptr;
-}
-
-const std::vector<std::string>& surface_kinds() {
-    static const std::vector<std::string> kinds{"leaf", "petal", "disc", "polygon", "patch"};
-    return kinds;
-}
-
-const std::vector<EnvironmentKind>& environment_kinds() {
-    static const std::vector<EnvironmentKind> kinds{
-        {"x", "", {0}},
-        {"y", "", {0}},
-        {"z", "", {0}},
-        {"position", "", {0}},
-        {"heading", "", {0}},
-        {"clip", "two corners, X Y X Y or X Y Z X Y Z", {4, 6}},
-        {"collision", "a radius", {1}},
-        {"light", "a radius", {1}},
-        {"external", "", {0}}};
-    return kinds;
-}
-
-bool is_communication(std::string_view name) { return name.size() > 1 && name[0] == '?'; }
 
 }  // namespace algae

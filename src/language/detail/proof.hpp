@@ -1,0 +1,517 @@
+#pragma once
+
+// How it is known that a statement is true or false: a tree of named steps, whose parts are the proofs that a step
+// rests on.
+//
+// The judges make proofs and write no text. A proof has three readers: sentences (sentences.cpp), the certificate
+// (certificate.cpp) and LaTeX (latex.cpp). A new kind of step is a new alternative of `Proof`; the compiler lists
+// the readers that miss it. A step whose certificate is the name of a rule and nothing else says that name in
+// `rule` (CERTIFICATES.md lists the rules).
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "growth/growth.hpp"
+#include "language/language.hpp"
+#include "system/system.hpp"
+
+namespace algae {
+
+struct ExactDimension;
+struct FamilyAnswer;
+
+/// A proof within a proof.
+using Part = std::shared_ptr<const Proof>;
+
+/// An ET0L system for the language of an expression, and the operations that it is constructed by.
+struct TableValue {
+    ET0L system;
+    Language language;
+    std::vector<std::string> operations;
+};
+
+/// A function of n that is a sum of terms c n^k r^n with rational c and r.
+struct ExponentialPolynomial {
+    std::map<Rational, std::vector<Rational>> terms;  // by r: the coefficients of n^0, n^1, ...
+
+    Rational operator()(std::uint64_t n) const;
+    /// The order of a linear recurrence that it satisfies.
+    std::size_t order() const;
+};
+
+/// What the letters derive in `step` steps is what they derive in `earlier` steps; by several tables, in
+/// fewer.
+struct Repeated {
+    std::uint64_t step = 0, earlier = 0;
+    bool one_table = true;
+};
+
+namespace steps {
+
+// --- The words of finite languages ---
+
+/// The language has these words; of more than `most_shown` only how many.
+struct Value {
+    static constexpr const char* rule = "values";
+    static constexpr std::size_t most_shown = 40;
+    Language language;
+    std::vector<Word> words;
+    std::size_t count = 0;
+};
+
+/// Which words of a finite language are in another one, word by word.
+struct Sifted {
+    static constexpr const char* rule = "values";
+    static constexpr std::size_t most_shown = 40;  // sentences, so of no more words is a proof kept
+    std::vector<Part> members;
+};
+
+// --- Words and languages ---
+
+/// The word is one of a finite set or not; or it is the empty word, in a star.
+struct Listed {
+    static constexpr const char* rule = "membership";
+    Language language;
+    Word word;
+    bool in = false;
+};
+
+/// The derivation ends with the word, so it is in L(G).
+struct Generated {
+    std::string system;
+    Derivation derivation;
+};
+
+struct NotGenerated {
+    static constexpr const char* rule = "membership";
+    std::string system;
+    Word word;
+    Membership why;
+};
+
+/// The word is cut at `ends` into words of the parts of a concatenation, star or plus.
+struct Factored {
+    static constexpr const char* rule = "membership";
+    Language language;
+    Word word;
+    std::vector<std::size_t> ends;
+};
+
+/// It cannot be cut so.
+struct NotFactored {
+    static constexpr const char* rule = "membership";
+    Language language;
+    Word word;
+};
+
+/// The word is the image of `source`, which is in the part of an image.
+struct HasPreimage {
+    Language language;
+    Word word, source;
+};
+
+struct HasNoPreimage {
+    static constexpr const char* rule = "membership";
+    Language language;
+    Word word;
+};
+
+/// A complement is over other letters.
+struct OtherLetters {
+    static constexpr const char* rule = "membership";
+    Symbol letter = 0;
+};
+
+/// A letter of the word has no image.
+struct HasNoImage {
+    static constexpr const char* rule = "membership";
+    Word word;
+};
+
+/// Whether the word is in the language follows from whether it, or its image, is in the parts.
+struct FromParts {
+    Language language;
+    Word word;
+    bool in = false;
+    std::vector<Part> parts;
+    std::optional<Word> image = {};  // of an inverse image
+};
+
+// --- Derivations ---
+
+/// The system derives the last word of the derivation from the first.
+struct Derives {
+    std::string system;
+    Derivation derivation;
+    bool with_context = false;
+};
+
+/// It does not derive the word: in so many steps, or any number of them.
+struct DerivesNot {
+    static constexpr const char* rule = "exhausted";
+    std::string system;
+    Word from, word;
+    std::optional<std::uint64_t> steps = {};
+    std::optional<Word> reached = {};  // the one word that it derives
+    bool with_context = false;
+    bool several_tables = false;
+};
+
+/// The word is in the language of the system or not, so the system derives it or does not.
+struct InSomeStep {
+    Part membership;
+};
+
+/// A system derives one word of modules in so many steps. The words are written as modules.
+struct Rewrites {
+    static constexpr const char* rule = "rewriting";
+    std::string system;
+    std::uint64_t steps = 0;
+    std::vector<std::string> words;  // the first and the last, and all between unless they are long
+    bool all_shown = false;
+    bool holds = false;  // the last is the word of the statement
+};
+
+/// The same of an open system, whose communication modules its environments fill.
+struct Develops {
+    static constexpr const char* rule = "environment";
+    std::string system;
+    std::vector<std::string> words;
+    bool holds = false;
+};
+
+/// A system with probabilities derives `to` with this one, of so many words.
+struct Likely {
+    static constexpr const char* rule = "rewriting";
+    std::string system, from, to;
+    std::uint64_t steps = 0;
+    std::size_t words = 0;
+    Rational probability;
+};
+
+// --- Sequences, growth and dimension ---
+
+struct SameSequence {
+    std::string left, right;
+    Balance balance;
+};
+
+struct OtherSequence {
+    std::string left, right;
+    SequenceDifference difference;
+};
+
+/// So many first lengths are the same.
+struct SameGrowth {
+    static constexpr const char* rule = "terms";
+    std::uint64_t bound = 0;
+};
+
+struct OtherGrowth {
+    GrowthComparison::Difference difference;
+};
+
+/// The first `terms` lengths are the values of the function, and no recurrence of either is longer.
+struct FollowsFormula {
+    std::size_t letters = 0;
+    ExponentialPolynomial function;
+    std::size_t terms = 0;
+};
+
+struct LeavesFormula {
+    std::size_t generation = 0;
+    Integer length;
+    Rational value;
+};
+
+struct Grows {
+    static constexpr const char* rule = "components";
+    std::string system;
+    GrowthOrder order;
+};
+
+/// How what the rules say of the dimension, or of that of the boundary, compares with the claimed number.
+struct LimitSet {
+    std::string system;
+    std::shared_ptr<const ExactDimension> found;
+    bool boundary = false;
+    ClaimedDimension claimed;
+    Order order = Order::unknown;
+};
+
+// --- Equality and inclusion ---
+
+/// Both sides are the same expression.
+struct Identical {
+    static constexpr const char* rule = "identical";
+};
+
+/// Both sides have the same finitely many words.
+struct SameValues {
+    static constexpr const char* rule = "values";
+    std::vector<Part> left, right;
+};
+
+/// Each word of the finite left side is in the right one.
+struct ValuesWithin {
+    static constexpr const char* rule = "values";
+    static constexpr std::size_t most_shown = 40;
+    std::vector<Part> left, members;
+};
+
+/// A word of one finite side only.
+struct OtherValues {
+    std::vector<Part> left, right;
+    Word word;
+};
+
+/// The minimal automata are the same, with so many states.
+struct SameAutomata {
+    static constexpr const char* rule = "derivatives";
+    std::size_t states = 0;
+};
+
+/// The automaton of the left side without the right one accepts nothing.
+struct NothingOutside {
+    static constexpr const char* rule = "derivatives";
+    Language left, right;
+};
+
+/// The word is in one of the languages only.
+struct Distinguished {
+    Word word;
+    Answer in_left, in_right;
+};
+
+struct SameDeterministic {
+    LanguageEquality equality;
+};
+
+/// No generation of a system for the left side leaves the regular right side.
+struct WithinRegular {
+    Language left, right;
+    Repeated letters;
+    std::shared_ptr<const TableValue>
+        constructed;  // unless the left side is L(G), and the right without systems
+};
+
+/// The words of the base are in L(G); each other word of the left side comes in one step from a shorter one.
+struct ByInduction {
+    Language left;
+    std::vector<Word> base;
+    std::vector<Answer> members;
+};
+
+struct BothInclusions {
+    Part there, back;
+};
+
+// --- Finite, empty, size ---
+
+/// The language has so many words: they are listed, or its automaton accepts so many.
+struct Counted {
+    static constexpr const char* rule = "values";
+    std::vector<Part> known;
+    Language language;
+    Integer count;
+    bool by_automaton = false;
+};
+
+struct NoWord {
+    static constexpr const char* rule = "values";
+    std::vector<Part> known;
+    Language language;
+    bool by_automaton = false;
+};
+
+/// The constructed system has a finite language.
+struct FiniteConstruction {
+    static constexpr const char* rule = "values";
+    TableValue tables;
+};
+
+/// The language has this word; the derivation ends with it.
+struct FoundWord {
+    Language language;
+    Word word;
+    std::optional<Derivation> derivation = {};
+};
+
+/// No word of L(G) is in the other part of the intersection.
+struct Disjoint {
+    static constexpr const char* rule = "relations";
+    std::string system;
+    Language other;
+    Repeated letters;
+};
+
+/// Nothing makes terminals of all letters of the axiom.
+struct NoTerminals {
+    TableValue tables;
+};
+
+/// L(G) of an 0L system is infinite (see EndlessRound): the letters with the successors of the round.
+struct InfiniteRound {
+    std::string system;
+    std::vector<std::pair<Symbol, Word>> rules;
+    Symbol other = 0;
+};
+
+/// The language of a system with tables, its own or constructed, is infinite.
+struct InfiniteTables {
+    std::string system;
+    std::shared_ptr<const TableValue> tables;
+    bool constructed = false;
+    EndlessTables endless;
+};
+
+/// The words prefix middle^n suffix are all in the regular language.
+struct Pumped {
+    Language language;
+    Word prefix, middle, suffix;
+};
+
+/// Part `index` of an operation is infinite, so the whole is.
+struct InfinitePart {
+    Language whole;
+    std::size_t index = 0;
+    Part part;
+};
+
+/// The language has not so many words, as it is infinite.
+struct InfiniteSize {
+    Part infinite;
+};
+
+// --- Families ---
+
+/// The language is given by a system of the family.
+struct HasForm {
+    static constexpr const char* rule = "form";
+    Language language;
+    std::string family;
+};
+
+/// The language is finite, and the family has all finite languages.
+struct FiniteOfFamily {
+    static constexpr const char* rule = "finite";
+    std::vector<Part> known;
+    std::string family;
+};
+
+/// Finite languages under operations that keep languages regular.
+struct RegularOperations {
+    static constexpr const char* rule = "regular";
+    Language language;
+    std::string family;
+};
+
+/// The empty word is in the language, and no system of the family derives it.
+struct HasEmptyWord {
+    static constexpr const char* rule = "empty word";
+    Language language;
+    std::string family;
+    Part member;
+};
+
+/// A D0L language that grows faster than linearly has too few lengths.
+struct Sparse {
+    static constexpr const char* rule = "sparse";
+    Language language;
+    std::string family;
+    GrowthOrder order;
+};
+
+/// A system that generates the finite language, or the cases by which there is none.
+struct FiniteFamily {
+    std::vector<Part> known;
+    std::shared_ptr<const FamilyAnswer> answer;
+};
+
+/// A system of the claim is of the family and generates the language.
+struct GeneratedBy {
+    std::shared_ptr<const SourceSystem> system;
+    std::string family;
+    Language language;
+    Part equal;
+};
+
+/// What is reversed is of the family or not, so the reversal is or is not.
+struct OfReversal {
+    Language language;
+    std::string family;
+    bool holds = false;
+    Part part;
+};
+
+/// A constructed system is of the family.
+struct Constructed {
+    TableValue tables;
+};
+
+}  // namespace steps
+
+struct Proof {
+    std::variant<steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
+                 steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
+                 steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives,
+                 steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops,
+                 steps::Likely, steps::SameSequence, steps::OtherSequence, steps::SameGrowth,
+                 steps::OtherGrowth, steps::FollowsFormula, steps::LeavesFormula, steps::Grows,
+                 steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
+                 steps::OtherValues, steps::SameAutomata, steps::NothingOutside,
+                 steps::Distinguished, steps::SameDeterministic, steps::WithinRegular,
+                 steps::ByInduction, steps::BothInclusions, steps::Counted, steps::NoWord,
+                 steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
+                 steps::InfiniteRound, steps::InfiniteTables, steps::Pumped, steps::InfinitePart,
+                 steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
+                 steps::RegularOperations, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
+                 steps::GeneratedBy, steps::OfReversal, steps::Constructed>
+        step;
+};
+
+template <class Step>
+Part proof_by(Step step) {
+    return std::make_shared<const Proof>(Proof{std::move(step)});
+}
+
+template <class Step>
+Answer proved(Step step) {
+    return {Truth::proved, proof_by(std::move(step)), {}};
+}
+
+template <class Step>
+Answer refuted(Step step) {
+    return {Truth::refuted, proof_by(std::move(step)), {}};
+}
+
+/// Proved if it holds, otherwise refuted.
+template <class Step>
+Answer decided(bool holds, Step step) {
+    return holds ? proved(std::move(step)) : refuted(std::move(step));
+}
+
+inline Answer undecided(std::string tried) {
+    return {Truth::undecided, nullptr, {std::move(tried)}};
+}
+
+// --- What the readers of proofs share ---
+
+/// The sentences with what is not prose between marks, control characters that no notation has: words between
+/// `word_begins` and `mark_ends`, languages, rules, names and numbers between `term_begins` and `mark_ends`.
+constexpr char word_begins = '\1', term_begins = '\2', mark_ends = '\3';
+std::string marked_word(const Alphabet& alphabet, const Word& word);
+std::string marked(const std::string& term);
+std::vector<std::string> marked_sentences(const Answer& answer, const Alphabet& alphabet);
+
+/// The sentence without its marks.
+std::string plain(std::string sentence);
+
+}  // namespace algae

@@ -1,0 +1,618 @@
+#include <algorithm>
+#include <set>
+
+#include "dimension/dimension.hpp"
+#include "language/detail/finite_family.hpp"
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
+
+// Proofs in sentences: one function for each kind of step.
+//
+// A step says its own sentence behind those of the parts that it rests on, or in front of them where it
+// announces them. Parts that two sides share are said once. Sentences are made with marks around words and
+// terms, which `latex` sets as mathematics and `sentences` takes out.
+
+namespace algae {
+
+std::string marked(const std::string& term) { return term_begins + term + mark_ends; }
+
+std::string marked_word(const Alphabet& alphabet, const Word& word) {
+    return word_begins + spell(alphabet, word) + mark_ends;
+}
+
+std::string plain(std::string sentence) {
+    std::erase_if(sentence,
+                  [](char c) { return c == word_begins || c == term_begins || c == mark_ends; });
+    return sentence;
+}
+
+namespace {
+
+using Kind = LanguageTree::Kind;
+using Lines = std::vector<std::string>;
+
+constexpr std::size_t longest_shown = 240;  // characters of a derivation on one line
+constexpr int digits_shown = 12;            // of a dimension
+
+std::string number(std::uint64_t value) { return marked(std::to_string(value)); }
+
+/// "3 steps".
+std::string several(std::uint64_t count, const std::string& noun) {
+    return number(count) + ' ' + noun + (count == 1 ? "" : "s");
+}
+
+/// "generation 0 is", "generations 0 to 3 are": those before a number that is not 0.
+std::string generations(std::uint64_t end) {
+    return end == 1 ? "generation " + number(0) + " is"
+                    : "generations " + number(0) + " to " + number(end - 1) + " are";
+}
+
+/// "what the letters derive in 3 steps does to the states of its automaton what they derive in 2".
+std::string relations(const Repeated& letters) {
+    return "what the letters derive in " + several(letters.step, "step") +
+           " does to the states of its automaton what they derive in " +
+           (letters.one_table ? number(letters.earlier) : "fewer");
+}
+
+/// "log 4 / log 3 = 1.261859507143".
+std::string dimension_text(const DimensionFormula& formula) {
+    const std::string decimal = formula.decimal(digits_shown);
+    if (formula.ratio_sum()) return decimal + ", the s of " + formula.text();
+    return formula.text() + (formula.rational() ? "" : " = " + decimal);
+}
+
+std::string agree(const std::string& left, const std::string& right) {
+    return left + " and " + right + " agree in " + std::to_string(digits_compared) +
+           " digits, but no proof that they are equal was found.";
+}
+
+std::string sign_between(Order order) {
+    return order == Order::equal ? " = " : order == Order::less ? " < " : " > ";
+}
+
+class Sentences {
+public:
+    explicit Sentences(const Alphabet& alphabet) : alphabet_(alphabet) {}
+
+    Lines of(const Proof& proof) const {
+        Sentences inner(alphabet_);
+        std::visit(inner, proof.step);
+        return std::move(inner.lines_);
+    }
+
+    Lines of(const Answer& answer) const { return answer.proof ? of(*answer.proof) : answer.tried; }
+
+    // --- The words of finite languages ---
+
+    void operator()(const steps::Value& said) {
+        const std::string inner = unnamed_text(said.language, alphabet_);
+        const std::string value = said.count > steps::Value::most_shown
+                                      ? "a set of " + std::to_string(said.count) + " words"
+                                      : to_string(words_language(said.words), alphabet_);
+        say(marked((said.language->name.empty() ? "" : said.language->name + " = ") +
+                   (inner == value ? inner : inner + " = " + value)) +
+            ".");
+    }
+    void operator()(const steps::Sifted& said) {
+        for (const Part& member : said.members)
+            if (lines_.size() < steps::Sifted::most_shown) add(*member);
+    }
+
+    // --- Words and languages ---
+
+    void operator()(const steps::Listed& said) { say(is_in(said, said.in) + "."); }
+    void operator()(const steps::Generated& said) {
+        say(word(said.derivation.words.back()) + " is in " + generated(said.system) +
+            (said.derivation.words.size() == 1 ? ": it is the axiom."
+                                               : ": " + arrows(said.derivation) + "."));
+    }
+    void operator()(const steps::NotGenerated& said) {
+        say(word(said.word) + " is not in " + generated(said.system) + ": " +
+            reason(said.word, said.why) + ".");
+    }
+    void operator()(const steps::Factored& said) {
+        std::string cut;
+        std::size_t from = 0;
+        for (const std::size_t to : said.ends) {
+            const auto begin = said.word.begin();
+            cut += (cut.empty() ? "" : " . ") + word({begin + static_cast<std::ptrdiff_t>(from),
+                                                      begin + static_cast<std::ptrdiff_t>(to)});
+            from = to;
+        }
+        say(is_in(said, true) + ": it is " + cut + ".");
+    }
+    void operator()(const steps::NotFactored& said) {
+        say(is_in(said, false) +
+            (said.language->kind == Kind::concatenated
+                 ? ": no way to cut it in two has the parts in the two languages."
+                 : ": it cannot be cut into words of " + language(said.language->parts[0]) + "."));
+    }
+    void operator()(const steps::HasPreimage& said) {
+        say(is_in(said, true) + ": it is the image of " + word(said.source) + ".");
+    }
+    void operator()(const steps::HasNoPreimage& said) {
+        say(is_in(said, false) + ": no word of " + language(said.language->parts[0]) +
+            " has this image.");
+    }
+    void operator()(const steps::OtherLetters& said) {
+        say("The complement is over other letters than " + letter(said.letter) + ".");
+    }
+    void operator()(const steps::HasNoImage& said) {
+        say("A letter of " + word(said.word) + " has no image.");
+    }
+    /// What it comes to is said unless it is plain from the parts.
+    void operator()(const steps::FromParts& said) {
+        if (said.image) say("The image of " + word(said.word) + " is " + word(*said.image) + ".");
+        add(said.parts);
+        const Kind kind = said.language->kind;
+        const bool is_plain =
+            kind == Kind::united || kind == Kind::intersected || kind == Kind::difference;
+        if (!is_plain || !said.language->name.empty()) say("So " + is_in(said, said.in) + ".");
+    }
+
+    // --- Derivations ---
+
+    void operator()(const steps::Derives& said) {
+        const auto& words = said.derivation.words;
+        say(derives(said.system, word(words.front()), word(words.back()), words.size() - 1) +
+            (words.size() > 1 || said.with_context ? ": " + arrows(said.derivation) : "") + ".");
+    }
+    void operator()(const steps::DerivesNot& said) {
+        if (!said.steps)
+            say(word(said.from) + " does not derive " + word(said.word) + " by " +
+                marked(said.system) + " in any number of steps.");
+        else if (said.reached)
+            say((said.with_context ? marked(said.system) + ": " : "") + word(said.from) + " ==> " +
+                word(*said.reached) + " in " + several(*said.steps, "step") +
+                ", and nothing else.");
+        else
+            say((said.several_tables ? "No choice of tables and rules makes "
+                                     : "No choice of rules makes ") +
+                word(said.word) + " of " + word(said.from) + " in " + several(*said.steps, "step") +
+                ": the factors of it that the letters derive in so many steps do not make it up.");
+    }
+    void operator()(const steps::InSomeStep& said) { add(*said.membership); }
+    void operator()(const steps::Rewrites& said) {
+        const std::string line =
+            derives(said.system, marked(said.words.front()), marked(said.words.back()), said.steps);
+        if (!said.holds)
+            say(line + ", and nothing else.");
+        else
+            say(line + (said.steps > 1 && said.all_shown ? ": " + arrows_between(said.words) : "") +
+                ".");
+    }
+    void operator()(const steps::Develops& said) {
+        say(marked(said.system) + ", with its environments: " + arrows_between(said.words) +
+            (said.holds ? "." : ", and nothing else."));
+    }
+    void operator()(const steps::Likely& said) {
+        const std::string derived = marked(said.system) + ": " + marked(said.from) + " derives " +
+                                    several(said.words, "word") + " in " +
+                                    several(said.steps, "step");
+        if (said.probability.is_zero())
+            say(derived + ", and " + marked(said.to) + " is none of them: its probability is " +
+                number(0) + ".");
+        else
+            say(derived + "; the probability of " + marked(said.to) + " is " +
+                marked(to_string(said.probability)) +
+                ", the sum over its derivations of the products of the rules' probabilities.");
+    }
+
+    // --- Sequences, growth and dimension ---
+
+    void operator()(const steps::SameSequence& said) {
+        const std::size_t states = said.balance.states.size();
+        say("Generation by generation the words of " + marked(said.left) + " and " +
+            marked(said.right) +
+            " are the same: along each of them the images by the two rules get apart by at most " +
+            several(said.balance.bound, "letter") + ", and " +
+            (states == 1 ? "the one overflow that occurs suffices"
+                         : "the " + number(states) + " overflows that occur suffice") +
+            " for all generations.");
+    }
+    void operator()(const steps::OtherSequence& said) {
+        const SequenceDifference& difference = said.difference;
+        say("Generation " + number(difference.generation) +
+            " is the first that differs: " + marked(said.left) + " has " + word(difference.left) +
+            " and " + marked(said.right) + " has " + word(difference.right) + " from position " +
+            marked(to_string(difference.from)) + " on.");
+    }
+    void operator()(const steps::SameGrowth& said) {
+        say("The lengths of generations " + number(0) + " to " +
+            number(said.bound == 0 ? 0 : said.bound - 1) +
+            " are the same; both obey one recurrence whose order is the number of letters of both "
+            "systems together, so all lengths are.");
+    }
+    void operator()(const steps::OtherGrowth& said) {
+        say("In generation " + number(said.difference.generation) + " the lengths are " +
+            marked(to_string(said.difference.left)) + " and " +
+            marked(to_string(said.difference.right)) + ".");
+    }
+    void operator()(const steps::FollowsFormula& said) {
+        say("The lengths obey a recurrence of order " + number(said.letters) +
+            " at most (as many as there are letters), the formula one of order " +
+            number(said.function.order()) + "; generations " + number(0) + " to " +
+            number(said.terms == 0 ? 0 : said.terms - 1) + " agree, so all do.");
+    }
+    void operator()(const steps::LeavesFormula& said) {
+        say("In generation " + number(said.generation) + " the length is " +
+            marked(to_string(said.length)) + ", and the formula gives " +
+            marked(to_string(said.value)) + ".");
+    }
+    void operator()(const steps::Grows& said) {
+        say("The length of generation n of " + marked(said.system) + " grows like " +
+            marked(said.order.text()) + ": " + to_string(said.order.kind) +
+            (said.order.kind == GrowthKind::polynomial ? " of degree " + number(said.order.degree)
+                                                       : "") +
+            ".");
+    }
+    void operator()(const steps::LimitSet& said) {
+        const ExactDimension& found = *said.found;
+        for (const std::string& condition : found.conditions)
+            say(marked(said.system) + ": " + condition + ".");
+        if (said.boundary)
+            boundary(said);
+        else if (found.status == ExactDimension::Status::exact)
+            exactly("The dimension of the limit set of " + marked(said.system), *found.value, said);
+        else if (found.status == ExactDimension::Status::upper_bound)
+            at_most("The dimension of the limit set of " + marked(said.system), said);
+        else if (found.status == ExactDimension::Status::none)
+            say("The rules of " + marked(said.system) + " give no formula for the dimension.");
+    }
+
+    // --- Equality and inclusion ---
+
+    void operator()(const steps::Identical&) { say("Both sides are the same expression."); }
+    void operator()(const steps::SameValues& said) {
+        add_known(said.left);
+        add_new(Sentences(alphabet_).known(said.right));
+    }
+    void operator()(const steps::ValuesWithin& said) {
+        add_known(said.left);
+        for (const Part& member : said.members)
+            if (lines_.size() < steps::ValuesWithin::most_shown) add_new(of(*member));
+    }
+    void operator()(const steps::OtherValues& said) {
+        add_known(said.left);
+        add_new(Sentences(alphabet_).known(said.right));
+        say(word(said.word) + " is in one and not in the other.");
+    }
+    void operator()(const steps::SameAutomata& said) {
+        say("Both are regular, and their minimal automata, with " + several(said.states, "state") +
+            ", are the same.");
+    }
+    void operator()(const steps::NothingOutside& said) {
+        say("Both are regular, and the minimal automaton of " + language(said.left) + " without " +
+            language(said.right) + " accepts nothing.");
+    }
+    void operator()(const steps::Distinguished& said) {
+        lines_ = of(said.in_left);
+        add_new(of(said.in_right));
+    }
+    void operator()(const steps::SameDeterministic& said) {
+        const LanguageEquality& found = said.equality;
+        if (found.sections.size() == 1 && found.words.empty())
+            say("Both sequences have the same words in the same order: the overflows of the "
+                "images by the two rules stay within " +
+                several(found.sections.front().balance.bound, "letter") + ".");
+        else
+            say("Generation by generation the words are paired by the numbers of their letters: " +
+                several(found.words.size(), "single word") + " and " +
+                several(found.sections.size(), "section") +
+                " of the sequences, and all that is paired is equal.");
+    }
+    void operator()(const steps::WithinRegular& said) {
+        if (said.constructed) say(construction(*said.constructed));
+        say("Every word of " + language(said.left) + " is in " + language(said.right) + ": " +
+            relations(said.letters) + ", and no generation before leaves it.");
+    }
+    void operator()(const steps::ByInduction& said) {
+        for (const Answer& member : said.members) add_new(of(member));
+        say("Every other word of " + language(said.left) +
+            " comes in one step from a shorter word of it, by induction on the length: by "
+            "successors that are not empty, one of them longer than one letter.");
+    }
+    void operator()(const steps::BothInclusions& said) {
+        lines_ = of(*said.there);
+        add_new(of(*said.back));
+    }
+
+    // --- Finite, empty, size ---
+
+    void operator()(const steps::Counted& said) {
+        add_known(said.known);
+        say(language(said.language) + " has " + marked(to_string(said.count)) +
+            (said.count == 1 ? " word" : " words") +
+            (said.by_automaton ? ": so many its automaton accepts." : "."));
+    }
+    void operator()(const steps::NoWord& said) {
+        add_known(said.known);
+        say(language(said.language) +
+            (said.by_automaton ? " is regular, and its minimal automaton accepts no word."
+                               : " has no word."));
+    }
+    void operator()(const steps::FiniteConstruction& said) {
+        say(construction(said.tables));
+        say("The language of this system is finite.");
+    }
+    void operator()(const steps::FoundWord& said) {
+        say(word(said.word) + " is a word of " + language(said.language) +
+            (said.derivation ? ": " + arrows(*said.derivation) : "") + ".");
+    }
+    void operator()(const steps::Disjoint& said) {
+        say("No word of " + generated(said.system) + " is in " + language(said.other) + ": " +
+            relations(said.letters) + ", and no generation before has such a word.");
+    }
+    void operator()(const steps::NoTerminals& said) {
+        say(construction(said.tables));
+        say("No sequence of tables makes terminals of all letters of its axiom.");
+    }
+    void operator()(const steps::InfiniteRound& said) {
+        std::string rules;
+        for (const auto& [from, successor] : said.rules)
+            rules += (rules.empty() ? "" : ", ") + letter(from) + " -> " + word(successor);
+        say(generated(said.system) + " is infinite: by " + rules + " the letter " +
+            letter(said.rules.front().first) + " comes back with " + letter(said.other) +
+            " beside it, which never disappears; so n rounds give n letters and more.");
+    }
+    void operator()(const steps::InfiniteTables& said) {
+        if (said.constructed) say(construction(*said.tables));
+        const auto name = [&](Symbol a) {
+            return marked_word(said.constructed ? *said.tables->system.alphabet : alphabet_, {a});
+        };
+        say((said.constructed ? language(said.tables->language) : generated(said.system)) +
+            " is infinite: a derivation of " + (said.constructed ? "it" : marked(said.system)) +
+            " goes round from " + name(said.endless.again) + " to " + name(said.endless.again) +
+            " and " + name(said.endless.other) +
+            ", which lasts until it becomes a terminal; n rounds give n letters and more.");
+    }
+    void operator()(const steps::Pumped& said) {
+        const auto bracketed = [&](const Word& word) { return "(" + spell(alphabet_, word) + ")"; };
+        say(language(said.language) + " is infinite: it has " +
+            marked(bracketed(said.prefix) + bracketed(said.middle) + "^n" +
+                   bracketed(said.suffix)) +
+            " for every n, since its automaton is in the same state before and after " +
+            word(said.middle) + ".");
+    }
+    void operator()(const steps::InfinitePart& said) {
+        add(*said.part);
+        const Kind kind = said.whole->kind;
+        say("So " + language(said.whole) + " is infinite" +
+            (kind == Kind::concatenated ? ", as the other part has a word."
+             : kind == Kind::reversed   ? "."
+                                        : ", as a part of it is."));
+    }
+    void operator()(const steps::InfiniteSize& said) { add(*said.infinite); }
+
+    // --- Families ---
+
+    void operator()(const steps::HasForm& said) {
+        say(language(said.language) + " is given by " + with_article(said.family) + " system.");
+    }
+    void operator()(const steps::FiniteOfFamily& said) {
+        add_known(said.known);
+        const auto form = system_form(said.family);
+        if (!form)
+            say("It is finite, and finite languages are " + chomsky(said.family) + ".");
+        else if (form->interactive)
+            say("It is finite: contexts longer than its words let each word be rewritten to the "
+                "next one.");
+        else
+            say("It is finite: a letter that is no terminal is rewritten to its words.");
+    }
+    void operator()(const steps::RegularOperations& said) {
+        say(language(said.language) +
+            " is made of finite languages by operations under which the regular languages are "
+            "closed" +
+            (said.family == "CF" ? ", and regular languages are context-free." : "."));
+    }
+    void operator()(const steps::HasEmptyWord& said) {
+        add(*said.member);
+        say("A system without erasing rules derives no shorter word than its axiom, which is not "
+            "empty; so " +
+            language(said.language) + " is not " + said.family + ".");
+    }
+    void operator()(const steps::Sparse& said) {
+        const std::string name = language(said.language), family = chomsky(said.family);
+        say("The lengths of the words of " + name + " grow like " + marked(said.order.text()) +
+            ", so they are infinitely many, and the share of them among the numbers up to x tends "
+            "to " +
+            number(0) + ".");
+        say("The lengths of an infinite " + family +
+            " language have all numbers of some arithmetic progression among them (Parikh 1966), "
+            "which is a share that does not tend to " +
+            number(0) + ".");
+        say("So " + name + " is not " + family + ".");
+    }
+    void operator()(const steps::FiniteFamily& said) {
+        add_known(said.known);
+        if (said.answer->witness) {
+            say("The system with " + marked(to_string(*said.answer->witness)) + " generates it.");
+        } else {
+            const Lines cases = marked_proof(*said.answer->obstruction);
+            lines_.insert(lines_.end(), cases.begin(), cases.end());
+        }
+    }
+    void operator()(const steps::GeneratedBy& said) {
+        say("The " + said.family + " system " + marked(said.system->name) + " generates " +
+            language(said.language) + ".");
+        add(*said.equal);
+    }
+    void operator()(const steps::OfReversal& said) {
+        add(*said.part);
+        say("Axiom and successors written backwards generate the words backwards, so " +
+            language(said.language) +
+            (said.holds ? " is " + said.family + " too." : " is not " + said.family + " either."));
+    }
+    void operator()(const steps::Constructed& said) { say(construction(said.tables)); }
+
+private:
+    void say(std::string line) { lines_.push_back(std::move(line)); }
+    void add(const Proof& proof) {
+        const Lines more = of(proof);
+        lines_.insert(lines_.end(), more.begin(), more.end());
+    }
+    void add(const std::vector<Part>& parts) {
+        for (const Part& part : parts) add(*part);
+    }
+    /// Those that are not there yet.
+    void add_new(const Lines& more) {
+        for (const std::string& line : more)
+            if (std::find(lines_.begin(), lines_.end(), line) == lines_.end()) say(line);
+    }
+    /// How the words of finite languages are known: each value is said once.
+    void add_known(const std::vector<Part>& parts) {
+        for (const Part& part : parts) {
+            if (std::holds_alternative<steps::Value>(part->step))
+                add_new(of(*part));
+            else
+                add(*part);
+        }
+    }
+    Lines known(const std::vector<Part>& parts) {
+        add_known(parts);
+        return std::move(lines_);
+    }
+
+    std::string word(const Word& word) const { return marked_word(alphabet_, word); }
+    std::string letter(Symbol a) const { return word({a}); }
+    std::string language(const Language& language) const {
+        return marked(to_string(language, alphabet_));
+    }
+    static std::string generated(const std::string& system) { return marked("L(" + system + ")"); }
+    static std::string chomsky(const std::string& family) {
+        return family == "CF" ? "context-free" : "regular";
+    }
+
+    template <class Step>
+    std::string is_in(const Step& said, bool yes) const {
+        return word(said.word) + (yes ? " is in " : " is not in ") + language(said.language);
+    }
+
+    static std::string derives(const std::string& system, const std::string& from,
+                               const std::string& to, std::uint64_t steps) {
+        return marked(system) + ": " + from + " ==> " + to + " in " + several(steps, "step");
+    }
+
+    static std::string arrows_between(const Lines& words) {
+        std::string text;
+        for (const std::string& each : words) text += (text.empty() ? "" : " => ") + marked(each);
+        return text;
+    }
+
+    /// The words of a derivation with arrows between them, shortened if it is long.
+    std::string arrows(const Derivation& derivation) const {
+        std::string text;
+        for (const Word& each : derivation.words) {
+            if (plain(text).size() > longest_shown)
+                return several(derivation.words.size() - 1, "step") + " of derivation, beginning " +
+                       text + " => ...";
+            text += (text.empty() ? "" : " => ") +
+                    (each.size() > longest_shown ? several(each.size(), "letter") : word(each));
+        }
+        return text;
+    }
+
+    /// Why no generation has the word.
+    std::string reason(const Word& word, const Membership& found) const {
+        using enum Membership::Reason;
+        switch (found.reason) {
+            case foreign:
+                return "the letter " + letter(word[found.position]) + " is in none of its words";
+            case nonterminal:
+                return letter(word[found.position]) + " is no terminal";
+            case outgrown:
+                return found.step == 0
+                           ? "all its words are longer"
+                           : generations(found.step) +
+                                 " not this word, and from then on all words are longer";
+            case periodic:
+                return "generation " + number(found.step) + " is generation " +
+                       number(found.earlier) + " again, and none before is this word";
+            case exhausted:
+                return "what the letters derive within it by any " + several(found.step, "table") +
+                       " they derive by fewer, and none of the " + number(found.states) +
+                       " families of factors has it";
+            default:
+                return "the factors of it that the letters derive in " +
+                       several(found.step, "step") + " are those that they derive in " +
+                       number(found.earlier) + ", and no generation before has it";
+        }
+    }
+
+    /// "A system for A | B is constructed (union): an ET0L system with 3 letters and 2 tables."
+    std::string construction(const TableValue& tables) const {
+        std::string operations;
+        for (const std::string& each : tables.operations)
+            operations += (operations.empty() ? "" : ", ") + each;
+        const ET0L& system = tables.system;
+        return "A system for " + language(tables.language) +
+               (operations.empty() ? " is at hand" : " is constructed (" + operations + ")") +
+               ": " + with_article(family_name(system)) + " system with " +
+               several(accessible_letters(system).size(), "letter") + " and " +
+               several(system.tables.size(), "table") + ".";
+    }
+
+    /// How a number known exactly compares with the claimed one.
+    void exactly(const std::string& what, const DimensionFormula& value,
+                 const steps::LimitSet& said) {
+        const std::string known = dimension_text(value), &claimed = said.claimed.text;
+        const std::string line = what + " is " + marked(known);
+        if (said.order == Order::unknown) {
+            say(line + ".");
+            return say(agree(marked(value.text()), marked(claimed)));
+        }
+        const std::string compared = sign_between(said.order) + claimed;
+        const bool is_said = value.text() == claimed || known.ends_with(compared);
+        say(line + (is_said ? "" : marked(compared)) + ".");
+    }
+
+    /// What an upper bound says.
+    void at_most(const std::string& what, const steps::LimitSet& said) {
+        const ExactDimension& found = *said.found;
+        const bool above_plane = exceeds_plane(found);
+        const std::string bound =
+            above_plane ? "2, as for every set in the plane" : dimension_text(*found.value);
+        say(what + " is at most " + (above_plane ? bound : marked(bound)) + ".");
+        if (said.order == Order::less || (said.order == Order::equal && said.claimed.at_most))
+            return;
+        say(said.order == Order::unknown
+                ? agree(bound, marked(said.claimed.text))
+                : "Whether it is smaller is not known: " + found.conditions.back() + ".");
+    }
+
+    void boundary(const steps::LimitSet& said) {
+        const ExactDimension& found = *said.found;
+        if (found.boundary)
+            return exactly(
+                "The dimension of the boundary of the limit set of " + marked(said.system),
+                *found.boundary, said);
+        say(found.status == ExactDimension::Status::exact &&
+                    compare(found.value->enclosure(64), Ball(2, 64)) == Order::less
+                ? "The limit set of " + marked(said.system) + " has the dimension " +
+                      marked(dimension_text(*found.value)) +
+                      " and no interior points: it is all boundary."
+                : "The boundary of the limit set of " + marked(said.system) + " is not known.");
+    }
+
+    const Alphabet& alphabet_;
+    Lines lines_;
+};
+
+}  // namespace
+
+std::vector<std::string> marked_sentences(const Answer& answer, const Alphabet& alphabet) {
+    return Sentences(alphabet).of(answer);
+}
+
+std::vector<std::string> sentences(const Answer& answer, const Alphabet& alphabet) {
+    std::vector<std::string> lines = marked_sentences(answer, alphabet);
+    for (std::string& line : lines) line = plain(std::move(line));
+    return lines;
+}
+
+Judgement in_sentences(const Answer& answer, const Alphabet& alphabet) {
+    return {answer.truth, sentences(answer, alphabet)};
+}
+
+}  // namespace algae

@@ -1,0 +1,39 @@
+#include "model/model.hpp"
+
+// The tables behind settings that name something: kinds of solids and of surfaces. Each table is the only list of its
+// names; reading, printing and completion ask it.
+
+namespace algae {
+
+const std::vector<SolidKind>& solid_kinds() {
+    static const std::vector<SolidKind> kinds = [] {
+        const SolidKind::Name colour{"colour", "_color"}, height{"height", "_height"},
+            radius{"radius", "_radius"}, x{"x", "_x"}, y{"y", "_y"}, z{"z", "_z"};
+        return std::vector<SolidKind>{
+            {{"box", "_typeCube"}, {{"width", "_width"}, height, {"depth", "_depth"}, colour}},
+            {{"cylinder", "_typeCylinder"}, {radius, height, colour}},
+            {{"cone", "_typeCone"}, {{"radius", "_bottomRadius"}, height, colour}},
+            {{"sphere", "_typeSphere"}, {radius, colour}},
+            {{"rotation", "_typeRotation"}, {x, y, z}},
+            {{"translation", "_typeTranslation"}, {x, y, z}}};
+    }();
+    return kinds;
+}
+
+const SolidKind* solid_kind(std::string_view name) {
+    for (const SolidKind& kind : solid_kinds())
+        if (kind.name.name == name || kind.name.reserved == name) return &kind;
+    return nullptr;
+}
+
+const std::vector<std::string>& surface_kinds() {
+    static const std::vector<std::string> kinds{"leaf", "petal", "disc", "polygon", "patch"};
+    return kinds;
+}
+
+bool Model::operator==(const Model& other) const {
+    return LSystem::operator==(other) && drawing == other.drawing &&
+           expectations == other.expectations;
+}
+
+}  // namespace algae

@@ -210,7 +210,7 @@ RelativeFigure pictured(const Relative& of, std::unique_ptr<Figure> figure,
 }
 
 RelativeFigure pictured(const Relative& of, std::vector<Path> paths, const std::string& what) {
-    return pictured(of, std::make_unique<PathFigure>(std::move(paths), of.settings), what);
+    return pictured(of, std::make_unique<PathFigure>(std::move(paths), of.style), what);
 }
 
 BestLine best_line(const std::vector<Point>& points) {

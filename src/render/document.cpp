@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -55,6 +56,112 @@ constexpr std::size_t longest_reference = 64;
 constexpr std::size_t passed_on_at_once = std::size_t{1} << 16;
 
 bool is_digit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
+
+/// A stream, such as standard output.
+class StreamOutput final : public Output {
+public:
+    explicit StreamOutput(std::ostream& stream) : stream_(stream) {}
+    void write(const char* bytes, std::size_t count) override {
+        errno = 0;
+        stream_.write(bytes, static_cast<std::streamsize>(count));
+        check();
+    }
+    /// Throws Error if the stream cannot pass on what it holds.
+    void finish() {
+        errno = 0;
+        stream_.flush();
+        check();
+    }
+
+private:
+    void check() const {
+        const int reason = errno;
+        if (stream_.good()) return;
+        throw Error("cannot write the picture" +
+                    (reason ? ": " + std::generic_category().message(reason) : std::string()));
+    }
+
+    std::ostream& stream_;
+};
+
+/// Takes out of a PostScript document the line that says when it was made, so that equal figures
+/// are equal files.
+class UndatedOutput final : public Output {
+public:
+    explicit UndatedOutput(Output& next) : next_(next) {}
+    void write(const char* bytes, std::size_t count) override {
+        if (!in_header_) return next_.write(bytes, count);
+        header_.append(bytes, count);
+        if (header_.find(end_of_header) != std::string::npos) finish();
+    }
+    /// Passes on what was held back. Call once, at the end.
+    void finish() {
+        if (!in_header_) return;
+        in_header_ = false;
+        const std::size_t start = header_.find(date_line);
+        if (start != std::string::npos) {
+            const std::size_t end = header_.find('\n', start);
+            header_.erase(start, end == std::string::npos ? end : end + 1 - start);
+        }
+        next_.write(header_.data(), header_.size());
+        header_.clear();
+    }
+
+private:
+    Output& next_;
+    std::string header_;
+    bool in_header_ = true;
+};
+
+/// Numbers the surfaces and images of an SVG document from 1 in order of appearance: Cairo's own
+/// numbers count everything the process has drawn before.
+class RenumberedOutput final : public Output {
+public:
+    explicit RenumberedOutput(Output& next) : next_(next) {}
+    void write(const char* bytes, std::size_t count) override {
+        held_.append(bytes, count);
+        if (held_.size() >= passed_on_at_once) pass_on(false);
+    }
+    /// Passes on what was held back. Call once, at the end.
+    void finish() { pass_on(true); }
+
+private:
+    void pass_on(bool at_end) {
+        // A name opens with a quotation mark, a reference with that and #; then comes "surface" or
+        // "image" and its number. All else, which is nearly everything, is passed over quickly.
+        const std::size_t end = held_.size();
+        std::size_t done = 0, from = 0;
+        const auto hold_back = [&](std::size_t place) {
+            next_.write(held_.data() + done, place - done);
+            held_.erase(0, place);
+        };
+        for (;;) {
+            const std::size_t mark = held_.find('"', from);
+            if (mark == std::string::npos) break;
+            if (!at_end && mark + longest_reference > end) return hold_back(mark);
+            from = mark + 1;
+            if (from < end && held_[from] == '#') ++from;
+            std::size_t digits = from;
+            for (const std::string_view kind : {"surface", "image"})
+                if (std::string_view(held_).substr(from).starts_with(kind))
+                    digits = from + kind.size();
+            std::size_t after = digits;
+            while (digits != from && after < end && is_digit(held_[after])) ++after;
+            if (after == digits) continue;
+            const std::string number = held_.substr(digits, after - digits);
+            const auto [known, added] = numbers_.try_emplace(number, numbers_.size() + 1);
+            const std::string renumbered = std::to_string(known->second);
+            next_.write(held_.data() + done, digits - done);
+            next_.write(renumbered.data(), renumbered.size());
+            done = from = after;
+        }
+        hold_back(end);
+    }
+
+    Output& next_;
+    std::string held_;
+    std::map<std::string, std::size_t> numbers_;
+};
 
 [[noreturn]] void fail(cairo_status_t status) {
     if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
@@ -125,25 +232,6 @@ void FileOutput::commit() {
     temporary_.clear();
 }
 
-void StreamOutput::write(const char* bytes, std::size_t count) {
-    errno = 0;
-    stream_.write(bytes, static_cast<std::streamsize>(count));
-    check();
-}
-
-void StreamOutput::finish() {
-    errno = 0;
-    stream_.flush();
-    check();
-}
-
-void StreamOutput::check() const {
-    const int reason = errno;
-    if (stream_.good()) return;
-    throw Error("cannot write the picture" +
-                (reason ? ": " + std::generic_category().message(reason) : std::string()));
-}
-
 std::string ending_of(std::string_view path) {
     const std::size_t slash = path.find_last_of('/'), dot = path.find_last_of('.');
     std::string ending;
@@ -162,72 +250,62 @@ std::optional<Colour> background_of(const std::optional<std::string>& wanted,
     return colour_named(*wanted);
 }
 
-void write_to(const std::string& path, const std::function<void(Output&)>& write) {
-    FileOutput file(path);
+void write_to(const Target& target, const std::function<void(Output&)>& write) {
+    if (target.stream) {
+        StreamOutput output(*target.stream);
+        write(output);
+        return output.finish();
+    }
+    FileOutput file(target.path);
     write(file);
     file.commit();
 }
 
-void write_to(std::ostream& stream, const std::function<void(Output&)>& write) {
-    StreamOutput output(stream);
-    write(output);
-    output.finish();
+void set_colour(cairo_t* context, const Colour& colour, double opacity) {
+    cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, opacity);
 }
 
-void UndatedOutput::write(const char* bytes, std::size_t count) {
-    if (!in_header_) return next_.write(bytes, count);
-    header_.append(bytes, count);
-    if (header_.find(end_of_header) != std::string::npos) finish();
+void choose_font(cairo_t* context, const char* family, double size, bool bold) {
+    cairo_select_font_face(context, family, CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context, size);
 }
 
-void UndatedOutput::finish() {
-    if (!in_header_) return;
-    in_header_ = false;
-    const std::size_t start = header_.find(date_line);
-    if (start != std::string::npos) {
-        const std::size_t end = header_.find('\n', start);
-        header_.erase(start, end == std::string::npos ? end : end + 1 - start);
-    }
-    next_.write(header_.data(), header_.size());
-    header_.clear();
+double text_width(cairo_t* context, const std::string& text) {
+    cairo_text_extents_t extents{};
+    cairo_text_extents(context, text.c_str(), &extents);
+    return extents.x_advance;
 }
 
-void RenumberedOutput::write(const char* bytes, std::size_t count) {
-    held_.append(bytes, count);
-    if (held_.size() >= passed_on_at_once) pass_on(false);
+void show_text(cairo_t* context, const std::string& text, double x, double y) {
+    cairo_move_to(context, x, y);
+    cairo_show_text(context, text.c_str());
+    cairo_new_path(context);
 }
 
-void RenumberedOutput::finish() { pass_on(true); }
+void draw_line(cairo_t* context, const Point& from, const Point& to) {
+    cairo_move_to(context, from.x, from.y);
+    cairo_line_to(context, to.x, to.y);
+    cairo_stroke(context);
+}
 
-void RenumberedOutput::pass_on(bool at_end) {
-    // A name opens with a quotation mark, a reference with that and #; then comes "surface" or
-    // "image" and its number. All else, which is nearly everything, is passed over quickly.
-    const std::size_t end = held_.size();
-    std::size_t done = 0, from = 0;
-    const auto hold_back = [&](std::size_t place) {
-        next_.write(held_.data() + done, place - done);
-        held_.erase(0, place);
-    };
-    for (;;) {
-        const std::size_t mark = held_.find('"', from);
-        if (mark == std::string::npos) break;
-        if (!at_end && mark + longest_reference > end) return hold_back(mark);
-        from = mark + 1;
-        if (from < end && held_[from] == '#') ++from;
-        std::size_t digits = from;
-        for (const std::string_view kind : {"surface", "image"})
-            if (std::string_view(held_).substr(from).starts_with(kind)) digits = from + kind.size();
-        std::size_t after = digits;
-        while (digits != from && after < end && is_digit(held_[after])) ++after;
-        if (after == digits) continue;
-        const std::string number = held_.substr(digits, after - digits);
-        const auto [known, added] = numbers_.try_emplace(number, numbers_.size() + 1);
-        const std::string renumbered = std::to_string(known->second);
-        next_.write(held_.data() + done, digits - done);
-        next_.write(renumbered.data(), renumbered.size());
-        done = from = after;
-    }
-    hold_back(end);
+void fill_and_outline(cairo_t* context, const Colour& fill, const Colour& outline, double width) {
+    set_colour(context, fill);
+    cairo_fill_preserve(context);
+    set_colour(context, outline);
+    cairo_set_line_width(context, width);
+    cairo_stroke(context);
+}
+
+void must_be_finite(double coordinates) {
+    if (!std::isfinite(coordinates))
+        throw Error("the figure has a point whose coordinates are beyond the range of numbers");
+}
+
+std::optional<std::size_t> format_of(std::span<const char* const> names, std::string_view path) {
+    const auto found = std::ranges::find(names, ending_of(path));
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
 }
 
 void CairoRelease::operator()(cairo_t* context) const { cairo_destroy(context); }
@@ -279,9 +357,7 @@ Document::Document(PictureFormat format, double width, double height,
       sink_(std::make_unique<Sink>(format, output, budget)) {
     switch (format) {
         case PictureFormat::png:
-            surface_ =
-                cairo_image_surface_create(background ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
-                                           static_cast<int>(width), static_cast<int>(height));
+            surface_ = blank_image(width, height, background.has_value()).release();
             break;
         case PictureFormat::svg:
             surface_ = cairo_svg_surface_create_for_stream(Sink::write, sink_.get(), width, height);
@@ -322,7 +398,7 @@ Document::~Document() {
 
 void Document::paint_background() {
     if (!background_) return;
-    cairo_set_source_rgb(context_, background_->red, background_->green, background_->blue);
+    set_colour(context_, *background_);
     cairo_paint(context_);
 }
 

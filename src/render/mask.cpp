@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "exact/exact.hpp"
+#include "render/detail/document.hpp"
 
 // A bitmap for figures that are finer than the pixels of their picture: what a word of any length costs is then its pixels.
 //
@@ -94,8 +95,7 @@ void Mask::set_diameter(double diameter) {
 }
 
 void Mask::long_line(Point to) {
-    if (!std::isfinite(here_.x + here_.y + to.x + to.y))
-        throw Error("the figure has a point whose coordinates are beyond the range of numbers");
+    must_be_finite(here_.x + here_.y + to.x + to.y);
     const Point from{here_.x + offset_, here_.y + offset_};
     const Point target{to.x + offset_, to.y + offset_};
     here_ = to;
@@ -120,8 +120,7 @@ void Mask::polygon(std::span<const Point> corners) {
     if (filled_.empty()) filled_.resize(bits_.size());
     double top = rows_, bottom = 0;
     for (const Point& corner : corners) {
-        if (!std::isfinite(corner.x + corner.y))
-            throw Error("the figure has a point whose coordinates are beyond the range of numbers");
+        must_be_finite(corner.x + corner.y);
         top = std::min(top, corner.y);
         bottom = std::max(bottom, corner.y);
     }
@@ -136,7 +135,7 @@ void Mask::polygon(std::span<const Point> corners) {
             if ((a.y <= y) == (b.y <= y)) continue;
             crossings.emplace_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1);
         }
-        std::sort(crossings.begin(), crossings.end());
+        std::ranges::sort(crossings);
         int winding = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
             winding += crossings[i].second;

@@ -12,8 +12,8 @@
 // Statements about systems: derivations, membership, families, and equality of D0L sequences and languages.
 //
 // Equality of D0L sequences is checked by an automaton of overflows: what the image of one system has beyond that of the other
-// stays within finitely many words, and every generation leads from the empty overflow back to itself, so that by induction
-// all generations agree. Equality of languages is reduced to sequences of every so many generations (sections).
+// is one of finitely many words, and every generation leads from the empty overflow back to itself, so that by induction
+// all generations agree. Equality of languages is reduced to equality of sequences of generations at equal distances (sections).
 
 namespace algae::verify {
 
@@ -91,7 +91,7 @@ void check_membership(const Obligation& task) {
         Language source = language;  // of a reversal, the derivation is that of the reversed word
         Word word = task.statement.word;
         for (; source->kind == Tree::Kind::reversal; source = source->parts[0])
-            std::reverse(word.begin(), word.end());
+            std::ranges::reverse(word);
         if (source->kind != Tree::Kind::generated)
             derivation.refuse("the language is not given by a system");
         if (!task.holds)
@@ -163,8 +163,7 @@ void check_equal_to_form(const Obligation& task) {
 void check_all_finite(const Obligation& task) {
     static constexpr std::array all = {"E0L", "ET0L", "EDT0L", "IL", "REG", "CF"};
     const std::string& family = task.statement.family;
-    if (std::find(all.begin(), all.end(), family) == all.end())
-        task.refuse("not all finite languages are " + family);
+    if (!std::ranges::count(all, family)) task.refuse("not all finite languages are " + family);
     const auto words = finite_words(task);
     const bool has_axiom = std::ranges::any_of(
         words, [&](const Word& word) { return task.certificate.empty_axiom || !word.empty(); });
@@ -246,7 +245,7 @@ bool covers_all(const std::vector<Progression>& progressions) {
             throw BoundReached(Bound::method, "the sections repeat too late to be checked");
     }
     for (std::uint64_t n = 0; n < beyond + period; ++n)
-        if (std::none_of(progressions.begin(), progressions.end(), [&](const Progression& each) {
+        if (std::ranges::none_of(progressions, [&](const Progression& each) {
                 return n == each.first ||
                        (each.step > 0 && n > each.first && (n - each.first) % each.step == 0);
             }))
@@ -254,7 +253,7 @@ bool covers_all(const std::vector<Progression>& progressions) {
     return true;
 }
 
-/// The next word of a D0L system, of at most so many letters.
+/// The next word of a D0L system. Throws BoundReached if it has more letters than `longest`.
 Word next(const System& system, const Word& word, const Budget& budget,
           std::size_t longest = 10'000'000) {
     Word longer;
@@ -275,7 +274,7 @@ Word generation(const System& system, Word word, std::uint64_t steps, const Budg
     return word;
 }
 
-/// The system of every so many generations, from one on. Letters that are not accessible stay as they are.
+/// The system of the generations first, first + step, first + 2 step, ... Letters that are not accessible stay as they are.
 NamedSystem section(const System& system, std::uint64_t first, std::uint64_t step,
                     const Budget& budget) {
     System part = system;

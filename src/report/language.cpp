@@ -1,8 +1,8 @@
-// What was found out about languages, with the proofs: membership, finiteness, equality.
+// Answers about languages with their proofs: membership, finiteness, equality.
 //
-// Membership is shown by a derivation, its absence by the reason. A language is infinite by a letter that
-// comes again and leaves another letter beside it each time. Equality of sequences rests on a bound on how far
-// one morphism may be ahead of the other, and on the automaton of what is ahead.
+// A derivation shows that a word is a member, otherwise a reason is given. A language is infinite if a letter
+// derives itself and another lasting letter besides. Equality of sequences rests on a bound on how far
+// the image by one morphism is ahead of the other, and on the automaton of overflows.
 
 #include "report/report.hpp"
 
@@ -46,7 +46,7 @@ std::string reason(const Membership& found, const Alphabet& alphabet, const Word
 
 namespace {
 
-/// What the table of a step is called; empty where there is nothing to tell apart.
+/// The name of the table of a step; empty if there is only one table.
 std::string table_name(const ET0L& system, const Derivation& found, std::size_t step) {
     const std::size_t table = found.tables.empty() ? 0 : found.tables[step];
     const std::string& name = system.table_names[table];
@@ -131,7 +131,7 @@ std::string table_text(const ET0L& system, const TableUse& use) {
     return name.empty() ? std::to_string(use.table + 1) : name;
 }
 
-/// The rules of a course, with their tables where `tables` says so.
+/// The rules of a course, with their tables if `tables` is true.
 std::string course_text(const ET0L& system, const Course& course, bool tables) {
     std::string text;
     for (const TableUse& use : course)

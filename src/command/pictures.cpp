@@ -283,7 +283,7 @@ Json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,
                    const std::string& output, const Budget& budget) {
     Json out;
     if (!relative.title.empty()) out.set("title", relative.title);
-    for (const RelativeFact& fact : relative.facts(budget)) out.set(fact.key, fact.value);
+    for (const RelativeFact& fact : relative.facts(budget)) out.set(fact.key, *fact.value);
     if (!drawn) return out;
     out.set("output", output);
     out.set("width", drawn->width);

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cstdlib>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/cells.hpp"
 #include "nature/detail/figures.hpp"

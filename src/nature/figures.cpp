@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
 
@@ -22,6 +23,11 @@ namespace {
 double distance(Point a, Point b) { return std::hypot(a.x - b.x, a.y - b.y); }
 
 }  // namespace
+
+RelativeFact::RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known)
+    : key(std::move(of)),
+      text(std::move(said)),
+      value(std::make_shared<const nlohmann::ordered_json>(known)) {}
 
 void PlainFigure::take_corners() {
     if (box_.empty) return;

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/iterated_functions.hpp"
 #include "rewrite/rewrite.hpp"

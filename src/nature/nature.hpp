@@ -9,7 +9,7 @@
 #include <cstdint>
 #include <limits>
 #include <memory>
-#include <nlohmann/json.hpp>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -33,7 +33,9 @@ struct RelativeFigure {
 /// with blanks for underscores, and the text.
 struct RelativeFact {
     std::string key, text;
-    nlohmann::ordered_json value;
+    std::shared_ptr<const nlohmann::ordered_json> value;  // never null
+
+    RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known);
 };
 
 /// A generator of natural geometry that is not an L-system: an iterated function system, an

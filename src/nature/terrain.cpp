@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "nature/detail/figures.hpp"
 #include "nature/detail/height_field.hpp"

@@ -99,7 +99,7 @@ TEST_CASE("the facts of a landscape") {
     const HeightField heights = land.field(5, {});
     CHECK(heights.side == 33);
     nlohmann::ordered_json facts;
-    for (const RelativeFact& fact : land.facts({})) facts[fact.key] = fact.value;
+    for (const RelativeFact& fact : land.facts({})) facts[fact.key] = *fact.value;
     CHECK(facts["points"] == 33);
     CHECK(facts["dimension"]["surface"] == doctest::Approx(2.3));
     CHECK(facts["dimension"]["coast"] == doctest::Approx(1.3));

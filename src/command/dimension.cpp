@@ -376,7 +376,9 @@ struct Input {
 Input input(const Options& options, const Budget& budget) {
     const SourceText source = open_text(options.file, budget);
     const auto refuse = [&](const std::string& option, bool given, const char* what) {
-        if (given) throw Error(option + " is for " + what + ", and " + source.name + " is none");
+        if (given)
+            throw Error(option + " is for " + what + ", and " + source.name +
+                        " is not one of them");
     };
     const bool image = is_png(source.text);
     refuse("--threshold", !image && options.threshold.has_value(), "images");

@@ -495,7 +495,7 @@ int draw_relative_file(const Options& options, PictureFormat format, const Pictu
                   {"--camera", options.space.camera.has_value()},
                   {"--light", options.space.light.has_value()},
                   {"--fog", options.space.fog.has_value()}},
-                 " is for systems, and " + options.file + " is none");
+                 " is for systems, and " + options.file + " is not one of them");
     const auto relative = open_relative(options.file, budget, options.statements());
     const Drawn drawn = draw_relative(*relative, options.output, format, picture, options.captions,
                                       options.caption, budget);

@@ -128,7 +128,7 @@ void refuse_given(const std::vector<std::pair<const char*, bool>>& given, const 
 
 void refuse_on_mesh(const std::vector<std::pair<const char*, bool>>& given, MeshFormat format) {
     refuse_given(given, std::string(": ") + mesh_format_name(format) +
-                            " is no picture; it holds one figure in space");
+                            " is not a picture; it contains one figure in space");
 }
 
 FigurePlates::FigurePlates(const LSystem& system,

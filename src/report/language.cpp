@@ -34,7 +34,7 @@ std::string reason(const Membership& found, const Alphabet& alphabet, const Word
                    " steps, so nothing new comes, and no generation before has it";
         case nonterminal:
             return "the letter " + alphabet.name(word[found.position]) + " at position " +
-                   std::to_string(found.position) + " is no terminal";
+                   std::to_string(found.position) + " is not a terminal";
         case exhausted:
             return "what the letters derive within it by " + std::to_string(found.step) +
                    " tables they derive by fewer too, so nothing new comes, and in none of the " +
@@ -278,7 +278,7 @@ std::string to_text(const LanguageEquality& found, const Alphabet& alphabet) {
         const std::string one = difference.in_left ? "A" : "B",
                           other = difference.in_left ? "B" : "A";
         std::string text = "different: generation " + std::to_string(difference.generation) +
-                           " of " + one + " is no word of " + other;
+                           " of " + one + " is not a word of " + other;
         if (difference.word && difference.word->size() <= longest_word)
             text += ": " + spell(alphabet, *difference.word);
         else

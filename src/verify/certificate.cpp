@@ -21,7 +21,7 @@ namespace algae::verify {
 
 Symbol Reader::symbol(const Field& field, std::string_view name) const {
     const auto found = alphabet_.find(name);
-    if (!found) field.fail("'" + std::string(name) + "' is no letter of the alphabet");
+    if (!found) field.fail("'" + std::string(name) + "' is not a letter of the alphabet");
     return *found;
 }
 
@@ -334,7 +334,7 @@ std::shared_ptr<const Alphabet> read_alphabet(const Field& field) {
     for (const Field& each : field.list()) {
         const std::string& name = each.text();
         if (name.empty() || name.find(' ') != std::string::npos)
-            each.fail("the name of a letter has a character and no blank");
+            each.fail("the name of a letter must not be empty and must not have a blank");
         if (alphabet->find(name)) each.fail("the letter '" + name + "' stands here twice");
         alphabet->symbol(name);
     }
@@ -667,7 +667,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::member:
             return word + " is " + no + "in " + language(0);
         case Kind::size:
-            return language(0) + (opposite ? " has not " : " has ") +
+            return language(0) + (opposite ? " does not have " : " has ") +
                    shortened(to_string(*statement.size)) + " words";
         case Kind::derives:
             return system(0) + (opposite ? " does not derive " : " derives ") + word +

@@ -51,7 +51,7 @@ public:
         if (!std::includes(finish_round.front().begin(), finish_round.front().end(), finish.begin(),
                            finish.end()))
             proof_.at("round").refuse("a letter that can finish cannot finish with one more round");
-        if (round.empty()) proof_.at("round").refuse("a round has a step");
+        if (round.empty()) proof_.at("round").refuse("a round must have a step");
         if (!within(system_.axiom, finish_before.front()))
             proof_.at("before").refuse("a letter of the axiom cannot finish");
         const Symbol start = before.empty() ? again : before.front().letter;
@@ -179,7 +179,7 @@ void check_endless_round(const Obligation& task) {
         if (!std::ranges::count(all, rule.successor)) field.refuse("the system has no such rule");
         rules.push_back(rule);
     }
-    if (rules.empty()) task.proof.at("rules").refuse("a round has a rule");
+    if (rules.empty()) task.proof.at("rules").refuse("a round must have a rule");
     const auto letters = accessible_letters(system, system.axiom);
     if (!std::ranges::count(letters, rules[0].letter))
         task.proof.at("rules").refuse("the letter of the first rule occurs in no derived word");

@@ -23,7 +23,7 @@ namespace {
 void check_steps(const Obligation& task, const System& system, const Word& from, const Word& to,
                  const Field& field) {
     const auto words = field.at("words").list();
-    if (words.empty()) field.at("words").refuse("a derivation has a word");
+    if (words.empty()) field.at("words").refuse("a derivation must have a word");
     std::vector<Field> tables;
     if (field.has("tables")) {
         if (system.context) field.at("tables").refuse("the system has no tables");
@@ -98,7 +98,7 @@ void check_membership(const Obligation& task) {
             derivation.refuse("a derivation does not show that a word is not in a language");
         const System& system = *source->system;
         check_steps(task, system, system.axiom, word, derivation);
-        if (!is_terminal(system, word)) derivation.refuse("a letter of the word is no terminal");
+        if (!is_terminal(system, word)) derivation.refuse("a letter of the word is not a terminal");
         return;
     }
     if (task.contains(language, task.statement.word) != task.holds)
@@ -126,7 +126,7 @@ std::set<Word> finite_words(const Obligation& task) {
 void must_have_form(const Obligation& task, const System& system, const Field& field) {
     const std::string& family = task.statement.family;
     if (const auto beyond = beyond_form(system, family, task.certificate.empty_axiom))
-        field.refuse("the system has not the form of " + family + ": " + *beyond);
+        field.refuse("the system does not have the form of " + family + ": " + *beyond);
 }
 
 /// The language of the system in a proof, which must have the form of the family.
@@ -192,7 +192,8 @@ void check_cases(const Obligation& task) {
 
 /// All families are closed under reversal, and it is its own inverse.
 void check_reversal(const Obligation& task) {
-    if (task.language()->kind != Tree::Kind::reversal) task.refuse("the language is no reversal");
+    if (task.language()->kind != Tree::Kind::reversal)
+        task.refuse("the language is not a reversal");
     Statement part = task.statement;
     part.languages = task.language()->parts;
     check_proof(task.part(part, task.holds, task.proof.at("proof")));

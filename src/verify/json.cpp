@@ -86,7 +86,7 @@ public:
         std::string what = error.what();
         if (const auto colon = what.find(": "); colon != std::string::npos)
             what = what.substr(colon + 2);
-        fail("this is no JSON: " + what);
+        fail("this is not JSON: " + what);
     }
 
     JsonValue result;

@@ -56,7 +56,7 @@ Term term(const Field& field, std::size_t depth = 0) {
         read.kind = Term::Kind::operation;
         read.name = field.at("apply").text();
         for (const Field& part : field.at("to").list()) read.parts.push_back(term(part, depth + 1));
-        if (read.parts.empty()) field.at("to").fail("an operation is on something");
+        if (read.parts.empty()) field.at("to").fail("an operation must have an operand");
     }
     return read;
 }
@@ -64,7 +64,7 @@ Term term(const Field& field, std::size_t depth = 0) {
 /// The letter and what stands behind it.
 std::pair<std::string, std::vector<Field>> module(const Field& field) {
     std::vector<Field> parts = field.list();
-    if (parts.empty()) field.fail("a module has a letter");
+    if (parts.empty()) field.fail("a module must have a letter");
     std::string letter = parts.front().text();
     parts.erase(parts.begin());
     return {std::move(letter), std::move(parts)};

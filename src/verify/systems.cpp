@@ -106,7 +106,7 @@ std::optional<std::string> beyond_form(const System& system, const std::string& 
         return interactive ? std::nullopt : std::optional<std::string>("the rules have contexts");
     if (!tables && system.tables.size() != 1) return "the system has more than one table";
     if (!extended && !has_only_terminals(system))
-        return "a letter that is no terminal occurs in derived words";
+        return "a letter that is not a terminal occurs in derived words";
     if (family.find('D') != std::string::npos && !is_deterministic(system))
         return "a letter has more than one successor";
     if (family.find('P') != std::string::npos && !is_propagating(system))

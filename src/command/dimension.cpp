@@ -322,6 +322,7 @@ DimensionReport measure(const LSystem& system, const Options& options, const Bud
     found.generation = n;
     found.what = what;
     found.counts = counts_of(*figure, options, budget);
+    found.fit = fit_dimension(found.counts);
     return found;
 }
 
@@ -332,6 +333,7 @@ DimensionReport measure(const PointSet& points, const std::string& name, const O
                               options.places(), budget);
     found.what = name + ": " + std::to_string(found.counts.parts) +
                  (points.part == "pixel" ? " pixels of ink" : " different points");
+    found.fit = fit_dimension(found.counts);
     return found;
 }
 
@@ -361,7 +363,6 @@ DimensionReport measured(const LSystem& system, const Options& options, const Bu
         found = measure_limit(system, exact, options, budget);
     } else {
         found = measure(system, options, budget);
-        found.fit = fit_dimension(found.counts);
     }
     found.exact = std::move(exact);
     return found;
@@ -421,9 +422,7 @@ DimensionReport measured(const Options& options, const Budget& budget) {
     const Input read = input(options, budget);
     if (const auto* system = std::get_if<LSystem>(&read.content))
         return measured(*system, options, budget);
-    DimensionReport found = measure(std::get<PointSet>(read.content), read.name, options, budget);
-    found.fit = fit_dimension(found.counts);
-    return found;
+    return measure(std::get<PointSet>(read.content), read.name, options, budget);
 }
 
 /// Measured by a measure other than boxes.

@@ -57,112 +57,6 @@ constexpr std::size_t passed_on_at_once = std::size_t{1} << 16;
 
 bool is_digit(char letter) { return std::isdigit(static_cast<unsigned char>(letter)) != 0; }
 
-/// A stream, such as standard output.
-class StreamOutput final : public Output {
-public:
-    explicit StreamOutput(std::ostream& stream) : stream_(stream) {}
-    void write(const char* bytes, std::size_t count) override {
-        errno = 0;
-        stream_.write(bytes, static_cast<std::streamsize>(count));
-        check();
-    }
-    /// Throws Error if the stream cannot pass on what it holds.
-    void finish() {
-        errno = 0;
-        stream_.flush();
-        check();
-    }
-
-private:
-    void check() const {
-        const int reason = errno;
-        if (stream_.good()) return;
-        throw Error("cannot write the picture" +
-                    (reason ? ": " + std::generic_category().message(reason) : std::string()));
-    }
-
-    std::ostream& stream_;
-};
-
-/// Takes out of a PostScript document the line that says when it was made, so that equal figures
-/// are equal files.
-class UndatedOutput final : public Output {
-public:
-    explicit UndatedOutput(Output& next) : next_(next) {}
-    void write(const char* bytes, std::size_t count) override {
-        if (!in_header_) return next_.write(bytes, count);
-        header_.append(bytes, count);
-        if (header_.find(end_of_header) != std::string::npos) finish();
-    }
-    /// Passes on what was held back. Call once, at the end.
-    void finish() {
-        if (!in_header_) return;
-        in_header_ = false;
-        const std::size_t start = header_.find(date_line);
-        if (start != std::string::npos) {
-            const std::size_t end = header_.find('\n', start);
-            header_.erase(start, end == std::string::npos ? end : end + 1 - start);
-        }
-        next_.write(header_.data(), header_.size());
-        header_.clear();
-    }
-
-private:
-    Output& next_;
-    std::string header_;
-    bool in_header_ = true;
-};
-
-/// Numbers the surfaces and images of an SVG document from 1 in order of appearance: Cairo's own
-/// numbers count everything the process has drawn before.
-class RenumberedOutput final : public Output {
-public:
-    explicit RenumberedOutput(Output& next) : next_(next) {}
-    void write(const char* bytes, std::size_t count) override {
-        held_.append(bytes, count);
-        if (held_.size() >= passed_on_at_once) pass_on(false);
-    }
-    /// Passes on what was held back. Call once, at the end.
-    void finish() { pass_on(true); }
-
-private:
-    void pass_on(bool at_end) {
-        // A name opens with a quotation mark, a reference with that and #; then comes "surface" or
-        // "image" and its number. All else, which is nearly everything, is passed over quickly.
-        const std::size_t end = held_.size();
-        std::size_t done = 0, from = 0;
-        const auto hold_back = [&](std::size_t place) {
-            next_.write(held_.data() + done, place - done);
-            held_.erase(0, place);
-        };
-        for (;;) {
-            const std::size_t mark = held_.find('"', from);
-            if (mark == std::string::npos) break;
-            if (!at_end && mark + longest_reference > end) return hold_back(mark);
-            from = mark + 1;
-            if (from < end && held_[from] == '#') ++from;
-            std::size_t digits = from;
-            for (const std::string_view kind : {"surface", "image"})
-                if (std::string_view(held_).substr(from).starts_with(kind))
-                    digits = from + kind.size();
-            std::size_t after = digits;
-            while (digits != from && after < end && is_digit(held_[after])) ++after;
-            if (after == digits) continue;
-            const std::string number = held_.substr(digits, after - digits);
-            const auto [known, added] = numbers_.try_emplace(number, numbers_.size() + 1);
-            const std::string renumbered = std::to_string(known->second);
-            next_.write(held_.data() + done, digits - done);
-            next_.write(renumbered.data(), renumbered.size());
-            done = from = after;
-        }
-        hold_back(end);
-    }
-
-    Output& next_;
-    std::string held_;
-    std::map<std::string, std::size_t> numbers_;
-};
-
 [[noreturn]] void fail(cairo_status_t status) {
     if (status == CAIRO_STATUS_NO_MEMORY) throw std::bad_alloc();
     throw Error(std::string("the picture cannot be drawn: ") + cairo_status_to_string(status));
@@ -230,6 +124,25 @@ void FileOutput::commit() {
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     temporary_.clear();
+}
+
+void StreamOutput::write(const char* bytes, std::size_t count) {
+    errno = 0;
+    stream_.write(bytes, static_cast<std::streamsize>(count));
+    check();
+}
+
+void StreamOutput::finish() {
+    errno = 0;
+    stream_.flush();
+    check();
+}
+
+void StreamOutput::check() const {
+    const int reason = errno;
+    if (stream_.good()) return;
+    throw Error("cannot write the picture" +
+                (reason ? ": " + std::generic_category().message(reason) : std::string()));
 }
 
 std::string ending_of(std::string_view path) {
@@ -306,6 +219,62 @@ std::optional<std::size_t> format_of(std::span<const char* const> names, std::st
     const auto found = std::ranges::find(names, ending_of(path));
     if (found == names.end()) return std::nullopt;
     return static_cast<std::size_t>(found - names.begin());
+}
+
+void UndatedOutput::write(const char* bytes, std::size_t count) {
+    if (!in_header_) return next_.write(bytes, count);
+    header_.append(bytes, count);
+    if (header_.find(end_of_header) != std::string::npos) finish();
+}
+
+void UndatedOutput::finish() {
+    if (!in_header_) return;
+    in_header_ = false;
+    const std::size_t start = header_.find(date_line);
+    if (start != std::string::npos) {
+        const std::size_t end = header_.find('\n', start);
+        header_.erase(start, end == std::string::npos ? end : end + 1 - start);
+    }
+    next_.write(header_.data(), header_.size());
+    header_.clear();
+}
+
+void RenumberedOutput::write(const char* bytes, std::size_t count) {
+    held_.append(bytes, count);
+    if (held_.size() >= passed_on_at_once) pass_on(false);
+}
+
+void RenumberedOutput::finish() { pass_on(true); }
+
+void RenumberedOutput::pass_on(bool at_end) {
+    // A name opens with a quotation mark, a reference with that and #; then comes "surface" or
+    // "image" and its number. All else, which is nearly everything, is passed over quickly.
+    const std::size_t end = held_.size();
+    std::size_t done = 0, from = 0;
+    const auto hold_back = [&](std::size_t place) {
+        next_.write(held_.data() + done, place - done);
+        held_.erase(0, place);
+    };
+    for (;;) {
+        const std::size_t mark = held_.find('"', from);
+        if (mark == std::string::npos) break;
+        if (!at_end && mark + longest_reference > end) return hold_back(mark);
+        from = mark + 1;
+        if (from < end && held_[from] == '#') ++from;
+        std::size_t digits = from;
+        for (const std::string_view kind : {"surface", "image"})
+            if (std::string_view(held_).substr(from).starts_with(kind)) digits = from + kind.size();
+        std::size_t after = digits;
+        while (digits != from && after < end && is_digit(held_[after])) ++after;
+        if (after == digits) continue;
+        const std::string number = held_.substr(digits, after - digits);
+        const auto [known, added] = numbers_.try_emplace(number, numbers_.size() + 1);
+        const std::string renumbered = std::to_string(known->second);
+        next_.write(held_.data() + done, digits - done);
+        next_.write(renumbered.data(), renumbered.size());
+        done = from = after;
+    }
+    hold_back(end);
 }
 
 void CairoRelease::operator()(cairo_t* context) const { cairo_destroy(context); }

@@ -33,8 +33,54 @@ inline double largest(PictureFormat format) {
 /// other formats.
 std::optional<Colour> background_of(const std::optional<std::string>& wanted, PictureFormat format);
 
+/// A stream, such as standard output.
+class StreamOutput final : public Output {
+public:
+    explicit StreamOutput(std::ostream& stream) : stream_(stream) {}
+    void write(const char* bytes, std::size_t count) override;
+    /// Throws Error if the stream cannot pass on what it holds.
+    void finish();
+
+private:
+    void check() const;
+
+    std::ostream& stream_;
+};
+
 /// Opens the file or the stream, calls `write` and completes the output. If `write` throws, no file appears.
 void write_to(const Target& target, const std::function<void(Output&)>& write);
+
+/// Takes out of a PostScript document the line that says when it was made, so that equal figures
+/// are equal files.
+class UndatedOutput final : public Output {
+public:
+    explicit UndatedOutput(Output& next) : next_(next) {}
+    void write(const char* bytes, std::size_t count) override;
+    /// Passes on what was held back. Call once, at the end.
+    void finish();
+
+private:
+    Output& next_;
+    std::string header_;
+    bool in_header_ = true;
+};
+
+/// Numbers the surfaces and images of an SVG document from 1 in order of appearance: Cairo's own
+/// numbers count everything the process has drawn before.
+class RenumberedOutput final : public Output {
+public:
+    explicit RenumberedOutput(Output& next) : next_(next) {}
+    void write(const char* bytes, std::size_t count) override;
+    /// Passes on what was held back. Call once, at the end.
+    void finish();
+
+private:
+    void pass_on(bool at_end);
+
+    Output& next_;
+    std::string held_;
+    std::map<std::string, std::size_t> numbers_;
+};
 
 /// A Cairo surface of one of the formats, open to be drawn on. Its bytes go to an Output and are
 /// always the same: without dates and numbers of the process.

@@ -108,7 +108,7 @@ TEST_CASE("proofs of all kinds have braces and environments that match") {
                                   "show Q ==> A(4)B in 1 step",
                                   "show dimension(K) = log 4 / log 3",
                                   "show bb in L(C)",
-                                  "show F{}F in {F{}F}",
+                                  "show FF in {F, FF}",
                                   "show L(F)^R is D0L",
                                   "show L(T) . {a} is empty"}) {
         CAPTURE(statement);

@@ -296,7 +296,7 @@ Mark mark(const Exercise& exercise, const std::string& text, const std::string& 
             marked.demands.push_back({demand.text, demand.hint, marking.judge(demand)});
         } catch (const BoundReached& error) {
             marked.demands.push_back(
-                {demand.text, demand.hint, {Truth::undecided, {error.what()}}});
+                {demand.text, demand.hint, Judgement{Truth::undecided, {error.what()}}});
         }
         worst();
     }

@@ -343,7 +343,7 @@ DimensionValue parse_dimension_value(const char*& here, const char* end) {
     });
     const auto on_value = told([&](std::string_view written) {
         if (!first) {
-            first = std::move(next);
+            first = *next;
             return;
         }
         bool same = compare(*first, *next) == Order::equal;

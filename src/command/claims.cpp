@@ -1,10 +1,10 @@
 // Claims of the theory and their certificates: `check` decides what a claim says, `closure` shows the table
 // that the claims below theory/closure make together, `verify` checks a certificate again.
 //
-// A claim stands, rests on a cited source, is undecided or is wrong, and a run ends with the worst of these.
-// All claims are read before any is decided, so that a mistake in one shows at once. `verify` takes nothing
-// from `check` but the certificate: its checker is a library of its own that shares no code with the one that
-// decides.
+// A claim stands, rests on a cited source, is undecided or is wrong; a run ends with the worst of these results.
+// All claims are read before any is decided, so that mistakes in them are reported at once. `verify` takes only
+// the certificate from `check`: its checker is a room of its own and shares no code with the rooms that
+// decide.
 
 #include <fmt/format.h>
 
@@ -27,9 +27,9 @@ namespace {
 
 using Outcome = CheckedStatement::Outcome;
 
-/// The files of claims that a path means: itself, or in a folder all claims, sorted by name. What is
-/// no path here may be one of the theory that comes with algae: `theory`, `theory/closure`. Throws
-/// Error if there are none.
+/// The files of claims for a path: the file itself, or all claims in a folder, sorted by name. If the path does not
+/// exist, it may be one of the theory that comes with algae: `theory`, `theory/closure`. Throws
+/// Error if there are no claims.
 std::vector<std::string> claim_files(const std::string& path) {
     std::error_code ignored;
     std::vector<std::string> files;
@@ -45,7 +45,7 @@ std::vector<std::string> claim_files(const std::string& path) {
             if (claim.path.starts_with(folder)) files.emplace_back(claim.path);
         if (files.empty()) return {path};
     }
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     return files;
 }
 
@@ -72,7 +72,7 @@ struct CheckOptions {
     Bounds bounds;
 };
 
-/// One line for the claim, and one with the reasons for each statement that does not stand.
+/// One line for the claim, and lines with the reasons for each statement that does not stand.
 std::string summary(const CheckedClaim& checked) {
     std::string text =
         fmt::format("{:<9}  {}\n", to_string(checked.outcome()), checked.claim.title);
@@ -165,7 +165,7 @@ public:
     }
     /// Whether every claim that was asked for is decided, and no bound was reached before.
     bool is_decided() const {
-        return std::none_of(checked_.begin(), checked_.end(), [](const auto& checked) {
+        return std::ranges::none_of(checked_, [](const auto& checked) {
             return checked && checked->outcome() == Outcome::undecided;
         });
     }
@@ -249,10 +249,10 @@ std::string cell_text(Theory& theory, const std::string& family, const std::stri
 std::string known(const std::string& written, const std::vector<std::string>& all,
                   const std::string& what) {
     std::string plain = written;
-    std::replace(plain.begin(), plain.end(), '-', ' ');
+    std::ranges::replace(plain, '-', ' ');
     for (const std::string& name : all) {
         std::string other = name;
-        std::replace(other.begin(), other.end(), '-', ' ');
+        std::ranges::replace(other, '-', ' ');
         if (other == plain) return name;
     }
     throw Error("expected " + what + " of the table (" + joined(all, ", ") + "), found " + written +

@@ -1,10 +1,10 @@
 // `algae derive` and `algae letter`: the words of generations.
 //
-// A word may be longer than memory, so it goes to standard output piece by piece while it is derived, and its
-// length is worked out first: a word that --max-letters does not allow is refused with its exact length and
-// with the verbs that answer without it. Which way a system is derived depends on what it is: D0L systems by
-// their morphism, systems with context by a development that keeps the whole word, everything with
-// parameters, probabilities, tables or an environment by one rewriting that is told what to choose. Systems
+// A word may be larger than memory, so it goes to standard output piece by piece while it is derived, and its
+// length is computed first: a word that --max-letters does not allow is refused with its exact length and
+// with the verbs that answer without it. The class of a system decides how it is derived: D0L systems by
+// their morphism, systems with context by a development that keeps the whole word, systems with
+// parameters, probabilities, tables or an environment by one rewriting with given choices. Systems
 // of shape rules have boxes instead of words.
 
 #include <map>
@@ -35,7 +35,7 @@ struct DeriveOptions {
 
 /// Throws BoundReached, with the exact length and other ways to an answer, if a word is too long.
 void check_length(const D0L& system, std::uint64_t n, const Budget& budget) {
-    constexpr double worked_out = 4096;  // binary digits of a length that are said in full
+    constexpr double worked_out = 4096;  // binary digits of a length that is printed in full
     const double estimate = estimated_log2_length(system, n, budget);
     std::string count;
     if (estimate <= worked_out) {

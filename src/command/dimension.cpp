@@ -1,11 +1,11 @@
 // `algae dimension`: the fractal dimension of a figure, an image or points, exact where the rules give it.
 //
-// Two answers stand beside each other and are never mixed. The exact one comes from the rules alone
+// There are two answers, which are never mixed. The exact one comes from the rules alone
 // (dimension/dimension.hpp) and is a formula with digits that are proved. The measured one is the slope
-// of a line through counts at scales that halve; it has an interval of what is expected and no proof. Without
-// -n a system is measured on the limit of all its generations where the rules lead there, otherwise on the
-// last generation that is not too large. What FILE holds decides which options make sense: images have a
-// threshold, systems a generation, and each refuses those of the others.
+// of a line through counts at scales that halve; it has an interval in which the value is expected, and no proof. Without
+// -n a system is measured on the limit of all its generations if the rules lead to one, otherwise on the
+// last generation that is not too large. The content of FILE decides which options make sense: images have a
+// threshold, systems a generation, and each refuses the options of the others.
 
 #include <algorithm>
 #include <array>
@@ -40,7 +40,7 @@ Measure measure_named(const std::string& option, const std::string& text) {
                 text);
 }
 
-// Of the generation measured where none is said; fewer where all of its word must be kept.
+// Bounds of the generation that is measured without -n; smaller if all of its word must be kept.
 constexpr std::uint64_t usual_segments = 10'000'000, usual_kept_segments = 1'000'000;
 constexpr std::uint64_t usual_letters = 100'000'000;
 constexpr std::uint64_t most_segments = 10'000'000'000;  // a few minutes
@@ -94,55 +94,53 @@ Scaling divider_of(const PointSet& points, const Budget& budget) {
 
 /// The order that the verb gives as the estimate of a spectrum.
 const Scaling& of_order_zero(const std::vector<GeneralisedDimension>& spectrum) {
-    return std::find_if(spectrum.begin(), spectrum.end(),
-                        [](const GeneralisedDimension& one) { return one.order == 0; })
-        ->scaling;
+    return std::ranges::find(spectrum, 0, &GeneralisedDimension::order)->scaling;
 }
 
-/// `generalised` gives the dimensions of some orders; `other` measures the rest by name.
-template <class Generalised, class Other>
-ScalingReport measured_with(Measure measure, std::string what, Generalised generalised,
-                            Other other) {
+// What figures and points differ in.
+
+std::vector<GeneralisedDimension> dimensions_of(const Figure& figure, std::span<const double> some,
+                                                std::size_t grids, const Budget& budget) {
+    return generalised_dimensions(figure, some, grids, budget);
+}
+
+std::vector<GeneralisedDimension> dimensions_of(const PointSet& points,
+                                                std::span<const double> some, std::size_t grids,
+                                                const Budget& budget) {
+    return generalised_dimensions(points, {}, some, grids, budget);
+}
+
+Scaling divider_of(const Figure& figure, const Budget& budget) { return divider(figure, budget); }
+
+Scaling lacunarity_of(const Figure& figure, const Budget& budget) {
+    return lacunarity(drawn_cells(figure, most_cells, budget), budget);
+}
+
+Scaling lacunarity_of(const PointSet& points, const Budget& budget) {
+    return lacunarity(filled_cells(points, budget), budget);
+}
+
+/// By a measure that is not boxes. `measured`: a figure or points.
+template <class Measured>
+ScalingReport measured_otherwise(Measure measure, std::string what, const Measured& measured,
+                                 std::size_t grids, const Budget& budget) {
     ScalingReport found{std::move(what), measure, {}, {}};
     if (measure == Measure::information) {
-        found.scaling = generalised(std::span(&information_order, 1))[0].scaling;
+        const auto one = dimensions_of(measured, std::span(&information_order, 1), grids, budget);
+        found.scaling = one[0].scaling;
     } else if (measure == Measure::multifractal) {
-        found.spectrum = generalised(std::span<const double>(orders));
+        found.spectrum = dimensions_of(measured, orders, grids, budget);
         found.scaling = of_order_zero(found.spectrum);
+    } else if (measure == Measure::divider) {
+        found.scaling = divider_of(measured, budget);
+    } else if (measure == Measure::mass) {
+        found.scaling = mass(measured, {}, budget);
+    } else if (measure == Measure::correlation) {
+        found.scaling = correlation(measured, {}, budget);
     } else {
-        found.scaling = other();
+        found.scaling = lacunarity_of(measured, budget);
     }
     return found;
-}
-
-ScalingReport measured_otherwise(Measure measure, std::string what, const Figure& figure,
-                                 std::size_t grids, const Budget& budget) {
-    return measured_with(
-        measure, std::move(what),
-        [&](std::span<const double> some) {
-            return generalised_dimensions(figure, some, grids, budget);
-        },
-        [&] {
-            if (measure == Measure::divider) return divider(figure, budget);
-            if (measure == Measure::mass) return mass(figure, {}, budget);
-            if (measure == Measure::correlation) return correlation(figure, {}, budget);
-            return lacunarity(drawn_cells(figure, most_cells, budget), budget);
-        });
-}
-
-ScalingReport measured_otherwise(Measure measure, std::string what, const PointSet& points,
-                                 std::size_t grids, const Budget& budget) {
-    return measured_with(
-        measure, std::move(what),
-        [&](std::span<const double> some) {
-            return generalised_dimensions(points, {}, some, grids, budget);
-        },
-        [&] {
-            if (measure == Measure::divider) return divider_of(points, budget);
-            if (measure == Measure::mass) return mass(points, {}, budget);
-            if (measure == Measure::correlation) return correlation(points, {}, budget);
-            return lacunarity(filled_cells(points, budget), budget);
-        });
 }
 
 /// Draws the log-log plot that shows the dimension, in the format that the end of the path says.
@@ -180,7 +178,7 @@ std::vector<Entry> entries(const std::string& folder, const Budget& budget) {
         if (file.is_regular_file() && file.path().extension() == ".lsys")
             files.push_back(file.path());
     if (files.empty()) throw Error(folder + ": expected .lsys files in this folder, found none");
-    std::sort(files.begin(), files.end());
+    std::ranges::sort(files);
     for (const auto& file : files)
         all.push_back({file.stem().string(), open_model(file.string(), budget)});
     return all;
@@ -250,6 +248,12 @@ std::size_t scales_down_to(double detail, double whole) {
                       std::size_t{1}, most_scales);
 }
 
+BoxCounts counts_of(const Figure& figure, const Options& options, const Budget& budget) {
+    BoxScales scales = scales_of(figure.box(), 2, 1);
+    scales.count = scales_down_to(figure.facts().step, scales.coarsest);
+    return box_counts(figure, scales, even_offsets(options.places()), budget);
+}
+
 /// The generation asked for; else the last one that draws no more than is usual.
 std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const Model& system,
                                                                 const Options& options,
@@ -290,7 +294,7 @@ DimensionReport measure_limit(const Model& system, const ExactDimension& exact,
     return found;
 }
 
-/// A figure that can be gone through, and what it is called.
+/// A figure to be measured, and its name.
 struct NamedFigure {
     std::uint64_t generation = 0;
     std::unique_ptr<Figure> figure;
@@ -319,9 +323,8 @@ DimensionReport measure(const Model& system, const Options& options, const Budge
     DimensionReport found;
     found.generation = n;
     found.what = what;
-    BoxScales scales = scales_of(figure->box(), 2, 1);
-    scales.count = scales_down_to(figure->facts().step, scales.coarsest);
-    found.counts = box_counts(*figure, scales, even_offsets(options.places()), budget);
+    found.counts = counts_of(*figure, options, budget);
+    found.fit = fit_dimension(found.counts);
     return found;
 }
 
@@ -332,10 +335,11 @@ DimensionReport measure(const PointSet& points, const std::string& name, const O
                               options.places(), budget);
     found.what = name + ": " + std::to_string(found.counts.parts) +
                  (points.part == "pixel" ? " pixels of ink" : " different points");
+    found.fit = fit_dimension(found.counts);
     return found;
 }
 
-/// Whether a text starts with a number, remarks and empty lines apart: then it is no system.
+/// Whether a text starts with a number, after comments and empty lines: then it is not a system.
 bool starts_with_number(std::string_view text) {
     while (!text.empty()) {
         const std::size_t end = std::min(text.find('\n'), text.size());
@@ -361,13 +365,12 @@ DimensionReport measured(const Model& system, const Options& options, const Budg
         found = measure_limit(system, exact, options, budget);
     } else {
         found = measure(system, options, budget);
-        found.fit = fit_dimension(found.counts);
     }
     found.exact = std::move(exact);
     return found;
 }
 
-/// What FILE holds.
+/// The content of FILE.
 struct Input {
     std::string name;
     std::variant<Model, PointSet> content;
@@ -376,7 +379,9 @@ struct Input {
 Input input(const Options& options, const Budget& budget) {
     const SourceText source = open_text(options.file, budget);
     const auto refuse = [&](const std::string& option, bool given, const char* what) {
-        if (given) throw Error(option + " is for " + what + ", and " + source.name + " is none");
+        if (given)
+            throw Error(option + " is for " + what + ", and " + source.name +
+                        " is not one of them");
     };
     const bool image = is_png(source.text);
     refuse("--threshold", !image && options.threshold.has_value(), "images");
@@ -393,7 +398,7 @@ Input input(const Options& options, const Budget& budget) {
                                : read_points(source.text, source.name)};
 }
 
-/// The relative in FILE, to be gone through.
+/// The relative in FILE.
 std::unique_ptr<Relative> relative(const Options& options, const Budget& budget) {
     if (options.points || options.invert || options.threshold)
         throw Error("--points, --threshold and --invert are for images and points, and " +
@@ -409,9 +414,7 @@ DimensionReport measured_relative(const Options& options, const Budget& budget) 
     DimensionReport found;
     found.exact = generator->exact_dimension(budget);
     found.what = figure.name;
-    BoxScales scales = scales_of(figure.figure->box(), 2, 1);
-    scales.count = scales_down_to(figure.figure->facts().step, scales.coarsest);
-    found.counts = box_counts(*figure.figure, scales, even_offsets(options.places()), budget);
+    found.counts = counts_of(*figure.figure, options, budget);
     found.fit = fit_dimension(found.counts);
     return found;
 }
@@ -421,12 +424,10 @@ DimensionReport measured(const Options& options, const Budget& budget) {
     const Input read = input(options, budget);
     if (const auto* system = std::get_if<Model>(&read.content))
         return measured(*system, options, budget);
-    DimensionReport found = measure(std::get<PointSet>(read.content), read.name, options, budget);
-    found.fit = fit_dimension(found.counts);
-    return found;
+    return measure(std::get<PointSet>(read.content), read.name, options, budget);
 }
 
-/// By the measure of --measure that is not boxes.
+/// Measured by a measure other than boxes.
 ScalingReport other_measured(const Options& options, const Budget& budget) {
     if (is_relative(options.file)) {
         const auto generator = relative(options, budget);
@@ -461,13 +462,13 @@ int dimension(const Options& options) {
             throw Error("--plot is for --measure boxes, divider, mass and correlation");
         const ScalingReport found = other_measured(options, budget);
         if (!options.plot.empty()) plot_measured(found, options.plot, budget);
-        print(options.json ? to_json(found).text() : to_text(found));
+        print_report(found, options.json);
         return found.scaling.estimate ? success : undecided;
     }
     const DimensionReport found = measured(options, budget);
     if (!options.plot.empty())
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
-    print(options.json ? to_json(found).text() : to_text(found));
+    print_report(found, options.json);
     // What the rules say is an answer where no generation was asked about.
     if (found.exact && found.exact->status == ExactDimension::Status::unfinished) return undecided;
     const bool exact = found.exact && found.exact->status == ExactDimension::Status::exact;

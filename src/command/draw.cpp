@@ -1,11 +1,11 @@
 // `algae draw`: the turtle figure of a generation, as a picture, pages, panels, an animation or a file of a
 // figure in space; with --explain or --progressive the turtle at work.
 //
-// The name of the output says the format and the format says what is made of several generations: pages of
-// pdf and ps, frames of gif and webp, and panels where --panels or the file ask for them. What does not go
-// together is refused before anything is drawn. --explain numbers the steps of a short word and shows them in
-// a table or a picture; --progressive draws a word symbol by symbol, several to a frame where there would be
-// too many frames. FILE may hold another generator (a relative): then -n and --seed stand for statements of
+// The name of the output says the format, and the format says how several generations are shown: as pages of
+// pdf and ps, frames of gif and webp, or panels if --panels or the file ask for them. Options that exclude each
+// other are refused before anything is drawn. --explain numbers the steps of a short word and shows them in
+// a table or a picture; --progressive draws a word symbol by symbol, several symbols to a frame if there would be
+// too many frames. FILE may be another generator (a relative): then -n and --seed replace statements of
 // its file, so these two stay texts until the file is known.
 
 #include <algorithm>
@@ -113,12 +113,10 @@ void check_motion(const Options& options, bool moves) {
         throw Error("--explain and --progressive: expected one of them");
     if (options.max_frames && !options.progressive)
         throw Error("--max-frames: only --progressive has it");
-    const char* const used = options.frame_time ? "--frame-time"
-                             : options.loop     ? "--loop"
-                                                : nullptr;
-    if (used && !moves)
-        throw Error(std::string(used) +
-                    ": only animations have it: expected a file ending in .gif or .webp");
+    if (!moves)
+        refuse_given({{"--frame-time", options.frame_time.has_value()},
+                      {"--loop", options.loop.has_value()}},
+                     ": only animations have it: expected a file ending in .gif or .webp");
 }
 
 /// The name whose end says the format of an output that must be given.
@@ -138,6 +136,14 @@ DerivedModules word_to_walk(const Model& system, std::uint64_t n, const PlateCho
     found.random_tables = choices.seeds.has_value();
     return open_modules(system, n, found, external_environment(choices.environment, system),
                         budget);
+}
+
+/// The one generation that -n says; `who` shows no more.
+std::uint64_t one_generation(const Options& options, const std::string& who) {
+    const Range wished = range("-n", options.generation);
+    if (!wished.is_single())
+        throw Error("-n " + options.generation + ": " + who + " one generation");
+    return wished.first;
 }
 
 // --explain
@@ -204,7 +210,7 @@ Json as_json(const Explanation& explanation, std::uint64_t n) {
 
 std::size_t characters(const std::string& text) {
     return static_cast<std::size_t>(
-        std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xc0) != 0x80; }));
+        std::ranges::count_if(text, [](char c) { return (c & 0xc0) != 0x80; }));
 }
 
 /// The rows in columns, two blanks between them.
@@ -240,10 +246,7 @@ int draw_explained(const Options& options) {
             system.drawing.generations ? system.drawing.generations->second : 0;
         n = last_short(system, shown, choices, budget).value_or(0);
     } else {
-        const auto wished = range("-n", options.generation);
-        if (!wished.is_single())
-            throw Error("-n " + options.generation + ": --explain shows one generation");
-        n = wished.first;
+        n = one_generation(options, "--explain shows");
     }
     std::string length;
     const std::optional<DerivedModules> derived = short_word(system, n, choices, budget, length);
@@ -264,9 +267,7 @@ int draw_explained(const Options& options) {
         if (picture.colours.empty()) picture.colours = system.drawing.colours;
         const std::string title =
             (system.title.empty() ? system.name : system.title) + ", n = " + std::to_string(n);
-        drawn_to(options.output, [&](auto& target) {
-            draw_explanation(explained, title, target, format, picture, budget);
-        });
+        draw_explanation(explained, title, target_of(options.output), format, picture, budget);
     }
     if (options.json)
         print(as_json(explained, n).text());
@@ -276,14 +277,6 @@ int draw_explained(const Options& options) {
 }
 
 // --progressive
-
-/// The one generation that --progressive shows.
-std::uint64_t shown_generation(const Model& system, const std::string& written) {
-    if (written.empty()) return shown_generations(system).second;
-    const Range wished = range("-n", written);
-    if (!wished.is_single()) throw Error("-n " + written + ": --progressive shows one generation");
-    return wished.last;
-}
 
 /// The symbols of a word one by one, as text.
 std::vector<std::string> symbol_texts(const Model& system, const DerivedModules& derived) {
@@ -326,7 +319,9 @@ int draw_progressive(const Options& options) {
             format_name(format));
     check_motion(options, animation.has_value());
     const AnimationTiming timing = timing_of(options, usual_progress_time);
-    const std::uint64_t n = shown_generation(system, options.generation);
+    const std::uint64_t n = options.generation.empty()
+                                ? shown_generations(system).second
+                                : one_generation(options, "--progressive shows");
     const DerivedModules derived = word_to_walk(system, n, choices, budget);
     const std::size_t length = derived.word.kinds.size();
     if (length == 0)
@@ -367,11 +362,10 @@ int draw_progressive(const Options& options) {
              " symbols a frame; --max-frames allows more frames");
 
     ProgressBar bar("Drawing");
-    const Drawn drawn = drawn_to(options.output, [&](auto& target) {
-        if (animation)
-            return draw_animation(plates, target, *animation, picture, timing, budget, &bar);
-        return draw_pages(plates, target, format, picture, budget, &bar);
-    });
+    const Target target = target_of(options.output);
+    const Drawn drawn =
+        animation ? draw_animation(plates, target, *animation, picture, timing, budget, &bar)
+                  : draw_pages(plates, target, format, picture, budget, &bar);
     if (options.json)
         print(Json{{"generation", n},
                    {"symbols", length},
@@ -440,16 +434,10 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
             scene_of(*open_relative(options.file, budget, options.statements()), format, budget);
     } else {
         const Model system = open_model(options.file, budget);
-        std::uint64_t generation = 0;
-        if (options.generation.empty()) {
-            generation = shown_generations(system).second;
-        } else {
-            const Range wished = range("-n", options.generation);
-            if (!wished.is_single())
-                throw Error("-n " + options.generation + ": " + mesh_format_name(format) +
-                            " holds one generation");
-            generation = wished.last;
-        }
+        const std::uint64_t generation =
+            options.generation.empty()
+                ? shown_generations(system).second
+                : one_generation(options, mesh_format_name(format) + std::string(" holds"));
         choices.camera = view_choices(options.space, system, choices.background).camera;
         scene = scene_of_word(options, system, generation, budget);
         json.set("generation", generation);
@@ -502,14 +490,13 @@ std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, c
 /// Files of relatives: what -n and --seed say stands in their statements.
 int draw_relative_file(const Options& options, PictureFormat format, const PictureOptions& picture,
                        const Budget& budget) {
-    for (const auto& [option, given] : {std::pair("--seeds", options.seeds.has_value()),
-                                        {"--tables", !options.tables.empty()},
-                                        {"--environment", !options.environment.empty()},
-                                        {"--camera", options.space.camera.has_value()},
-                                        {"--light", options.space.light.has_value()},
-                                        {"--fog", options.space.fog.has_value()}})
-        if (given)
-            throw Error(std::string(option) + " is for systems, and " + options.file + " is none");
+    refuse_given({{"--seeds", options.seeds.has_value()},
+                  {"--tables", !options.tables.empty()},
+                  {"--environment", !options.environment.empty()},
+                  {"--camera", options.space.camera.has_value()},
+                  {"--light", options.space.light.has_value()},
+                  {"--fog", options.space.fog.has_value()}},
+                 " is for systems, and " + options.file + " is not one of them");
     const auto relative = open_relative(options.file, budget, options.statements());
     const Drawn drawn = draw_relative(*relative, options.output, format, picture, options.captions,
                                       options.caption, budget);
@@ -556,15 +543,13 @@ int draw(const Options& options) {
         throw Error("-n " + options.generation +
                     ": several generations need --panels, pdf or ps for pages, or gif or webp for "
                     "an animation");
-    const Drawn drawn = drawn_to(options.output, [&](auto& target) {
-        if (animation)
-            return draw_animation(plates.plates(), target, *animation, picture, timing, budget,
-                                  &bar);
-        if (single && !panels)
-            return draw_picture(plates.plates().front(), target, format, picture, budget, &bar);
-        if (pages) return draw_pages(plates.plates(), target, format, picture, budget, &bar);
-        return draw_panels(plates.plates(), target, format, picture, budget, &bar);
-    });
+    const Target target = target_of(options.output);
+    const std::vector<Plate> all = plates.plates();
+    const Drawn drawn =
+        animation           ? draw_animation(all, target, *animation, picture, timing, budget, &bar)
+        : single && !panels ? draw_picture(all.front(), target, format, picture, budget, &bar)
+        : pages             ? draw_pages(all, target, format, picture, budget, &bar)
+                            : draw_panels(all, target, format, picture, budget, &bar);
     if (drawn.as_image) note("too many strokes for a vector format, drawn as an image within it");
     for (const std::size_t blank : drawn.blank)
         note("nothing is drawn in generation " + std::to_string(plates.figures[blank].generation));

@@ -1,8 +1,8 @@
 // `algae figures`: every file of a folder is drawn, and what it expects of its figure is checked.
 //
-// Files are drawn side by side in threads; one that fails is told of at the end and stops no other, and the
-// run ends with the worst status. Pictures keep the folders of their files; files whose names differ in their
-// ends only keep these too. --page makes a page of small pictures with the texts of the files beside them.
+// Files are drawn in parallel by threads. A file that fails is reported at the end and does not stop the others; the
+// run ends with the worst status. Pictures keep the folders of their files; files whose names differ only in their
+// extensions keep these too. --page makes a page of small pictures with the texts of the files beside them.
 
 #include <algorithm>
 #include <filesystem>
@@ -40,7 +40,7 @@ struct Options {
     Bounds bounds;
 };
 
-/// What became of one file.
+/// The result for one file.
 struct Outcome {
     fs::path file, group;  // the group is its folder within that of all, empty if it is the same
     std::string stem;      // of its pictures' names
@@ -55,7 +55,7 @@ bool is_figure_file(const fs::path& path) {
 }
 
 /// All files of figures in a folder, those of a group together, sorted by name. Pictures of files that
-/// differ in their ends only are told apart by these.
+/// differ only in their extensions keep these in their names.
 std::vector<Outcome> figure_files(const fs::path& folder) {
     if (!fs::is_directory(folder))
         throw Error(folder.string() +
@@ -76,7 +76,7 @@ std::vector<Outcome> figure_files(const fs::path& folder) {
     for (Outcome& outcome : files)
         if (of_stem[outcome.group / outcome.stem] > 1)
             outcome.stem = outcome.file.filename().string();
-    std::sort(files.begin(), files.end(), [](const Outcome& a, const Outcome& b) {
+    std::ranges::sort(files, [](const Outcome& a, const Outcome& b) {
         return std::tie(a.group, a.file) < std::tie(b.group, b.file);
     });
     return files;
@@ -89,31 +89,23 @@ std::string picture_path(const fs::path& out, const Outcome& outcome, const std:
     return (folder / outcome.stem).string() + '.' + format;
 }
 
-void draw_plates(const std::vector<Plate>& plates, const std::string& path,
-                 const PictureOptions& picture, const Budget& budget) {
-    if (plates.size() == 1)
-        draw_picture(plates.front(), path, picture_format(path), picture, budget);
-    else
-        draw_panels(plates, path, picture_format(path), picture, budget);
-}
-
 /// All pictures of a file.
 void draw_formats(const Options& options, Outcome& outcome, const std::vector<Plate>& plates,
                   const Budget& budget) {
     for (const std::string& format : options.formats) {
         const std::string path = picture_path(options.out, outcome, format);
-        draw_plates(plates, path, {}, budget);
+        draw_plates(plates, path, picture_format(path), {}, budget);
         outcome.pictures.push_back(path);
     }
     if (!options.page) return;
     PictureOptions small;
     small.width = preview_width;
     const std::string path = picture_path(fs::path(options.out) / previews, outcome, "png");
-    draw_plates(plates, path, small, budget);
+    draw_plates(plates, path, PictureFormat::png, small, budget);
     outcome.preview = path;
 }
 
-/// The page of all pictures, and of what is wrong with those that were not drawn.
+/// Writes the page of all pictures, with the problems of those that were not drawn.
 void write_page(const Options& options, const std::vector<Outcome>& outcomes) {
     const auto from_page = [&](const std::string& path) {
         return fs::relative(path, options.out).generic_string();
@@ -142,11 +134,8 @@ void draw_relative_file(const Options& options, Outcome& outcome, const Budget& 
     outcome.source = relative->source;
     if (options.check) return;
     const std::vector<RelativeFigure> figures = relative->figures(budget);
-    std::vector<Plate> plates;
-    for (const RelativeFigure& figure : figures)
-        plates.push_back({figure.figure.get(), figure.name,
-                          options.captions || figures.size() > 1 ? figure.caption : ""});
-    draw_formats(options, outcome, plates, budget);
+    const bool captions = options.captions || figures.size() > 1;
+    draw_formats(options, outcome, relative_plates(figures, captions, ""), budget);
 }
 
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
@@ -189,7 +178,7 @@ int draw_folder(const Options& options) {
         bar.report(static_cast<double>(++done) / static_cast<double>(outcomes.size()));
     };
     const std::uint64_t jobs = options.jobs ? std::clamp<std::uint64_t>(*options.jobs, 1, 256) : 0;
-    // Each figure looks at the budget itself: past a bound, what became of the others is told all the same.
+    // Each figure checks the budget itself, so that the results of the others are reported even if a bound is reached.
     each_part(
         outcomes.size(), static_cast<unsigned>(jobs), Budget(), [&] { return work; }, 1);
     if (options.page && !options.check) write_page(options, outcomes);

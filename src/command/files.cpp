@@ -1,10 +1,10 @@
-// What FILE means: a path first, then `-` for standard input, then a name from the gallery.
+// The meaning of FILE: a path, `-` for standard input, or a name from the gallery, in this order.
 //
-// Where a system is wanted the end of the name chooses the reader: .lsys and names without an end are the
-// notation, other programs' formats have readers of their own, and a file of another generator (a relative:
-// fern.ifs, rule-30.ca) is refused by name. A relative is read the other way round: `algae ifs fern` looks
-// for fern.ifs in the gallery before a system called fern, and options of the command line take the place of
-// statements in the file.
+// If a system is expected, the extension chooses the reader: .lsys and names without an extension are the
+// notation, formats of other programs have readers of their own, and a file of another generator (a relative:
+// fern.ifs, rule-30.ca) is refused by name. For relatives it is the other way round: `algae ifs fern` looks
+// for fern.ifs in the gallery before a system called fern, and options of the command line replace
+// statements of the file.
 
 #include "command/detail/files.hpp"
 #include "nature/nature.hpp"
@@ -27,7 +27,7 @@ namespace algae::command {
 
 namespace {
 
-/// What reading takes of memory, in bytes a byte of the file.
+/// The memory that reading takes, in bytes for each byte of the file.
 constexpr std::uint64_t memory_of_a_byte = 16;
 
 std::string read_all(std::FILE* file, const std::string& name, const Budget& budget) {
@@ -132,7 +132,7 @@ std::vector<std::string> words(const std::string& text) {
     return found;
 }
 
-/// The kind of the relatives in files of this name, be it by way of another format.
+/// The kind of the relatives in files of this name, possibly in another program's format.
 const RelativeKind* kind_of(const std::string& name) {
     const RelativeFormat* format = relative_format(name);
     return relative_kind(format ? "." + format->kind : name);
@@ -177,8 +177,8 @@ std::unique_ptr<Relative> open_relative(const std::string& file, const Budget& b
     if (!kind) return read_relative(source.text, source.name);  // throws what is expected
     RelativeFile read = read_source(source, *kind);
     for (const auto& [option, key, text] : said) {
-        const bool known = std::any_of(kind->keys.begin(), kind->keys.end(),
-                                       [&](const RelativeKey& one) { return one.name == key; });
+        const bool known = std::ranges::any_of(
+            kind->keys, [&](const RelativeKey& one) { return one.name == key; });
         if (!text.empty() && !known)
             throw Error(option + " is not for " + kind->what + ", and " + source.name + " is one");
     }

@@ -1,10 +1,10 @@
 // The verbs of the other generators of natural geometry, one a kind: ifs, walk, brownian, terrain, dla,
 // particles, ca.
 //
-// All are one verb with a table of options. An option stands for a statement of the generator's file, so the
+// All are one verb with a table of options. An option replaces a statement of the generator's file, so the
 // notation reads and checks its text, and a command line without FILE is a file of such statements. Without
-// -o a verb prints what is known of the generator, with it the picture goes where -o says: several figures
-// side by side, frames of an animation, or the scene of one that lies in space.
+// -o a verb prints the facts about the generator; with -o it draws: several figures
+// side by side, frames of an animation, or the scene of a generator in space.
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
@@ -28,7 +28,7 @@ struct Options {
     Bounds bounds;
 };
 
-/// The generator that FILE and the options say.
+/// The generator that FILE and the options describe.
 std::unique_ptr<Relative> chosen(const Options& options, const Budget& budget) {
     return open_kind(options.kind, options.file, budget,
                      {options.said.begin(), options.said.end()});
@@ -44,9 +44,7 @@ Drawn animate(const Relative& relative, const Options& options, AnimationFormat 
     const std::vector<RelativeFigure> frames = relative.frames(budget);
     const std::vector<Plate> plates = relative_plates(frames, options.captions, options.caption);
     ProgressBar bar("Drawing");
-    return drawn_to(options.output, [&](auto& target) {
-        return draw_animation(plates, target, format, picture, timing, budget, &bar);
-    });
+    return draw_animation(plates, target_of(options.output), format, picture, timing, budget, &bar);
 }
 
 int run_generator(const Options& options) {
@@ -118,7 +116,7 @@ int run_automaton(const Options& options) {
     return success;
 }
 
-/// An option that says a statement of the file instead of it.
+/// An option that replaces a statement of the file.
 struct Statement {
     const char *option, *key,
         *type;  // "--points", "points", "N"; no type for a flag, which says yes

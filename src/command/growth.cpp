@@ -2,10 +2,10 @@
 //
 // The full analysis rests on the growth matrix of a D0L system: its characteristic polynomial gives the
 // recurrence of the lengths, the generating function, the closed form and the class, all exact; decimals on
-// the page are digits of exact numbers. Where there is no matrix less is said, and the page says so: letters
-// that look at their neighbours have lengths that were derived and no formula, an 0L system has a least and
-// a greatest length for each generation. `--words` asks about factors instead of lengths, `--realise` goes
-// from lengths back to a system.
+// the page are digits of exact numbers. Without a matrix there is less to say, and the page says so: systems with
+// context have lengths that were derived and no formula; an 0L system has a least and
+// a greatest length for each generation. `--words` analyses factors instead of lengths, `--realise` finds
+// a system for given lengths.
 
 #include <fmt/format.h>
 
@@ -39,7 +39,7 @@ struct Options {
 
 // Systems with interactions.
 
-/// Lengths that are derived one generation after the other: there is no matrix, and nothing is fitted.
+/// Lengths that are derived one generation after the other: there is no matrix, and no formula is fitted.
 int growth_interaction(const IL& system, const Range& generations, bool json,
                        const Budget& budget) {
     auto lengths = derived_lengths(system, generations.last, budget);
@@ -59,7 +59,7 @@ int growth_interaction(const IL& system, const Range& generations, bool json,
 
 // Systems for a sequence of lengths.
 
-/// The system as a file says it.
+/// The system as the text of a file.
 std::string text_of(const D0L& rules, const std::string& title) {
     Model system;
     system.title = title;
@@ -81,7 +81,7 @@ std::string title_of(const SequenceSpecification& sequence) {
     return title + "...";
 }
 
-/// Where the sequence was given by terms: on what the recurrence rests.
+/// How well the terms determine the recurrence, if the sequence was given by terms.
 std::string rests_on(const SequenceSpecification& sequence) {
     const std::size_t needed = 2 * sequence.initial.size();
     if (sequence.terms == 0) return "";
@@ -178,7 +178,7 @@ int print_bounds(const LSystem& system, const Options& options, const Budget& bu
     const View<OL> rules = as_ol(system);
     const auto [first, last, written] = options.generations("0..10");
     const LengthBoundsReport report{*rules, length_bounds(*rules, last, budget), first};
-    print(options.json ? to_json(report).text() : to_text(report));
+    print_report(report, options.json);
     return success;
 }
 
@@ -201,7 +201,7 @@ int growth(const Options& options) {
     const Model system = open_model(options.file, budget);
     if (options.words) {
         const FactorReport report = factor_report(*as_d0l(system), budget);
-        print(options.json ? to_json(report).text() : to_text(report));
+        print_report(report, options.json);
         return report.order.is_decided() ? success : undecided;
     }
     if (options.bounds_wanted) return print_bounds(system, options, budget);

@@ -1,8 +1,8 @@
 // `algae lesson`: lessons, the files that they use, and exercises whose answers algae marks.
 //
-// LESSON is the number of a lesson or a file with an exercise of one's own. An answer is read as the claim
-// that the exercise makes of it, so marking is checking: right, wrong with a hint, or undecided, with the
-// status of a question.
+// LESSON is the number of a lesson or a file with an exercise of your own. An answer becomes a claim by the
+// statements of the exercise, so marking means checking: right, wrong with a hint, or undecided, with the
+// exit status of a question.
 
 #include <fmt/format.h>
 

@@ -1,11 +1,13 @@
 // `algae manual`: the page algae(1) and the completions of three shells, written from the table of verbs.
 //
-// Nothing about an option is said here again: its type says what may stand behind it (Verb::values), so that a
-// new option is completed and documented by being declared. What differs is how each language quotes. bash gets
-// one function that needs nothing but bash and finds out what stands before the word; zsh a specification for
+// Nothing about an option is repeated here: its type says which values may follow it (Verb::values), so that a
+// new option is completed and documented when it is declared. Each language has its own quoting. bash gets
+// one function that needs only bash and looks at the words before the cursor; zsh gets a specification for
 // _arguments; fish one `complete` for each option.
 
 #include <fmt/format.h>
+
+#include <map>
 
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -15,7 +17,7 @@ namespace algae::command {
 
 namespace {
 
-/// The verbs but for hidden ones.
+/// The verbs that are not hidden.
 using Table = std::vector<Verb>;
 
 /// The character that begins at `at` of a text in UTF-8, and `at` behind it.
@@ -30,42 +32,34 @@ std::uint32_t next_character(const std::string& text, std::size_t& at) {
     return code;
 }
 
-/// A text as roff has it: no character of it means a request or another character.
+/// A text for roff: no character of it is taken for a request or another character.
 std::string roff(const std::string& text) {
+    static const std::map<std::uint32_t, const char*> names{
+        {'\\', "\\e"},  {'-', "\\-"},   {'\'', "\\(aq"}, {'"', "\\(dq"},
+        {'`', "\\(ga"}, {'^', "\\(ha"}, {'~', "\\(ti"}};
     std::string out;
     for (std::size_t at = 0; at < text.size();) {
         const std::size_t begin = at;
         const std::uint32_t code = next_character(text, at);
-        switch (code) {
-            case '\\':
-                out += "\\e";
-                break;
-            case '-':
-                out += "\\-";
-                break;
-            case '\'':
-                out += "\\(aq";
-                break;
-            case '"':
-                out += "\\(dq";
-                break;
-            case '`':
-                out += "\\(ga";
-                break;
-            case '^':
-                out += "\\(ha";
-                break;
-            case '~':
-                out += "\\(ti";
-                break;
-            default:
-                if (code > 0x7F)
-                    out += fmt::format("\\[u{:04X}]", code);
-                else
-                    out +=
-                        (begin == 0 && code == '.' ? "\\&" : "") + text.substr(begin, at - begin);
-        }
+        const auto meant = names.find(code);
+        if (meant != names.end())
+            out += meant->second;
+        else if (code > 0x7F)
+            out += fmt::format("\\[u{:04X}]", code);
+        else
+            out += (begin == 0 && code == '.' ? "\\&" : "") + text.substr(begin, at - begin);
     }
+    return out;
+}
+
+/// A text with some of its characters written in another way.
+std::string rewritten(const std::string& text, const std::map<char, const char*>& ways) {
+    std::string out;
+    for (const char letter : text)
+        if (const auto way = ways.find(letter); way != ways.end())
+            out += way->second;
+        else
+            out += letter;
     return out;
 }
 
@@ -202,10 +196,7 @@ namespace bash {
 
 /// A text that bash reads as it stands.
 std::string in_quotes(const std::string& text) {
-    std::string out = "'";
-    for (const char letter : text)
-        out += letter == '\'' ? std::string("'\\''") : std::string(1, letter);
-    return out + '\'';
+    return '\'' + rewritten(text, {{'\'', "'\\''"}}) + '\'';
 }
 
 std::string lines(const std::vector<std::string>& words) { return in_quotes(joined(words, "\n")); }
@@ -241,8 +232,8 @@ std::string of_verb(const Verb& verb) {
            "        ;;\n";
 }
 
-// What stands before the word: an option that takes a value, or so many arguments. `--as=growth` comes
-// in three words.
+// The words before the cursor: an option that takes a value, or a number of arguments. `--as=growth` comes
+// as three words.
 constexpr const char* head = R"(# Completion of algae(1) for bash, written by `algae manual --bash`.
 
 _algae_asked() {
@@ -304,26 +295,15 @@ namespace zsh {
 
 /// A text within '...' of _arguments: the characters that end a help, or a specification, escaped.
 std::string escaped(const std::string& text) {
-    std::string out;
-    for (const char letter : text) {
-        if (letter == '\'')
-            out += "'\\''";
-        else if (letter == '[' || letter == ']' || letter == ':' || letter == '\\')
-            out += std::string("\\") + letter;
-        else
-            out += letter;
-    }
-    return out;
+    return rewritten(text,
+                     {{'\'', "'\\''"}, {'[', "\\["}, {']', "\\]"}, {':', "\\:"}, {'\\', "\\\\"}});
 }
 
 /// The words of a set as _arguments takes them, "svg pdf".
 std::string set_of(const std::vector<std::string>& words) {
     std::string out;
-    for (const std::string& word : words) {
-        out += out.empty() ? "" : " ";
-        for (const char letter : word)
-            out += letter == ' ' ? std::string("\\ ") : std::string(1, letter);
-    }
+    for (const std::string& word : words)
+        out += (out.empty() ? "" : " ") + rewritten(word, {{' ', "\\ "}});
     return out;
 }
 
@@ -405,10 +385,7 @@ namespace fish {
 
 /// A text that fish reads as it stands.
 std::string in_quotes(const std::string& text) {
-    std::string out = "'";
-    for (const char letter : text)
-        out += (letter == '\'' || letter == '\\' ? "\\" : "") + std::string(1, letter);
-    return out + '\'';
+    return '\'' + rewritten(text, {{'\'', "\\'"}, {'\\', "\\\\"}}) + '\'';
 }
 
 /// A list of completions for -a: words that hold spaces stay whole.

@@ -1,7 +1,7 @@
-// What leaves the command: texts, long words piece by piece, and a bar that says how far it is.
+// The output of the command: texts, long words piece by piece, and a bar for the progress.
 //
-// Words of a generation may be larger than memory, so they go out in pieces that are never copied where
-// that can be avoided (writev), and the JSON around them is written by hand. All other JSON is a value of
+// Words of a generation may be larger than memory, so they are written in pieces, which are copied as little as
+// possible (writev), and the JSON around them is written by hand. All other JSON is a value of
 // report/report.hpp.
 
 #include "command/detail/output.hpp"

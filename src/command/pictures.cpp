@@ -1,9 +1,9 @@
-// What the verbs that draw share: the figures of a system or of another generator, and where they go.
+// What the verbs that draw share: the figures of a system or of another generator, and their output.
 //
-// A system is drawn as plates, one for each generation and seed. In the plane a figure is gone through and
-// never kept; a system that leaves the plane becomes a scene, which a camera looks at, and the options of the
-// camera are refused where there is none. Files of figures in space (glb, obj, ...) take the scene itself and
-// know nothing of pages.
+// A system is drawn as plates, one for each generation and seed. A figure in the plane is traversed and
+// never stored; a system that leaves the plane becomes a scene, seen by a camera. Options of the
+// camera are refused if there is none. Files of figures in space (glb, obj, ...) contain the scene itself and
+// have no pages.
 
 #include "command/detail/pictures.hpp"
 
@@ -20,31 +20,10 @@ namespace algae::command {
 
 namespace {
 
-/// A number of any sign, or nothing.
-std::optional<double> number(const std::string& text) {
-    double value = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
-        return std::nullopt;
-    return value;
-}
-
-/// The parts of a text between commas, empty ones too.
-std::vector<std::string> parts_of(const std::string& text) {
-    std::vector<std::string> parts(1);
-    for (const char c : text) {
-        if (c == ',')
-            parts.emplace_back();
-        else
-            parts.back() += c;
-    }
-    return parts;
-}
-
-/// A camera as --camera says it.
+/// A reader of the text of --camera.
 Camera camera(const std::string& option, const std::string& text) {
     const std::string expected = "AZIMUTH,ELEVATION or AZIMUTH,ELEVATION,perspective[:DEGREES]";
-    const std::vector<std::string> parts = parts_of(text);
+    const std::vector<std::string> parts = between_commas(text);
     const auto azimuth = number(parts[0]);
     const auto elevation = parts.size() > 1 ? number(parts[1]) : std::nullopt;
     if (!azimuth || !elevation || parts.size() > 3) refuse(option, expected, text);
@@ -66,9 +45,9 @@ Camera camera(const std::string& option, const std::string& text) {
     return found;
 }
 
-/// Where the light comes from as --light says it.
+/// A reader of the text of --light.
 Light light(const std::string& option, const std::string& text) {
-    const std::vector<std::string> parts = parts_of(text);
+    const std::vector<std::string> parts = between_commas(text);
     const auto azimuth = number(parts[0]);
     const auto elevation = parts.size() == 2 ? number(parts[1]) : std::nullopt;
     if (!azimuth || !elevation) refuse(option, "AZIMUTH,ELEVATION", text);
@@ -76,7 +55,7 @@ Light light(const std::string& option, const std::string& text) {
     return Light{*azimuth, *elevation};
 }
 
-/// How thick the fog is as --fog says it.
+/// A reader of the text of --fog.
 double fog_share(const std::string& option, const std::string& text) {
     const auto share = number(text);
     if (!share || *share < 0 || *share > 1) refuse(option, "a number from 0 to 1", text);
@@ -98,10 +77,10 @@ void SpaceOptions::add_to(Verb& verb) {
 }
 
 void SpaceOptions::check_unused(const std::string& name) const {
-    const char* const given = camera ? "--camera" : light ? "--light" : fog ? "--fog" : nullptr;
-    if (given)
-        throw Error(std::string(given) + " is for figures in space, and those of " + name +
-                    " stay in the plane");
+    refuse_given({{"--camera", camera.has_value()},
+                  {"--light", light.has_value()},
+                  {"--fog", fog.has_value()}},
+                 " is for figures in space, and those of " + name + " stay in the plane");
 }
 
 ViewChoices view_choices(const SpaceOptions& options, const Model& system,
@@ -118,7 +97,7 @@ PointLabel point_label(const std::string& option, const std::string& text) {
     const std::string expected = "TEXT@x,y or TEXT@x,y,z";
     const auto at = text.rfind('@');
     if (at == std::string::npos || at == 0) refuse(option, expected, text);
-    const std::vector<std::string> parts = parts_of(text.substr(at + 1));
+    const std::vector<std::string> parts = between_commas(text.substr(at + 1));
     if (parts.size() != 2 && parts.size() != 3) refuse(option, expected, text);
     PointLabel label{text.substr(0, at), {}};
     double* const into[] = {&label.place.x, &label.place.y, &label.place.z};
@@ -138,11 +117,19 @@ std::string named_format(const std::string& output, const std::string& format) {
     return output;
 }
 
-void refuse_on_mesh(const std::vector<std::pair<const char*, bool>>& given, MeshFormat format) {
+Target target_of(const std::string& output) {
+    if (output == "-") return std::cout;
+    return output;
+}
+
+void refuse_given(const std::vector<std::pair<const char*, bool>>& given, const std::string& why) {
     for (const auto& [option, is_given] : given)
-        if (is_given)
-            throw Error(std::string(option) + ": " + mesh_format_name(format) +
-                        " is no picture; it holds one figure in space");
+        if (is_given) throw Error(option + why);
+}
+
+void refuse_on_mesh(const std::vector<std::pair<const char*, bool>>& given, MeshFormat format) {
+    refuse_given(given, std::string(": ") + mesh_format_name(format) +
+                            " is not a picture; it contains one figure in space");
 }
 
 FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::uint64_t> generations,
@@ -242,8 +229,7 @@ PictureFormat picture_of(const std::string& named) {
 
 Json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,
                 const MeshChoices& choices, const Budget& budget) {
-    const MeshDrawn drawn = drawn_to(
-        output, [&](auto& target) { return draw_mesh(scene, target, format, choices, budget); });
+    const MeshDrawn drawn = draw_mesh(scene, target_of(output), format, choices, budget);
     Json json;
     json.set("segments", scene.rods.size());
     json.set("bounding_box", {{"min", corner(drawn.box.low)}, {"max", corner(drawn.box.high)}});
@@ -265,6 +251,14 @@ Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget
     return std::move(*found);
 }
 
+Drawn draw_plates(std::span<const Plate> plates, const std::string& output, PictureFormat format,
+                  const PictureOptions& picture, const Budget& budget, Progress* progress) {
+    const Target target = target_of(output);
+    return plates.size() == 1
+               ? draw_picture(plates.front(), target, format, picture, budget, progress)
+               : draw_panels(plates, target, format, picture, budget, progress);
+}
+
 std::vector<Plate> relative_plates(const std::vector<RelativeFigure>& figures, bool captions,
                                    const std::string& caption) {
     std::vector<Plate> plates;
@@ -282,11 +276,7 @@ Drawn draw_relative(const Relative& relative, const std::string& output, Picture
     const std::vector<RelativeFigure> figures = relative.figures(budget);
     const std::vector<Plate> plates = relative_plates(figures, captions, caption);
     ProgressBar bar("Drawing");
-    return drawn_to(output, [&](auto& target) {
-        return plates.size() == 1
-                   ? draw_picture(plates.front(), target, format, picture, budget, &bar)
-                   : draw_panels(plates, target, format, picture, budget, &bar);
-    });
+    return draw_plates(plates, output, format, picture, budget, &bar);
 }
 
 Json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,

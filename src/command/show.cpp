@@ -1,9 +1,9 @@
-// What stands in a file, and the same in another form: `show`, `fmt`, `convert`, and `gallery`, the files that
+// The content of a file, and the same in another form: `show`, `fmt`, `convert`, and `gallery`, the files that
 // come with algae.
 //
-// `show` prints what the notation says, as one page or with all of it in JSON; a word too long for a screen is
-// shortened on the page only. `fmt` keeps comments and refuses files of other programs, which `convert` reads
-// and writes; which conversions there are is one table of the room exchange, and the help comes from it.
+// `show` prints the content of a system as one page or completely as JSON; only the page shortens a word that is too
+// long for a screen. `fmt` keeps comments and refuses files of other programs, which `convert` reads
+// and writes. A table of the room exchange lists the conversions; the help is made from it.
 
 #include <fmt/format.h>
 
@@ -69,7 +69,7 @@ int show(const ShowOptions& options) {
         return success;
     }
     const SystemReport report{system, class_of(system)};
-    print(options.json ? to_json(report).text() : to_text(report));
+    print_report(report, options.json);
     return success;
 }
 
@@ -118,7 +118,7 @@ struct ConvertOptions {
     Bounds bounds;
 };
 
-/// What the end of a file's name says; systems from the gallery have names without one.
+/// The extension of a file name; systems from the gallery have names without one.
 std::string format_of(const std::string& name) {
     const std::size_t dot = name.find_last_of('.'), slash = name.find_last_of('/');
     if (dot == std::string::npos || (slash != std::string::npos && slash > dot)) return "lsys";
@@ -201,9 +201,8 @@ void add_convert(Verbs& verbs) {
         from.insert(one.from);
         to.insert(one.to);
         if (!told.insert(one.what).second) continue;  // the other way of the same
-        const bool is_both = std::any_of(all.begin(), all.end(), [&](const Conversion& two) {
-            return two.from == one.to && two.to == one.from;
-        });
+        const bool is_both = std::ranges::any_of(
+            all, [&](const Conversion& two) { return two.from == one.to && two.to == one.from; });
         known += (known.empty() ? "" : "; ") + one.from + (is_both ? " and " : " to ") + one.to +
                  ", " + one.what;
     }

@@ -1,8 +1,8 @@
 // `algae tree`: graphs that Graphviz lays out. The derivation tree of a generation or of one word, the digraph
 // of growth, and the diagram of families of languages.
 //
-// The size of a tree is worked out before the tree is made. One that is too large is refused with its size and
-// with what would fit: a smaller depth, or --dag, where equal subtrees of one generation are drawn once.
+// The size of a tree is computed before the tree is made. A tree that is too large is refused with its size and
+// with trees that would fit: a smaller depth, or --dag, which draws equal subtrees of one generation once.
 
 #include <algorithm>
 #include <cctype>
@@ -33,7 +33,7 @@ struct Options {
 
 using SizeOf = std::function<Integer(const TreeShape&)>;
 
-/// The format that the name of the file or --format says; nothing for Graphviz's own language.
+/// The format by the name of the file or by --format; nothing for Graphviz's own language.
 std::optional<PictureFormat> format_of(const Options& options) {
     if (options.output == "-" && options.format.empty())
         throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps or dot");
@@ -143,11 +143,10 @@ Drawing growth_digraph(const Options& options, const Budget& budget) {
                                              " letters, more than the " + std::to_string(most) +
                                              " of --max-nodes");
     Drawing drawing{growth_graph(*system, budget), {}};
-    const auto from_letters = std::count_if(
-        drawing.graph.edges.begin(), drawing.graph.edges.end(), [&](const Graph::Edge& edge) {
-            return edge.from <
-                   system->letters.size();  // and not one of the arrows to the letters of the axiom
-        });
+    // Without the arrows to the letters of the axiom.
+    const auto from_letters = std::ranges::count_if(
+        drawing.graph.edges,
+        [&](const Graph::Edge& edge) { return edge.from < system->letters.size(); });
     drawing.facts = {{"nodes", system->letters.size()}, {"edges", from_letters}};
     return drawing;
 }
@@ -180,9 +179,8 @@ int tree(const Options& options) {
         else
             write_file(options.output, text);
     } else {
-        const GraphDrawn drawn = drawn_to(options.output, [&](auto& target) {
-            return draw_graph(drawing.graph, target, *format, picture, budget);
-        });
+        const GraphDrawn drawn =
+            draw_graph(drawing.graph, target_of(options.output), *format, picture, budget);
         drawing.facts.set("width", drawn.width);
         drawing.facts.set("height", drawn.height);
     }

@@ -1,10 +1,10 @@
-// What a verb declares, and how the command line is read by it. This is the only file that sees CLI11.
+// The declaration of verbs, and the reading of the command line. This is the only file that uses CLI11.
 //
 // A value is checked in two steps. CLI11 knows the grammar of a command line: which options there are, which
-// take a value, which are required, need or exclude others; what it refuses ends with a hint to --help. Then
-// the readers of the verb make numbers, ranges and lists of the texts, bounds first, and what they refuse
-// names the option and what was expected. Only then does the verb run: nothing is read or written for a
-// command line that has a mistake in it.
+// take a value, which are required, need or exclude others; its messages end with a hint to --help. Then
+// the readers of the verb convert the texts to numbers, ranges and lists, bounds first; their messages
+// name the option and what was expected. The verb runs only after that: if the command line has a mistake,
+// nothing is read or written.
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -33,8 +33,8 @@ void refuse(const std::string& option, const std::string& expected, const std::s
 namespace {
 
 bool all_digits(const std::string& text) {
-    return !text.empty() && std::all_of(text.begin(), text.end(),
-                                        [](unsigned char c) { return std::isdigit(c) != 0; });
+    return !text.empty() &&
+           std::ranges::all_of(text, [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 }  // namespace
@@ -51,13 +51,18 @@ Integer position(const std::string& option, const std::string& text) {
     return Integer(text);
 }
 
-double positive(const std::string& option, const std::string& text) {
+std::optional<double> number(const std::string& text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value) ||
-        value <= 0)
-        refuse(option, "a positive number", text);
+    if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value))
+        return std::nullopt;
     return value;
+}
+
+double positive(const std::string& option, const std::string& text) {
+    const auto value = number(text);
+    if (!value || *value <= 0) refuse(option, "a positive number", text);
+    return *value;
 }
 
 double positive_or_zero(const std::string& option, const std::string& text) {
@@ -82,7 +87,7 @@ std::uint64_t bytes(const std::string& option, const std::string& text) {
     return value << shift;
 }
 
-std::vector<std::string> list(const std::string& option, const std::string& text) {
+std::vector<std::string> between_commas(const std::string& text) {
     std::vector<std::string> parts(1);
     for (const char c : text) {
         if (c == ',')
@@ -90,8 +95,13 @@ std::vector<std::string> list(const std::string& option, const std::string& text
         else
             parts.back() += c;
     }
-    for (const std::string& part : parts)
-        if (part.empty()) refuse(option, "a list with commas between, such as a,b", text);
+    return parts;
+}
+
+std::vector<std::string> list(const std::string& option, const std::string& text) {
+    const std::vector<std::string> parts = between_commas(text);
+    if (std::ranges::count(parts, ""))
+        refuse(option, "a list with commas between, such as a,b", text);
     return parts;
 }
 
@@ -111,7 +121,7 @@ Range range(const std::string& option, const std::string& text) {
 
 namespace {
 
-/// What messages of the library call the bounds that this command sets.
+/// The names of this command's bounds in messages of the library.
 constexpr BoundNames option_names{"--max-letters", "--max-memory", "--timeout"};
 
 }  // namespace
@@ -229,7 +239,7 @@ Values Verb::values(const Option& option) const {
 
 namespace {
 
-/// What CLI11 found for an option.
+/// The texts that CLI11 found for an option.
 struct Given {
     const Option* option = nullptr;
     bool said = false;  // of a flag
@@ -237,7 +247,7 @@ struct Given {
     std::string text;
     CLI::Option* parsed = nullptr;
 
-    /// Gives the verb what the command line says.
+    /// Passes the texts of the command line to the verb.
     void take() const {
         if (option->type.empty() && !option->is_argument()) {
             if (said) option->take({});
@@ -264,7 +274,7 @@ CLI::Option* parsed_option(CLI::App& app, Given& given) {
     return added;
 }
 
-/// The options of a verb, told to CLI11.
+/// Declares the options of a verb to CLI11.
 std::deque<Given> add_options(CLI::App& app, const Verb& verb) {
     std::deque<Given> all;
     for (const auto* options : {&verb.arguments, &verb.options})
@@ -279,7 +289,7 @@ std::deque<Given> add_options(CLI::App& app, const Verb& verb) {
     return all;
 }
 
-/// The command as CLI11 has it, and the values that it finds for the options of each verb.
+/// The command as a CLI11 application, and the values that it finds for the options of each verb.
 struct Parser {
     CLI::App app{"algae derives L-systems exactly, analyses and draws them.", "algae"};
     std::deque<std::deque<Given>> given;
@@ -321,7 +331,7 @@ int Verbs::run(int argc, char** argv) {
     std::vector<std::string> names;
     for (const Verb& verb : all) names.push_back(verb.name);
     const std::string word = argv[1];
-    if (!word.starts_with('-') && std::find(names.begin(), names.end(), word) == names.end())
+    if (!word.starts_with('-') && !std::ranges::count(names, word))
         throw Error("no verb " + word + did_you_mean(word, names) + "; `algae --help` lists them");
     if (word.starts_with('-') && word != "-h" && word != "--help" && word != "--version")
         throw Error("no option " + word + "; `algae --help` lists the verbs");

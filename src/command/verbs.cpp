@@ -1,5 +1,5 @@
-// The table of verbs, whose order is that of the help, the manual page and the completions; and what a stop
-// and a failure mean to whoever called the command. Every failure becomes one message on standard error and a
+// The table of verbs, in the order of the help, the manual page and the completions; and the handling of stops and
+// failures. Every failure becomes one message on standard error and an exit
 // status, and no verb prints a failure itself.
 
 #include <cstdio>

@@ -1,6 +1,5 @@
 #include "exact/exact.hpp"
 
-#include <bit>
 #include <cmath>
 #include <cstdlib>
 #include <ostream>

@@ -1,7 +1,6 @@
 #include "exact/exact.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <ostream>
 
 #include "exact/detail/flint.hpp"

@@ -59,7 +59,7 @@ public:
 
     Expression sum(std::size_t depth) {
         return scanner_.expression(
-            netlogo, [&] { return atom(depth); }, [&](std::size_t) { count(); });
+            netlogo, [&] { return atom(depth); }, [&](std::size_t at) { count(at); });
     }
 
 private:
@@ -86,12 +86,12 @@ private:
             Expression inner = minus ? atom(depth + 1) : sum(depth + 1);
             scanner_.expect(")", "or an operator between blanks");
             if (!minus) return inner;
-            count();
+            count(scanner_.offset());
             return made_expression(Expression::Kind::unary, "-", {std::move(inner)});
         }
         for (const auto& [name, reporter] : reporters())
             if (scanner_.take_word(reporter)) {
-                count();
+                count(scanner_.offset());
                 return made_expression(Expression::Kind::call, name, {atom(depth + 1)});
             }
         scanner_.fail("a number");
@@ -102,13 +102,12 @@ private:
         const std::string_view rest = scanner_.rest();
         if (rest.size() < 2 || rest[0] != '-' || !std::isspace(static_cast<unsigned char>(rest[1])))
             return false;
-        count();
+        count(scanner_.offset());
         return scanner_.take("-");
     }
-    void count() {
+    void count(std::size_t at) {
         constexpr std::size_t most = 100;
-        if (++operators_ > most)
-            scanner_.fail_at(scanner_.offset(), "more than 100 operators in a number");
+        if (++operators_ > most) scanner_.fail_at(at, "more than 100 operators in a number");
     }
 
     Scanner& scanner_;

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <numeric>
 #include <random>
 
 #include "exact/exact.hpp"

@@ -23,24 +23,16 @@ std::string word_text(const Alphabet& alphabet, const ModuleWord& word) {
         if (i > 0 && long_names && text.back() != ')') text += ' ';
         text += alphabet.name(word.letters[i]);
         if (arguments == word.arguments.end()) continue;
-        std::string list;
-        for (const Expression& argument : arguments->second)
-            list += (list.empty() ? "" : ",") + to_text(argument);
-        text += "(" + list + ")";
+        text += "(" + joined(arguments->second, ",", to_text) + ")";
     }
     return text;
 }
 
 std::string pattern_text(const Alphabet& alphabet, const Pattern& pattern, const char* between) {
-    std::string text;
-    for (const ModulePattern& module : pattern) {
-        text += (text.empty() ? "" : between) + alphabet.name(module.symbol);
-        std::string list;
-        for (const std::string& parameter : module.parameters)
-            list += (list.empty() ? "" : ",") + parameter;
-        if (!list.empty()) text += "(" + list + ")";
-    }
-    return text;
+    return joined(pattern, between, [&](const ModulePattern& module) {
+        const std::string list = joined(module.parameters, ",");
+        return alphabet.name(module.symbol) + (list.empty() ? "" : "(" + list + ")");
+    });
 }
 
 std::string rule_text(const Alphabet& alphabet, const Production& rule) {

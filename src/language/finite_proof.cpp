@@ -180,7 +180,7 @@ public:
                 texts.push_back(rule(each));
             letter = &each.letter;
         }
-        return listed(texts);
+        return listed(texts, " and ");
     }
 
     std::string left(const RulesLeft& rules_left) const {
@@ -219,17 +219,19 @@ public:
             for (const Symbol a : others) only[a] = rules_left.at(a);
             std::string start = text;
             if (!only.empty())
-                start += "with " + left(only) + ", all that is left for " + listed(names) + ", ";
+                start += "with " + left(only) + ", all that is left for " + listed(names, " and ") +
+                         ", ";
             start += from;
             if (same.size() > shown) return start + " would give no word of the language.";
             return start + " would give " + listed(results, " or ") + ", which " +
                    (one ? "is" : "are") + " not in the language.";
         }
         if (fits)
-            return text + "whichever of the rules left for " + listed(names) + " goes with " +
-                   (one ? "it" : "them") + ", " + from + " would give no word of the language.";
+            return text + "whichever of the rules left for " + listed(names, " and ") +
+                   " goes with " + (one ? "it" : "them") + ", " + from +
+                   " would give no word of the language.";
         if (same.size() > shown)
-            return text + "whatever " + listed(names) + " becomes, " + from +
+            return text + "whatever " + listed(names, " and ") + " becomes, " + from +
                    " would give no word of the language.";
         return text + from + " would give " + listed(forms, " or ") +
                ", and no word of the language has " + (one ? "this form." : "one of these forms.");
@@ -263,15 +265,6 @@ public:
                ". The axiom is " +
                (single ? "not both, so one of these words is never reached."
                        : "not in both, so the words of one are never reached.");
-    }
-
-    /// "x, y and z".
-    static std::string listed(const std::vector<std::string>& items,
-                              const std::string& last = " and ") {
-        std::string text;
-        for (std::size_t i = 0; i < items.size(); ++i)
-            text += (i == 0 ? "" : i + 1 == items.size() ? last : ", ") + items[i];
-        return text;
     }
 
 private:
@@ -350,7 +343,7 @@ private:
              make_finite_language(proof_.language.alphabet, {factors.begin(), factors.end()}).words)
             names.push_back(say_.word(image));
         return (names.size() == 1 ? "the only one of the " : "one of the ") + what + ": " +
-               FiniteSentences::listed(names, " or ");
+               listed(names, " or ");
     }
 
     void exclusions(const ObstructionCase& part, RulesLeft& left) {
@@ -413,15 +406,15 @@ private:
             line(step + ", but these rules are there: a contradiction.");
             return;
         }
-        line(step + ". So " + FiniteSentences::listed(texts(part.rules), " or ") + " is missing.");
+        line(step + ". So " + listed(texts(part.rules), " or ") + " is missing.");
         for (std::size_t i = 0; i < part.rules.size(); ++i) {
             RulesLeft rest = left;
             rest[part.rules[i].letter].erase(part.rules[i].image);
             const std::vector<LetterRule> before(
                 part.rules.begin(), part.rules.begin() + static_cast<std::ptrdiff_t>(i));
-            const std::string there = i == 0 ? ""
-                                             : FiniteSentences::listed(texts(before)) +
-                                                   (i > 1 ? " are" : " is") + " there, ";
+            const std::string there =
+                i == 0 ? ""
+                       : listed(texts(before), " and ") + (i > 1 ? " are" : " is") + " there, ";
             one_case(part.cases[i], rest, number + std::to_string(i + 1),
                      there + say_.rule(part.rules[i]) + " is missing");
         }

@@ -1,8 +1,6 @@
 #include "language/language.hpp"
 
 #include <algorithm>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/strong_components.hpp>
 
 #include "exact/exact.hpp"
 #include "language/detail/letters.hpp"
@@ -72,15 +70,12 @@ std::vector<std::optional<std::uint64_t>> shortest_lives(const OL& system) {
 }
 
 std::vector<std::size_t> lasting_components(const OL& system, const std::vector<char>& lasting) {
-    using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
-    Graph graph(system.alphabet->size());
+    std::vector<std::vector<std::size_t>> successors(system.alphabet->size());
     for (const Symbol a : system.letters)
         for (const Word& successor : system.successors[a])
             for (const Symbol b : successor)
-                if (lasting[a] && lasting[b]) boost::add_edge(a, b, graph);
-    std::vector<std::size_t> component(system.alphabet->size());
-    boost::strong_components(graph, boost::make_iterator_property_map(
-                                        component.begin(), boost::get(boost::vertex_index, graph)));
+                if (lasting[a] && lasting[b]) successors[a].push_back(b);
+    std::vector<std::size_t> component = strong_components(successors);
     for (std::size_t a = 0; a < component.size(); ++a)
         component[a] = lasting[a] ? component[a] + 1 : 0;
     return component;

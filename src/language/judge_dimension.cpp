@@ -13,6 +13,7 @@ namespace algae {
 namespace {
 
 using Status = ExactDimension::Status;
+
 /// Exactly for ratios of logarithms; the solution of an equation is less or greater where enclosures
 /// differ in that many digits.
 Order compared(const DimensionFormula& formula, const DimensionValue& claimed) {

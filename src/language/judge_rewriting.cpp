@@ -2,6 +2,7 @@
 
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
+#include "model/model.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/turtle.hpp"
 
@@ -88,7 +89,7 @@ Answer derived(const Derived& course, const Budget& budget) {
 
 /// The words of an open system, whose communication modules its environments fill.
 Answer developed(const Rewrites& said, const Derived& course, const Budget& budget) {
-    LSystem own = *said.system;
+    Model own{*said.system, {}, {}};
     if (said.from) own.axiom = *said.from;
     OpenDevelopment development(own, {}, nullptr, budget);
     const auto text = [&] {

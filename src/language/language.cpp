@@ -91,10 +91,7 @@ Level level(const LanguageTree& tree) {
 std::string text(const Language& language, const Alphabet& alphabet, Level least);
 
 std::string words_text(const std::vector<Word>& words, const Alphabet& alphabet) {
-    std::string result = "{";
-    for (const Word& word : words)
-        result += (result.size() > 1 ? ", " : "") + spell(alphabet, word);
-    return result + "}";
+    return "{" + joined(words, ", ", [&](const Word& word) { return spell(alphabet, word); }) + "}";
 }
 
 std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {

@@ -348,9 +348,9 @@ public:
         say("No sequence of tables makes terminals of all letters of its axiom.");
     }
     void operator()(const steps::InfiniteRound& said) {
-        std::string rules;
-        for (const auto& [from, successor] : said.rules)
-            rules += (rules.empty() ? "" : ", ") + letter(from) + " -> " + word(successor);
+        const std::string rules = joined(said.rules, ", ", [&](const auto& rule) {
+            return letter(rule.first) + " -> " + word(rule.second);
+        });
         say(generated(said.system) + " is infinite: by " + rules + " the letter " +
             letter(said.rules.front().first) + " comes back with " + letter(said.other) +
             " beside it, which never disappears; so n rounds give n letters and more.");
@@ -542,9 +542,7 @@ private:
 
     /// "A system for A | B is constructed (union): an ET0L system with 3 letters and 2 tables."
     std::string construction(const TableValue& tables) const {
-        std::string operations;
-        for (const std::string& each : tables.operations)
-            operations += (operations.empty() ? "" : ", ") + each;
+        const std::string operations = joined(tables.operations, ", ");
         const ET0L& system = tables.system;
         return "A system for " + language(tables.language) +
                (operations.empty() ? " is at hand" : " is constructed (" + operations + ")") +

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <boost/container_hash/hash.hpp>
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/strong_components.hpp>
 #include <map>
 #include <set>
 #include <unordered_map>
@@ -115,15 +113,6 @@ FinishingSets finishing_sets(const ET0L& system, const Budget& budget) {
 
 namespace {
 
-using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS>;
-
-std::vector<std::size_t> components_of(const Graph& graph) {
-    std::vector<std::size_t> component(boost::num_vertices(graph));
-    boost::strong_components(graph, boost::make_iterator_property_map(
-                                        component.begin(), boost::get(boost::vertex_index, graph)));
-    return component;
-}
-
 /// A letter of an allowed successor, and how it came.
 struct Move {
     TableUse use;
@@ -216,17 +205,15 @@ private:
     }
 
     void find_stages() {
-        Graph graph(sets_->sets.size() * letters_);
-        std::vector<std::vector<std::size_t>> before(boost::num_vertices(graph));
+        std::vector<std::vector<std::size_t>> before(sets_->sets.size() * letters_);
         for (std::size_t set = 0; set < sets_->sets.size(); ++set)
             for (std::size_t i = 0; i < moves_[set].size(); ++i)
                 for (Symbol a = 0; a < letters_; ++a)
                     for (const Move& move : moves_[set][i][a].single) {
                         const std::size_t to = stage(sets_->steps[set][i].to, move.letter);
-                        boost::add_edge(stage(set, a), to, graph);
                         before[to].push_back(stage(set, a));
                     }
-        component_ = components_of(graph);
+        component_ = strong_components(before);  // the same as along the steps
         returns_.assign(before.size(), 0);
         lasts_.assign(before.size(), 0);
         for (std::size_t to = 0; to < before.size(); ++to)
@@ -279,13 +266,13 @@ private:
     std::vector<Node> found_nodes() const {
         std::vector<Node> nodes;
         std::unordered_map<std::uint64_t, std::size_t> number;
-        Graph graph;
+        std::vector<std::vector<std::size_t>> successors;
         std::uint64_t bytes = 0;
         const auto numbered = [&](const Node& node) {
             const auto [at, is_new] = number.try_emplace(code(node), nodes.size());
             if (is_new) {
                 nodes.push_back(node);
-                boost::add_vertex(graph);
+                successors.emplace_back();
                 bytes += 160;
             }
             return at->second;
@@ -301,14 +288,17 @@ private:
             budget_->check();
             const Node node = nodes[i];
             each_next(node, [&](const Node& next, const Move&, const Move*, const Move&) {
-                boost::add_edge(i, numbered(next), graph);
+                const std::size_t to = numbered(next);
+                successors[i].push_back(to);
                 bytes += 16;
             });
-            if (node.second == node.third)
-                boost::add_edge(i, numbered({node.set, node.first, none(), node.third}), graph);
+            if (node.second == node.third) {
+                const std::size_t to = numbered({node.set, node.first, none(), node.third});
+                successors[i].push_back(to);
+            }
             budget_->check_memory(bytes, "the graph of letters that come together");
         }
-        const std::vector<std::size_t> component = components_of(graph);
+        const std::vector<std::size_t> component = strong_components(successors);
         std::vector<Node> found;
         for (std::size_t i = 0; i < begins && found.size() < most_rounds; ++i) {
             const auto end =

@@ -36,7 +36,7 @@ Judgement found(bool holds, std::string sentence) {
 /// Judges a statement of an exercise's own of the answer: refuted with what the answer has instead. Throws what
 /// `open` and `outline` throw.
 struct OwnJudge {
-    const LSystem& answer;
+    const Model& answer;
     const SystemSource& open;
     const Budget& budget;
 
@@ -296,7 +296,7 @@ Mark mark(const Exercise& exercise, const std::string& text, const std::string& 
             marked.demands.push_back({demand.text, demand.hint, marking.judge(demand)});
         } catch (const BoundReached& error) {
             marked.demands.push_back(
-                {demand.text, demand.hint, Judgement::undecided({error.what()})});
+                {demand.text, demand.hint, Judgement{Truth::undecided, {error.what()}}});
         }
         worst();
     }

@@ -1,6 +1,6 @@
 #include "model/model.hpp"
 
-// The tables behind settings that name something: kinds of solids and of surfaces. Each table is the only list of its
+// The tables behind settings that name something: kinds of solids, of surfaces, of stamps and of expectations. Each table is the only list of its
 // names; reading, printing and completion ask it.
 
 namespace algae {
@@ -28,6 +28,17 @@ const SolidKind* solid_kind(std::string_view name) {
 
 const std::vector<std::string>& surface_kinds() {
     static const std::vector<std::string> kinds{"leaf", "petal", "disc", "polygon", "patch"};
+    return kinds;
+}
+
+const std::vector<std::string>& stamp_shapes() {
+    static const std::vector<std::string> shapes{"square", "circle", "triangle"};
+    return shapes;
+}
+
+const std::vector<std::string>& expectation_kinds() {
+    static const std::vector<std::string> kinds{"length",   "lengths",  "mean", "word", "segments",
+                                                "distinct", "vertices", "end",  "box"};
     return kinds;
 }
 

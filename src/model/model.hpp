@@ -88,6 +88,11 @@ const std::vector<std::string>& surface_kinds();
 /// The shapes that a stamp may have.
 enum class StampShape : unsigned char { square, circle, triangle };
 
+/// Their names, in this order.
+///
+/// Example: stamp_shapes().front() == "square"
+const std::vector<std::string>& stamp_shapes();
+
 /// How a system wants to be drawn. Whatever a file does not say is absent here and has the value
 /// given in the comment.
 struct Drawing {
@@ -128,7 +133,7 @@ struct Drawing {
 
 /// What a file says must come out: `expect length 3: 148`. The value is kept as written.
 struct Expectation {
-    std::string kind;  // length, word, segments, distinct, vertices, end, box, ...
+    std::string kind;  // one of expectation_kinds()
     std::uint64_t generation = 0;
     std::string value;
     Place place;
@@ -137,6 +142,11 @@ struct Expectation {
         return kind == other.kind && generation == other.generation && value == other.value;
     }
 };
+
+/// What a file may expect of a generation.
+///
+/// Example: expectation_kinds().front() == "length"
+const std::vector<std::string>& expectation_kinds();
 
 /// What a `.lsys` file says: an L-system, how it is drawn, and what is expected of it. Theory takes it as the LSystem
 /// that it is, and nothing of the rules is said twice: `as_d0l(model)`, `model.rules`.

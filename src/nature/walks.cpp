@@ -169,9 +169,8 @@ std::vector<RelativeFigure> RandomWalks::figures(const Budget& budget) const {
     for (const std::uint64_t count : steps) {
         const std::vector<Vector> places(all.begin(),
                                          all.begin() + static_cast<std::ptrdiff_t>(count) + 1);
-        made.push_back(
-            pictured(*this, {walk_path(places, walk.dimensions)},
-                     fmt::format("{} step{}, seed {}", count, count == 1 ? "" : "s", walk.seed)));
+        made.push_back(pictured(*this, {walk_path(places, walk.dimensions)},
+                                counted(count, "step") + ", seed " + std::to_string(walk.seed)));
     }
     return made;
 }
@@ -351,8 +350,8 @@ std::vector<RelativeFigure> BrownianPaths::figures(const Budget& budget) const {
         for (int level = levels.first; level <= levels.second; ++level) {
             std::string caption = fmt::format("H = {}", h);
             if (levels.first != levels.second)
-                caption = fmt::format("{}{}{} displacement{}", hurst.size() > 1 ? caption : "",
-                                      hurst.size() > 1 ? ", " : "", level, level == 1 ? "" : "s");
+                caption = (hurst.size() > 1 ? caption + ", " : "") +
+                          counted(static_cast<std::uint64_t>(level), "displacement");
             made.push_back(
                 pictured(*this, {walk_path(places(h, level, budget), dimensions)}, caption));
         }

@@ -30,6 +30,8 @@ struct LanguageTree;
 using Language = std::shared_ptr<const LanguageTree>;
 struct SystemForm;
 struct Point;
+struct Colour;
+struct Drawing;
 class Relative;
 class IteratedFunctions;
 struct Model;
@@ -102,6 +104,24 @@ private:
     const Alphabet& alphabet_;
     Spellings spellings_;
 };
+
+/// A statement of `.lsys` files that begins with a keyword, as the reference in NOTATION.md shows it.
+struct StatementHelp {
+    std::string keyword;
+    std::vector<std::string> forms;  // as one writes it: "angle 60"
+    std::string meaning;             // in one line, in Markdown
+    std::string otherwise;  // what holds without it, likewise; empty where that goes without saying
+    std::vector<std::string> words = {};  // names that may stand behind it: "box", "sphere"
+};
+
+/// All of them, in the order of the canonical text. Reading, printing and suggestions go by the same table.
+///
+/// Example: system_statements().front().keyword == "title"
+std::vector<StatementHelp> system_statements();
+
+/// A grammar by which editors colour `.lsys` files, in the JSON of TextMate: comments, keywords, names that have a
+/// meaning behind them, arrows and numbers.
+std::string editor_grammar();
 
 /// What fills a module, as it stands behind `environment`: `?E clip 0 0 4 3`.
 std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment);

@@ -4,6 +4,7 @@
 #include <utility>
 #include <vector>
 
+#include "language/language.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/notation.hpp"
 

@@ -10,7 +10,8 @@
 
 // The canonical text of a system, and of a file with its comments.
 //
-// The canonical text has one statement a line, in the order of the table of settings, with blanks only where
+// The canonical text has one statement a line, in the order of the table of settings, which knows how the value of
+// each is printed (settings.cpp); rules, and the tables among them, are laid out here. Blanks stand only where
 // two symbols would otherwise be read as one (`Spellings`). It reads back as the same system, and its own
 // canonical text is itself. Care is needed where a text would be read as something else: a word that begins
 // like a shape successor or a rule that begins like a setting gets `ε` in front.
@@ -59,12 +60,6 @@ std::string guarded(std::string text, std::initializer_list<const char*> beginni
     for (const char* beginning : beginnings)
         if (text.starts_with(beginning)) return "ε " + text;
     return text;
-}
-
-/// A number as one piece among several.
-std::string piece(const Quantity& number) {
-    const std::string text = to_text(number.expression);
-    return text.find(' ') == std::string::npos ? text : '(' + text + ')';
 }
 
 }  // namespace
@@ -143,24 +138,6 @@ std::string print_rule(const Alphabet& alphabet, const Production& rule) {
     return Printer(alphabet).rule(rule);
 }
 
-std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
-    std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
-    for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
-    return joined(parts, " ");
-}
-
-std::string print_solid(const SolidSetting& solid) {
-    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures, " "));
-}
-
-std::string print_surface(const SurfaceSetting& surface) {
-    std::string out = surface.kind;
-    for (const Triple& point : surface.points)
-        out += " (" + to_text(point.x.expression) + ", " + to_text(point.y.expression) + ", " +
-               to_text(point.z.expression) + ')';
-    return out;
-}
-
 namespace {
 
 /// One line of the canonical text.
@@ -170,126 +147,46 @@ struct CanonicalLine {
     std::vector<CanonicalLine> inside = {};  // of `system leaf {`: the lines up to its brace
 };
 
-/// Gathers the lines.
-class Lines {
-public:
-    void setting(const char* keyword, const std::string& value) {
-        if (!value.empty()) lines_.push_back({keyword, std::string(keyword) + ' ' + value});
-    }
-    void number(const char* keyword, const std::optional<Quantity>& value) {
-        if (value) setting(keyword, to_text(value->expression));
-    }
-    void system(const std::string& name, std::vector<CanonicalLine> inside) {
-        lines_.push_back({"system", "system " + name + " {", std::move(inside)});
-    }
-    void rule(std::string text) { lines_.push_back({"->", std::move(text)}); }
-    std::vector<CanonicalLine> take() { return std::move(lines_); }
+using Lines = std::vector<CanonicalLine>;
 
-private:
-    std::vector<CanonicalLine> lines_;
-};
+void add(const std::string& keyword, const std::string& value, Lines& lines) {
+    if (!value.empty()) lines.push_back({keyword, keyword + ' ' + value});
+}
 
+/// The rules, each table opened before its first rule or, if it has none, before the next one.
 void add_rules(const LSystem& system, const Printer& printer, Lines& lines) {
     std::size_t opened = 0;
     const auto open_tables = [&](std::size_t end) {
-        for (; opened < end; ++opened) lines.setting("table", system.tables[opened]);
+        for (; opened < end; ++opened) add("table", system.tables[opened], lines);
     };
     for (const Production& rule : system.rules) {
         if (!system.tables.empty()) open_tables(rule.table + 1);
-        lines.rule(printer.rule(rule));
+        lines.push_back({"->", printer.rule(rule)});
     }
     open_tables(system.tables.size());
-    lines.setting("schedule", joined(schedule_names(system), " "));
 }
 
-void add_words(const LSystem& system, const Printer& printer, Lines& lines) {
-    lines.setting("axiom", printer.word(system.axiom));
-    add_rules(system, printer, lines);
-    lines.setting("ignore", printer.apart(system.ignored));
-}
-
-std::string print_start(const Drawing::Start& start) {
-    return joined({piece(start.x), piece(start.y), piece(start.heading)}, " ");
-}
-
-std::string print_range(const std::pair<std::uint64_t, std::uint64_t>& range) {
-    const auto [first, last] = range;
-    return std::to_string(first) + (last == first ? "" : ".." + std::to_string(last));
-}
-
-std::string print_direction(const Direction& direction) {
-    return joined({piece(direction.azimuth), piece(direction.elevation)}, " ");
-}
-
-/// What symbols leave in space, and where steps bend to.
-void add_space(const Drawing& drawing, const Printer& printer, Lines& lines) {
-    for (const SolidSetting& solid : drawing.solids)
-        lines.setting("solid", printer.apart({solid.symbol}) + ' ' + print_solid(solid));
-    for (const SurfaceSetting& surface : drawing.surfaces)
-        lines.setting("surface", printer.apart({surface.symbol}) + ' ' + print_surface(surface));
-    if (const auto& to = drawing.tropism)
-        lines.setting("tropism", joined({piece(to->x), piece(to->y), piece(to->z)}, " "));
-    lines.number("susceptibility", drawing.susceptibility);
-}
-
-/// How figures in space are looked at.
-void add_views(const Drawing& drawing, Lines& lines) {
-    if (const auto& camera = drawing.camera) {
-        std::vector<std::string> parts{print_direction(camera->from)};
-        if (camera->perspective) parts.emplace_back("perspective");
-        if (camera->opening) parts.push_back(piece(*camera->opening));
-        lines.setting("camera", joined(parts, " "));
+/// The statements of a system, or of one that stands `within` another.
+Lines lines_of(const Printing& printing, bool within) {
+    Lines lines;
+    for (const Setting& setting : settings()) {
+        if (setting.stage == Stage::rule) add_rules(printing.system, printing.printer, lines);
+        if (setting.stage == Stage::inner)
+            for (const InnerSystem& inner : printing.system.inner)
+                lines.push_back({setting.name(), setting.name() + ' ' + inner.name + " {",
+                                 lines_of({inner.system, printing.drawing, printing.expectations,
+                                           printing.printer},
+                                          true)});
+        if (!setting.print || (within && !setting.within)) continue;
+        for (const std::string& value : setting.print(printing)) add(setting.name(), value, lines);
     }
-    if (drawing.light) lines.setting("light", print_direction(*drawing.light));
-    lines.number("fog", drawing.fog);
-}
-
-void add_settings(const Drawing& drawing, const Printer& printer, Lines& lines) {
-    lines.number("angle", drawing.angle);
-    lines.number("step", drawing.step);
-    lines.number("shrink", drawing.shrink);
-    if (drawing.start) lines.setting("start", print_start(*drawing.start));
-    lines.number("spin", drawing.spin);
-    lines.number("scale", drawing.scale);
-    lines.number("narrow", drawing.narrow);
-    lines.setting("plot", printer.apart(drawing.plotters));
-    for (const Drawing::Stamp& stamp : drawing.stamps)
-        lines.setting("stamp", printer.apart({stamp.symbol}) + ' ' + shape_name(stamp.shape));
-    add_space(drawing, printer, lines);
-    lines.number("width", drawing.width);
-    lines.setting("colour", joined(drawing.colours, " "));
-    if (drawing.clockwise) lines.setting("turn", "clockwise");
-    add_views(drawing, lines);
-    if (drawing.generations) lines.setting("generation", print_range(*drawing.generations));
-    if (drawing.seeds) lines.setting("seed", print_range(*drawing.seeds));
+    return lines;
 }
 
 /// The canonical text of a system, line by line.
-std::vector<CanonicalLine> canonical_lines(const Model& system) {
+Lines canonical_lines(const Model& system) {
     const Printer printer(system.alphabet);
-    Lines lines;
-    lines.setting("title", system.title);
-    lines.setting("source", system.source);
-    lines.setting("id", joined(system.identifiers, " "));
-    lines.setting("alphabet", printer.apart(system.declared));
-    for (const auto& [name, value] : system.constants)
-        lines.setting("let", name + " = " + to_text(value.expression));
-    for (const InnerSystem& inner : system.inner) {
-        Lines inside;
-        add_words(inner.system, printer, inside);
-        lines.system(inner.name, inside.take());
-    }
-    add_words(system, printer, lines);
-    lines.setting("terminals", printer.apart(system.terminals));
-    for (const Production& rule : system.interpretation)
-        lines.setting("interpret", printer.rule(rule));
-    for (const EnvironmentSetting& environment : system.environments)
-        lines.setting("environment", print_environment(system.alphabet, environment));
-    add_settings(system.drawing, printer, lines);
-    for (const Expectation& expectation : system.expectations)
-        lines.setting("expect", expectation.kind + ' ' + std::to_string(expectation.generation) +
-                                    ": " + expectation.value);
-    return lines.take();
+    return lines_of({system, system.drawing, system.expectations, printer}, false);
 }
 
 }  // namespace

@@ -285,14 +285,14 @@ namespace {
 const Setting* setting_of(const Clause& clause) {
     const auto& all = settings();
     const auto found = std::find_if(all.begin(), all.end(), [&](const Setting& setting) {
-        return setting.name == clause.keyword;
+        return setting.name() == clause.keyword &&
+               (setting.stage != Stage::inner || clause.has_word(setting.name()));
     });
     return found == all.end() ? nullptr : &*found;
 }
 
 Stage stage(const Clause& clause) {
     if (is_rule(clause)) return Stage::rule;
-    if (clause.has_word("system")) return Stage::inner;
     const Setting* const setting = setting_of(clause);
     return setting ? setting->stage : Stage::unknown;
 }
@@ -304,17 +304,15 @@ Stage stage(const Clause& clause) {
         text.substr(0, std::min(text.find_first_of(" \t=:"), text.size()));
     std::vector<std::string> names;
     if (reading.findings.count() < most)
-        for (const Setting& setting : settings()) names.push_back(setting.name);
+        for (const Setting& setting : settings()) names.push_back(setting.name());
     throw SyntaxError{text.data(), "expected a setting or a rule with '->', found " + quoted(word) +
                                        did_you_mean(clause.keyword, names)};
 }
 
-void read_inner(const Clause& clause, Reading& reading);
-
 /// Throws unless the clause may stand in a system within another.
 void check_inside(const Clause& clause, Stage at) {
-    const bool table = clause.keyword == "table" && !clause.arrow;
-    if (at == Stage::axiom || at == Stage::ignore || (at == Stage::rule && !table)) return;
+    const Setting* const setting = setting_of(clause);
+    if ((at == Stage::rule && clause.arrow) || (setting && setting->within)) return;
     throw SyntaxError{clause.text.data(),
                       "expected 'axiom', 'ignore' or a rule in a system within another, found " +
                           quoted(clause.text.substr(0, clause.text.find_first_of(" \t=:")))};
@@ -324,9 +322,9 @@ void read_clause(const Clause& clause, Stage at, Reading& reading) {
     if (reading.is_inner) check_inside(clause, at);
     if (at == Stage::unknown) refuse(clause, reading);
     if (at == Stage::rule && clause.arrow) return read_rule(clause, reading);
-    const Setting* const setting = at == Stage::inner ? nullptr : setting_of(clause);
-    if (setting && !setting->repeats) {
-        const auto [first, is_new] = reading.given.emplace(setting->name, clause.text.data());
+    const Setting& setting = *setting_of(clause);
+    if (!setting.repeats) {
+        const auto [first, is_new] = reading.given.emplace(setting.name(), clause.text.data());
         if (!is_new)
             throw SyntaxError{clause.text.data(),
                               quoted(clause.keyword) + " is given twice, first in line " +
@@ -336,7 +334,7 @@ void read_clause(const Clause& clause, Stage at, Reading& reading) {
         throw unexpected(at == Stage::axiom ? "a word after 'axiom' (the empty word is ε)"
                                             : "a value after '" + std::string(clause.keyword) + "'",
                          clause.text.data() + clause.text.size());
-    return setting ? setting->read(clause, reading) : read_inner(clause, reading);
+    setting.read(clause, reading);
 }
 
 /// Makes the names of the systems within known, as words before them may say them.
@@ -371,7 +369,8 @@ void check_quotes(Reading& reading) {
 
 /// A rule that follows a setting in the same statement is a frequent slip.
 bool follows_setting(const Clause& clause) {
-    return setting_of(clause) && clause.has_word(clause.keyword);
+    const Setting* const setting = setting_of(clause);
+    return setting && setting->stage != Stage::inner && clause.has_word(clause.keyword);
 }
 
 void read_clauses(const std::vector<Clause>& all, Reading& reading) {
@@ -407,6 +406,8 @@ void read_clauses(const std::vector<Clause>& all, Reading& reading) {
         }
     }
 }
+
+}  // namespace
 
 void read_inner(const Clause& clause, Reading& outer) {
     std::size_t bytes = 0;
@@ -451,8 +452,6 @@ void read_inner(const Clause& clause, Reading& outer) {
     outer.broken_rules = outer.broken_rules || reading.broken_rules;
     outer.system.inner.push_back(std::move(inner));
 }
-
-}  // namespace
 
 Model read_system(std::string_view text, const Source& source, Findings& findings,
                   const std::string& name, const std::vector<std::string>& declared) {

@@ -8,13 +8,14 @@
 #include "model/model.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/detail/reading.hpp"
+#include "turtle/turtle.hpp"
 
-// The statements of a `.lsys` file that begin with a keyword, all but `system`, which is read like a file of
-// its own (read.cpp).
+// The statements of a `.lsys` file that begin with a keyword.
 //
-// They are one table, `settings`, in the order of the canonical text: the keyword, when it is read, whether a
-// file may have several, and the function that reads it into the system. Whoever has to know what keywords
-// there are asks this table. The statements of a file are not read in their own order but in that of their
+// They are one table, `settings`, in the order of the canonical text: the keyword, what users are told of it, when it
+// is read, whether a file may have several, the function that reads its value into the system, and the one that prints
+// it. Whoever has to know what keywords there are asks this table: reading, printing, suggestions, the reference in
+// NOTATION.md, the grammar of editors. The statements of a file are not read in their own order but in that of their
 // stages: names before the words in which they occur, constants before the expressions, rules before the
 // settings for their symbols. So a file may give them in any order, and symbols are numbered as in the
 // canonical text.
@@ -49,8 +50,54 @@ Quantity quantity_of(std::string_view text, const Reading& reading) {
                                         quoted(found) + did_you_mean(found, names)};
 }
 
+/// A number as one piece among several.
+std::string piece(const Quantity& number) {
+    const std::string text = to_text(number.expression);
+    return text.find(' ') == std::string::npos ? text : '(' + text + ')';
+}
+
+std::string joined(const std::vector<std::string>& words) {
+    std::string out;
+    for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
+    return out;
+}
+
 bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+// The names that may stand behind keywords.
+
+std::vector<std::string> environment_names() {
+    std::vector<std::string> names;
+    for (const EnvironmentKind& kind : environment_kinds()) names.push_back(kind.name);
+    return names;
+}
+
+std::vector<std::string> solid_names() {
+    std::vector<std::string> names;
+    for (const SolidKind& kind : solid_kinds()) names.push_back(kind.name.name);
+    return names;
+}
+
+/// Kinds of solids and their measures.
+std::vector<std::string> solid_words() {
+    std::vector<std::string> words = solid_names();
+    for (const SolidKind& kind : solid_kinds())
+        for (const SolidKind::Name& measure : kind.measures)
+            if (!is_one_of(words, measure.name)) words.push_back(measure.name);
+    return words;
+}
+
+std::vector<std::string> colour_words() {
+    std::vector<std::string> words{"along"};
+    for (const std::string_view name : colour_names()) words.emplace_back(name);
+    return words;
+}
+
+const std::vector<std::string>& turns() {
+    static const std::vector<std::string> names{"clockwise", "counter-clockwise"};
+    return names;
 }
 
 // Names and constants.
@@ -167,12 +214,9 @@ Symbol communication_symbol(std::string_view piece, Reading& reading) {
 }
 
 const EnvironmentKind& environment_named(std::string_view name) {
-    std::vector<std::string> names;
-    for (const EnvironmentKind& kind : environment_kinds()) {
+    for (const EnvironmentKind& kind : environment_kinds())
         if (kind.name == name) return kind;
-        names.push_back(kind.name);
-    }
-    refuse_many(name, names);
+    refuse_many(name, environment_names());
 }
 
 /// Throws where the second corner of a box is below the first in some direction.
@@ -267,24 +311,21 @@ Symbol symbol_of(std::string_view text, Reading& reading, const char* more = "")
 }
 
 void read_stamp(const Clause& clause, Reading& reading) {
-    static const std::vector<std::string> shapes{"square", "circle", "triangle"};
     const std::string_view value = clause.value();
     const auto parts = pieces(value);
     if (parts.size() < 2)
-        throw unexpected("a symbol and a shape: square, circle or triangle", end_of(clause));
+        throw unexpected("a symbol and a shape: " + listed(stamp_shapes()), end_of(clause));
     const std::string_view shape = parts.back();
     const Symbol symbol = symbol_of(between(value.data(), shape.data()), reading, " and a shape");
-    for (const StampShape known : {StampShape::square, StampShape::circle, StampShape::triangle})
-        if (shape == shape_name(known)) {
-            reading.drawing.stamps.push_back({symbol, known});
-            return;
-        }
-    refuse(shape, shapes);
+    const auto known = std::find(stamp_shapes().begin(), stamp_shapes().end(), shape);
+    if (known == stamp_shapes().end()) refuse(shape, stamp_shapes());
+    reading.drawing.stamps.push_back(
+        {symbol, static_cast<StampShape>(known - stamp_shapes().begin())});
 }
 
 void read_solid(const Clause& clause, Reading& reading) {
-    std::vector<std::string> kinds, measures;
-    for (const SolidKind& kind : solid_kinds()) kinds.push_back(kind.name.name);
+    const std::vector<std::string> kinds = solid_names();
+    std::vector<std::string> measures;
     const auto parts = pieces(clause.value());
     if (parts.size() < 2) throw unexpected("a symbol and " + listed(kinds), end_of(clause));
     SolidSetting solid;
@@ -431,7 +472,7 @@ void read_colours(const Clause& clause, Reading& reading) {
 
 void read_turn(const Clause& clause, Reading& reading) {
     const std::string_view value = clause.value();
-    if (value != "clockwise" && value != "counter-clockwise")
+    if (!is_one_of(turns(), value))
         throw unexpected("'clockwise' or 'counter-clockwise'", value.data());
     reading.drawing.clockwise = value == "clockwise";
 }
@@ -472,8 +513,6 @@ std::pair<std::uint64_t, std::uint64_t> range_of(const Clause& clause, const cha
 }
 
 void read_expectation(const Clause& clause, Reading& reading) {
-    static const std::vector<std::string> kinds{"length",   "lengths",  "mean", "word", "segments",
-                                                "distinct", "vertices", "end",  "box"};
     const std::string_view value = clause.value();
     const char* here = value.data();
     const char* const end = here + value.size();
@@ -484,71 +523,398 @@ void read_expectation(const Clause& clause, Reading& reading) {
         wanted("what is expected, such as 'length'")[x3::raw[grammar::name][on_kind]] >>
         wanted("a generation")[digits[on_number]] >> wanted("':'")[x3::lit(':')];
     x3::phrase_parse(here, end, head, grammar::blank);
-    if (!is_one_of(kinds, kind)) refuse_many(kind, kinds);
+    if (!is_one_of(expectation_kinds(), kind)) refuse_many(kind, expectation_kinds());
     if (here == end) throw unexpected("a value", here);
     reading.expectations.push_back({std::string(kind), number_below(number, "a generation"),
                                     std::string(between(here, end)),
                                     reading.source.place(clause.text.data())});
 }
 
+// How values are printed.
+
+using Values = std::vector<std::string>;
+
+template <std::optional<Quantity> Drawing::*number>
+Values print_number(const Printing& printing) {
+    const std::optional<Quantity>& value = printing.drawing.*number;
+    return value ? Values{to_text(value->expression)} : Values{};
+}
+
+Values print_constants(const Printing& printing) {
+    Values out;
+    for (const auto& [name, value] : printing.system.constants)
+        out.push_back(name + " = " + to_text(value.expression));
+    return out;
+}
+
+Values print_interpretation(const Printing& printing) {
+    Values out;
+    for (const Production& rule : printing.system.interpretation)
+        out.push_back(printing.printer.rule(rule));
+    return out;
+}
+
+Values print_environments(const Printing& printing) {
+    Values out;
+    for (const EnvironmentSetting& environment : printing.system.environments)
+        out.push_back(print_environment(printing.system.alphabet, environment));
+    return out;
+}
+
+/// What symbols leave where the turtle stands: the symbol, then what `print` says of it.
+template <class Shape, class Print>
+Values print_shapes(const std::vector<Shape>& shapes, const Printing& printing, Print print) {
+    Values out;
+    for (const Shape& shape : shapes)
+        out.push_back(printing.system.alphabet.name(shape.symbol) + ' ' + print(shape));
+    return out;
+}
+
+Values print_start(const Printing& printing) {
+    const auto& start = printing.drawing.start;
+    if (!start) return {};
+    return {joined({piece(start->x), piece(start->y), piece(start->heading)})};
+}
+
+Values print_tropism(const Printing& printing) {
+    const auto& to = printing.drawing.tropism;
+    if (!to) return {};
+    return {joined({piece(to->x), piece(to->y), piece(to->z)})};
+}
+
+std::string print_direction(const Direction& direction) {
+    return joined({piece(direction.azimuth), piece(direction.elevation)});
+}
+
+Values print_camera(const Printing& printing) {
+    const auto& camera = printing.drawing.camera;
+    if (!camera) return {};
+    Values parts{print_direction(camera->from)};
+    if (camera->perspective) parts.emplace_back("perspective");
+    if (camera->opening) parts.push_back(piece(*camera->opening));
+    return {joined(parts)};
+}
+
+Values print_range(const std::optional<std::pair<std::uint64_t, std::uint64_t>>& range) {
+    if (!range) return {};
+    const auto [first, last] = *range;
+    return {std::to_string(first) + (last == first ? "" : ".." + std::to_string(last))};
+}
+
+Values print_expectations(const Printing& printing) {
+    Values out;
+    for (const Expectation& expectation : printing.expectations)
+        out.push_back(expectation.kind + ' ' + std::to_string(expectation.generation) + ": " +
+                      expectation.value);
+    return out;
+}
+
 }  // namespace
 
+std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
+    std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
+    for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
+    return joined(parts);
+}
+
+std::string print_solid(const SolidSetting& solid) {
+    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures));
+}
+
+std::string print_surface(const SurfaceSetting& surface) {
+    std::string out = surface.kind;
+    for (const Triple& point : surface.points)
+        out += " (" + to_text(point.x.expression) + ", " + to_text(point.y.expression) + ", " +
+               to_text(point.z.expression) + ')';
+    return out;
+}
+
 const char* shape_name(StampShape shape) {
-    switch (shape) {
-        case StampShape::square:
-            return "square";
-        case StampShape::circle:
-            return "circle";
-        case StampShape::triangle:
-            return "triangle";
-    }
-    return "";
+    return stamp_shapes().at(static_cast<std::size_t>(shape)).c_str();
 }
 
 const std::vector<Setting>& settings() {
     using C = const Clause&;
     using R = Reading&;
+    using P = const Printing&;
     constexpr Stage other = Stage::other;
+    constexpr bool once = false, repeats = true, outside = false, within = true;
     static const std::vector<Setting> all{
-        {"title", other, false, [](C c, R r) { r.system.title = c.value(); }},
-        {"source", other, false, [](C c, R r) { r.system.source = c.value(); }},
-        {"id", other, true,
+        {{"title", {"title Koch snowflake"}, "what the file shows", ""},
+         other,
+         once,
+         outside,
+         [](C c, R r) { r.system.title = c.value(); },
+         [](P p) -> Values { return {p.system.title}; }},
+        {{"source", {"source von Koch 1904"}, "where it is from", ""},
+         other,
+         once,
+         outside,
+         [](C c, R r) { r.system.source = c.value(); },
+         [](P p) -> Values { return {p.system.source}; }},
+        {{"id", {"id S-005 F-007"}, "where a catalogue lists it", ""},
+         other,
+         repeats,
+         outside,
          [](C c, R r) {
              for (const auto name : pieces(c.value())) r.system.identifiers.emplace_back(name);
+         },
+         [](P p) -> Values { return {joined(p.system.identifiers)}; }},
+        {{"alphabet",
+          {"alphabet wall window"},
+          "symbols whose names may be longer; [above](#words-and-rules)",
+          "one character, or a letter with a subscript"},
+         Stage::alphabet,
+         repeats,
+         outside,
+         read_alphabet,
+         [](P p) -> Values { return {p.printer.apart(p.system.declared)}; }},
+        {{"let", {"let r1 = 0.9"}, "a constant, by numbers and the constants above it", ""},
+         Stage::constant,
+         repeats,
+         outside,
+         read_constant,
+         print_constants},
+        {{"system",
+          {"system leaf { axiom x; x -> F[+x]x }"},
+          "a system within, whose words others use; [above](#systems-within-a-system)",
+          ""},
+         Stage::inner,
+         repeats,
+         outside,
+         read_inner,
+         nullptr},
+        {{"axiom", {"axiom F--F--F"}, "the word of generation 0", "an error"},
+         Stage::axiom,
+         once,
+         within,
+         read_axiom,
+         [](P p) -> Values { return {p.printer.word(p.system.axiom)}; }},
+        {{"table", {"table light"}, "opens a table for the rules below it", "one table"},
+         Stage::rule,
+         repeats,
+         outside,
+         read_table,
+         nullptr},
+        {{"schedule",
+          {"schedule light dark"},
+          "the tables of the steps, again and again; [above](#parameters-and-choices)",
+          "`--tables` or a seed must say"},
+         other,
+         once,
+         outside,
+         read_schedule,
+         [](P p) -> Values { return {joined(schedule_names(p.system))}; }},
+        {{"ignore", {"ignore + - F"}, "symbols that contexts skip; [above](#contexts)", "none"},
+         Stage::ignore,
+         once,
+         within,
+         [](C c, R r) { r.system.ignored = symbols_of(c, r); },
+         [](P p) -> Values { return {p.printer.apart(p.system.ignored)}; }},
+        {{"terminals", {"terminals a b"}, "the letters that words of the language have", "all"},
+         Stage::terminals,
+         once,
+         outside,
+         [](C c, R r) { r.system.terminals = symbols_of(c, r); },
+         [](P p) -> Values { return {p.printer.apart(p.system.terminals)}; }},
+        {{"interpret", {"interpret L -> F"}, "what the turtle sees for a symbol", "the symbol"},
+         Stage::interpretation,
+         repeats,
+         outside,
+         read_interpretation,
+         print_interpretation},
+        {{"environment",
+          {"environment ?E y"},
+          "what fills a module; [above](#environments)",
+          "`?P` position, `?H` heading",
+          environment_names()},
+         other,
+         repeats,
+         outside,
+         read_environment,
+         print_environments},
+        {{"angle", {"angle 60"}, "degrees that `+` and `-` turn by", "90"},
+         other,
+         once,
+         outside,
+         read_number<&Drawing::angle>,
+         print_number<&Drawing::angle>},
+        {{"step", {"step 1"}, "length of a step in generation 0", "1"},
+         other,
+         once,
+         outside,
+         read_number<&Drawing::step>,
+         print_number<&Drawing::step>},
+        {{"shrink", {"shrink 1/3"}, "factor on the step for each generation", "1"},
+         other,
+         once,
+         outside,
+         read_number<&Drawing::shrink>,
+         print_number<&Drawing::shrink>},
+        {{"start", {"start X Y HEADING"}, "heading 0 looks along +x, 90 upward", "0 0 0"},
+         other,
+         once,
+         outside,
+         read_start,
+         print_start},
+        {{"spin", {"spin 45"}, "added to the heading of the start for each generation", "0"},
+         other,
+         once,
+         outside,
+         read_number<&Drawing::spin>,
+         print_number<&Drawing::spin>},
+        {{"scale",
+          {"scale 0.98"},
+          "`*` multiplies the turtle's own step by this",
+          "`*` means nothing"},
+         other,
+         once,
+         outside,
+         read_number<&Drawing::scale>,
+         print_number<&Drawing::scale>},
+        {{"narrow", {"narrow 0.7"}, "`!` multiplies the width by this", "`!` means nothing"},
+         other,
+         once,
+         outside,
+         read_number<&Drawing::narrow>,
+         print_number<&Drawing::narrow>},
+        {{"plot", {"plot F"}, "`F(x,y)` draws to the point (x,y)", "steps"},
+         Stage::plot,
+         once,
+         outside,
+         [](C c, R r) { r.drawing.plotters = symbols_of(c, r); },
+         [](P p) -> Values { return {p.printer.apart(p.drawing.plotters)}; }},
+        {{"stamp",
+          {"stamp S square"},
+          "`S` leaves a filled `square`, `circle` or `triangle`; a line for each symbol",
+          "`S` means nothing",
+          stamp_shapes()},
+         Stage::stamp,
+         repeats,
+         outside,
+         read_stamp,
+         [](P p) {
+             return print_shapes(p.drawing.stamps, p,
+                                 [](const auto& stamp) { return shape_name(stamp.shape); });
          }},
-        {"alphabet", Stage::alphabet, true, read_alphabet},
-        {"let", Stage::constant, true, read_constant},
-        {"axiom", Stage::axiom, false, read_axiom},
-        {"table", Stage::rule, true, read_table},
-        {"schedule", other, false, read_schedule},
-        {"ignore", Stage::ignore, false, [](C c, R r) { r.system.ignored = symbols_of(c, r); }},
-        {"terminals", Stage::terminals, false,
-         [](C c, R r) { r.system.terminals = symbols_of(c, r); }},
-        {"interpret", Stage::interpretation, true, read_interpretation},
-        {"environment", other, true, read_environment},
-        {"angle", other, false, read_number<&Drawing::angle>},
-        {"step", other, false, read_number<&Drawing::step>},
-        {"shrink", other, false, read_number<&Drawing::shrink>},
-        {"start", other, false, read_start},
-        {"spin", other, false, read_number<&Drawing::spin>},
-        {"scale", other, false, read_number<&Drawing::scale>},
-        {"narrow", other, false, read_number<&Drawing::narrow>},
-        {"plot", Stage::plot, false, [](C c, R r) { r.drawing.plotters = symbols_of(c, r); }},
-        {"stamp", Stage::stamp, true, read_stamp},
-        {"solid", Stage::solid, true, read_solid},
-        {"surface", Stage::surface, true, read_surface},
-        {"tropism", other, false, read_tropism},
-        {"susceptibility", other, false, read_susceptibility},
-        {"width", other, false, read_number<&Drawing::width>},
-        {"colour", other, false, read_colours},
-        {"turn", other, false, read_turn},
-        {"camera", other, false, read_camera},
-        {"light", other, false, read_light},
-        {"fog", other, false, read_fog},
-        {"generation", other, false,
-         [](C c, R r) { r.drawing.generations = range_of(c, "a generation"); }},
-        {"seed", other, false, [](C c, R r) { r.drawing.seeds = range_of(c, "a seed"); }},
-        {"expect", other, true, read_expectation}};
+        {{"solid",
+          {"solid F box"},
+          "what a symbol leaves, or how it moves the turtle; [above](#in-space)",
+          "it means what it always does",
+          solid_words()},
+         Stage::solid,
+         repeats,
+         outside,
+         read_solid,
+         [](P p) { return print_shapes(p.drawing.solids, p, print_solid); }},
+        {{"surface",
+          {"surface K leaf"},
+          "the surface that a symbol leaves; [above](#in-space)",
+          "it means what it always does",
+          surface_kinds()},
+         Stage::surface,
+         repeats,
+         outside,
+         read_surface,
+         [](P p) { return print_shapes(p.drawing.surfaces, p, print_surface); }},
+        {{"tropism", {"tropism 0 0 -1"}, "where strokes bend to; [above](#in-space)", "nowhere"},
+         other,
+         once,
+         outside,
+         read_tropism,
+         print_tropism},
+        {{"susceptibility", {"susceptibility 0.2"}, "how much they do", "1"},
+         other,
+         once,
+         outside,
+         read_susceptibility,
+         print_number<&Drawing::susceptibility>},
+        {{"width", {"width 2"}, "of strokes, in points", "1"},
+         other,
+         once,
+         outside,
+         read_number<&Drawing::width>,
+         print_number<&Drawing::width>},
+        {{"colour",
+          {"colour black red"},
+          "names or `#rrggbb`, `'` goes on to the next; `along` is a hue that runs with the word",
+          "black",
+          colour_words()},
+         other,
+         once,
+         outside,
+         read_colours,
+         [](P p) -> Values { return {joined(p.drawing.colours)}; }},
+        {{"turn", {"turn clockwise"}, "`+` turns right", "counter-clockwise", turns()},
+         other,
+         once,
+         outside,
+         read_turn,
+         [](P p) -> Values { return {p.drawing.clockwise ? "clockwise" : ""}; }},
+        {{"camera",
+          {"camera 30 20"},
+          "how a figure in space is seen: from the azimuth 30 degrees, counter-clockwise from +x "
+          "seen from above, 20 degrees above the horizon; `camera 30 20 perspective 40` in "
+          "perspective, the figure spanning 40 degrees; from 1 to 120, without a number 40",
+          "-60 15",
+          {"perspective"}},
+         other,
+         once,
+         outside,
+         read_camera,
+         print_camera},
+        {{"light",
+          {"light AZIMUTH ELEVATION"},
+          "where the light of a figure in space comes from",
+          "over the camera's left shoulder"},
+         other,
+         once,
+         outside,
+         read_light,
+         [](P p) -> Values { return {p.drawing.light ? print_direction(*p.drawing.light) : ""}; }},
+        {{"fog",
+          {"fog 0.5"},
+          "how much of the background's colour the farthest part takes, from 0 to 1",
+          "0"},
+         other,
+         once,
+         outside,
+         read_fog,
+         print_number<&Drawing::fog>},
+        {{"generation",
+          {"generation 4", "generation 0..5"},
+          "what the figure shows; `draw` and `figures` use it",
+          "`-n` must say"},
+         other,
+         once,
+         outside,
+         [](C c, R r) { r.drawing.generations = range_of(c, "a generation"); },
+         [](P p) { return print_range(p.drawing.generations); }},
+        {{"seed",
+          {"seed 3", "seed 1..3"},
+          "what the figure shows of a system with choices, and `expect` holds of the first",
+          "1 if there are probabilities"},
+         other,
+         once,
+         outside,
+         [](C c, R r) { r.drawing.seeds = range_of(c, "a seed"); },
+         [](P p) { return print_range(p.drawing.seeds); }},
+        {{"expect",
+          {"expect segments 4: 768"},
+          "what must come out in a generation; [below](#expectations)",
+          "",
+          expectation_kinds()},
+         other,
+         repeats,
+         outside,
+         read_expectation,
+         print_expectations}};
+    return all;
+}
+
+std::vector<StatementHelp> system_statements() {
+    std::vector<StatementHelp> all;
+    for (const Setting& setting : settings()) all.push_back(setting.help);
     return all;
 }
 

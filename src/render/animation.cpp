@@ -235,8 +235,7 @@ Film film(std::span<const Plate> plates, const Plan& plan, const Budget& budget,
         const OwnedContext context(cairo_create(surface.get()));
         check_cairo(context.get());
         if (plan.background) {
-            const Colour& paper = *plan.background;
-            cairo_set_source_rgb(context.get(), paper.red, paper.green, paper.blue);
+            set_colour(context.get(), *plan.background);
             cairo_paint(context.get());
         }
         draw_plate(context.get(), plan, i, plates[i], budget, share, drawn);
@@ -489,11 +488,19 @@ std::vector<std::uint32_t> times(const AnimationTiming& timing, std::size_t fram
     return found;
 }
 
-/// Draws all frames and packs them, before there is a file. `target`: a path or a stream.
-template <class Target>
-Drawn draw(Target& target, std::span<const Plate> plates, AnimationFormat format,
-           const PictureOptions& options, const AnimationTiming& timing, const Budget& budget,
-           Progress* progress) {
+}  // namespace
+
+std::optional<AnimationFormat> animation_format(std::string_view path) {
+    static constexpr std::array names{"gif", "webp"};
+    const auto found = format_of(names, path);
+    if (!found || path.size() <= ending_of(path).size() + 1) return std::nullopt;
+    return static_cast<AnimationFormat>(*found);
+}
+
+/// Draws all frames and packs them, before there is a file.
+Drawn draw_animation(std::span<const Plate> plates, const Target& target, AnimationFormat format,
+                     const PictureOptions& options, const AnimationTiming& timing,
+                     const Budget& budget, Progress* progress) {
     const std::vector<std::uint32_t> hundredths = times(timing, plates.size());
     if (format == AnimationFormat::gif && options.background == "transparent")
         throw Error(
@@ -510,28 +517,6 @@ Drawn draw(Target& target, std::span<const Plate> plates, AnimationFormat format
     });
     if (progress) progress->report(1);
     return drawn;
-}
-
-}  // namespace
-
-std::optional<AnimationFormat> animation_format(std::string_view path) {
-    const std::string ending = ending_of(path);
-    if (path.size() <= ending.size() + 1) return std::nullopt;
-    if (ending == "gif") return AnimationFormat::gif;
-    if (ending == "webp") return AnimationFormat::webp;
-    return std::nullopt;
-}
-
-Drawn draw_animation(std::span<const Plate> plates, const std::string& path, AnimationFormat format,
-                     const PictureOptions& options, const AnimationTiming& timing,
-                     const Budget& budget, Progress* progress) {
-    return draw(path, plates, format, options, timing, budget, progress);
-}
-
-Drawn draw_animation(std::span<const Plate> plates, std::ostream& stream, AnimationFormat format,
-                     const PictureOptions& options, const AnimationTiming& timing,
-                     const Budget& budget, Progress* progress) {
-    return draw(stream, plates, format, options, timing, budget, progress);
 }
 
 }  // namespace algae

@@ -10,6 +10,7 @@
 #include <atomic>
 #include <cctype>
 #include <cerrno>
+#include <cmath>
 #include <cstdio>
 #include <exception>
 #include <filesystem>
@@ -162,16 +163,62 @@ std::optional<Colour> background_of(const std::optional<std::string>& wanted,
     return colour_named(*wanted);
 }
 
-void write_to(const std::string& path, const std::function<void(Output&)>& write) {
-    FileOutput file(path);
+void write_to(const Target& target, const std::function<void(Output&)>& write) {
+    if (target.stream) {
+        StreamOutput output(*target.stream);
+        write(output);
+        return output.finish();
+    }
+    FileOutput file(target.path);
     write(file);
     file.commit();
 }
 
-void write_to(std::ostream& stream, const std::function<void(Output&)>& write) {
-    StreamOutput output(stream);
-    write(output);
-    output.finish();
+void set_colour(cairo_t* context, const Colour& colour, double opacity) {
+    cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, opacity);
+}
+
+void choose_font(cairo_t* context, const char* family, double size, bool bold) {
+    cairo_select_font_face(context, family, CAIRO_FONT_SLANT_NORMAL,
+                           bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+    cairo_set_font_size(context, size);
+}
+
+double text_width(cairo_t* context, const std::string& text) {
+    cairo_text_extents_t extents{};
+    cairo_text_extents(context, text.c_str(), &extents);
+    return extents.x_advance;
+}
+
+void show_text(cairo_t* context, const std::string& text, double x, double y) {
+    cairo_move_to(context, x, y);
+    cairo_show_text(context, text.c_str());
+    cairo_new_path(context);
+}
+
+void draw_line(cairo_t* context, const Point& from, const Point& to) {
+    cairo_move_to(context, from.x, from.y);
+    cairo_line_to(context, to.x, to.y);
+    cairo_stroke(context);
+}
+
+void fill_and_outline(cairo_t* context, const Colour& fill, const Colour& outline, double width) {
+    set_colour(context, fill);
+    cairo_fill_preserve(context);
+    set_colour(context, outline);
+    cairo_set_line_width(context, width);
+    cairo_stroke(context);
+}
+
+void must_be_finite(double coordinates) {
+    if (!std::isfinite(coordinates))
+        throw Error("the figure has a point whose coordinates are beyond the range of numbers");
+}
+
+std::optional<std::size_t> format_of(std::span<const char* const> names, std::string_view path) {
+    const auto found = std::ranges::find(names, ending_of(path));
+    if (found == names.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names.begin());
 }
 
 void UndatedOutput::write(const char* bytes, std::size_t count) {
@@ -279,9 +326,7 @@ Document::Document(PictureFormat format, double width, double height,
       sink_(std::make_unique<Sink>(format, output, budget)) {
     switch (format) {
         case PictureFormat::png:
-            surface_ =
-                cairo_image_surface_create(background ? CAIRO_FORMAT_RGB24 : CAIRO_FORMAT_ARGB32,
-                                           static_cast<int>(width), static_cast<int>(height));
+            surface_ = blank_image(width, height, background.has_value()).release();
             break;
         case PictureFormat::svg:
             surface_ = cairo_svg_surface_create_for_stream(Sink::write, sink_.get(), width, height);
@@ -322,7 +367,7 @@ Document::~Document() {
 
 void Document::paint_background() {
     if (!background_) return;
-    cairo_set_source_rgb(context_, background_->red, background_->green, background_->blue);
+    set_colour(context_, *background_);
     cairo_paint(context_);
 }
 

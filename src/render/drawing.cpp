@@ -67,29 +67,80 @@ struct Pen {
     const Palette* palette = nullptr;
 };
 
+/// What canvases have in common: a pen that moves in the units of the picture and changes width and colour.
+class PenCanvas : public Canvas {
+public:
+    void width(double factor) final { set_width(pen_.width * std::fabs(factor)); }
+    void width_as_length(double length) final { set_width(frame_.scale * length); }
+    void colour(std::uint32_t index) override {
+        index_ = index;
+        if (painted_) {
+            end_colour();
+            painted_.reset();
+            shade_ = Palette::no_shade;
+        }
+        choose_shade();
+    }
+    void paint(const Colour& colour) override {
+        if (painted_ == colour) return;
+        end_colour();
+        painted_ = colour;
+        begin_colour(colour);
+    }
+    void position(double fraction) override { position_ = fraction; }
+
+    std::uint64_t lines() const { return lines_; }
+    std::uint64_t polygons() const { return polygons_; }
+
+protected:
+    PenCanvas(const Frame& frame, const Pen& pen, const Budget& budget, const Share& share)
+        : frame_(frame),
+          pen_(pen),
+          budget_(budget),
+          share_(share),
+          along_(pen.palette->runs_along()),
+          shade_(pen.palette->shade(0, 0)) {}
+
+    virtual void set_width(double width) = 0;
+    /// Draws what is held back in the colour so far.
+    virtual void end_colour() {}
+    virtual void begin_colour(const Colour&) {}
+
+    void choose_shade() {
+        if (painted_) return;
+        const std::uint32_t shade = pen_.palette->shade(index_, position_);
+        if (shade == shade_) return;
+        end_colour();
+        shade_ = shade;
+        begin_colour(pen_.palette->colour(shade));
+    }
+
+    Frame frame_;
+    Pen pen_;
+    const Budget& budget_;
+    Share share_;
+    bool along_;  // whether a colour runs along the word
+    double position_ = 0;
+    std::uint32_t index_ = 0, shade_ = 0;
+    std::optional<Colour> painted_;  // instead of a colour of the palette
+    std::uint64_t lines_ = 0, polygons_ = 0;
+};
+
 constexpr std::uint32_t lines_per_path = 1000;
 
 /// Sends a figure to Cairo as it comes. A path is stroked every thousand lines: Cairo's cost for a
 /// line grows with the path, and its memory with the figure.
-class StrokeCanvas final : public Canvas {
+class StrokeCanvas final : public PenCanvas {
 public:
     /// `strokes`: how many are expected, for the progress.
     StrokeCanvas(cairo_t* context, const Frame& frame, const Pen& pen, const Budget& budget,
                  const Share& share, std::optional<std::uint64_t> strokes)
-        : context_(context),
-          frame_(frame),
-          pen_(pen),
-          budget_(budget),
-          share_(share),
-          strokes_(strokes),
-          along_(pen.palette->runs_along()) {
+        : PenCanvas(frame, pen, budget, share), context_(context), strokes_(strokes) {
         cairo_new_path(context_);
         cairo_set_line_width(context_, pen_.width);
         cairo_set_line_cap(context_, pen_.flat_ends ? CAIRO_LINE_CAP_BUTT : CAIRO_LINE_CAP_ROUND);
         cairo_set_line_join(context_, CAIRO_LINE_JOIN_ROUND);
-        shade_ = pen_.palette->shade(0, 0);
-        const Colour colour = pen_.palette->colour(shade_);
-        cairo_set_source_rgb(context_, colour.red, colour.green, colour.blue);
+        begin_colour(pen_.palette->colour(shade_));
     }
 
     void move_to(Point point) override {
@@ -127,24 +178,6 @@ public:
         ++polygons_;
         if (polygons_ % lines_per_path == 0) budget_.check();
     }
-    void width(double factor) override { set_width(pen_.width * std::fabs(factor)); }
-    void width_as_length(double length) override { set_width(frame_.scale * length); }
-    void colour(std::uint32_t index) override {
-        colour_ = index;
-        if (painted_) {
-            painted_.reset();
-            shade_ = Palette::no_shade;
-        }
-        choose_shade();
-    }
-    void paint(const Colour& colour) override {
-        if (painted_ == colour) return;
-        flush();
-        goes_on_ = false;
-        painted_ = colour;
-        cairo_set_source_rgb(context_, colour.red, colour.green, colour.blue);
-    }
-    void position(double fraction) override { position_ = fraction; }
     bool wants_position() const override { return along_; }
     double line_width() const override { return pen_.width / frame_.scale; }
 
@@ -153,8 +186,6 @@ public:
         flush();
         check_cairo(context_);
     }
-    std::uint64_t lines() const { return lines_; }
-    std::uint64_t polygons() const { return polygons_; }
 
 private:
     /// Strokes the path; the next one starts from here.
@@ -169,58 +200,38 @@ private:
         if (share_ && strokes_ && *strokes_ > 0)
             share_.report(static_cast<double>(lines_) / static_cast<double>(*strokes_));
     }
-    void set_width(double width) {
-        flush();
-        goes_on_ = false;
+    void set_width(double width) override {
+        end_colour();
         cairo_set_line_width(context_, width);
     }
-    void choose_shade() {
-        if (painted_) return;
-        const std::uint32_t shade = pen_.palette->shade(colour_, position_);
-        if (shade == shade_) return;
+    void end_colour() override {
         flush();
         goes_on_ = false;
-        shade_ = shade;
-        const Colour colour = pen_.palette->colour(shade);
-        cairo_set_source_rgb(context_, colour.red, colour.green, colour.blue);
     }
+    void begin_colour(const Colour& colour) override { set_colour(context_, colour); }
 
     cairo_t* context_;
-    Frame frame_;
-    Pen pen_;
-    const Budget& budget_;
-    Share share_;
     std::optional<std::uint64_t> strokes_;
-    bool along_;
-    double position_ = 0;
-    std::uint32_t colour_ = 0, shade_ = 0;
-    std::optional<Colour> painted_;  // instead of a colour of the palette
-    Point here_{}, before_{};        // where the pen is and was, in the picture
+    Point here_{}, before_{};  // where the pen is and was, in the picture
     bool pen_up_ = true;
     bool goes_on_ = false;  // the next path begins with the last line once more
     std::uint32_t pending_ = 0;
-    std::uint64_t lines_ = 0, polygons_ = 0;
 };
 
 /// Draws a figure that is finer than the pixels: marks cells of a Mask, and paints what was
 /// covered wherever colour or width change. O(1) for each short line, O(pixels) for each painting.
-class CellCanvas final : public Canvas {
+class CellCanvas final : public PenCanvas {
 public:
     /// Draws on an image surface, within `area`; the frame is in its pixels.
     CellCanvas(cairo_t* context, const PixelRectangle& area, int cells, const Frame& frame,
                const Pen& pen, const Budget& budget, const Share& share)
-        : context_(context),
+        : PenCanvas(
+              {frame.scale * cells, (frame.x - area.left) * cells, (frame.y - area.top) * cells},
+              {pen.width * cells, pen.flat_ends, pen.palette}, budget, share),
+          context_(context),
           area_(area),
-          cells_(cells),
-          frame_{frame.scale * cells, (frame.x - area.left) * cells, (frame.y - area.top) * cells},
-          pen_(pen),
-          budget_(budget),
-          share_(share),
-          along_(pen.palette->runs_along()),
           mask_(area.width, area.height, cells, pen.width * cells),
-          width_(pen.width * cells) {
-        shade_ = pen_.palette->shade(0, 0);
-    }
+          width_(pen.width * cells) {}
 
     void move_to(Point point) override { mask_.start(frame_(point)); }
     void line_to(Point point) override {
@@ -235,22 +246,6 @@ public:
         mask_.polygon(corners_);
         if ((++polygons_ & 0xfff) == 0) pause();
     }
-    void width(double factor) override { set_width(pen_.width * std::fabs(factor) * cells_); }
-    void width_as_length(double length) override { set_width(frame_.scale * length); }
-    void colour(std::uint32_t index) override {
-        colour_ = index;
-        if (painted_) {
-            paint_marks();
-            painted_.reset();
-        }
-        choose_shade();
-    }
-    void paint(const Colour& colour) override {
-        if (painted_ == colour) return;
-        paint_marks();
-        painted_ = colour;
-    }
-    void position(double fraction) override { position_ = fraction; }
     bool wants_position() const override { return along_ || static_cast<bool>(share_); }
 
     /// Paints what is still held back. Call once, at the end.
@@ -258,28 +253,19 @@ public:
         paint_marks();
         check_cairo(context_);
     }
-    std::uint64_t lines() const { return lines_; }
-    std::uint64_t polygons() const { return polygons_; }
 
 private:
-    void choose_shade() {
-        if (painted_) return;
-        const std::uint32_t shade = pen_.palette->shade(colour_, position_);
-        if (shade == shade_) return;
-        paint_marks();
-        shade_ = shade;
-    }
-    void set_width(double width) {
+    void set_width(double width) override {  // in cells
         if (width == width_) return;
         paint_marks();
         width_ = width;
         mask_.set_diameter(width);
-    }  // in cells
+    }
+    void end_colour() override { paint_marks(); }
     void paint_marks() {
         if (mask_.is_blank()) return;
         Mask::Coverage covered = mask_.take();
-        const Colour colour = painted_ ? *painted_ : pen_.palette->colour(shade_);
-        cairo_set_source_rgb(context_, colour.red, colour.green, colour.blue);
+        set_colour(context_, painted_ ? *painted_ : pen_.palette->colour(shade_));
         cairo_surface_t* surface = cairo_image_surface_create_for_data(
             covered.values.data(), CAIRO_FORMAT_A8, covered.width, covered.height,
             static_cast<int>(covered.stride));
@@ -294,17 +280,9 @@ private:
 
     cairo_t* context_;
     PixelRectangle area_;
-    int cells_;
-    Frame frame_;  // to cells of the mask
-    Pen pen_;
-    const Budget& budget_;
-    Share share_;
-    bool along_;
     Mask mask_;
-    double position_ = 0, width_;
-    std::uint32_t colour_ = 0, shade_ = 0;
-    std::optional<Colour> painted_;  // instead of a colour of the palette
-    std::uint64_t lines_ = 0, polygons_ = 0, paintings_ = 0;
+    double width_;
+    std::uint64_t paintings_ = 0;
     std::vector<Point> corners_;
 };
 
@@ -342,18 +320,15 @@ void keep(std::vector<Point>& corners, std::vector<Point>& spare, Coordinate coo
 /// Cairo for hundreds of thousands of small parts of different colours.
 ///
 /// The route: signed areas to the right of each edge, summed along rows (Levien 2016, font-rs).
-class LayerCanvas final : public Canvas {
+class LayerCanvas final : public PenCanvas {
 public:
     /// Draws on an image surface, within `area`; the frame is in its pixels. Throws Error if the
     /// surface has no pixels of 32 bits.
     LayerCanvas(cairo_surface_t* image, const PixelRectangle& area, const Frame& frame,
                 const Pen& pen, const Budget& budget, const Share& share)
-        : image_(image),
+        : PenCanvas({frame.scale, frame.x - area.left, frame.y - area.top}, pen, budget, share),
+          image_(image),
           area_(area),
-          frame_{frame.scale, frame.x - area.left, frame.y - area.top},
-          pen_(pen),
-          budget_(budget),
-          share_(share),
           width_(pen.width) {
         cairo_surface_flush(image_);
         const cairo_format_t format = cairo_image_surface_get_format(image_);
@@ -406,16 +381,10 @@ public:
         fill(corners_);
         if ((++polygons_ & 0xfff) == 0) budget_.check();
     }
-    void width(double factor) override { width_ = pen_.width * std::fabs(factor); }
-    void width_as_length(double length) override { width_ = frame_.scale * length; }
     void colour(std::uint32_t index) override {
         index_ = index;
         painted_.reset();
         colour_ = pen_.palette->colour(pen_.palette->shade(index_, position_));
-    }
-    void paint(const Colour& colour) override {
-        painted_ = colour;
-        colour_ = colour;
     }
     void position(double fraction) override {
         position_ = fraction;
@@ -427,17 +396,15 @@ public:
 
     /// Hands the pixels back to Cairo. Call once, at the end.
     void finish() { cairo_surface_mark_dirty(image_); }
-    std::uint64_t lines() const { return lines_; }
-    std::uint64_t polygons() const { return polygons_; }
 
 private:
+    void set_width(double width) override { width_ = width; }
+    void begin_colour(const Colour& colour) override { colour_ = colour; }
     /// Fills a polygon given in pixels of the area.
     void fill(std::span<const Point> corners) {
         double left = area_.width, right = 0, top = area_.height, bottom = 0;
         for (const Point& corner : corners) {
-            if (!std::isfinite(corner.x + corner.y))
-                throw Error(
-                    "the figure has a point whose coordinates are beyond the range of numbers");
+            must_be_finite(corner.x + corner.y);
             left = std::min(left, corner.x);
             right = std::max(right, corner.x);
             top = std::min(top, corner.y);
@@ -547,22 +514,15 @@ private:
 
     cairo_surface_t* image_;
     PixelRectangle area_;
-    Frame frame_;
-    Pen pen_;
-    const Budget& budget_;
-    Share share_;
     unsigned char* pixels_ = nullptr;
     int stride_ = 0;
     bool has_opacity_ = false;
-    double position_ = 0, width_;
-    std::uint32_t index_ = 0;
-    std::optional<Colour> painted_;
+    double width_;
     Colour colour_;
     Point here_{};
     std::vector<float> sums_;  // by row of the area and pixel, one more at the end of each row
     std::vector<int> first_, last_;  // by row: the pixels that the sums touch
     std::vector<Point> corners_, clipped_, clipping_;
-    std::uint64_t lines_ = 0, polygons_ = 0;
 };
 
 constexpr double image_resolution = 4;    // pixels a point of an image in a vector format
@@ -579,30 +539,34 @@ bool is_fine(const Figure& figure, const Frame& frame) {
     return *strokes > few_strokes && static_cast<double>(*strokes) > pixels;
 }
 
+/// Draws a figure on a canvas, and counts what was drawn.
+template <class AnyCanvas>
+void draw_on(AnyCanvas canvas, const Figure& figure, double detail, const Budget& budget,
+             Drawn& drawn) {
+    figure.draw(canvas, detail, budget);
+    canvas.finish();
+    drawn.lines += canvas.lines();
+    drawn.polygons += canvas.polygons();
+}
+
 /// Draws one figure in cells on an image surface.
 void draw_cells(cairo_t* context, const PixelRectangle& area, const Frame& frame,
                 const Figure& figure, const Pen& pen, const Budget& budget, const Share& share,
                 Drawn& drawn) {
     budget.check_memory(cells_memory(area.width, area.height), "a picture drawn in cells");
-    CellCanvas canvas(context, area, cells_per_pixel(area.width, area.height), frame, pen, budget,
-                      share);
     const std::optional<std::uint64_t> strokes = figure.strokes();
     const bool join = !strokes || *strokes > many_strokes;
-    figure.draw(canvas, join ? chord_pixels / frame.scale : 0, budget);
-    canvas.finish();
-    drawn.lines += canvas.lines();
-    drawn.polygons += canvas.polygons();
+    draw_on(CellCanvas(context, area, cells_per_pixel(area.width, area.height), frame, pen, budget,
+                       share),
+            figure, join ? chord_pixels / frame.scale : 0, budget, drawn);
 }
 
 /// Draws one figure whose parts hide each other on an image surface.
 void draw_layers(cairo_t* context, const PixelRectangle& area, const Frame& frame,
                  const Figure& figure, const Pen& pen, const Budget& budget, const Share& share,
                  Drawn& drawn) {
-    LayerCanvas canvas(cairo_get_target(context), area, frame, pen, budget, share);
-    figure.draw(canvas, 1 / frame.scale, budget);
-    canvas.finish();
-    drawn.lines += canvas.lines();
-    drawn.polygons += canvas.polygons();
+    draw_on(LayerCanvas(cairo_get_target(context), area, frame, pen, budget, share), figure,
+            1 / frame.scale, budget, drawn);
 }
 
 /// The whole pixels of a cell and its margin, within the picture.
@@ -632,8 +596,7 @@ void draw_image(cairo_t* context, const Cell& cell, const Plan& plan, const Figu
     const OwnedSurface image = blank_image(width, height, opaque);
     const OwnedContext on_image(cairo_create(image.get()));
     if (opaque) {
-        const Colour paper = plan.background.value_or(Colour{1, 1, 1});
-        cairo_set_source_rgb(on_image.get(), paper.red, paper.green, paper.blue);
+        set_colour(on_image.get(), plan.background.value_or(Colour{1, 1, 1}));
         cairo_paint(on_image.get());
     }
     const double left = cell.left - margin, top = cell.top - margin;
@@ -681,11 +644,8 @@ void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Fig
     } else if (fine) {
         draw_image(context, cell, plan, figure, pen, budget, share, drawn);
     } else {
-        StrokeCanvas canvas(context, cell.frame, pen, budget, share, strokes);
-        figure.draw(canvas, layered ? detail_of_layers / cell.frame.scale : 0, budget);
-        canvas.finish();
-        drawn.lines += canvas.lines();
-        drawn.polygons += canvas.polygons();
+        draw_on(StrokeCanvas(context, cell.frame, pen, budget, share, strokes), figure,
+                layered ? detail_of_layers / cell.frame.scale : 0, budget, drawn);
     }
 }
 

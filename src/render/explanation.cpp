@@ -69,10 +69,6 @@ namespace {
 constexpr double stroke_width = 1.6, turtle_length = 11, label_letters = 8.5, arc_radius = 15;
 constexpr Colour turtle_colour = turtle_green, turn_colour{0.75, 0.33, 0.05};
 
-void set_colour(cairo_t* context, const Colour& colour, double opacity = 1) {
-    cairo_set_source_rgba(context, colour.red, colour.green, colour.blue, opacity);
-}
-
 Point in_plane(const Vector& at) { return {at.x, at.y}; }
 
 /// The direction of a heading in the picture, where y points down.
@@ -82,6 +78,17 @@ double angle_of(const Attitude& attitude) {
 
 Point beside(Point at, double angle, double distance) {
     return {at.x + distance * std::cos(angle), at.y + distance * std::sin(angle)};
+}
+
+/// Places around a point, at each distance first those nearest to a direction.
+std::vector<Point> around(Point at, double direction, std::initializer_list<double> distances) {
+    std::vector<Point> places;
+    for (const double distance : distances)
+        for (int i = 0; i < 16; ++i) {
+            const double aside = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1) * std::numbers::pi / 8;
+            places.push_back(beside(at, direction + aside, distance));
+        }
+    return places;
 }
 
 /// The turtle: an arrowhead with its middle at the point.
@@ -140,18 +147,14 @@ void draw_label(cairo_t* context, const LabelPlace& place, const std::string& te
     cairo_arc(context, left + radius, place.middle.y, radius, std::numbers::pi / 2,
               3 * std::numbers::pi / 2);
     cairo_close_path(context);
-    cairo_set_source_rgba(context, 1, 1, 1, 0.9);
+    set_colour(context, {1, 1, 1}, 0.9);
     cairo_fill_preserve(context);
     set_colour(context, colour, 0.5);
     cairo_set_line_width(context, 0.5);
     cairo_stroke(context);
     set_colour(context, colour);
-    cairo_text_extents_t extents{};
-    cairo_text_extents(context, text.c_str(), &extents);
-    cairo_move_to(context, place.middle.x - extents.x_advance / 2,
-                  place.middle.y + 0.36 * label_letters);
-    cairo_show_text(context, text.c_str());
-    cairo_new_path(context);
+    show_text(context, text, place.middle.x - text_width(context, text) / 2,
+              place.middle.y + 0.36 * label_letters);
 }
 
 /// The drawing of an explanation: strokes, the turtle at every corner, and the numbers of steps.
@@ -178,16 +181,11 @@ public:
     /// The length that every step should have room for: of the shortest that moves; 0 if none does.
     double shortest() const { return shortest_; }
     /// Whether the turtle turns somewhere, and whether it moves with its pen up.
-    bool turns() const {
-        return std::any_of(stands_.begin(), stands_.end(),
-                           [](const Stand& stand) { return stand.turns; });
-    }
+    bool turns() const { return std::ranges::any_of(stands_, &Stand::turns); }
     bool has_moves() const {
-        return std::any_of(
-            explanation_.steps.begin(), explanation_.steps.end(), [](const ExplainedStep& step) {
-                return std::any_of(step.lines.begin(), step.lines.end(),
-                                   [](const ExplainedLine& line) { return !line.drawn; });
-            });
+        return std::ranges::any_of(explanation_.steps, [](const ExplainedStep& step) {
+            return !std::ranges::all_of(step.lines, &ExplainedLine::drawn);
+        });
     }
 
     /// Draws it in the middle of this rectangle, at most `largest` units of the picture to one of
@@ -230,9 +228,7 @@ public:
                     cairo_set_line_width(context, drawn ? stroke_width : 1);
                     set_colour(context,
                                drawn ? colour_at(i, line.state) : Colour{0.45, 0.45, 0.45});
-                    cairo_move_to(context, from.x, from.y);
-                    cairo_line_to(context, to.x, to.y);
-                    cairo_stroke(context);
+                    draw_line(context, from, to);
                     places.avoid(from, to);
                 }
         cairo_set_dash(context, nullptr, 0, 0);
@@ -263,18 +259,14 @@ public:
             if (step.lines.empty()) continue;
             const Point at = on_page(step.after.position);
             places.avoid(at, turtle_radius);
-            const bool turns_next =
-                std::any_of(stands_.begin(), stands_.end(), [&](const Stand& stand) {
-                    return stand.turns && stand.first > i &&
-                           length(stand.position - step.after.position) < 1e-9 &&
-                           std::none_of(
-                               explanation_.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                               explanation_.steps.begin() +
-                                   static_cast<std::ptrdiff_t>(stand.first),
-                               [](const ExplainedStep& s) {
-                                   return !s.lines.empty() || s.returns_to;
-                               });
-                });
+            const bool turns_next = std::ranges::any_of(stands_, [&](const Stand& stand) {
+                return stand.turns && stand.first > i &&
+                       length(stand.position - step.after.position) < 1e-9 &&
+                       std::none_of(
+                           explanation_.steps.begin() + static_cast<std::ptrdiff_t>(i) + 1,
+                           explanation_.steps.begin() + static_cast<std::ptrdiff_t>(stand.first),
+                           [](const ExplainedStep& s) { return !s.lines.empty() || s.returns_to; });
+            });
             if (!turns_next) draw_turtle(context, at, angle_of(step.after.attitude), false);
         }
 
@@ -283,14 +275,10 @@ public:
             draw_turtle(context, on_page(end.position), angle_of(end.attitude), false);
         }
 
-        cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_font_size(context, label_letters);
+        choose_font(context, "sans-serif", label_letters);
         const double label_height = 1.35 * label_letters;
         const auto width_of = [&](const std::string& text) {
-            cairo_text_extents_t extents{};
-            cairo_text_extents(context, text.c_str(), &extents);
-            return std::max(label_height, extents.x_advance + 0.8 * label_letters);
+            return std::max(label_height, text_width(context, text) + 0.8 * label_letters);
         };
         const auto label = [&](const std::string& text, const std::vector<Point>& middles,
                                const Colour& colour) {
@@ -322,29 +310,19 @@ public:
             // Best just outside the arc of the turn; without one behind the turtle.
             const double best =
                 stand.turns ? straight + by / 2 : straight + 0.75 * std::numbers::pi;
-            std::vector<Point> middles;
-            for (const double distance : {23.0, 27.0, 31.0, 19.0})
-                for (int i = 0; i < 16; ++i) {
-                    const double aside = (i + 1) / 2 * (i % 2 == 0 ? -1 : 1) * std::numbers::pi / 8;
-                    middles.push_back(beside(on_page(stand.position), best + aside,
-                                             stand.turns ? distance : distance - 8));
-                }
+            const double nearer = stand.turns ? 0 : 8;
             const std::string numbers =
                 stand.first == stand.last
                     ? std::to_string(stand.first + 1)
                     : std::to_string(stand.first + 1) + "–" + std::to_string(stand.last + 1);
-            label(numbers, middles, turn_colour);
+            label(numbers,
+                  around(on_page(stand.position), best,
+                         {23 - nearer, 27 - nearer, 31 - nearer, 19 - nearer}),
+                  turn_colour);
         }
         const auto mark = [&](const std::string& text, const TurtleState& state) {
-            std::vector<Point> middles;
             const double back = angle_of(state.attitude) + std::numbers::pi;
-            for (const double distance : {20.0, 26.0, 32.0})
-                for (int i = 0; i < 16; ++i)
-                    middles.push_back(
-                        beside(on_page(state.position),
-                               back + (i + 1) / 2 * (i % 2 == 0 ? -1 : 1) * std::numbers::pi / 8,
-                               distance));
-            label(text, middles, turtle_colour);
+            label(text, around(on_page(state.position), back, {20, 26, 32}), turtle_colour);
         };
         if (count == 0) return mark("start and end", explanation_.start);
         mark("start", explanation_.start);
@@ -399,16 +377,8 @@ constexpr double between = 2.5;  // between blocks
 constexpr double line_step = 1.25;
 constexpr double widest_meaning = 21;
 
-double text_width(cairo_t* context, const std::string& text) {
-    cairo_text_extents_t extents{};
-    cairo_text_extents(context, text.c_str(), &extents);
-    return extents.x_advance;
-}
-
-void choose_font(cairo_t* context, std::size_t column, bool head) {
-    cairo_select_font_face(context, column == 1 && !head ? "monospace" : "sans-serif",
-                           CAIRO_FONT_SLANT_NORMAL,
-                           head ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
+void choose_column_font(cairo_t* context, std::size_t column, double letters, bool head) {
+    choose_font(context, column == 1 && !head ? "monospace" : "sans-serif", letters, head);
 }
 
 /// Lines of words, none wider than `most` where words allow it.
@@ -436,14 +406,13 @@ public:
     /// Measures the text with fonts of this size.
     ExplanationTable(cairo_t* context, const Explanation& explanation, double letters)
         : letters_(letters) {
-        cairo_set_font_size(context, letters);
         bool head = true;
         for (const std::vector<std::string>& cells : explanation_rows(explanation)) {
             Row row;
             columns_.resize(cells.size());
             std::size_t lines = 1;
             for (std::size_t column = 0; column < cells.size(); ++column) {
-                choose_font(context, column, head);
+                choose_column_font(context, column, letters_, head);
                 const bool may_break = column == column_of_meanings && !head;
                 row.cells.push_back(may_break
                                         ? broken(context, cells[column], widest_meaning * letters)
@@ -476,7 +445,6 @@ public:
         return highest + 0.4 * letters_;
     }
     void draw(cairo_t* context, double left, double top, std::size_t blocks) const {
-        cairo_set_font_size(context, letters_);
         const std::vector<std::size_t> at = breaks(blocks);
         const double one = width(1);
         for (std::size_t block = 0; block + 1 < at.size(); ++block) {
@@ -484,9 +452,7 @@ public:
             draw_row(context, rows_.front(), left, y, true);
             y += rows_.front().height + 0.2 * letters_;
             cairo_set_line_width(context, 0.08 * letters_);
-            cairo_move_to(context, left, y);
-            cairo_line_to(context, left + one, y);
-            cairo_stroke(context);
+            draw_line(context, {left, y}, {left + one, y});
             for (std::size_t i = at[block]; i < at[block + 1]; ++i) {
                 if (i % 2 == 0) {
                     cairo_set_source_rgb(context, 0.95, 0.95, 0.95);
@@ -526,19 +492,17 @@ private:
         cairo_set_source_rgb(context, 0, 0, 0);
         double x = left + gap * letters_;
         for (std::size_t column = 0; column < row.cells.size(); ++column) {
-            choose_font(context, column, head);
+            choose_column_font(context, column, letters_, head);
             double y = top + 1.15 * letters_;
             for (const std::string& line : row.cells[column]) {
                 const bool number = column == 0 || column == 5;
                 const double shift =
                     number && !head ? columns_[column] - text_width(context, line) : 0;
-                cairo_move_to(context, x + shift, y);
-                cairo_show_text(context, line.c_str());
+                show_text(context, line, x + shift, y);
                 y += line_step * letters_;
             }
             x += columns_[column] + gap * letters_;
         }
-        cairo_new_path(context);
     }
 
     double letters_;
@@ -578,22 +542,13 @@ public:
     void draw(cairo_t* context) const {
         settle_fonts(context);
         cairo_set_source_rgb(context, 0, 0, 0);
-        cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_BOLD);
-        cairo_set_font_size(context, title_letters);
+        choose_font(context, "sans-serif", title_letters, true);
         double y = margin + title_letters;
-        cairo_move_to(context, margin, y);
-        cairo_show_text(context, title_.c_str());
-        cairo_select_font_face(context, "monospace", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_font_size(context, word_letters);
+        show_text(context, title_, margin, y);
+        choose_font(context, "monospace", word_letters);
         y += 0.45 * word_letters;
-        for (const std::string& line : lines_) {
-            y += 1.3 * word_letters;
-            cairo_move_to(context, margin, y);
-            cairo_show_text(context, line.c_str());
-        }
-        cairo_new_path(context);
+        for (const std::string& line : lines_)
+            show_text(context, line, margin, y += 1.3 * word_letters);
         const double top = head_height();
         sketch_.draw(context, margin, top, sketch_width_, sketch_height_,
                      sketch_.shortest() > 0 ? 1.5 * comfortable / sketch_.shortest() : 1);
@@ -652,17 +607,13 @@ private:
     /// Breaks the word into lines where it is wider than the page.
     void break_word() {
         cairo_t* const context = context_.get();
-        cairo_select_font_face(context, "monospace", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_font_size(context, word_letters);
+        choose_font(context, "monospace", word_letters);
         lines_.emplace_back();
         for (std::size_t at = 0; at < word_.size();) {
             std::size_t next = at + 1;
             while (next < word_.size() && (word_[next] & 0xc0) == 0x80) ++next;
             std::string longer = lines_.back() + word_.substr(at, next - at);
-            cairo_text_extents_t extents{};
-            cairo_text_extents(context, longer.c_str(), &extents);
-            if (extents.x_advance > width - 2 * margin && !lines_.back().empty())
+            if (text_width(context, longer) > width - 2 * margin && !lines_.back().empty())
                 lines_.push_back(word_.substr(at, next - at));
             else
                 lines_.back() = std::move(longer);
@@ -674,15 +625,10 @@ private:
         std::string text = "arrowheads: the turtle";
         if (sketch_.turns()) text += ", pale before it turns";
         if (sketch_.has_moves()) text += "; dots: its pen is up";
-        cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_font_size(context, 7.5);
-        cairo_set_source_rgb(context, 0.35, 0.35, 0.35);
-        cairo_text_extents_t extents{};
-        cairo_text_extents(context, text.c_str(), &extents);
-        cairo_move_to(context, left + std::max(0.0, (sketch_width_ - extents.x_advance) / 2), y);
-        cairo_show_text(context, text.c_str());
-        cairo_new_path(context);
+        choose_font(context, "sans-serif", 7.5);
+        set_colour(context, {0.35, 0.35, 0.35});
+        show_text(context, text,
+                  left + std::max(0.0, (sketch_width_ - text_width(context, text)) / 2), y);
     }
 
     std::string title_, word_;
@@ -734,16 +680,9 @@ void draw(const Explanation& explanation, const std::string& title, Output& outp
 }  // namespace
 
 void draw_explanation(const Explanation& explanation, const std::string& title,
-                      const std::string& path, PictureFormat format, const PictureOptions& options,
+                      const Target& target, PictureFormat format, const PictureOptions& options,
                       const Budget& budget) {
-    write_to(path,
-             [&](Output& output) { draw(explanation, title, output, format, options, budget); });
-}
-
-void draw_explanation(const Explanation& explanation, const std::string& title,
-                      std::ostream& stream, PictureFormat format, const PictureOptions& options,
-                      const Budget& budget) {
-    write_to(stream,
+    write_to(target,
              [&](Output& output) { draw(explanation, title, output, format, options, budget); });
 }
 

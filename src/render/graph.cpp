@@ -31,26 +31,16 @@ constexpr double subscript_lowered = 0.2;  // of the size of the text
 constexpr double capital_height = 0.729;   // of DejaVu Sans
 
 void choose_font(cairo_t* context, const GraphFont& font, double factor = 1) {
-    cairo_select_font_face(context, "DejaVu Sans", CAIRO_FONT_SLANT_NORMAL,
-                           font.bold ? CAIRO_FONT_WEIGHT_BOLD : CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context, font.size * factor);
-}
-
-double advance(cairo_t* context, const std::string& text) {
-    cairo_text_extents_t extents{};
-    cairo_text_extents(context, text.c_str(), &extents);
-    return extents.x_advance;
+    algae::choose_font(context, "DejaVu Sans", font.size * factor, font.bold);
 }
 
 double text_width(cairo_t* context, const std::string& text, const std::string& subscript,
                   const GraphFont& font) {
     choose_font(context, font);
-    double width = advance(context, text);
-    if (!subscript.empty()) {
-        choose_font(context, font, subscript_size);
-        width += advance(context, subscript);
-    }
-    return width;
+    const double width = algae::text_width(context, text);
+    if (subscript.empty()) return width;
+    choose_font(context, font, subscript_size);
+    return width + algae::text_width(context, subscript);
 }
 
 }  // namespace
@@ -68,15 +58,11 @@ void write_text(cairo_t* context, const std::string& text, const std::string& su
     const double width = text_width(context, text, subscript, font);
     const double baseline = y + font.size * capital_height / 2;
     choose_font(context, font);
-    cairo_move_to(context, x - share * width, baseline);
-    cairo_show_text(context, text.c_str());
-    if (!subscript.empty()) {
-        const double middle = x - share * width + advance(context, text);
-        choose_font(context, font, subscript_size);
-        cairo_move_to(context, middle, baseline + subscript_lowered * font.size);
-        cairo_show_text(context, subscript.c_str());
-    }
-    cairo_new_path(context);
+    show_text(context, text, x - share * width, baseline);
+    if (subscript.empty()) return;
+    const double middle = x - share * width + text_width(context, text);
+    choose_font(context, font, subscript_size);
+    show_text(context, subscript, middle, baseline + subscript_lowered * font.size);
 }
 
 namespace {
@@ -91,10 +77,6 @@ constexpr GraphFont small_font{graph_small_letters, false};
 
 const Colour ink{0.1, 0.1, 0.12}, line_ink{0.38, 0.40, 0.44}, faint_ink{0.45, 0.47, 0.5};
 const Colour guide{0.91, 0.92, 0.93}, paper{1, 1, 1};
-
-void set(cairo_t* context, const Colour& colour) {
-    cairo_set_source_rgb(context, colour.red, colour.green, colour.blue);
-}
 
 Colour darker(const Colour& colour, double share) {
     return {colour.red * share, colour.green * share, colour.blue * share};
@@ -163,12 +145,10 @@ private:
         for (std::size_t i = 0; i < graph_.row_labels.size() && i < graph_.rows.size(); ++i) {
             if (graph_.rows[i].empty() || graph_.row_labels[i].empty()) continue;
             const double y = layout_.nodes[graph_.rows[i].front()].y;
-            set(context, guide);
+            set_colour(context, guide);
             cairo_set_line_width(context, thin);
-            cairo_move_to(context, -8, y);
-            cairo_line_to(context, layout_.width, y);
-            cairo_stroke(context);
-            set(context, faint_ink);
+            draw_line(context, {-8, y}, {layout_.width, y});
+            set_colour(context, faint_ink);
             write_text(context, graph_.row_labels[i], "", small_font, -12, y, 1);
         }
     }
@@ -176,12 +156,9 @@ private:
         for (std::size_t i = 0; i < graph_.groups.size(); ++i) {
             const GraphLayout::Frame& frame = layout_.groups[i];
             rounded_box(context, frame.left, frame.top, frame.right, frame.bottom, 8);
-            set(context, graph_.groups[i].fill);
-            cairo_fill_preserve(context);
-            set(context, darker(graph_.groups[i].fill, 0.75));
-            cairo_set_line_width(context, thin);
-            cairo_stroke(context);
-            set(context, ink);
+            fill_and_outline(context, graph_.groups[i].fill, darker(graph_.groups[i].fill, 0.75),
+                             thin);
+            set_colour(context, ink);
             write_text(context, graph_.groups[i].label, "", small_font, frame.label.x,
                        frame.label.y);
         }
@@ -191,7 +168,7 @@ private:
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
             const Graph::Edge& edge = graph_.edges[i];
             const GraphLayout::Line& line = layout_.edges[i];
-            set(context, line_ink);
+            set_colour(context, line_ink);
             cairo_set_line_width(context, thick);
             if (!line.points.empty()) cairo_move_to(context, line.points[0].x, line.points[0].y);
             for (std::size_t k = 1; k + 2 < line.points.size(); k += 3)
@@ -204,12 +181,12 @@ private:
             if (edge.label.empty()) continue;
             if (graph_.straight) {
                 const double half = text_width(edge.label, "", small_font) / 2 + 1.5;
-                set(context, paper);
+                set_colour(context, paper);
                 rounded_box(context, line.label.x - half, line.label.y - 6, line.label.x + half,
                             line.label.y + 6, 5);
                 cairo_fill(context);
             }
-            set(context, ink);
+            set_colour(context, ink);
             write_text(context, edge.label, "", small_font, line.label.x, line.label.y);
         }
     }
@@ -232,16 +209,14 @@ private:
                 rounded_box(context, left + inset, top + inset, right - inset, bottom - inset,
                             node.shape == box ? 5 : size.y / 2 - inset);
             }
-            set(context, fill);
             if (node.shape == bare) {
+                set_colour(context, fill);
                 cairo_fill(context);
             } else {
-                cairo_fill_preserve(context);
-                set(context, node.fill ? darker(fill, 0.62) : line_ink);
-                cairo_set_line_width(context, node.bold ? 1.6 : thick);
-                cairo_stroke(context);
+                fill_and_outline(context, fill, node.fill ? darker(fill, 0.62) : line_ink,
+                                 node.bold ? 1.6 : thick);
             }
-            set(context, ink);
+            set_colour(context, ink);
             const bool low = node.shape == triangle;
             write_text(context, node.label, node.subscript,
                        {low ? graph_small_letters : graph_letters, node.bold}, middle.x,
@@ -254,18 +229,14 @@ private:
             double x = (width_ - keys_width_) / 2;
             for (const Graph::Key& key : graph_.keys) {
                 rounded_box(context, x, y - swatch / 2, x + swatch, y + swatch / 2, 2);
-                set(context, key.fill);
-                cairo_fill_preserve(context);
-                set(context, darker(key.fill, 0.62));
-                cairo_set_line_width(context, thin);
-                cairo_stroke(context);
-                set(context, ink);
+                fill_and_outline(context, key.fill, darker(key.fill, 0.62), thin);
+                set_colour(context, ink);
                 write_text(context, key.text, "", small_font, x + swatch + 5, y, 0);
                 x += key_width(key) + key_gap;
             }
             y += line_below;
         }
-        set(context, ink);
+        set_colour(context, ink);
         if (!graph_.caption.empty())
             write_text(context, graph_.caption, "", small_font, width_ / 2, y);
     }
@@ -320,27 +291,15 @@ GraphDrawn draw(const Graph& graph, Output& output, PictureFormat format,
     return drawn;
 }
 
-/// `target`: a path or a stream.
-template <class Target>
-GraphDrawn draw_to(Target& target, const Graph& graph, PictureFormat format,
-                   const GraphOptions& options, const Budget& budget) {
+}  // namespace
+
+GraphDrawn draw_graph(const Graph& graph, const Target& target, PictureFormat format,
+                      const GraphOptions& options, const Budget& budget) {
     check_side("width", options.width, format);
     check_side("height", options.height, format);
     GraphDrawn drawn;
     write_to(target, [&](Output& output) { drawn = draw(graph, output, format, options, budget); });
     return drawn;
-}
-
-}  // namespace
-
-GraphDrawn draw_graph(const Graph& graph, const std::string& path, PictureFormat format,
-                      const GraphOptions& options, const Budget& budget) {
-    return draw_to(path, graph, format, options, budget);
-}
-
-GraphDrawn draw_graph(const Graph& graph, std::ostream& stream, PictureFormat format,
-                      const GraphOptions& options, const Budget& budget) {
-    return draw_to(stream, graph, format, options, budget);
 }
 
 }  // namespace algae

@@ -257,7 +257,7 @@ public:
     std::string said() const {
         std::string line = what_went_wrong;
         if (line.starts_with("Error: ")) line.erase(0, 7);
-        std::replace(line.begin(), line.end(), '\n', ' ');
+        std::ranges::replace(line, '\n', ' ');
         while (line.ends_with(' ')) line.pop_back();
         return line;
     }

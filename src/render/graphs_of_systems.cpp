@@ -51,6 +51,18 @@ Graph::Node letter_node(const Alphabet& alphabet, Symbol letter) {
 
 namespace {
 
+/// An edge that says how often what is below occurs, if more than once.
+template <class Times>
+Graph::Edge counted_edge(std::size_t from, std::size_t to, const Times& times, bool arrow) {
+    using std::to_string;
+    Graph::Edge edge;
+    edge.from = from;
+    edge.to = to;
+    if (times > 1) edge.label = "×" + to_string(times);
+    edge.arrow = arrow;
+    return edge;
+}
+
 enum class Fate { mortal, passing, cycle, expanding };
 
 constexpr std::array fates{Fate::expanding, Fate::cycle, Fate::passing, Fate::mortal};
@@ -115,27 +127,16 @@ Graph growth_graph(const D0L& system, const Budget& budget) {
         Graph::Node node = letter_node(*system.alphabet, system.letters[i]);
         node.fill = colour_of(of_component[found.of_letter[i]]);
         graph.nodes.push_back(std::move(node));
-        for (const GrowthMatrix::Entry& entry : matrix.rows[i]) {
-            Graph::Edge edge;
-            edge.from = i;
-            edge.to = entry.column;
-            if (entry.times > 1) edge.label = "×" + to_string(entry.times);
-            edge.arrow = true;
-            graph.edges.push_back(std::move(edge));
-        }
+        for (const GrowthMatrix::Entry& entry : matrix.rows[i])
+            graph.edges.push_back(counted_edge(i, entry.column, entry.times, true));
     }
     const std::vector<Integer> in_axiom = axiom_counts(system);
     for (std::size_t i = 0; i < matrix.size(); ++i) {
         if (in_axiom[i] == 0) continue;
         Graph::Node start;
         start.shape = Graph::Node::Shape::start;
-        Graph::Edge edge;
-        edge.from = graph.nodes.size();
-        edge.to = i;
-        if (in_axiom[i] > 1) edge.label = "×" + to_string(in_axiom[i]);
-        edge.arrow = true;
+        graph.edges.push_back(counted_edge(graph.nodes.size(), i, in_axiom[i], true));
         graph.nodes.push_back(start);
-        graph.edges.push_back(std::move(edge));
     }
     // What stands before others in the list occurs below them, so frames are given from above.
     for (std::size_t k = found.list.size(); k-- > 0;) {
@@ -153,7 +154,7 @@ Graph growth_graph(const D0L& system, const Budget& budget) {
         graph.groups.push_back(std::move(group));
     }
     for (const Fate fate : fates)
-        if (std::find(of_component.begin(), of_component.end(), fate) != of_component.end())
+        if (std::ranges::count(of_component, fate) > 0)
             graph.keys.push_back({colour_of(fate), meaning(fate)});
     return graph;
 }
@@ -179,8 +180,7 @@ std::vector<Symbol> rewritten_letters(const DerivationTree& tree) {
     std::map<Symbol, bool> stays;  // of letters that have children
     for (const auto& node : tree.nodes) {
         if (node.kind != Kind::letter) continue;
-        if (std::find(order.begin(), order.end(), node.letter) == order.end())
-            order.push_back(node.letter);
+        if (!std::ranges::count(order, node.letter)) order.push_back(node.letter);
         if (node.children.empty()) continue;
         const auto& child = tree.nodes[node.children.front()];
         if (child.kind == Kind::omitted) continue;
@@ -216,7 +216,7 @@ Graph tree_graph(const DerivationTree& tree) {
             drawn.shape = Graph::Node::Shape::triangle;
         } else {
             drawn = letter_node(*tree.alphabet, node.letter);
-            const auto found = std::find(rewritten.begin(), rewritten.end(), node.letter);
+            const auto found = std::ranges::find(rewritten, node.letter);
             if (found == rewritten.end())
                 drawn.shape = Graph::Node::Shape::bare;
             else if (rewritten.size() <= tints.size())
@@ -228,26 +228,20 @@ Graph tree_graph(const DerivationTree& tree) {
 
         std::vector<std::pair<std::size_t, std::size_t>> below;  // each child once, and how often
         for (const std::size_t child : node.children) {
-            const auto known = std::find_if(below.begin(), below.end(),
-                                            [&](const auto& one) { return one.first == child; });
+            const auto known =
+                std::ranges::find(below, child, &std::pair<std::size_t, std::size_t>::first);
             if (known == below.end())
                 below.emplace_back(child, 1);
             else
                 ++known->second;
         }
-        for (const auto& [child, times] : below) {
-            Graph::Edge edge;
-            edge.from = i;
-            edge.to = child;
-            if (times > 1) edge.label = "×" + std::to_string(times);
-            graph.edges.push_back(std::move(edge));
-        }
+        for (const auto& [child, times] : below)
+            graph.edges.push_back(counted_edge(i, child, times, false));
     }
     // Rows of nothing but marks are no generation of their own.
     for (std::size_t t = 0; t < graph.rows.size(); ++t) {
-        const bool letters =
-            std::any_of(graph.rows[t].begin(), graph.rows[t].end(),
-                        [&](std::size_t i) { return tree.nodes[i].kind != Kind::omitted; });
+        const bool letters = std::ranges::any_of(
+            graph.rows[t], [&](std::size_t i) { return tree.nodes[i].kind != Kind::omitted; });
         std::string label = letters ? std::to_string(t) : "";
         if (letters && t > 0 && t <= tree.tables.size()) label = tree.tables[t - 1] + "  " + label;
         graph.row_labels.push_back(std::move(label));
@@ -260,8 +254,7 @@ namespace {
 const Colour chomsky{0.99, 0.87, 0.68}, pure{0.78, 0.87, 0.96}, extended{0.80, 0.92, 0.77};
 
 std::size_t node_of(Graph& graph, const std::string& family) {
-    const auto found = std::find_if(graph.nodes.begin(), graph.nodes.end(),
-                                    [&](const Graph::Node& node) { return node.label == family; });
+    const auto found = std::ranges::find(graph.nodes, family, &Graph::Node::label);
     if (found != graph.nodes.end()) return static_cast<std::size_t>(found - graph.nodes.begin());
     Graph::Node node;
     node.label = family;
@@ -272,10 +265,8 @@ std::size_t node_of(Graph& graph, const std::string& family) {
 }
 
 Graph::Edge edge(Graph& graph, const char* lower, const char* upper) {
-    Graph::Edge found;
-    found.from = node_of(graph, lower);
-    found.to = node_of(graph, upper);
-    return found;
+    const std::size_t from = node_of(graph, lower);
+    return counted_edge(from, node_of(graph, upper), 1, false);
 }
 
 }  // namespace

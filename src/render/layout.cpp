@@ -62,7 +62,7 @@ struct Size {
 /// The least cell that holds every figure when none may be larger than width times height.
 Size tight_cell(std::span<const Box> boxes, double width, double height, bool one_scale) {
     const double common = common_scale(boxes, width, height);
-    const bool all_straight = std::all_of(boxes.begin(), boxes.end(), is_straight);
+    const bool all_straight = std::ranges::all_of(boxes, is_straight);
     Size size;
     for (const Box& box : boxes) {
         if (is_straight(box) && !all_straight) continue;
@@ -116,15 +116,15 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
         cell = {share(*wishes.width, gaps_across, across), share(*wishes.height, gaps_down, down)};
     } else if (wishes.height) {
         const double height = share(*wishes.height, gaps_down, down);
-        const bool flat = std::all_of(boxes.begin(), boxes.end(),
-                                      [](const Box& box) { return box.height() == 0; });
+        const bool flat =
+            std::ranges::all_of(boxes, [](const Box& box) { return box.height() == 0; });
         const double width = std::min(
             height * steepest, flat ? share(wishes.longest, gaps_across, across) : unbounded);
         cell = {tight_cell(boxes, width, height, wishes.common_scale).width, height};
     } else if (wishes.width) {
         const double width = share(*wishes.width, gaps_across, across);
-        const bool upright = std::all_of(boxes.begin(), boxes.end(),
-                                         [](const Box& box) { return box.breadth() == 0; });
+        const bool upright =
+            std::ranges::all_of(boxes, [](const Box& box) { return box.breadth() == 0; });
         const double height = std::min(
             width * steepest, upright ? share(wishes.longest, gaps_down, down) : unbounded);
         cell = {width, tight_cell(boxes, width, height, wishes.common_scale).height};
@@ -159,7 +159,7 @@ Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes) {
 
 std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes) {
     wishes.columns = 1;
-    const bool all_straight = std::all_of(boxes.begin(), boxes.end(), is_straight);
+    const bool all_straight = std::ranges::all_of(boxes, is_straight);
     double width = 0, height = 0;
     for (const Box& box : boxes) {
         if (is_straight(box) && (box.empty || !all_straight)) continue;

@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <bit>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "exact/exact.hpp"
+#include "render/detail/document.hpp"
 
 // A bitmap for figures that are finer than the pixels of their picture: what a word of any length costs is then its pixels.
 //
@@ -22,8 +22,6 @@
 
 namespace algae {
 namespace {
-
-constexpr std::uint32_t none = std::numeric_limits<std::uint32_t>::max();
 
 /// The part of a line inside [0, right] x [0, bottom] (Liang and Barsky 1984).
 std::optional<std::pair<Point, Point>> clipped(Point from, Point to, double right, double bottom) {
@@ -59,15 +57,7 @@ Mask::Mask(int width, int height, int cells, double diameter)
       words_((columns_ + 63) / 64),
       right_edge_(columns_),
       bottom_edge_(rows_),
-      bits_(words_ * rows_),
-      left_(none),
-      right_(0),
-      top_(none),
-      bottom_(0),
-      filled_left_(none),
-      filled_right_(0),
-      filled_top_(none),
-      filled_bottom_(0) {
+      bits_(words_ * rows_) {
     set_diameter(diameter);
 }
 
@@ -94,8 +84,7 @@ void Mask::set_diameter(double diameter) {
 }
 
 void Mask::long_line(Point to) {
-    if (!std::isfinite(here_.x + here_.y + to.x + to.y))
-        throw Error("the figure has a point whose coordinates are beyond the range of numbers");
+    must_be_finite(here_.x + here_.y + to.x + to.y);
     const Point from{here_.x + offset_, here_.y + offset_};
     const Point target{to.x + offset_, to.y + offset_};
     here_ = to;
@@ -120,8 +109,7 @@ void Mask::polygon(std::span<const Point> corners) {
     if (filled_.empty()) filled_.resize(bits_.size());
     double top = rows_, bottom = 0;
     for (const Point& corner : corners) {
-        if (!std::isfinite(corner.x + corner.y))
-            throw Error("the figure has a point whose coordinates are beyond the range of numbers");
+        must_be_finite(corner.x + corner.y);
         top = std::min(top, corner.y);
         bottom = std::max(bottom, corner.y);
     }
@@ -136,7 +124,7 @@ void Mask::polygon(std::span<const Point> corners) {
             if ((a.y <= y) == (b.y <= y)) continue;
             crossings.emplace_back(a.x + (y - a.y) / (b.y - a.y) * (b.x - a.x), a.y < b.y ? 1 : -1);
         }
-        std::sort(crossings.begin(), crossings.end());
+        std::ranges::sort(crossings);
         int winding = 0;
         for (std::size_t i = 0; i + 1 < crossings.size(); ++i) {
             winding += crossings[i].second;
@@ -153,10 +141,8 @@ void Mask::polygon(std::span<const Point> corners) {
                 words[column >> 6] |= ones << in_word;
                 column += count;
             }
-            filled_left_ = std::min(filled_left_, static_cast<std::uint32_t>(begin));
-            filled_right_ = std::max(filled_right_, static_cast<std::uint32_t>(end - 1));
-            filled_top_ = std::min(filled_top_, static_cast<std::uint32_t>(row));
-            filled_bottom_ = std::max(filled_bottom_, static_cast<std::uint32_t>(row));
+            filling_.add(static_cast<std::uint32_t>(begin), static_cast<std::uint32_t>(end - 1),
+                         static_cast<std::uint32_t>(row));
         }
     }
 }
@@ -200,12 +186,12 @@ Mask::Coverage Mask::take() {
         reach_aside = std::max({reach_aside, -run.first, run.last});
     }
     // The cells that may be covered, then the pixels and words they lie in.
-    long left = filled_left_, right = filled_right_, top = filled_top_, bottom = filled_bottom_;
-    if (left_ <= right_) {
-        left = std::min<long>(left, static_cast<long>(left_) - reach_aside);
-        right = std::max<long>(right, static_cast<long>(right_) + reach_aside);
-        top = std::min<long>(top, static_cast<long>(top_) - reach_up);
-        bottom = std::max<long>(bottom, static_cast<long>(bottom_) + reach_down);
+    long left = filling_.left, right = filling_.right, top = filling_.top, bottom = filling_.bottom;
+    if (!marks_.is_empty()) {
+        left = std::min(left, static_cast<long>(marks_.left) - reach_aside);
+        right = std::max(right, static_cast<long>(marks_.right) + reach_aside);
+        top = std::min(top, static_cast<long>(marks_.top) - reach_up);
+        bottom = std::max(bottom, static_cast<long>(marks_.bottom) + reach_down);
     }
     const auto pixel = [this](long cell, int size) {
         return static_cast<int>(std::clamp<long>(cell, 0, static_cast<long>(size) * cells_ - 1)) /
@@ -233,7 +219,7 @@ Mask::Coverage Mask::take() {
         for (long row = static_cast<long>(y) * cells_; row < (y + 1L) * cells_; ++row) {
             // All rows whose discs reach this one.
             for (; source <= row + reach_up && source < static_cast<long>(rows_); ++source)
-                if (left_ <= right_ && source >= top_ && source <= bottom_)
+                if (!marks_.is_empty() && source >= marks_.top && source <= marks_.bottom)
                     dilate(rows, static_cast<std::size_t>(source), first, last);
             std::uint64_t* covered = rows.data() + (static_cast<std::size_t>(row) % ring) * count;
             if (!filled_.empty()) {
@@ -264,18 +250,17 @@ Mask::Coverage Mask::take() {
             values[x] = static_cast<unsigned char>((sums[x] * 255u + all / 2) / all);
     }
 
-    const auto clear = [this](std::vector<std::uint64_t>& bits, std::uint32_t from,
-                              std::uint32_t to, std::uint32_t upper, std::uint32_t lower) {
-        if (from > to) return;
-        for (std::size_t row = upper; row <= lower; ++row)
-            std::fill(bits.begin() + static_cast<std::ptrdiff_t>(row * words_ + from / 64),
-                      bits.begin() + static_cast<std::ptrdiff_t>(row * words_ + to / 64 + 1), 0);
+    const auto clear = [this](std::vector<std::uint64_t>& bits, Bounds& cells_in) {
+        for (std::size_t row = cells_in.top; !cells_in.is_empty() && row <= cells_in.bottom; ++row)
+            std::fill(
+                bits.begin() + static_cast<std::ptrdiff_t>(row * words_ + cells_in.left / 64),
+                bits.begin() + static_cast<std::ptrdiff_t>(row * words_ + cells_in.right / 64 + 1),
+                0);
+        cells_in = {};
     };
-    clear(bits_, left_, right_, top_, bottom_);
-    if (!filled_.empty()) clear(filled_, filled_left_, filled_right_, filled_top_, filled_bottom_);
+    clear(bits_, marks_);
+    clear(filled_, filling_);
     marked_ = false;
-    left_ = top_ = filled_left_ = filled_top_ = none;
-    right_ = bottom_ = filled_right_ = filled_bottom_ = 0;
     return result;
 }
 

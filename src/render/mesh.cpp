@@ -44,10 +44,8 @@ constexpr std::array names{"glb", "obj", "ply", "stl", "x3d", "wrl", "vrml1"};
 }  // namespace
 
 std::optional<MeshFormat> mesh_format(std::string_view path) {
-    const std::string end = ending_of(path);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (end == names[i]) return static_cast<MeshFormat>(i);
-    return std::nullopt;
+    const auto found = format_of(names, path);
+    return found ? std::optional(static_cast<MeshFormat>(*found)) : std::nullopt;
 }
 
 const char* mesh_format_name(MeshFormat format) { return names[static_cast<std::size_t>(format)]; }
@@ -397,37 +395,28 @@ private:
 
 }  // namespace
 
-MeshDrawn draw_mesh(const Scene& scene, const std::string& path, MeshFormat format,
+MeshDrawn draw_mesh(const Scene& scene, const Target& target, MeshFormat format,
                     const MeshChoices& choices, const Budget& budget) {
     // A pipe has nothing beside it.
     std::error_code ignored;
-    const auto status = std::filesystem::status(path, ignored);
+    const auto status = std::filesystem::status(target.path, ignored);
     const bool with_materials =
-        format == MeshFormat::obj && (!exists(status) || is_regular_file(status));
-    const std::filesystem::path beside = std::filesystem::path(path).replace_extension(".mtl");
-    if (with_materials && beside == path)
-        throw Error("cannot write " + path +
+        !target.stream && format == MeshFormat::obj && (!exists(status) || is_regular_file(status));
+    const std::filesystem::path beside =
+        std::filesystem::path(target.path).replace_extension(".mtl");
+    if (with_materials && beside == target.path)
+        throw Error("cannot write " + target.path +
                     ": the materials of an obj go to a file of that name; expected another end, "
                     "such as .obj");
     const Prepared prepared(scene, format, choices,
                             with_materials ? beside.filename().string() : std::string(), budget);
-    FileOutput output(path);
-    prepared.write(output);
-    if (with_materials) {
+    write_to(target, [&](Output& output) {
+        prepared.write(output);
+        if (!with_materials) return;
         FileOutput materials(beside.string());
         materials.write(prepared.files.materials.data(), prepared.files.materials.size());
         materials.commit();
-    }
-    output.commit();
-    return prepared.drawn;
-}
-
-MeshDrawn draw_mesh(const Scene& scene, std::ostream& stream, MeshFormat format,
-                    const MeshChoices& choices, const Budget& budget) {
-    const Prepared prepared(scene, format, choices, "", budget);
-    StreamOutput output(stream);
-    prepared.write(output);
-    output.finish();
+    });
     return prepared.drawn;
 }
 

@@ -153,9 +153,7 @@ void check_annotations(const Plate& plate, const PictureOptions& options) {
 const char* format_name(PictureFormat format) { return names[static_cast<std::size_t>(format)]; }
 
 PictureFormat picture_format(std::string_view path) {
-    const std::string ending = ending_of(path);
-    for (std::size_t i = 0; i < names.size(); ++i)
-        if (ending == names[i]) return static_cast<PictureFormat>(i);
+    if (const auto found = format_of(names, path)) return static_cast<PictureFormat>(*found);
     throw Error("expected a picture file ending in .svg, .pdf, .png, .ps or .eps, found \"" +
                 std::string(path) + "\"");
 }
@@ -271,13 +269,7 @@ void choose_ink(cairo_t* context, const std::optional<Colour>& background) {
         background &&
         0.299 * background->red + 0.587 * background->green + 0.114 * background->blue < 0.5;
     const double grey = dark ? 1 : 0;
-    cairo_set_source_rgb(context, grey, grey, grey);
-}
-
-void choose_letters(cairo_t* context, double size) {
-    cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                           CAIRO_FONT_WEIGHT_NORMAL);
-    cairo_set_font_size(context, size);
+    set_colour(context, {grey, grey, grey});
 }
 
 void draw_scale_bar(cairo_t* context, const Plan& plan, const Cell& cell) {
@@ -295,10 +287,8 @@ void draw_scale_bar(cairo_t* context, const Plan& plan, const Cell& cell) {
         cairo_line_to(context, x, middle + tick);
     }
     cairo_stroke(context);
-    choose_letters(context, size);
-    cairo_move_to(context, left + wide + size / 2, middle + 0.35 * size);
-    cairo_show_text(context, rounded_decimal(length, 10).c_str());
-    cairo_new_path(context);
+    choose_font(context, "sans-serif", size);
+    show_text(context, rounded_decimal(length, 10), left + wide + size / 2, middle + 0.35 * size);
     cairo_restore(context);
 }
 
@@ -309,17 +299,13 @@ void draw_label(cairo_t* context, const Plan& plan, const Cell& cell, const Figu
     const Point at = cell.frame(*place);
     cairo_save(context);
     choose_ink(context, plan.background);
-    choose_letters(context, plan.font_size);
-    cairo_text_extents_t extents{};
-    cairo_text_extents(context, label.text.c_str(), &extents);
+    choose_font(context, "sans-serif", plan.font_size);
     // To the right of the point and above it, as far as the picture reaches.
     const double x = std::clamp(at.x + plan.font_size / 4, 0.0,
-                                std::max(0.0, plan.page.width - extents.x_advance));
+                                std::max(0.0, plan.page.width - text_width(context, label.text)));
     const double y = std::clamp(at.y - plan.font_size / 4, plan.font_size,
                                 std::max(plan.font_size, plan.page.height));
-    cairo_move_to(context, x, y);
-    cairo_show_text(context, label.text.c_str());
-    cairo_new_path(context);
+    show_text(context, label.text, x, y);
     cairo_restore(context);
 }
 
@@ -337,17 +323,14 @@ void draw_annotations(cairo_t* context, const Plan& plan, const Cell& cell, cons
 void draw_caption(cairo_t* context, const Cell& cell, const std::string& caption, double top,
                   double font_size, const std::optional<Colour>& background) {
     if (caption.empty()) return;
-    choose_letters(context, font_size);
-    cairo_text_extents_t extents{};
-    cairo_text_extents(context, caption.c_str(), &extents);
-    if (extents.x_advance > cell.width) {
-        cairo_set_font_size(context, std::max(font_size * cell.width / extents.x_advance, 0.5));
-        cairo_text_extents(context, caption.c_str(), &extents);
+    choose_font(context, "sans-serif", font_size);
+    double width = text_width(context, caption);
+    if (width > cell.width) {
+        cairo_set_font_size(context, std::max(font_size * cell.width / width, 0.5));
+        width = text_width(context, caption);
     }
     choose_ink(context, background);
-    cairo_move_to(context, cell.left + (cell.width - extents.x_advance) / 2, top + 1.4 * font_size);
-    cairo_show_text(context, caption.c_str());
-    cairo_new_path(context);
+    show_text(context, caption, cell.left + (cell.width - width) / 2, top + 1.4 * font_size);
     check_cairo(context);
 }
 
@@ -373,9 +356,7 @@ Drawn draw(std::span<const Plate> plates, Output& output, const Plan& plan, cons
     return drawn;
 }
 
-/// `target`: a path or a stream.
-template <class Target>
-Drawn draw_to(Target& target, std::span<const Plate> plates, PictureFormat format,
+Drawn draw_to(const Target& target, std::span<const Plate> plates, PictureFormat format,
               Arrangement arrangement, const PictureOptions& options, const Budget& budget,
               Progress* progress) {
     const Plan decided = plan(plates, format, arrangement, options, budget);
@@ -400,34 +381,19 @@ void draw_plate(cairo_t* context, const Plan& plan, std::size_t i, const Plate& 
     draw_caption(context, cell, plate.caption, top, plan.font_size, plan.background);
 }
 
-Drawn draw_picture(const Plate& plate, const std::string& path, PictureFormat format,
+Drawn draw_picture(const Plate& plate, const Target& target, PictureFormat format,
                    const PictureOptions& options, const Budget& budget, Progress* progress) {
-    return draw_to(path, {&plate, 1}, format, Arrangement::one, options, budget, progress);
+    return draw_to(target, {&plate, 1}, format, Arrangement::one, options, budget, progress);
 }
 
-Drawn draw_picture(const Plate& plate, std::ostream& stream, PictureFormat format,
-                   const PictureOptions& options, const Budget& budget, Progress* progress) {
-    return draw_to(stream, {&plate, 1}, format, Arrangement::one, options, budget, progress);
-}
-
-Drawn draw_pages(std::span<const Plate> plates, const std::string& path, PictureFormat format,
+Drawn draw_pages(std::span<const Plate> plates, const Target& target, PictureFormat format,
                  const PictureOptions& options, const Budget& budget, Progress* progress) {
-    return draw_to(path, plates, format, Arrangement::pages, options, budget, progress);
+    return draw_to(target, plates, format, Arrangement::pages, options, budget, progress);
 }
 
-Drawn draw_pages(std::span<const Plate> plates, std::ostream& stream, PictureFormat format,
-                 const PictureOptions& options, const Budget& budget, Progress* progress) {
-    return draw_to(stream, plates, format, Arrangement::pages, options, budget, progress);
-}
-
-Drawn draw_panels(std::span<const Plate> plates, const std::string& path, PictureFormat format,
+Drawn draw_panels(std::span<const Plate> plates, const Target& target, PictureFormat format,
                   const PictureOptions& options, const Budget& budget, Progress* progress) {
-    return draw_to(path, plates, format, Arrangement::panels, options, budget, progress);
-}
-
-Drawn draw_panels(std::span<const Plate> plates, std::ostream& stream, PictureFormat format,
-                  const PictureOptions& options, const Budget& budget, Progress* progress) {
-    return draw_to(stream, plates, format, Arrangement::panels, options, budget, progress);
+    return draw_to(target, plates, format, Arrangement::panels, options, budget, progress);
 }
 
 }  // namespace algae

@@ -42,30 +42,40 @@ void draw_page(const std::string& path, double height, const Budget& budget,
                           budget);
         cairo_t* const context = document.context();
         cairo_scale(context, scale, scale);
-        cairo_select_font_face(context, "sans-serif", CAIRO_FONT_SLANT_NORMAL,
-                               CAIRO_FONT_WEIGHT_NORMAL);
-        cairo_set_font_size(context, letters);
+        choose_font(context, "sans-serif", letters);
         draw(context);
         check_cairo(context);
         document.finish();
     });
 }
 
-/// Writes a text, in smaller letters if it is wider than `room`; share 0 begins at the place, 0.5 has it in the middle, 1 ends there.
-void write(cairo_t* context, const std::string& words, double at, double height, double share,
-           double room) {
-    if (words.empty()) return;
-    cairo_text_extents_t extents{};
-    cairo_text_extents(context, words.c_str(), &extents);
-    if (extents.x_advance > room) {
-        cairo_set_font_size(context, std::max(letters * room / extents.x_advance, 4.0));
-        cairo_text_extents(context, words.c_str(), &extents);
+/// What diagrams are drawn with.
+class Chart {
+protected:
+    /// Texts are made smaller where they are wider than `room`.
+    Chart(cairo_t* context, double room) : context_(context), room_(room) {}
+
+    void colour(double red, double green, double blue) { set_colour(context_, {red, green, blue}); }
+    void stroke(double x1, double y1, double x2, double y2) {
+        draw_line(context_, {x1, y1}, {x2, y2});
     }
-    cairo_move_to(context, at - share * extents.x_advance, height);
-    cairo_show_text(context, words.c_str());
-    cairo_new_path(context);
-    cairo_set_font_size(context, letters);
-}
+    /// Writes a text; share 0 begins at the place, 0.5 has it in the middle, 1 ends there.
+    void text(const std::string& words, double at, double height, double share) {
+        if (words.empty()) return;
+        double width = text_width(context_, words);
+        if (width > room_) {
+            cairo_set_font_size(context_, std::max(letters * room_ / width, 4.0));
+            width = text_width(context_, words);
+        }
+        show_text(context_, words, at - share * width, height);
+        cairo_set_font_size(context_, letters);
+    }
+
+    cairo_t* context_;
+
+private:
+    double room_;
+};
 
 /// The numbers between two ends that an axis names: multiples of 1, 2 or 5 times a power of ten.
 std::vector<double> marks(double low, double high, double at_least) {
@@ -96,11 +106,11 @@ std::string number(double value) {
 }
 
 /// The diagram on a page: the rectangle of the numbers and how it is drawn.
-class Diagram {
+class Diagram : Chart {
 public:
     static constexpr double page_height = 320, top = 20, bottom = 64;
 
-    Diagram(const Plot& plot, cairo_t* context) : plot_(plot), context_(context) {
+    Diagram(const Plot& plot, cairo_t* context) : Chart(context, page_width - left), plot_(plot) {
         double high = -std::numeric_limits<double>::infinity();
         low_ = plot.logarithmic ? -high : 0;
         for (const auto* points : {&plot.dots, &plot.line})
@@ -119,7 +129,7 @@ public:
         axes();
         line();
         dots();
-        cairo_set_source_rgb(context_, 0, 0, 0);
+        colour(0, 0, 0);
         text(plot_.caption, (page_width + left - right) / 2, page_height - 10, 0.5);
         text(plot_.formula, left + 10, top + 12, 0);
     }
@@ -133,18 +143,12 @@ private:
                (value - low_) / (high_ - low_) * (page_height - top - bottom - 24);
     }
 
-    void text(const std::string& words, double at, double height, double share) {
-        write(context_, words, at, height, share, page_width - left);
-    }
-
     void axes() {
         cairo_set_line_width(context_, 0.7);
         for (const double mark : marks(low_, high_, plot_.logarithmic ? 1 : 1e-9)) {
-            cairo_set_source_rgb(context_, 0.85, 0.85, 0.85);
-            cairo_move_to(context_, left, y(mark));
-            cairo_line_to(context_, page_width - right, y(mark));
-            cairo_stroke(context_);
-            cairo_set_source_rgb(context_, 0, 0, 0);
+            colour(0.85, 0.85, 0.85);
+            stroke(left, y(mark), page_width - right, y(mark));
+            colour(0, 0, 0);
             text(plot_.logarithmic ? (mark == 0   ? "1"
                                       : mark == 1 ? "10"
                                                   : "10^" + number(mark))
@@ -152,9 +156,7 @@ private:
                  left - 6, y(mark) + 4, 1);
         }
         for (const double mark : marks(first_, last_, 1)) {
-            cairo_move_to(context_, x(mark), page_height - bottom);
-            cairo_line_to(context_, x(mark), page_height - bottom + 4);
-            cairo_stroke(context_);
+            stroke(x(mark), page_height - bottom, x(mark), page_height - bottom + 4);
             text(number(mark), x(mark), page_height - bottom + 17, 0.5);
         }
         cairo_move_to(context_, left, top);
@@ -166,14 +168,14 @@ private:
     }
 
     void line() {
-        cairo_set_source_rgb(context_, 0.55, 0.65, 0.85);
+        colour(0.55, 0.65, 0.85);
         cairo_set_line_width(context_, 1.2);
         for (const auto& [at, value] : plot_.line) cairo_line_to(context_, x(at), y(value));
         cairo_stroke(context_);
     }
 
     void dots() {
-        cairo_set_source_rgb(context_, 0.1, 0.2, 0.5);
+        colour(0.1, 0.2, 0.5);
         for (const auto& [at, value] : plot_.dots) {
             cairo_new_sub_path(context_);
             cairo_arc(context_, x(at), y(value), plot_.dots.size() > 100 ? 1 : 2, 0,
@@ -183,7 +185,6 @@ private:
     }
 
     const Plot& plot_;
-    cairo_t* context_;
     double first_ = std::numeric_limits<double>::infinity();
     double last_ = -std::numeric_limits<double>::infinity();
     double low_, high_;
@@ -280,13 +281,13 @@ Series series_of(const ScalingPlot& plot) {
     return made;
 }
 
-class DimensionDiagram {
+class DimensionDiagram : Chart {
 public:
     static constexpr double page_height = 420, top = 26, bottom = 58;
     static constexpr double strip = 84, gap = 22;  // the residuals under the plot
 
     DimensionDiagram(const Series& plot, cairo_t* context)
-        : plot_(plot), context_(context), scales_(plot.values.size()) {
+        : Chart(context, page_width - 16), plot_(plot), scales_(plot.values.size()) {
         const double first = across(0), last = across(scales_ - 1);
         counts_ = {top, page_height - bottom - strip - gap, first, last};
         double least = plot_.values[0].least, greatest = plot_.values[0].most;
@@ -331,19 +332,7 @@ private:
         return 100 * std::expm1(off * std::numbers::ln10);
     }
 
-    void colour(double red, double green, double blue) {
-        cairo_set_source_rgb(context_, red, green, blue);
-    }
-
-    void text(const std::string& words, double at, double height, double share) {
-        write(context_, words, at, height, share, page_width - 16);
-    }
-
-    void stroke(double x1, double y1, double x2, double y2) {
-        cairo_move_to(context_, x1, y1);
-        cairo_line_to(context_, x2, y2);
-        cairo_stroke(context_);
-    }
+    void colour(double red, double green, double blue) { colour(red, green, blue); }
 
     void shade(const Panel& panel) {
         const double half = (across(1) - across(0)) / 2;
@@ -469,7 +458,6 @@ private:
     }
 
     const Series& plot_;
-    cairo_t* context_;
     std::size_t scales_;
     Panel counts_, residuals_;
 };

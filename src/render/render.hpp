@@ -16,11 +16,11 @@
 #include "turtle/turtle.hpp"
 
 // render: figures, graphs and scenes as files. Pictures and pages by Cairo (svg, pdf, png, ps, eps), animations (gif, webp), pages
-// that explain a turtle, plots, graphs placed by Graphviz, and meshes of figures in space. This is the only room that knows these
+// that explain a turtle, plots, graphs placed by Graphviz, and meshes of figures in space. No other room uses these
 // formats and libraries.
 //
-// A file appears whole or not at all, and equal figures make equal files, byte for byte. Most functions come twice: for the path of a
-// file and for a stream, such as standard output. Read in this order: files; pictures; animations; explanations; pages of
+// A file appears whole or not at all, and equal figures make equal files, byte for byte. Functions draw to a Target: the path of a
+// file or a stream, such as standard output. Read in this order: files; pictures; animations; explanations; pages of
 // pictures; plots; graphs; meshes; images that are read.
 
 namespace algae {
@@ -36,7 +36,7 @@ public:
 };
 
 /// A file that appears whole or not at all: its bytes go to a temporary file in the same folder
-/// until `commit` gives it its name. What is no ordinary file (a pipe, /dev/stdout) is written
+/// until `commit` gives it its name. If the path is not an ordinary file (a pipe, /dev/stdout), it is written
 /// directly; a symbolic link is followed.
 class FileOutput final : public Output {
 public:
@@ -44,7 +44,7 @@ public:
     explicit FileOutput(const std::string& path);
     FileOutput(const FileOutput&) = delete;
     FileOutput& operator=(const FileOutput&) = delete;
-    /// Without `commit`, nothing is left behind and a file of that name is as it was.
+    /// Without `commit`, no file is left behind, and a file of that name is unchanged.
     ~FileOutput() override;
 
     void write(const char* bytes, std::size_t count) override;
@@ -62,16 +62,27 @@ private:
     int descriptor_ = -1;
 };
 
+/// Where a drawing goes: to a file, given by its path, or to a stream, which must outlive this. Functions take
+/// either in its place.
+struct Target {
+    Target(const char* file) : path(file) {}
+    Target(std::string file) : path(std::move(file)) {}
+    Target(std::ostream& out) : stream(&out) {}
+
+    std::string path;
+    std::ostream* stream = nullptr;  // if set, there is no file
+};
+
 enum class PictureFormat { svg, pdf, png, ps, eps };
 
-/// The format that the end of a file's name stands for, in any case.
+/// The picture format that the extension of a file name stands for, in any case.
 ///
-/// Throws Error, listing the formats, if it stands for none.
+/// Throws Error, which lists the formats, if the extension is not one of a picture.
 ///
 /// Example: picture_format("figures/koch.SVG") == PictureFormat::svg
 PictureFormat picture_format(std::string_view path);
 
-/// The name of the format, as at the end of a file's name.
+/// The name of the format, which is the extension of its files.
 ///
 /// Example: format_name(PictureFormat::svg) == std::string("svg")
 const char* format_name(PictureFormat format);
@@ -84,24 +95,24 @@ struct PointLabel {
 
 /// How a picture is made. Lengths are points (1/72 inch) in svg, pdf, ps and eps, pixels in png.
 struct PictureOptions {
-    /// The size of the whole picture. With one of the two, the other follows from the figure; with
-    /// neither, the longer side is 600 points or 1000 pixels.
+    /// The size of the whole picture. If one of the two is given, the other follows from the figure; if
+    /// neither is given, the longer side is 600 points or 1000 pixels.
     std::optional<double> width, height;
-    /// The blank border, at least half a line width so that no stroke is cut off.
+    /// The blank border; at least half a line width is used, so that no stroke is cut off.
     double margin = 10;
     /// Instead of the figure's own `width`, or of 1 (0.6 points in a row of panels).
     std::optional<double> line_width;
     /// Instead of the figure's own `colour`: names, `#rrggbb` or `along`.
     std::vector<std::string> colours;
-    /// A colour or `transparent`. Nothing: white in png, no background elsewhere.
+    /// A colour or `transparent`. By default white in png, no background in other formats.
     std::optional<std::string> background;
-    /// The height of the letters of captions. Nothing: 1/50 of the picture's longer side, down to
-    /// 1/80 where panels share a row.
+    /// The height of the letters of captions. By default 1/50 of the picture's longer side, down to
+    /// 1/80 if panels share a row.
     std::optional<double> font_size;
     /// Pages and panels: one scale for all, as large as the largest figure allows, and all figures
     /// standing on one line.
     bool common_scale = false;
-    /// Panels: how many in a row. Nothing: up to 5 in one row, then rows of equal length.
+    /// Panels: how many in a row. By default up to 5 in one row, then rows of equal length.
     std::optional<std::size_t> columns;
     /// A bar below the figure that shows a round length in the units of the file.
     bool scale_bar = false;
@@ -115,12 +126,12 @@ struct PictureOptions {
         cells,      // cells in png, an image in the other formats
     };
     Route route = Route::automatic;
-    /// A vector format holds at most this many strokes; a figure with more is put in as an image
+    /// A vector format has at most this many strokes; a figure with more is embedded as an image
     /// of 4 pixels a point.
     std::uint64_t most_strokes = 5'000'000;
 };
 
-/// A figure of a picture: what messages call it ("generation 3 of koch.lsys"), and what is
+/// A figure of a picture, its name in messages ("generation 3 of koch.lsys"), and the text
 /// written underneath.
 struct Plate {
     const Figure* figure = nullptr;
@@ -133,93 +144,76 @@ struct Drawn {
     double width = 0, height = 0;  // of the picture or of each page
     std::uint64_t lines = 0;       // lines and polygons drawn, after parts were joined
     std::uint64_t polygons = 0;
-    bool as_image = false;           // a vector format that holds an image
+    bool as_image = false;           // a vector format with an image in it
     bool fine = false;               // some segments were finer than the picture can show
     std::vector<std::size_t> blank;  // plates in which nothing is drawn
 };
 
-/// Writes the picture of one figure to a file. The file appears complete or not at all, and equal
+/// Writes the picture of one figure. A file appears complete or not at all, and equal
 /// figures make equal files, byte for byte.
 ///
-/// Throws Error on options out of range, an unknown colour, a figure without strokes, or a file
-/// that cannot be written; BoundReached if the picture needs more memory than the budget has, or
-/// past its deadline; Interrupted. One pass over the figure: O(strokes) time; where they are finer
+/// Throws Error if options are out of range, a colour is unknown, a figure has no strokes, or the file
+/// cannot be written; BoundReached if the picture needs more memory than the budget has, or
+/// after its deadline; Interrupted. One pass over the figure: O(strokes) time; if strokes are finer
 /// than the picture can show, O(pixels) time and memory.
-Drawn draw_picture(const Plate& plate, const std::string& path, PictureFormat format,
-                   const PictureOptions& options, const Budget& budget,
-                   Progress* progress = nullptr);
-/// The same to a stream.
-Drawn draw_picture(const Plate& plate, std::ostream& stream, PictureFormat format,
+Drawn draw_picture(const Plate& plate, const Target& target, PictureFormat format,
                    const PictureOptions& options, const Budget& budget,
                    Progress* progress = nullptr);
 
-/// One page a figure, all pages of one size. Only pdf and ps have pages: Error otherwise. Figures
-/// without strokes leave their page blank unless all are without.
-Drawn draw_pages(std::span<const Plate> plates, const std::string& path, PictureFormat format,
-                 const PictureOptions& options, const Budget& budget, Progress* progress = nullptr);
-Drawn draw_pages(std::span<const Plate> plates, std::ostream& stream, PictureFormat format,
+/// One page for each figure, all pages of one size. Only pdf and ps have pages; other formats throw Error. The page of
+/// a figure without strokes is blank; if no figure has strokes, Error.
+Drawn draw_pages(std::span<const Plate> plates, const Target& target, PictureFormat format,
                  const PictureOptions& options, const Budget& budget, Progress* progress = nullptr);
 
 /// All figures side by side, in one row or several, each scaled to fill its cell.
-Drawn draw_panels(std::span<const Plate> plates, const std::string& path, PictureFormat format,
-                  const PictureOptions& options, const Budget& budget,
-                  Progress* progress = nullptr);
-Drawn draw_panels(std::span<const Plate> plates, std::ostream& stream, PictureFormat format,
+Drawn draw_panels(std::span<const Plate> plates, const Target& target, PictureFormat format,
                   const PictureOptions& options, const Budget& budget,
                   Progress* progress = nullptr);
 
 enum class AnimationFormat { gif, webp };
 
-/// The animation that the end of a file's name stands for, in any case; nothing if none.
+/// The animation format that the extension of a file name stands for, in any case; nothing for other extensions.
 ///
 /// Example: animation_format("plant.GIF") == AnimationFormat::gif
 std::optional<AnimationFormat> animation_format(std::string_view path);
 
-/// How an animation goes by.
+/// The timing of an animation.
 struct AnimationTiming {
     double frame = 0.8;  // seconds, from 0.02 to 600, in hundredths
-    /// The last frame. Nothing: three times as long as the others, at least 2 seconds.
+    /// The last frame. By default three times as long as the others, at least 2 seconds.
     std::optional<double> last;
-    std::uint32_t plays = 0;  // how often, below 65,536; 0: for ever
+    std::uint32_t plays = 0;  // how often it is shown, below 65,536; 0: for ever
 };
 
-/// An animation of figures, a frame each, all of one size in pixels; sizes are as in png. A frame
-/// shows its figure as large as it can; with the option common_scale all show the same part of the
-/// plane, in which figures grow and stay where they are. Files appear complete or not at all and are
-/// the same bytes whenever they are made. A gif has the pixels of a png exactly as long as all
-/// frames together have at most 256 colours, otherwise the 256 most like them; a webp always.
+/// An animation of figures, one frame for each, all of one size in pixels; sizes are as in png. A frame
+/// shows its figure as large as possible; with the option common_scale all frames show the same part of the
+/// plane, so that figures grow in place. Files appear complete or not at all, and equal figures make equal
+/// files. A webp has exactly the pixels of a png; a gif does too if all frames together have at most
+/// 256 colours, otherwise it has the 256 most similar ones.
 ///
-/// Throws Error on options out of range, a transparent background in gif, figures that draw nothing,
-/// or a file that cannot be written; BoundReached if the frames take more memory than the budget has,
-/// or past its deadline; Interrupted. O(strokes + frames * pixels) time.
-Drawn draw_animation(std::span<const Plate> plates, const std::string& path, AnimationFormat format,
-                     const PictureOptions& options, const AnimationTiming& timing,
-                     const Budget& budget, Progress* progress = nullptr);
-/// The same to a stream.
-Drawn draw_animation(std::span<const Plate> plates, std::ostream& stream, AnimationFormat format,
+/// Throws Error if options are out of range, if a gif has a transparent background, if no figure draws anything,
+/// or if the file cannot be written; BoundReached if the frames take more memory than the budget has,
+/// or after its deadline; Interrupted. O(strokes + frames * pixels) time.
+Drawn draw_animation(std::span<const Plate> plates, const Target& target, AnimationFormat format,
                      const PictureOptions& options, const AnimationTiming& timing,
                      const Budget& budget, Progress* progress = nullptr);
 
-/// Words with more symbols have no explanation that fits a page.
+/// The explanation of a word with more symbols does not fit a page.
 inline constexpr std::size_t longest_explanation = 60;
 
-/// A page that explains a turtle to students: the way it goes with a number for each step and the
+/// A page that explains a turtle to students: its way with a number for each step, the
 /// turtle at every corner, as it comes (pale) and as it leaves, and a table of the steps beside or
-/// below. The turtle stays in the plane. Of the options, width, height, colours and background are
-/// looked at; the page is as large as its text needs, scaled to the width or height given.
+/// below. The turtle stays in the plane. Only the options width, height, colours and background
+/// are used; the page is as large as its text needs, scaled to the given width or height.
 ///
 /// Throws Error if the word has more symbols than longest_explanation or leaves the plane, if options
 /// are out of range, or if the file cannot be written.
 void draw_explanation(const Explanation& explanation, const std::string& title,
-                      const std::string& path, PictureFormat format, const PictureOptions& options,
-                      const Budget& budget = {});
-/// The same to a stream.
-void draw_explanation(const Explanation& explanation, const std::string& title,
-                      std::ostream& stream, PictureFormat format, const PictureOptions& options,
+                      const Target& target, PictureFormat format, const PictureOptions& options,
                       const Budget& budget = {});
 
-/// The steps of an explanation as rows of text: the head, the turtle at its start, then one a step.
-/// Columns without anything to say are left out.
+/// The steps of an explanation as rows of text: the head, the turtle at its start, then one row for each step.
+/// Columns without information are left out.
 ///
 /// Example: explanation_rows(Explanation{}).size() == 2
 std::vector<std::vector<std::string>> explanation_rows(const Explanation& explanation);
@@ -229,20 +223,20 @@ struct PagePicture {
     std::string group;          // pictures of a group stand together, under its name; may be empty
     std::string name;           // what the figure is called
     std::string title, source;  // may be empty
-    std::string preview;        // a small picture that browsers show; empty if it is not drawn
+    std::string preview;        // a small picture that browsers show; empty if there is none
     std::vector<std::string> files;     // the picture in its formats
-    std::string text;                   // the file that it is made from
+    std::string text;                   // of the file that it is made from
     std::vector<std::string> problems;  // what is wrong with it
 };
 
-/// A page of pictures as HTML that needs nothing but the pictures: groups in their order with a list
-/// of them at the top, under each picture its title, its source, links to its files, what is wrong with
-/// it and, to be unfolded, the text that it is made from.
+/// A page of pictures as HTML that needs only the pictures: groups in their order with a list
+/// of them at the top; under each picture its title, its source, links to its files, its problems
+/// and, folded, the text that it is made from.
 ///
 /// Example: picture_page("Figures", {}).starts_with("<!DOCTYPE html>")
 std::string picture_page(const std::string& title, const std::vector<PagePicture>& pictures);
 
-/// A diagram of one sequence: dots, and a line through what a formula gives.
+/// A diagram of one sequence: dots, and a line through the values of a formula.
 struct Plot {
     std::string caption;     // underneath
     std::string formula;     // beside the line; may be empty
@@ -253,55 +247,55 @@ struct Plot {
     std::vector<std::pair<double, double>> line;
 };
 
-/// Draws it, in the format that the end of the path says, 480 x 320 points (png: 960 x 640 pixels).
-/// Throws Error if nothing can be drawn or the file cannot be written.
+/// Draws it in the format of the path's extension, 480 x 320 points (png: 960 x 640 pixels).
+/// Throws Error if there is nothing to draw or the file cannot be written.
 void draw_plot(const Plot& plot, const std::string& path, const Budget& budget = {});
 
 /// Length against generation, from `first` to `last`: dots are exact lengths, the line is the closed
-/// form; logarithmic where the growth is exponential.
+/// form; logarithmic if the growth is exponential.
 Plot growth_plot(const D0L& system, std::uint64_t first, std::uint64_t last,
                  const Budget& budget = {});
 
-/// What a log-log plot of box counts shows.
+/// A log-log plot of box counts.
 struct DimensionPlot {
     std::string caption;  // underneath
     BoxCounts counts;
     BoxFit fit;
 };
 
-/// Draws, in the format that the end of the path says, the number of cells against how many of them
+/// Draws, in the format of the path's extension, the number of cells against how many of them
 /// lie side by side, both logarithmic: the mean over the grids' offsets with its range, the line of
-/// the fit with the scales it uses shaded, and underneath by how much each mean is off the line, in per cent.
+/// the fit with its scales shaded, and underneath the deviation of each mean from the line in per cent.
 /// 480 x 420 points (png: 960 x 840 pixels).
 ///
 /// Throws Error if there are fewer than two scales or the file cannot be written.
 void draw_dimension_plot(const DimensionPlot& plot, const std::string& path,
                          const Budget& budget = {});
 
-/// What a log-log plot of another measure shows: Richardson's of the lengths that dividers find.
+/// A log-log plot of another measure, such as Richardson's plot of lengths measured with dividers.
 struct ScalingPlot {
     std::string caption;       // underneath
     std::string value, scale;  // what is measured, and what the sizes are: "length", "opening"
     Scaling scaling;
 };
 
-/// Draws the values against the coarsest size divided by each, both logarithmic, in the same way;
-/// the line is that of least squares through the scales used.
+/// Draws the values against the coarsest size divided by each size, both logarithmic, in the same way;
+/// the line is the least-squares line through the scales used.
 ///
 /// Throws Error if there are fewer than two scales, if a value is not above 0, or if the file cannot
 /// be written.
 void draw_scaling_plot(const ScalingPlot& plot, const std::string& path, const Budget& budget = {});
 
-/// A graph to be drawn: letters, systems or families of languages, and what joins them. Graphviz
+/// A graph to be drawn: letters, systems or families of languages, and their relations. Graphviz
 /// places it, Cairo draws it.
 struct Graph {
     struct Node {
         enum class Shape {
             round,     // a circle, as much longer as its label needs
             box,       // with rounded corners
-            bare,      // its label alone
+            bare,      // only its label
             triangle,  // its label within the lower half
-            start,     // nothing: where an arrow comes from
+            start,     // invisible: the start of an arrow
         };
         std::string label, subscript;
         Shape shape = Shape::round;
@@ -314,7 +308,7 @@ struct Graph {
         std::string label;
         bool arrow = false;
         bool dashed = false;
-        bool places = true;  // whether it helps to say which node stands above which
+        bool places = true;  // whether it influences which node stands above which
         bool operator==(const Edge&) const = default;
     };
     /// Nodes in a frame.
@@ -360,12 +354,10 @@ struct GraphDrawn {
 /// the format's largest size ask for smaller ones. The file appears complete or not at all, and
 /// equal graphs make equal files on one machine.
 ///
-/// Throws Error on options out of range, if Graphviz cannot place the graph, or if the file cannot
-/// be written; what budget.check throws, before and after Graphviz is at work: it cannot be
+/// Throws Error if options are out of range, if Graphviz cannot place the graph, or if the file cannot
+/// be written; also what budget.check throws, before and after Graphviz works, which cannot be
 /// stopped.
-GraphDrawn draw_graph(const Graph& graph, const std::string& path, PictureFormat format,
-                      const GraphOptions& options = {}, const Budget& budget = {});
-GraphDrawn draw_graph(const Graph& graph, std::ostream& stream, PictureFormat format,
+GraphDrawn draw_graph(const Graph& graph, const Target& target, PictureFormat format,
                       const GraphOptions& options = {}, const Budget& budget = {});
 
 /// The graph in Graphviz's own language, for `dot` and programs that read it. Nodes are named n0,
@@ -374,40 +366,40 @@ GraphDrawn draw_graph(const Graph& graph, std::ostream& stream, PictureFormat fo
 std::string dot_text(const Graph& graph);
 
 /// The growth digraph of a D0L system: an edge from a letter to each letter of its successor, with
-/// how often it occurs there if more than once; an arrow without a start leads to the letters of
-/// the axiom. Colours tell the four fates of a letter by its strongly connected component
-/// (Rozenberg and Salomaa 1980, I.3): mortal letters vanish; a letter on no cycle passes; the
-/// letters of a cycle come back once a round; in an expanding component they multiply, by its rate
-/// a step. Components of the last kind, and cycles of several letters, have a frame.
+/// how often it occurs there if more than once; arrows without a start lead to the letters of
+/// the axiom. Colours show the four fates of a letter, which its strongly connected component decides
+/// (Rozenberg and Salomaa 1980, I.3): mortal letters vanish; letters that are not on a cycle pass; the
+/// letters of a cycle return once a round; in an expanding component letters multiply by its rate in each
+/// step. Components of the last kind, and cycles of several letters, have a frame.
 ///
 /// Takes what `components` takes. Throws what budget.check throws.
 ///
 /// Example: growth_graph(d0l("b", {{'a', "ab"}, {'b', "a"}})).groups[0].label == "rate (1+√5)/2 = 1.6180..."
 Graph growth_graph(const D0L& system, const Budget& budget = {});
 
-/// The picture of a derivation tree: one row a generation, every row in word order, so that the
-/// last row reads as the word. Letters that are rewritten have a colour each where there are few of
-/// them; letters that stay as they are stand bare, erased ones end in ε, and a triangle stands for
-/// what is cut off, with the number of letters it derives. Where subtrees are shared (a letter of a
-/// generation with several edges to it), an edge says how often the letter below occurs in the
+/// The picture of a derivation tree: one row for each generation, every row in word order, so that the
+/// last row reads as the word. Letters that are rewritten have a colour each if there are few of
+/// them; letters that stay as they are have no frame, erased letters end in ε, and a triangle stands for
+/// a part that is cut off, with the number of letters that it derives. If subtrees are shared (several edges
+/// lead to a letter), an edge says how often the letter below occurs in the
 /// successor.
 ///
 /// Example: tree_graph(derivation_tree(d0l("b", {{'a', "ab"}, {'b', "a"}}), 3)).rows.size() == 4
 Graph tree_graph(const DerivationTree& tree);
 
-/// Families of languages and how they lie: the first is a proper part of the second. Inclusions
-/// that follow from others are left out. Languages are compared up to the empty word where the
-/// families of Chomsky take part (Rozenberg and Salomaa 1980; ET0L in CS: van Leeuwen 1975; that
+/// Proper inclusions of families of languages: the first is a proper part of the second. Inclusions
+/// that follow from others are left out. Languages are compared up to the empty word if a
+/// family of Chomsky takes part (Rozenberg and Salomaa 1980; ET0L in CS: van Leeuwen 1975; that
 /// regular languages are IL: theory/document-001/families-regular-with-context.claim).
 const std::vector<std::pair<const char*, const char*>>& family_inclusions();
 
 /// The diagram of these families: a line leads up to the larger family; dashed lines join 0L with
-/// REG and CF, with neither of which it has an inclusion.
+/// REG and CF, which neither contain it nor are contained in it.
 ///
 /// Example: families_graph().nodes.size() == 14
 Graph families_graph();
 
-/// Files of figures in space that other programs open.
+/// File formats of figures in space for other programs.
 enum class MeshFormat {
     glb,    // glTF 2.0, binary
     obj,    // Wavefront, with a file of materials beside
@@ -418,13 +410,13 @@ enum class MeshFormat {
     vrml1,  // VRML 1.0
 };
 
-/// The format that the end of a file's name stands for, in any case, or nothing.
+/// The mesh format that the extension of a file name stands for, in any case; nothing for other extensions.
 ///
 /// Example: mesh_format("trees/honda.GLB") == MeshFormat::glb
 /// Example: !mesh_format("koch.svg")
 std::optional<MeshFormat> mesh_format(std::string_view path);
 
-/// The name of the format, which is also how a file of it ends, except for `vrml1`.
+/// The name of the format, which is also the extension of its files, except for `vrml1`.
 ///
 /// Example: mesh_format_name(MeshFormat::wrl) == std::string("wrl")
 const char* mesh_format_name(MeshFormat format);
@@ -435,11 +427,11 @@ std::string mesh_format_names();
 /// How a scene is written.
 struct MeshChoices {
     MeshOptions mesh;
-    /// Instead of the scene's own list: names or `#rrggbb`. With neither, everything is gray.
+    /// Instead of the scene's own list: names or `#rrggbb`. If both are empty, everything is gray.
     std::vector<std::string> colours;
     /// The first viewpoint of x3d, wrl and vrml1, always in perspective.
     Camera camera;
-    /// Behind the scene in x3d, wrl and vrml1; nothing: white.
+    /// Behind the scene in x3d, wrl and vrml1; white by default.
     std::optional<std::string> background;
 };
 
@@ -452,38 +444,36 @@ struct MeshDrawn {
     SpaceBox box;              // in the units of the figure, with the thickness of its rods
 };
 
-/// Writes a scene to a file. It appears complete or not at all, and equal scenes make equal files,
-/// byte for byte. An obj comes with a file of materials beside it, of the same name but `.mtl`.
+/// Writes a scene. A file appears complete or not at all, and equal scenes make equal files,
+/// byte for byte. An obj comes with a file of materials beside it, of the same name but `.mtl`; in a stream it
+/// has no materials.
 ///
-/// A unit of the figure is a unit of the file (in glb a metre). Up is z in ply and stl; glb, obj, x3d,
-/// wrl and vrml1 say that up is y: there (x, y, z) becomes (x, z, -y), so that a tree stands. A figure
-/// of the plane keeps x and y and faces the reader. Colours are a material each in glb and obj, of
-/// the vertices in ply, and missing in stl. x3d, wrl and vrml1 hold a scene graph, in which
+/// A unit of the figure is a unit of the file (in glb a metre). In ply and stl z is up. In glb, obj, x3d,
+/// wrl and vrml1 y is up: there (x, y, z) becomes (x, z, -y), so that a tree stands upright. A figure
+/// of the plane keeps x and y and faces the reader. In glb and obj each colour is a material, in ply
+/// vertices have colours, stl has no colours. x3d, wrl and vrml1 contain a scene graph, in which
 /// solids stay solids.
 ///
-/// Throws what mesh_of throws, Error on an unknown colour or a file that cannot be written,
-/// BoundReached if writing takes more memory than the budget has: all before a file appears.
-MeshDrawn draw_mesh(const Scene& scene, const std::string& path, MeshFormat format,
-                    const MeshChoices& choices, const Budget& budget);
-/// The same to a stream; an obj is without materials then.
-MeshDrawn draw_mesh(const Scene& scene, std::ostream& stream, MeshFormat format,
+/// Throws what mesh_of throws, Error if a colour is unknown or the file cannot be written,
+/// BoundReached if writing takes more memory than the budget has; then no file appears.
+MeshDrawn draw_mesh(const Scene& scene, const Target& target, MeshFormat format,
                     const MeshChoices& choices, const Budget& budget);
 
 /// Which pixels of an image are ink, and which are paper.
 struct InkOptions {
-    /// A pixel is ink if it is darker than this, from 0 (black) to 1 (white); transparent pixels are
-    /// as light as the white sheet below them.
+    /// A pixel is ink if it is darker than this, from 0 (black) to 1 (white); transparent pixels lie
+    /// on a white sheet.
     double threshold = 0.5;
-    /// Ink is what is lighter instead.
+    /// Lighter pixels are ink instead.
     bool invert = false;
 };
 
-/// Whether the bytes begin as those of a PNG image do.
+/// Whether the bytes begin like a PNG image.
 bool is_png(std::string_view bytes);
 
 /// The pixels of a PNG image that are ink, as points a pixel apart, x to the right and y upward.
 ///
-/// Throws Error if the bytes are no image that Cairo can read, if the threshold is not between 0 and
+/// Throws Error if Cairo cannot read the bytes as an image, if the threshold is not between 0 and
 /// 1, or if all pixels are ink or all are paper; BoundReached.
 PointSet ink_of(std::string_view png, const std::string& name, const InkOptions& options,
                 const Budget& budget);

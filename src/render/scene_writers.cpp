@@ -26,11 +26,37 @@ namespace {
 /// A number as files of scenes have it: of single precision, in the fewest digits; 0 has no sign.
 float single(double x) { return static_cast<float>(x) + 0.0f; }
 
-/// The text of a scene on its way out.
+/// The text of a scene on its way out, in a language that adds bodies, surfaces and lines.
+template <class Language>
 class SceneText {
-protected:
+public:
     SceneText(const SceneGraph& graph, Output& output, const Budget& budget)
-        : graph_(graph), output_(output), budget_(budget) {}
+        : graph_(graph),
+          filled_(graph.colours.size()),
+          drawn_(graph.colours.size()),
+          output_(output),
+          budget_(budget) {}
+
+protected:
+    /// The shapes, and what stands behind them.
+    void finish(const char* end) {
+        auto& language = static_cast<Language&>(*this);
+        for (const SceneGraph::Body& body : graph_.bodies) language.shape(body);
+        for (const SceneGraph::Surface& surface : graph_.surfaces) language.shape(surface);
+        for (const SceneGraph::Lines& lines : graph_.lines) language.shape(lines);
+        add(end);
+        flush();
+    }
+    /// Refers to what defines a colour if it is written already, otherwise writes it.
+    void use(std::vector<char>& written, std::uint32_t shade,
+             fmt::format_string<std::uint32_t&> used, fmt::format_string<std::uint32_t&> defined,
+             std::string_view end) {
+        if (written[shade]) return put(used, shade);
+        put(defined, shade);
+        colour(graph_.colours[shade]);
+        add(end);
+        written[shade] = true;
+    }
 
     template <class... Parts>
     void put(fmt::format_string<Parts...> pattern, Parts&&... parts) {
@@ -82,6 +108,7 @@ protected:
     }
 
     const SceneGraph& graph_;
+    std::vector<char> filled_, drawn_;  // colours that have been written for shapes and for lines
 
 private:
     Output& output_;
@@ -99,12 +126,9 @@ std::string quoted(const std::string& text) {
     return out + '"';
 }
 
-class Vrml97 : SceneText {
+class Vrml97 : public SceneText<Vrml97> {
 public:
-    Vrml97(const SceneGraph& graph, Output& output, const Budget& budget)
-        : SceneText(graph, output, budget),
-          filled_(graph.colours.size()),
-          drawn_(graph.colours.size()) {}
+    using SceneText::SceneText;
 
     void write() {
         put("#VRML V2.0 utf8\nWorldInfo {{ title {} }}\n", quoted(graph_.title));
@@ -122,14 +146,10 @@ public:
         put("DirectionalLight {{ intensity 0.6 ambientIntensity 0.3 direction ");
         vector(graph_.light);
         put(" }}\n");
-        for (const SceneGraph::Body& body : graph_.bodies) add(body);
-        for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
-        for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
-        flush();
+        finish("");
     }
 
-private:
-    void add(const SceneGraph::Body& body) {
+    void shape(const SceneGraph::Body& body) {
         put("Transform {{ translation ");
         vector(body.middle);
         put(" rotation ");
@@ -141,7 +161,7 @@ private:
               "geometry Cone {{ bottomRadius {} height {} }}", "geometry Sphere {{ radius {} }}");
         put(" }} }}\n");
     }
-    void add(const SceneGraph::Surface& surface) {
+    void shape(const SceneGraph::Surface& surface) {
         put("Shape {{ ");
         appearance(surface.colour);
         put("geometry IndexedFaceSet {{ creaseAngle {} solid {}\n coord Coordinate {{ point [ ",
@@ -151,17 +171,11 @@ private:
         triangles(surface.triangles);
         put("] }} }}\n");
     }
-    void add(const SceneGraph::Lines& lines) {
+    void shape(const SceneGraph::Lines& lines) {
         put("Shape {{ appearance ");
-        if (drawn_[lines.colour])
-            put("USE L{} ", lines.colour);
-        else {
-            put("DEF L{} Appearance {{ material Material {{ diffuseColor 0 0 0 emissiveColor ",
-                lines.colour);
-            colour(graph_.colours[lines.colour]);
-            put(" }} }} ");
-            drawn_[lines.colour] = true;
-        }
+        use(drawn_, lines.colour, "USE L{} ",
+            "DEF L{} Appearance {{ material Material {{ diffuseColor 0 0 0 emissiveColor ",
+            " } } ");
         put("geometry IndexedLineSet {{\n coord Coordinate {{ point [ ");
         points(lines.points);
         put("] }}\n coordIndex [ ");
@@ -169,23 +183,14 @@ private:
         put("] }} }}\n");
     }
     void appearance(std::uint32_t shade) {
-        if (filled_[shade]) {
-            put("appearance USE C{} ", shade);
-            return;
-        }
-        put("appearance DEF C{} Appearance {{ material Material {{ diffuseColor ", shade);
-        colour(graph_.colours[shade]);
-        put(" }} }} ");
-        filled_[shade] = true;
+        use(filled_, shade, "appearance USE C{} ",
+            "appearance DEF C{} Appearance {{ material Material {{ diffuseColor ", " } } ");
     }
-
-    std::vector<char> filled_, drawn_;  // colours whose appearance has been written
 };
 
-class Vrml1 : SceneText {
+class Vrml1 : public SceneText<Vrml1> {
 public:
-    Vrml1(const SceneGraph& graph, Output& output, const Budget& budget)
-        : SceneText(graph, output, budget), defined_(graph.colours.size()) {}
+    using SceneText::SceneText;
 
     void write() {
         put("#VRML V1.0 ascii\nSeparator {{\nDEF BackgroundColor Info {{ string \"");
@@ -203,15 +208,10 @@ public:
                 single(view.opening));
         }
         put("}}\n");
-        for (const SceneGraph::Body& body : graph_.bodies) add(body);
-        for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
-        for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
-        put("}}\n");
-        flush();
+        finish("}\n");
     }
 
-private:
-    void add(const SceneGraph::Body& body) {
+    void shape(const SceneGraph::Body& body) {
         put("Separator {{ ");
         material(body.colour);
         put("Translation {{ translation ");
@@ -223,7 +223,7 @@ private:
               "Cone {{ bottomRadius {} height {} }}", "Sphere {{ radius {} }}");
         put(" }}\n");
     }
-    void add(const SceneGraph::Surface& surface) {
+    void shape(const SceneGraph::Surface& surface) {
         put("Separator {{ ");
         material(surface.colour);
         put("ShapeHints {{ vertexOrdering COUNTERCLOCKWISE shapeType {} faceType CONVEX "
@@ -235,7 +235,7 @@ private:
         triangles(surface.triangles);
         put("] }} }}\n");
     }
-    void add(const SceneGraph::Lines& lines) {
+    void shape(const SceneGraph::Lines& lines) {
         put("Separator {{ Material {{ diffuseColor 0 0 0 emissiveColor ");
         colour(graph_.colours[lines.colour]);
         put(" }}\n Coordinate3 {{ point [ ");
@@ -245,25 +245,13 @@ private:
         put("] }} }}\n");
     }
     void material(std::uint32_t shade) {
-        if (defined_[shade]) {
-            put("USE C{} ", shade);
-            return;
-        }
-        put("DEF C{} Material {{ diffuseColor ", shade);
-        colour(graph_.colours[shade]);
-        put(" }} ");
-        defined_[shade] = true;
+        use(filled_, shade, "USE C{} ", "DEF C{} Material {{ diffuseColor ", " } ");
     }
-
-    std::vector<char> defined_;  // colours whose material has been written
 };
 
-class X3d : SceneText {
+class X3d : public SceneText<X3d> {
 public:
-    X3d(const SceneGraph& graph, Output& output, const Budget& budget)
-        : SceneText(graph, output, budget),
-          filled_(graph.colours.size()),
-          drawn_(graph.colours.size()) {}
+    using SceneText::SceneText;
 
     void write() {
         const std::string title = escaped_markup(graph_.title);
@@ -287,28 +275,23 @@ public:
         put("<DirectionalLight intensity=\"0.6\" ambientIntensity=\"0.3\" direction=\"");
         vector(graph_.light);
         put("\"/>\n");
-        for (const SceneGraph::Body& body : graph_.bodies) add(body);
-        for (const SceneGraph::Surface& surface : graph_.surfaces) add(surface);
-        for (const SceneGraph::Lines& lines : graph_.lines) add(lines);
-        put("</Scene>\n</X3D>\n");
-        flush();
+        finish("</Scene>\n</X3D>\n");
     }
 
-private:
-    void add(const SceneGraph::Body& body) {
+    void shape(const SceneGraph::Body& body) {
         put("<Transform translation=\"");
         vector(body.middle);
         put("\" rotation=\"");
         turn(body.turn);
         put("\"><Shape>");
-        appearance(body.colour, filled_, "C", "diffuseColor");
+        appearance(body.colour);
         solid(body, "<Box size=\"{} {} {}\"/>", "<Cylinder radius=\"{}\" height=\"{}\"/>",
               "<Cone bottomRadius=\"{}\" height=\"{}\"/>", "<Sphere radius=\"{}\"/>");
         put("</Shape></Transform>\n");
     }
-    void add(const SceneGraph::Surface& surface) {
+    void shape(const SceneGraph::Surface& surface) {
         put("<Shape>");
-        appearance(surface.colour, filled_, "C", "diffuseColor");
+        appearance(surface.colour);
         put("<IndexedFaceSet creaseAngle=\"{}\" solid=\"{}\" coordIndex=\"", single(graph_.crease),
             surface.sheet ? "false" : "true");
         triangles(surface.triangles);
@@ -316,28 +299,21 @@ private:
         points(surface.points);
         put("\"/></IndexedFaceSet></Shape>\n");
     }
-    void add(const SceneGraph::Lines& lines) {
+    void shape(const SceneGraph::Lines& lines) {
         put("<Shape>");
-        appearance(lines.colour, drawn_, "L", "diffuseColor=\"0 0 0\" emissiveColor");
+        use(drawn_, lines.colour, "<Appearance USE=\"L{}\"/>",
+            "<Appearance DEF=\"L{}\"><Material diffuseColor=\"0 0 0\" emissiveColor=\"",
+            "\"/></Appearance>");
         put("<IndexedLineSet coordIndex=\"");
         strokes(lines);
         put("\">\n<Coordinate point=\"");
         points(lines.points);
         put("\"/></IndexedLineSet></Shape>\n");
     }
-    void appearance(std::uint32_t shade, std::vector<char>& written, const char* prefix,
-                    const char* field) {
-        if (written[shade]) {
-            put("<Appearance USE=\"{}{}\"/>", prefix, shade);
-            return;
-        }
-        put("<Appearance DEF=\"{}{}\"><Material {}=\"", prefix, shade, field);
-        colour(graph_.colours[shade]);
-        put("\"/></Appearance>");
-        written[shade] = true;
+    void appearance(std::uint32_t shade) {
+        use(filled_, shade, "<Appearance USE=\"C{}\"/>",
+            "<Appearance DEF=\"C{}\"><Material diffuseColor=\"", "\"/></Appearance>");
     }
-
-    std::vector<char> filled_, drawn_;  // colours whose appearance has been written
 };
 
 }  // namespace

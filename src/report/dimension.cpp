@@ -25,7 +25,7 @@ constexpr MeasureNames measures[] = {
 
 constexpr int digits = 30;
 
-std::string status_name(ExactDimension::Status status) {
+const char* status_name(ExactDimension::Status status) {
     switch (status) {
         case ExactDimension::Status::exact:
             return "exact";
@@ -36,6 +36,36 @@ std::string status_name(ExactDimension::Status status) {
         default:
             return "none";
     }
+}
+
+// What the fits of box counts and of other measures have in common.
+
+template <class Fit>
+bool is_used(const Fit& fit, std::size_t scale) {
+    return fit.estimate && scale >= fit.first && scale <= fit.last;
+}
+
+template <class Fit>
+std::string slope_text(const Fit& fit, std::size_t scale) {
+    return scale < fit.slopes.size() ? fmt::format("{:.4f}", fit.slopes[scale]) : "";
+}
+
+/// Adds the slope at a scale and whether the fit uses it.
+template <class Fit>
+Json with_slope(Json entry, const Fit& fit, std::size_t scale) {
+    entry.set("slope", scale < fit.slopes.size() ? Json(fit.slopes[scale]) : Json());
+    return entry.set("used", is_used(fit, scale));
+}
+
+/// What was measured, and why no other number.
+template <class Fit>
+std::string fit_text(const std::string& title, const Fit& fit) {
+    const auto& estimate = fit.estimate;
+    return "measured by " + title +
+           (estimate ? fmt::format(": {:.4f}, expected between {:.4f} and {:.4f}", estimate->value,
+                                   estimate->low, estimate->high)
+                     : ": undecided") +
+           "\n  " + fit.because + "\n\n";
 }
 
 Json estimate_json(const std::optional<Estimate>& estimate) {
@@ -95,13 +125,11 @@ Json box_json(const DimensionReport& found) {
     for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
         const auto [least, most] =
             std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
-        Json entry{{"cell", counts.scales.cell(scale)},
-                   {"cells", counts.mean(scale)},
-                   {"least", *least},
-                   {"most", *most}};
-        entry.set("slope", scale < fit.slopes.size() ? Json(fit.slopes[scale]) : Json());
-        entry.set("used", fit.estimate && scale >= fit.first && scale <= fit.last);
-        scales.add(std::move(entry));
+        scales.add(with_slope({{"cell", counts.scales.cell(scale)},
+                               {"cells", counts.mean(scale)},
+                               {"least", *least},
+                               {"most", *most}},
+                              fit, scale));
     }
     box.set("scales", std::move(scales));
     return box;
@@ -109,23 +137,15 @@ Json box_json(const DimensionReport& found) {
 
 std::string box_page(const DimensionReport& found) {
     const auto& [what, exact, generation, counts, fit] = found;
-    std::string text;
-    if (fit.estimate)
-        text += fmt::format("measured by boxes: {:.4f}, expected between {:.4f} and {:.4f}\n",
-                            fit.estimate->value, fit.estimate->low, fit.estimate->high);
-    else
-        text += "measured by boxes: undecided\n";
-    text += "  " + fit.because + "\n\n";
+    std::string text = fit_text("boxes", fit);
     text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",
                         "least", "most", "slope");
     for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
         const auto [least, most] =
             std::minmax_element(counts.counts[scale].begin(), counts.counts[scale].end());
-        const bool used = fit.estimate && scale >= fit.first && scale <= fit.last;
-        text +=
-            fmt::format("{} {:>12.6g}  {:>14.1f}  {:>12}  {:>12}  {:>8}\n", used ? '*' : ' ',
-                        counts.scales.cell(scale), counts.mean(scale), *least, *most,
-                        scale < fit.slopes.size() ? fmt::format("{:.4f}", fit.slopes[scale]) : "");
+        text += fmt::format("{} {:>12.6g}  {:>14.1f}  {:>12}  {:>12}  {:>8}\n",
+                            is_used(fit, scale) ? '*' : ' ', counts.scales.cell(scale),
+                            counts.mean(scale), *least, *most, slope_text(fit, scale));
     }
     return text + fmt::format(
                       "\n  means over {} grids; the slope is that to the next finer scale; * "
@@ -153,16 +173,11 @@ Json to_json(const DimensionReport& found) {
 
 namespace {
 
-bool is_used(const Scaling& scaling, std::size_t i) {
-    return scaling.estimate && i >= scaling.first && i <= scaling.last;
-}
-
 Json scales_json(const Scaling& scaling) {
     Json scales = Json::array();
     for (std::size_t i = 0; i < scaling.sizes.size(); ++i) {
-        Json entry{{"size", scaling.sizes[i]}, {"value", scaling.values[i]}};
-        entry.set("slope", i < scaling.slopes.size() ? Json(scaling.slopes[i]) : Json());
-        scales.add(entry.set("used", is_used(scaling, i)));
+        scales.add(
+            with_slope({{"size", scaling.sizes[i]}, {"value", scaling.values[i]}}, scaling, i));
     }
     return scales;
 }
@@ -181,10 +196,8 @@ std::string scales_page(const MeasureNames& measure, const Scaling& scaling) {
     std::string text =
         fmt::format("  {:>12}  {:>14}  {:>8}\n", measure.scale, measure.value, "slope");
     for (std::size_t i = 0; i < scaling.sizes.size(); ++i)
-        text +=
-            fmt::format("{} {:>12.6g}  {:>14.6g}  {:>8}\n", is_used(scaling, i) ? '*' : ' ',
-                        scaling.sizes[i], scaling.values[i],
-                        i < scaling.slopes.size() ? fmt::format("{:.4f}", scaling.slopes[i]) : "");
+        text += fmt::format("{} {:>12.6g}  {:>14.6g}  {:>8}\n", is_used(scaling, i) ? '*' : ' ',
+                            scaling.sizes[i], scaling.values[i], slope_text(scaling, i));
     return text +
            "\n  the slope is the dimension that this scale and the next finer one give; * scales "
            "used\n";
@@ -195,14 +208,8 @@ std::string scales_page(const MeasureNames& measure, const Scaling& scaling) {
 std::string to_text(const ScalingReport& found) {
     const MeasureNames& measure = names_of(found.measure);
     const Scaling& scaling = found.scaling;
-    std::string text = found.what + "\n\nmeasured by " + measure.title;
-    if (!found.spectrum.empty()) text += ", q = 0";
-    text += scaling.estimate ? fmt::format(": {:.4f}, expected between {:.4f} and {:.4f}\n",
-                                           scaling.estimate->value, scaling.estimate->low,
-                                           scaling.estimate->high)
-                             : ": undecided\n";
-    text += "  " + scaling.because + "\n\n";
-    return text +
+    const std::string title = measure.title + std::string(found.spectrum.empty() ? "" : ", q = 0");
+    return found.what + "\n\n" + fit_text(title, scaling) +
            (found.spectrum.empty() ? scales_page(measure, scaling) : spectrum_page(found.spectrum));
 }
 

@@ -1,7 +1,7 @@
-// How words grow, as a page to be read aloud and as JSON.
+// The growth of words, as a page and as JSON.
 //
-// The page says everything that fits: a matrix of at most sixteen letters, polynomials of at most 400
-// characters, and how much is left out. JSON has all of it. Both show the same analysis, whose numbers are
+// The page shows everything that fits: a matrix of at most sixteen letters, polynomials of at most 400
+// characters, and how much is left out. JSON is complete. Both show the same analysis, whose numbers are
 // exact; decimals are digits of exact numbers.
 
 #include "report/report.hpp"
@@ -16,7 +16,7 @@ std::string digits(const std::vector<Integer>& values) {
     return joined(values, ", ", [](const Integer& value) { return to_string(value); });
 }
 
-constexpr std::size_t largest_matrix = 16;       // letters whose matrix is read aloud
+constexpr std::size_t largest_matrix = 16;       // letters of a matrix on the page
 constexpr std::size_t longest_polynomial = 400;  // characters of a polynomial on the page
 constexpr int rate_digits = 30;
 constexpr int share_digits = 10;
@@ -60,7 +60,7 @@ private:
         out_ += fmt::format("{:<24}{}\n", label, value);
     }
 
-    /// A text that still can be read; of a longer one its beginning.
+    /// The text, or the beginning of one that is too long.
     std::string shortened(const std::string& text) const {
         if (text.size() <= longest_polynomial) return text;
         return text.substr(0, longest_polynomial) +
@@ -221,7 +221,7 @@ private:
 
     const D0L& system_;
     const GrowthAnalysis& a_;
-    const std::string& elsewhere_;  // where all of a text stands
+    const std::string& elsewhere_;  // where a shortened text is complete
     std::string out_;
 };
 

@@ -1,8 +1,8 @@
-// What was found out about languages, with the proofs: membership, finiteness, equality.
+// Answers about languages with their proofs: membership, finiteness, equality.
 //
-// Membership is shown by a derivation, its absence by the reason. A language is infinite by a letter that
-// comes again and leaves another letter beside it each time. Equality of sequences rests on a bound on how far
-// one morphism may be ahead of the other, and on the automaton of what is ahead.
+// A derivation shows that a word is a member, otherwise a reason is given. A language is infinite if a letter
+// derives itself and another lasting letter besides. Equality of sequences rests on a bound on how far
+// the image by one morphism is ahead of the other, and on the automaton of overflows.
 
 #include "report/report.hpp"
 
@@ -34,7 +34,7 @@ std::string reason(const Membership& found, const Alphabet& alphabet, const Word
                    " steps, so nothing new comes, and no generation before has it";
         case nonterminal:
             return "the letter " + alphabet.name(word[found.position]) + " at position " +
-                   std::to_string(found.position) + " is no terminal";
+                   std::to_string(found.position) + " is not a terminal";
         case exhausted:
             return "what the letters derive within it by " + std::to_string(found.step) +
                    " tables they derive by fewer too, so nothing new comes, and in none of the " +
@@ -46,7 +46,7 @@ std::string reason(const Membership& found, const Alphabet& alphabet, const Word
 
 namespace {
 
-/// What the table of a step is called; empty where there is nothing to tell apart.
+/// The name of the table of a step; empty if there is only one table.
 std::string table_name(const ET0L& system, const Derivation& found, std::size_t step) {
     const std::size_t table = found.tables.empty() ? 0 : found.tables[step];
     const std::string& name = system.table_names[table];
@@ -131,7 +131,7 @@ std::string table_text(const ET0L& system, const TableUse& use) {
     return name.empty() ? std::to_string(use.table + 1) : name;
 }
 
-/// The rules of a course, with their tables where `tables` says so.
+/// The rules of a course, with their tables if `tables` is true.
 std::string course_text(const ET0L& system, const Course& course, bool tables) {
     return joined(course, ", ", [&](const TableUse& use) {
         return (tables ? table_text(system, use) + ": " : "") + rule_text(system, use);
@@ -275,7 +275,7 @@ std::string to_text(const LanguageEquality& found, const Alphabet& alphabet) {
         const std::string one = difference.in_left ? "A" : "B",
                           other = difference.in_left ? "B" : "A";
         std::string text = "different: generation " + std::to_string(difference.generation) +
-                           " of " + one + " is no word of " + other;
+                           " of " + one + " is not a word of " + other;
         if (difference.word && difference.word->size() <= longest_word)
             text += ": " + spell(alphabet, *difference.word);
         else

@@ -17,13 +17,13 @@
 #include "language/language.hpp"
 #include "system/system.hpp"
 
-// report: what the library found out about a question, as plain data with two views: a page of text and JSON.
+// report: answers to questions as plain data, each with two views: a page of text and JSON.
 
 namespace algae {
 
 struct Model;
 
-/// The digits; of more than 60 the first ones and how many there are.
+/// The digits; if there are more than 60, the first ones and their number.
 std::string readable(const Integer& value);
 
 /// A JSON value, whose keys stay in the order in which they were set. It keeps nlohmann/json out of the
@@ -38,7 +38,7 @@ public:
     Json(const std::string& text);
     Json(std::string_view text);
     Json(double value);
-    /// A number while every reader can hold it (below 2^53), otherwise its digits as a string.
+    /// A number if it is below 2^53, so that every reader can represent it, otherwise its digits as a string.
     Json(const Integer& value);
     Json(const nlohmann::ordered_json& value);
     template <std::integral T>
@@ -50,7 +50,7 @@ public:
         else
             set_signed(value);
     }
-    /// Null if there is no value.
+    /// Null without a value.
     template <class T>
     Json(const std::optional<T>& value) : Json(value ? Json(*value) : Json()) {}
     template <class T>
@@ -66,11 +66,11 @@ public:
     Json& operator=(Json other) noexcept;
     ~Json();
 
-    /// Sets a field of an object; null becomes one.
+    /// Sets a field of an object; null becomes an object.
     Json& set(const std::string& name, Json value);
     /// Sets all fields of another object.
     void update(const Json& other);
-    /// Appends to an array; null becomes one.
+    /// Appends to an array; null becomes an array.
     void add(Json value);
 
     /// The text and the end of a line. Throws if a string is not UTF-8.
@@ -84,7 +84,7 @@ private:
     std::unique_ptr<nlohmann::ordered_json> value_;
 };
 
-/// A field of an object as it is written in a list of fields.
+/// A field of an object in a list of fields.
 struct Json::Field {
     Field(std::string field, Json of) : name(std::move(field)), value(std::move(of)) {}
 
@@ -107,7 +107,7 @@ struct GrowthReport {
     GrowthAnalysis analysis;
 };
 
-/// Long polynomials are shortened; `elsewhere` says where all of them are, behind a comma.
+/// Long polynomials are shortened; `elsewhere` says where they are complete, after a comma.
 std::string to_text(const GrowthReport& report, const std::string& elsewhere = {});
 Json to_json(const GrowthReport& report);
 
@@ -121,8 +121,8 @@ struct LengthBoundsReport {
 std::string to_text(const LengthBoundsReport& report);
 Json to_json(const LengthBoundsReport& report);
 
-/// What the words of a D0L system have in common: factors and their complexity class, pushiness,
-/// repetitions, a locally catenative formula.
+/// The factors of the words of a D0L system: complexity class, pushiness,
+/// repetitions, and a locally catenative formula.
 struct FactorReport {
     D0L system;
     std::vector<std::uint64_t> complexity;  // factors of 0, 1, 2, ... letters
@@ -133,14 +133,14 @@ struct FactorReport {
     CatenativeAnswer formula;
 };
 
-/// Factors of up to 24 letters, formulas that look back up to 8 generations. Throws as the functions of
-/// the room growth do.
+/// Factors of up to 24 letters, formulas that look back up to 8 generations. Throws what the functions of
+/// the room growth throw.
 FactorReport factor_report(const D0L& system, const Budget& budget);
 
 std::string to_text(const FactorReport& report);
 Json to_json(const FactorReport& report);
 
-/// The dimension of a figure: what the rules give, and what boxes measured.
+/// The dimension of a figure, exact from the rules and measured by boxes.
 struct DimensionReport {
     std::string what;  // was measured
     std::optional<ExactDimension> exact;
@@ -152,17 +152,17 @@ struct DimensionReport {
 std::string to_text(const DimensionReport& report);
 Json to_json(const DimensionReport& report);
 
-/// The ways to measure.
+/// The methods of measuring.
 enum class Measure { boxes, divider, mass, correlation, information, multifractal, lacunarity };
 
-/// What a measure is called, and what its table calls the scales and the values.
+/// The name of a measure, its title, and the names of scales and values in its table.
 struct MeasureNames {
     const char *name, *title, *scale, *value;
 };
 inline constexpr std::size_t measure_count = 7;
 const MeasureNames& names_of(Measure measure);
 
-/// What a measure other than boxes found.
+/// The result of a measure other than boxes.
 struct ScalingReport {
     std::string what;  // was measured
     Measure measure;
@@ -173,15 +173,15 @@ struct ScalingReport {
 std::string to_text(const ScalingReport& report);
 Json to_json(const ScalingReport& report);
 
-/// One system, what its rules give and what was measured.
+/// One system with its dimension, exact and measured.
 struct DimensionRow {
     std::string name, title;
     ExactDimension exact;
     std::optional<BoxFit> fit;
-    std::string unmeasured;   // why it was not, where it was to be
+    std::string unmeasured;   // why nothing was measured, if it was asked for
     bool unfinished = false;  // because the budget was used up
 
-    /// The number that measurements are compared with: an upper bound above 2 is 2.
+    /// The number that measurements are compared with; 2 for an upper bound above 2.
     double value() const { return std::min(exact.value->enclosure(64).midpoint(), 2.0); }
     std::optional<double> difference() const {
         if (!fit || !fit->estimate || exact.status != ExactDimension::Status::exact)
@@ -190,11 +190,11 @@ struct DimensionRow {
     }
 };
 
-/// The head of a table of such rows, whose names are so wide.
+/// The head of a table of such rows; `width` is that of the names.
 std::string dimension_header(std::size_t width, bool quick);
-/// The row as a line; where there is no formula, why not.
+/// The row as a line; without a formula, the reason.
 std::string to_line(const DimensionRow& row, std::size_t width);
-/// `quick`: nothing was to be measured.
+/// `quick`: without measuring.
 Json to_json(const DimensionRow& row, bool quick);
 
 /// Why the word is not in the language, as a sentence without its capital and full stop.
@@ -210,7 +210,7 @@ Json to_json(const EndlessRound& round, const OL& system);
 std::string to_text(const EndlessTables& proof, const ET0L& system);
 Json to_json(const EndlessTables& proof, const ET0L& system);
 
-// What a comparison of two systems found, A and B.
+// Comparisons of two systems, A and B.
 
 std::string to_text(const GrowthComparison& found);
 std::string to_text(const SequenceEquality& found, const Alphabet& alphabet);

@@ -1,7 +1,7 @@
-// What a system is and what stands in its file, as a page and as JSON.
+// The class of a system and the content of its file, as a page and as JSON.
 //
-// A word too long for a screen is shortened on the page only; lines of what the file does not say are left
-// out there, and empty in JSON.
+// Only the page shortens a word that is too long for a screen. The page leaves out settings that the file
+// does not have; in JSON they are empty.
 
 #include "report/report.hpp"
 

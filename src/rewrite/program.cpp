@@ -16,10 +16,19 @@
 
 namespace algae {
 
+namespace {
+
+using Operation = Program::Operation;
+
+/// The angle from 0 to below a full or half turn.
+double reduced(double degrees, double turn) {
+    const double angle = std::fmod(degrees, turn);
+    return angle < 0 ? angle + turn : angle;
+}
+
 /// The sine of an angle in degrees, exact where it is -1, -1/2, 0, 1/2 or 1.
-inline double sine_of_degrees(double degrees) {
-    double angle = std::fmod(degrees, 360.0);
-    if (angle < 0) angle += 360;
+double sine_of_degrees(double degrees) {
+    const double angle = reduced(degrees, 360);
     if (angle == 0 || angle == 180) return 0;
     if (angle == 30 || angle == 150) return 0.5;
     if (angle == 90) return 1;
@@ -28,9 +37,8 @@ inline double sine_of_degrees(double degrees) {
     return std::sin(angle * std::numbers::pi / 180);
 }
 
-inline double cosine_of_degrees(double degrees) {
-    double angle = std::fmod(degrees, 360.0);
-    if (angle < 0) angle += 360;
+double cosine_of_degrees(double degrees) {
+    const double angle = reduced(degrees, 360);
     if (angle == 90 || angle == 270) return 0;
     if (angle == 60 || angle == 300) return 0.5;
     if (angle == 0) return 1;
@@ -40,9 +48,8 @@ inline double cosine_of_degrees(double degrees) {
 }
 
 /// Not a number at odd multiples of 90 degrees.
-inline double tangent_of_degrees(double degrees) {
-    double angle = std::fmod(degrees, 180.0);
-    if (angle < 0) angle += 180;
+double tangent_of_degrees(double degrees) {
+    const double angle = reduced(degrees, 180);
     if (angle == 90) return std::nan("");
     if (angle == 0) return 0;
     if (angle == 45) return 1;
@@ -51,7 +58,7 @@ inline double tangent_of_degrees(double degrees) {
 }
 
 /// The value of an operation with one operand; not finite where there is none.
-template <Program::Operation operation>
+template <Operation operation>
 double unary(double x) {
     using enum Program::Operation;
     if constexpr (operation == negate) return -x;
@@ -72,7 +79,7 @@ double unary(double x) {
 }
 
 /// The value of an operation with two operands; not finite where there is none.
-template <Program::Operation operation>
+template <Operation operation>
 double binary(double x, double y) {
     using enum Program::Operation;
     if constexpr (operation == add) return x + y;
@@ -135,10 +142,6 @@ decltype(auto) dispatch(Program::Operation operation, Visit&& visit) {
 }
 
 #undef ALGAE_CASE
-
-namespace {
-
-using Operation = Program::Operation;
 
 Operation operation_of(const Expression& expression) {
     using enum Program::Operation;
@@ -275,8 +278,6 @@ bool Program::operator==(const Program& other) const {
 }
 
 namespace {
-
-using Operation = Program::Operation;
 
 /// Why an operation has no value, in the words of `evaluate`.
 std::string reason(Operation operation, double x, double y, const Expression& at) {

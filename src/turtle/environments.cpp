@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 // What communication modules are told by the world around the turtle (Mech and Prusinkiewicz 1996).

@@ -149,6 +149,19 @@ LatticeMotions::value_type LatticeMotions::turned(std::int64_t units) const {
     return value;
 }
 
+Compass::Heading Compass::turn_of(Command command) const {
+    switch (command) {
+        case Command::left:
+            return turn_;
+        case Command::right:
+            return -turn_;
+        case Command::back:
+            return half();
+        default:
+            return 0;
+    }
+}
+
 LatticeMotions::value_type LatticeMotions::of(Command command, const Compass& compass,
                                               std::int64_t unit) const {
     switch (command) {
@@ -157,14 +170,8 @@ LatticeMotions::value_type LatticeMotions::of(Command command, const Compass& co
             return step(true);
         case Command::move:
             return step(false);
-        case Command::left:
-            return turned(compass.turn() / unit);
-        case Command::right:
-            return turned(-compass.turn() / unit);
-        case Command::back:
-            return turned(compass.half() / unit);
         default:
-            return one();
+            return turned(compass.turn_of(command) / unit);
     }
 }
 

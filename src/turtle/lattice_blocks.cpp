@@ -137,13 +137,9 @@ private:
                     drawing = fresh = block.keeps_pen = false;
                     break;
                 case Command::left:
-                    heading = compass_.sum(heading, compass_.turn());
-                    break;
                 case Command::right:
-                    heading = compass_.sum(heading, -compass_.turn());
-                    break;
                 case Command::back:
-                    heading = compass_.sum(heading, compass_.half());
+                    heading = compass_.sum(heading, compass_.turn_of(command));
                     break;
                 case Command::push:
                     saved.push_back({here, heading});

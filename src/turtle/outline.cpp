@@ -241,13 +241,9 @@ public:
                 step(false);
                 return true;
             case Command::left:
-                here_.heading = compass_.sum(here_.heading, compass_.turn());
-                return true;
             case Command::right:
-                here_.heading = compass_.sum(here_.heading, -compass_.turn());
-                return true;
             case Command::back:
-                here_.heading = compass_.sum(here_.heading, compass_.half());
+                here_.heading = compass_.sum(here_.heading, compass_.turn_of(command));
                 return true;
             case Command::push:
                 saved_.push_back(here_);

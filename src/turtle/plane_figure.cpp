@@ -215,13 +215,9 @@ private:
                 if (!polygons_.empty()) corner();
                 break;
             case Command::left:
-                state_.heading = compass_.sum(state_.heading, compass_.turn());
-                break;
             case Command::right:
-                state_.heading = compass_.sum(state_.heading, -compass_.turn());
-                break;
             case Command::back:
-                state_.heading = compass_.sum(state_.heading, compass_.half());
+                state_.heading = compass_.sum(state_.heading, compass_.turn_of(command));
                 break;
             case Command::push:
                 if (cut_) {
@@ -596,13 +592,9 @@ private:
                     value.move = 1;
                     break;
                 case Command::left:
-                    value.turn = compass_.normal(compass_.turn());
-                    break;
                 case Command::right:
-                    value.turn = compass_.normal(-compass_.turn());
-                    break;
                 case Command::back:
-                    value.turn = compass_.half();
+                    value.turn = compass_.normal(compass_.turn_of(command));
                     break;
                 case Command::scale:
                     value.size = pen_.scale;

@@ -21,7 +21,7 @@ namespace algae::verify {
 
 Symbol Reader::symbol(const Field& field, std::string_view name) const {
     const auto found = alphabet_.find(name);
-    if (!found) field.fail("'" + std::string(name) + "' is no letter of the alphabet");
+    if (!found) field.fail("'" + std::string(name) + "' is not a letter of the alphabet");
     return *found;
 }
 
@@ -47,7 +47,7 @@ std::vector<Word> Reader::words(const Field& field) const {
 
 std::vector<Symbol> Reader::letters(const Field& field) const {
     Word all = word(field);
-    std::sort(all.begin(), all.end());
+    std::ranges::sort(all);
     if (std::adjacent_find(all.begin(), all.end()) != all.end())
         field.fail("a letter stands here twice");
     return all;
@@ -65,7 +65,7 @@ System::Successors Reader::table(const Field& field) const {
         auto& all = table[symbol(successors, name)];
         all = words(successors);
         if (all.empty()) successors.fail("a letter needs a successor");
-        std::sort(all.begin(), all.end());
+        std::ranges::sort(all);
         all.erase(std::unique(all.begin(), all.end()), all.end());
     }
     for (Symbol a = 0; a < table.size(); ++a)
@@ -179,8 +179,7 @@ bool Reader::of_languages(const Field& field, Statement& read) const {
         read.kind = read.family == "finite"  ? Kind::finite
                     : read.family == "empty" ? Kind::empty
                                              : Kind::family;
-        if (read.kind == Kind::family &&
-            std::find(families.begin(), families.end(), read.family) == families.end())
+        if (read.kind == Kind::family && !std::ranges::count(families, read.family))
             field.at("is").fail("there is no family '" + read.family + "'");
     } else if (field.has("member")) {
         field.only({"member", "language"});
@@ -191,18 +190,29 @@ bool Reader::of_languages(const Field& field, Statement& read) const {
         read.kind = Kind::size;
         read.size = field.at("size").integer();
     } else {
-        for (const char* name : {"equal", "included"}) {
-            if (!field.has(name)) continue;
-            field.only({name});
-            read.kind = std::string_view(name) == "equal" ? Kind::equal : Kind::included;
-            const auto [left, right] = field.at(name).pair();
-            read.languages = {language(left), language(right)};
-            return true;
-        }
         return false;
     }
     read.languages = {language(field.at("language"))};
     return true;
+}
+
+bool Reader::of_pairs(const Field& field, Statement& read) const {
+    using Kind = Statement::Kind;
+    for (const auto& [name, kind] : {std::pair("equal", Kind::equal),
+                                     {"included", Kind::included},
+                                     {"equal sequences", Kind::equal_sequences},
+                                     {"equal growth", Kind::equal_growth}}) {
+        if (!field.has(name)) continue;
+        field.only({name});
+        read.kind = kind;
+        const auto [left, right] = field.at(name).pair();
+        if (kind == Kind::equal || kind == Kind::included)
+            read.languages = {language(left), language(right)};
+        else
+            read.systems = {named_system(left), named_system(right)};
+        return true;
+    }
+    return false;
 }
 
 Statement Reader::of_modules(const Field& field, Statement read) const {
@@ -244,15 +254,6 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         if (field.has("steps")) read.steps = field.at("steps").integer();
         return read;
     }
-    for (const char* name : {"equal sequences", "equal growth"}) {
-        if (!field.has(name)) continue;
-        field.only({name});
-        read.kind =
-            std::string_view(name) == "equal growth" ? Kind::equal_growth : Kind::equal_sequences;
-        const auto [left, right] = field.at(name).pair();
-        read.systems = {named_system(left), named_system(right)};
-        return read;
-    }
     if (field.has("dimension") || field.has("boundary")) return of_dimension(field, read);
     if (!field.has("growth")) field.fail("expected a statement");
     read.systems = {named_system(field.at("growth"))};
@@ -267,7 +268,7 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
     const Field name = field.at("class");
     read.family = name.text();
     static constexpr std::array classes = {"zero", "bounded", "polynomial", "exponential"};
-    if (std::find(classes.begin(), classes.end(), read.family) == classes.end())
+    if (!std::ranges::count(classes, read.family))
         name.fail("there is no class of growth '" + read.family + "'");
     if (field.has("degree")) {
         if (read.family != "polynomial")
@@ -285,12 +286,12 @@ Statement Reader::statement(const Field& field) const {
         read.negated = !read.negated;
         return read;
     }
-    if (of_languages(field, read)) return read;
+    if (of_languages(field, read) || of_pairs(field, read)) return read;
     return of_systems(field, std::move(read));
 }
 
 Language words_of(std::vector<Word> words) {
-    std::sort(words.begin(), words.end(), shortlex_less);
+    std::ranges::sort(words, shortlex_less);
     words.erase(std::unique(words.begin(), words.end()), words.end());
     Tree tree;
     tree.words = std::move(words);
@@ -323,7 +324,7 @@ bool same(const Language& left, const Language& right) {
 
 bool is_regular(const Language& language) {
     return language->kind != Tree::Kind::generated &&
-           std::all_of(language->parts.begin(), language->parts.end(), is_regular);
+           std::ranges::all_of(language->parts, is_regular);
 }
 
 namespace {
@@ -333,7 +334,7 @@ std::shared_ptr<const Alphabet> read_alphabet(const Field& field) {
     for (const Field& each : field.list()) {
         const std::string& name = each.text();
         if (name.empty() || name.find(' ') != std::string::npos)
-            each.fail("the name of a letter has a character and no blank");
+            each.fail("the name of a letter must not be empty and must not have a blank");
         if (alphabet->find(name)) each.fail("the letter '" + name + "' stands here twice");
         alphabet->symbol(name);
     }
@@ -666,7 +667,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::member:
             return word + " is " + no + "in " + language(0);
         case Kind::size:
-            return language(0) + (opposite ? " has not " : " has ") +
+            return language(0) + (opposite ? " does not have " : " has ") +
                    shortened(to_string(*statement.size)) + " words";
         case Kind::derives:
             return system(0) + (opposite ? " does not derive " : " derives ") + word +

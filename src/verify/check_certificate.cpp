@@ -9,8 +9,8 @@
 #include "verify/detail/languages.hpp"
 #include "verify/verify.hpp"
 
-// Which proof shows which kind of statement, and what is said of each statement of a certificate. A bound that is reached leaves
-// a statement unchecked; only a flaw makes it wrong.
+// Which kinds of proof show which statements, and the result for each statement of a certificate. If a bound is reached, the
+// statement is not checked; only a flaw makes it wrong.
 
 namespace algae::verify {
 
@@ -18,7 +18,7 @@ namespace {
 
 using Kind = Statement::Kind;
 
-/// A kind of proof: of which statements, whether of these, of their opposites or of both, with which fields.
+/// A kind of proof: which statements it is about, whether it shows these, their opposites or both, and its fields.
 struct Method {
     enum Shows { either, statement, opposite };
     std::string_view by;

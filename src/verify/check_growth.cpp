@@ -44,7 +44,7 @@ public:
     ExponentialPolynomial() = default;
 
     /// The function that a formula gives: numbers, n, + - * / ^ and brackets; ^ binds tightest and to the
-    /// right. Throws Error at `field` if it cannot be read, BoundReached if it is no such function, or too large.
+    /// right. Throws Error at `field` if it cannot be read, BoundReached if it is not such a function, or too large.
     static ExponentialPolynomial read(const Field& field);
     /// The sum of the terms that a proof lists: {"coefficient", "power", "base"} each.
     static ExponentialPolynomial read_terms(const Field& field) {
@@ -179,7 +179,7 @@ private:
             term = all.empty() ? terms_.erase(term) : std::next(term);
         }
     }
-    /// Throws BoundReached where it has grown too large.
+    /// Throws BoundReached if it has grown too large.
     void check_size(const Field& field) const {
         if (order() > most_coefficients)
             too_hard(field, "the formula has too many terms to be checked");
@@ -373,11 +373,10 @@ public:
 
     /// A letter that becomes a word with itself in it twice or more.
     bool doubles() const {
-        return std::any_of(letters_.begin(), letters_.end(), [&](Symbol a) {
+        return std::ranges::any_of(letters_, [&](Symbol a) {
             const Word& image = table_[a].front();
-            return std::count_if(image.begin(), image.end(), [&](Symbol b) {
-                       return reached_.at(b).contains(a) || b == a;
-                   }) > 1;
+            return std::ranges::count_if(
+                       image, [&](Symbol b) { return reached_.at(b).contains(a) || b == a; }) > 1;
         });
     }
     /// The most cycles one after the other on a way through the letters, where no letter doubles.

@@ -28,7 +28,7 @@ struct Step {
 using Course = std::vector<Step>;
 
 bool within(const Word& word, const Letters& letters) {
-    return std::all_of(word.begin(), word.end(), [&](Symbol a) { return letters.contains(a); });
+    return std::ranges::all_of(word, [&](Symbol a) { return letters.contains(a); });
 }
 
 class Courses {
@@ -51,11 +51,11 @@ public:
         if (!std::includes(finish_round.front().begin(), finish_round.front().end(), finish.begin(),
                            finish.end()))
             proof_.at("round").refuse("a letter that can finish cannot finish with one more round");
-        if (round.empty()) proof_.at("round").refuse("a round has a step");
+        if (round.empty()) proof_.at("round").refuse("a round must have a step");
         if (!within(system_.axiom, finish_before.front()))
             proof_.at("before").refuse("a letter of the axiom cannot finish");
         const Symbol start = before.empty() ? again : before.front().letter;
-        if (std::find(system_.axiom.begin(), system_.axiom.end(), start) == system_.axiom.end())
+        if (!std::ranges::count(system_.axiom, start))
             proof_.at("before").refuse("it does not begin in the axiom");
         follow("before", before, start, again, finish_before);
         follow("round", round, again, again, finish_round);
@@ -81,7 +81,7 @@ private:
             if (step.table >= system_.tables.size())
                 field.at("table").refuse("there is no such table");
             const auto& all = system_.tables[static_cast<std::size_t>(step.table)][step.letter];
-            if (std::find(all.begin(), all.end(), step.successor) == all.end())
+            if (!std::ranges::count(all, step.successor))
                 field.at("successor").refuse("the table has no such rule");
             if (step.place >= step.successor.size())
                 field.at("place").refuse("the successor is not so long");
@@ -102,7 +102,7 @@ private:
                     earlier.insert(a);
             all.push_back(std::move(earlier));
         }
-        std::reverse(all.begin(), all.end());
+        std::ranges::reverse(all);
         return all;
     }
 
@@ -119,10 +119,7 @@ private:
     }
 
     void same_tables(const char* name, const Course& steps, const Course& round) const {
-        if (steps.size() != round.size() || !std::equal(steps.begin(), steps.end(), round.begin(),
-                                                        [](const Step& one, const Step& other) {
-                                                            return one.table == other.table;
-                                                        }))
+        if (!std::ranges::equal(steps, round, {}, &Step::table, &Step::table))
             proof_.at(name).refuse("its tables are not those of the round");
     }
 
@@ -179,13 +176,12 @@ void check_endless_round(const Obligation& task) {
         const RoundRule rule{task.reader.letter(field.at("letter")),
                              task.reader.word(field.at("successor"))};
         const auto& all = table[rule.letter];
-        if (std::find(all.begin(), all.end(), rule.successor) == all.end())
-            field.refuse("the system has no such rule");
+        if (!std::ranges::count(all, rule.successor)) field.refuse("the system has no such rule");
         rules.push_back(rule);
     }
-    if (rules.empty()) task.proof.at("rules").refuse("a round has a rule");
+    if (rules.empty()) task.proof.at("rules").refuse("a round must have a rule");
     const auto letters = accessible_letters(system, system.axiom);
-    if (std::find(letters.begin(), letters.end(), rules[0].letter) == letters.end())
+    if (!std::ranges::count(letters, rules[0].letter))
         task.proof.at("rules").refuse("the letter of the first rule occurs in no derived word");
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const Symbol next = rules[(i + 1) % rules.size()].letter;
@@ -196,7 +192,7 @@ void check_endless_round(const Obligation& task) {
     const Symbol other = task.letter("other");
     const Symbol next = rules[1 % rules.size()].letter;
     const Word& first = rules[0].successor;
-    if (std::count(first.begin(), first.end(), other) < (other == next ? 2 : 1))
+    if (std::ranges::count(first, other) < (other == next ? 2 : 1))
         task.proof.at("other").refuse(
             "the first rule has no such letter besides that of the next rule");
     if (!lasting_letters(table).contains(other))

@@ -12,8 +12,8 @@
 // Statements about systems: derivations, membership, families, and equality of D0L sequences and languages.
 //
 // Equality of D0L sequences is checked by an automaton of overflows: what the image of one system has beyond that of the other
-// stays within finitely many words, and every generation leads from the empty overflow back to itself, so that by induction
-// all generations agree. Equality of languages is reduced to sequences of every so many generations (sections).
+// is one of finitely many words, and every generation leads from the empty overflow back to itself, so that by induction
+// all generations agree. Equality of languages is reduced to equality of sequences of generations at equal distances (sections).
 
 namespace algae::verify {
 
@@ -23,7 +23,7 @@ namespace {
 void check_steps(const Obligation& task, const System& system, const Word& from, const Word& to,
                  const Field& field) {
     const auto words = field.at("words").list();
-    if (words.empty()) field.at("words").refuse("a derivation has a word");
+    if (words.empty()) field.at("words").refuse("a derivation must have a word");
     std::vector<Field> tables;
     if (field.has("tables")) {
         if (system.context) field.at("tables").refuse("the system has no tables");
@@ -91,14 +91,14 @@ void check_membership(const Obligation& task) {
         Language source = language;  // of a reversal, the derivation is that of the reversed word
         Word word = task.statement.word;
         for (; source->kind == Tree::Kind::reversal; source = source->parts[0])
-            std::reverse(word.begin(), word.end());
+            std::ranges::reverse(word);
         if (source->kind != Tree::Kind::generated)
             derivation.refuse("the language is not given by a system");
         if (!task.holds)
             derivation.refuse("a derivation does not show that a word is not in a language");
         const System& system = *source->system;
         check_steps(task, system, system.axiom, word, derivation);
-        if (!is_terminal(system, word)) derivation.refuse("a letter of the word is no terminal");
+        if (!is_terminal(system, word)) derivation.refuse("a letter of the word is not a terminal");
         return;
     }
     if (task.contains(language, task.statement.word) != task.holds)
@@ -126,7 +126,7 @@ std::set<Word> finite_words(const Obligation& task) {
 void must_have_form(const Obligation& task, const System& system, const Field& field) {
     const std::string& family = task.statement.family;
     if (const auto beyond = beyond_form(system, family, task.certificate.empty_axiom))
-        field.refuse("the system has not the form of " + family + ": " + *beyond);
+        field.refuse("the system does not have the form of " + family + ": " + *beyond);
 }
 
 /// The language of the system in a proof, which must have the form of the family.
@@ -163,8 +163,7 @@ void check_equal_to_form(const Obligation& task) {
 void check_all_finite(const Obligation& task) {
     static constexpr std::array all = {"E0L", "ET0L", "EDT0L", "IL", "REG", "CF"};
     const std::string& family = task.statement.family;
-    if (std::find(all.begin(), all.end(), family) == all.end())
-        task.refuse("not all finite languages are " + family);
+    if (!std::ranges::count(all, family)) task.refuse("not all finite languages are " + family);
     const auto words = finite_words(task);
     const bool has_axiom = std::ranges::any_of(
         words, [&](const Word& word) { return task.certificate.empty_axiom || !word.empty(); });
@@ -193,7 +192,8 @@ void check_cases(const Obligation& task) {
 
 /// All families are closed under reversal, and it is its own inverse.
 void check_reversal(const Obligation& task) {
-    if (task.language()->kind != Tree::Kind::reversal) task.refuse("the language is no reversal");
+    if (task.language()->kind != Tree::Kind::reversal)
+        task.refuse("the language is not a reversal");
     Statement part = task.statement;
     part.languages = task.language()->parts;
     check_proof(task.part(part, task.holds, task.proof.at("proof")));
@@ -246,7 +246,7 @@ bool covers_all(const std::vector<Progression>& progressions) {
             throw BoundReached(Bound::method, "the sections repeat too late to be checked");
     }
     for (std::uint64_t n = 0; n < beyond + period; ++n)
-        if (std::none_of(progressions.begin(), progressions.end(), [&](const Progression& each) {
+        if (std::ranges::none_of(progressions, [&](const Progression& each) {
                 return n == each.first ||
                        (each.step > 0 && n > each.first && (n - each.first) % each.step == 0);
             }))
@@ -254,7 +254,7 @@ bool covers_all(const std::vector<Progression>& progressions) {
     return true;
 }
 
-/// The next word of a D0L system, of at most so many letters.
+/// The next word of a D0L system. Throws BoundReached if it has more letters than `longest`.
 Word next(const System& system, const Word& word, const Budget& budget,
           std::size_t longest = 10'000'000) {
     Word longer;
@@ -275,7 +275,7 @@ Word generation(const System& system, Word word, std::uint64_t steps, const Budg
     return word;
 }
 
-/// The system of every so many generations, from one on. Letters that are not accessible stay as they are.
+/// The system of the generations first, first + step, first + 2 step, ... Letters that are not accessible stay as they are.
 NamedSystem section(const System& system, std::uint64_t first, std::uint64_t step,
                     const Budget& budget) {
     System part = system;

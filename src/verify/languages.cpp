@@ -85,7 +85,7 @@ Derivatives::Term Derivatives::convert(const Tree& tree, bool reversed) {
         case Tree::Kind::generated: {
             std::vector<Term> words;
             for (Word each : finite_values_of_leaf(tree, budget_)) {
-                if (reversed) std::reverse(each.begin(), each.end());
+                if (reversed) std::ranges::reverse(each);
                 words.push_back(word(each, empty_word_));
             }
             return any(std::move(words));
@@ -126,9 +126,9 @@ Derivatives::Term Derivatives::convert(const Tree& tree, bool reversed) {
 Derivatives::Term Derivatives::convert_morphism(const Tree& tree, bool reversed) {
     Morphism images = tree.morphism;
     if (reversed)
-        for (auto& [a, image] : images) std::reverse(image.begin(), image.end());
+        for (auto& [a, image] : images) std::ranges::reverse(image);
     const Term part = convert(*tree.parts.at(0), reversed);
-    const auto known = std::find(morphisms_.begin(), morphisms_.end(), images);
+    const auto known = std::ranges::find(morphisms_, images);
     const auto number = static_cast<std::size_t>(known - morphisms_.begin());
     if (known == morphisms_.end()) morphisms_.push_back(std::move(images));
     const Kind kind = tree.kind == Tree::Kind::image ? Kind::image : Kind::inverse_image;
@@ -165,9 +165,9 @@ bool Derivatives::find_nullable(Term term) {
             return true;
         case Kind::product:
         case Kind::all:
-            return std::all_of(node.parts.begin(), node.parts.end(), is_nullable);
+            return std::ranges::all_of(node.parts, is_nullable);
         case Kind::any:
-            return std::any_of(node.parts.begin(), node.parts.end(), is_nullable);
+            return std::ranges::any_of(node.parts, is_nullable);
         case Kind::complement:
             return !nullable(node.parts[0]);
         case Kind::inverse_image:
@@ -176,7 +176,7 @@ bool Derivatives::find_nullable(Term term) {
             break;
     }
     const auto erased = after_erased(node.parts[0], node.number);
-    return std::any_of(erased.begin(), erased.end(), is_nullable);
+    return std::ranges::any_of(erased, is_nullable);
 }
 
 Derivatives::Term Derivatives::derivative(Term term, Symbol letter) {
@@ -370,7 +370,7 @@ private:
     bool find(const Tree& tree, const Word& word) {
         switch (tree.kind) {
             case Tree::Kind::words:
-                return std::find(tree.words.begin(), tree.words.end(), word) != tree.words.end();
+                return std::ranges::binary_search(tree.words, word, shortlex_less);
             case Tree::Kind::generated:
                 return generated(*tree.system, word);
             case Tree::Kind::united:
@@ -388,11 +388,11 @@ private:
             case Tree::Kind::reversal:
                 return in(tree.parts[0], Word(word.rbegin(), word.rend()));
             case Tree::Kind::complement:
-                return std::all_of(word.begin(), word.end(),
-                                   [&](Symbol a) {
-                                       return std::binary_search(tree.letters.begin(),
-                                                                 tree.letters.end(), a);
-                                   }) &&
+                return std::ranges::all_of(word,
+                                           [&](Symbol a) {
+                                               return std::binary_search(tree.letters.begin(),
+                                                                         tree.letters.end(), a);
+                                           }) &&
                        !in(tree.parts[0], word);
             case Tree::Kind::inverse_image: {
                 const auto image = image_of(word, tree.morphism, budget_);
@@ -439,7 +439,7 @@ private:
         const Tree& part = *tree.parts[0];
         switch (part.kind) {
             case Tree::Kind::words:
-                return std::any_of(part.words.begin(), part.words.end(), [&](const Word& each) {
+                return std::ranges::any_of(part.words, [&](const Word& each) {
                     return image_of(each, tree.morphism, budget_) == word;
                 });
             case Tree::Kind::generated:

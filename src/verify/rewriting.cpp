@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <functional>
 #include <locale>
 #include <map>
 #include <sstream>
@@ -9,6 +10,10 @@
 
 #include "exact/exact.hpp"
 #include "verify/verify.hpp"
+
+// Systems with parameters and probabilities: the probability that a word of modules derives another one, by a recursion over
+// the word that shares nothing with the engines of `rewrite`. Contexts and modules elsewhere in the word are matched
+// by definition, position by position.
 
 namespace algae::verify {
 
@@ -26,10 +31,6 @@ bool read_decimal(const std::string& text, double& value) {
     in.imbue(std::locale::classic());
     return in >> value && in.peek() == std::istringstream::traits_type::eof();
 #endif
-
-    // Systems with parameters and probabilities: whether a word of modules becomes another in one step, and with which probability, by a
-    // recursion over the word that shares nothing with the engines of `rewrite`. Matching of contexts and of modules elsewhere in the
-    // word follows the definition, position by position.
 }
 
 double number(const Field& field) {
@@ -55,7 +56,7 @@ Term term(const Field& field, std::size_t depth = 0) {
         read.kind = Term::Kind::operation;
         read.name = field.at("apply").text();
         for (const Field& part : field.at("to").list()) read.parts.push_back(term(part, depth + 1));
-        if (read.parts.empty()) field.at("to").fail("an operation is on something");
+        if (read.parts.empty()) field.at("to").fail("an operation must have an operand");
     }
     return read;
 }
@@ -63,7 +64,7 @@ Term term(const Field& field, std::size_t depth = 0) {
 /// The letter and what stands behind it.
 std::pair<std::string, std::vector<Field>> module(const Field& field) {
     std::vector<Field> parts = field.list();
-    if (parts.empty()) field.fail("a module has a letter");
+    if (parts.empty()) field.fail("a module must have a letter");
     std::string letter = parts.front().text();
     parts.erase(parts.begin());
     return {std::move(letter), std::move(parts)};
@@ -192,8 +193,8 @@ Rational probability(const Field& field) {
     const std::string& text = field.text();
     const std::size_t slash = std::min(text.find('/'), text.size());
     const auto is_number = [](std::string_view digits) {
-        return !digits.empty() && std::all_of(digits.begin(), digits.end(),
-                                              [](char c) { return c >= '0' && c <= '9'; });
+        return !digits.empty() &&
+               std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
     };
     const std::string below = slash == text.size() ? "1" : text.substr(slash + 1);
     if (!is_number(text.substr(0, slash)) || !is_number(below) || Integer(below) == 0)
@@ -227,7 +228,7 @@ Rational chance(const ModuleSystem& system, const Modules& from, const Modules& 
     if (steps > Integer(most))
         throw BoundReached(Bound::method,
                            "only derivations of at most 1000 steps are worked out again");
-    if (std::any_of(system.rules.begin(), system.rules.end(), [](const ModuleSystem::Rule& rule) {
+    if (std::ranges::any_of(system.rules, [](const ModuleSystem::Rule& rule) {
             return !rule.left.empty() || !rule.right.empty() || !rule.elsewhere.empty();
         }))
         return walked(system, from, to, steps.to_uint64(), proof, budget);
@@ -350,11 +351,9 @@ std::size_t size_around(const ModuleSystem::Rule& rule) {
 }
 
 bool same_kinds(const std::vector<Pattern>& some, const std::vector<Pattern>& others) {
-    return std::equal(some.begin(), some.end(), others.begin(), others.end(),
-                      [](const Pattern& one, const Pattern& other) {
-                          return one.letter == other.letter &&
-                                 one.parameters.size() == other.parameters.size();
-                      });
+    return std::ranges::equal(some, others, [](const Pattern& one, const Pattern& other) {
+        return one.letter == other.letter && one.parameters.size() == other.parameters.size();
+    });
 }
 
 bool same_around(const ModuleSystem::Rule& one, const ModuleSystem::Rule& other) {
@@ -392,6 +391,31 @@ Choices choices(const ModuleSystem& system, const Modules& word, std::size_t pos
     return all;
 }
 
+namespace {
+
+const std::map<std::string, std::function<double(double)>> of_one{
+    {"-", std::negate<double>()},
+    {"!", std::logical_not<double>()},
+    {"abs", [](double x) { return std::abs(x); }},
+    {"floor", [](double x) { return std::floor(x); }},
+    {"ceil", [](double x) { return std::ceil(x); }},
+    {"sqrt", [](double x) { return std::sqrt(x); }}};
+
+const std::map<std::string, std::function<double(double, double)>> of_two{
+    {"<", std::less<double>()},
+    {"<=", std::less_equal<double>()},
+    {">", std::greater<double>()},
+    {">=", std::greater_equal<double>()},
+    {"=", std::equal_to<double>()},
+    {"!=", std::not_equal_to<double>()},
+    {"+", std::plus<double>()},
+    {"-", std::minus<double>()},
+    {"*", std::multiplies<double>()},
+    {"/", std::divides<double>()},
+    {"^", [](double x, double y) { return std::pow(x, y); }}};
+
+}  // namespace
+
 double value(const Term& term, const Bindings& names, const Field& proof) {
     if (term.kind == Term::Kind::number) return term.number;
     const std::string& name = term.name;
@@ -404,47 +428,21 @@ double value(const Term& term, const Bindings& names, const Field& proof) {
     const std::size_t count = term.parts.size();
     const auto part = [&](std::size_t i) { return value(term.parts[i], names, proof); };
     const double x = part(0);
-    double result = std::nan("");
-    if (count == 1 && name == "-") {
-        result = -x;
-    } else if (count == 1 && name == "!") {
-        result = x == 0;
-    } else if (count == 1 && name == "abs") {
-        result = std::abs(x);
-    } else if (count == 1 && name == "floor") {
-        result = std::floor(x);
-    } else if (count == 1 && name == "ceil") {
-        result = std::ceil(x);
-    } else if (count == 1 && name == "sqrt") {
-        result = std::sqrt(x);
-    } else if (count == 2 && name == "&") {
-        result = x != 0 && part(1) != 0;
-    } else if (count == 2 && name == "|") {
-        result = x != 0 || part(1) != 0;
-    } else if (name == "min" || name == "max") {
-        result = x;
+    double result = x;
+    if (name == "min" || name == "max") {
         for (std::size_t i = 1; i < count; ++i)
             result = name == "min" ? std::min(result, part(i)) : std::max(result, part(i));
+    } else if (count == 1 && of_one.contains(name)) {
+        result = of_one.at(name)(x);
+    } else if (count == 2 && (name == "&" || name == "|")) {
+        result = (x != 0) == (name == "|") ? x != 0 : part(1) != 0;
     } else if (count == 2) {
         const double y = part(1);
-        const std::map<std::string, double> comparisons{{"<", x < y},  {"<=", x <= y},
-                                                        {">", x > y},  {">=", x >= y},
-                                                        {"=", x == y}, {"!=", x != y}};
-        const auto comparison = comparisons.find(name);
-        if (comparison != comparisons.end()) return comparison->second;
-        if (name == "+")
-            result = x + y;
-        else if (name == "-")
-            result = x - y;
-        else if (name == "*")
-            result = x * y;
-        else if (name == "/")
-            result = x / y;
-        else if (name == "^")
-            result = std::pow(x, y);
-        else
+        const auto found = of_two.find(name);
+        if (found == of_two.end())
             throw BoundReached(Bound::method,
                                "the operation '" + name + "' is not worked out again");
+        result = found->second(x, y);
     } else {
         throw BoundReached(Bound::method, "the function '" + name + "' is not worked out again");
     }

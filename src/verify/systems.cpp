@@ -89,7 +89,7 @@ bool is_endless(const System& system) {
                     beside = beside || (at != i && lasting.contains(successor[at]));
                 if (!beside) continue;
                 const auto derived = accessible_letters(system, {successor[i]});
-                if (std::find(derived.begin(), derived.end(), a) != derived.end()) return true;
+                if (std::ranges::count(derived, a) > 0) return true;
             }
     return false;
 }
@@ -106,7 +106,7 @@ std::optional<std::string> beyond_form(const System& system, const std::string& 
         return interactive ? std::nullopt : std::optional<std::string>("the rules have contexts");
     if (!tables && system.tables.size() != 1) return "the system has more than one table";
     if (!extended && !has_only_terminals(system))
-        return "a letter that is no terminal occurs in derived words";
+        return "a letter that is not a terminal occurs in derived words";
     if (family.find('D') != std::string::npos && !is_deterministic(system))
         return "a letter has more than one successor";
     if (family.find('P') != std::string::npos && !is_propagating(system))
@@ -167,8 +167,8 @@ bool may_give(const System::Successors& table, const Word& from, const Word& to)
 
 bool never_shrinks(const System& system) {
     if (system.context)
-        return std::none_of(system.rules.begin(), system.rules.end(),
-                            [](const System::Rule& rule) { return rule.successor.empty(); });
+        return std::ranges::none_of(
+            system.rules, [](const System::Rule& rule) { return rule.successor.empty(); });
     return is_propagating(system);
 }
 
@@ -284,8 +284,7 @@ bool some_relations_after(const System& system, const Relations& start, std::siz
 
 Lengths::Lengths(const System& system)
     : system_(system), symbols_(accessible_letters(system, system.axiom)) {
-    for (const Symbol a : symbols_)
-        counts_.emplace_back(std::count(system.axiom.begin(), system.axiom.end(), a));
+    for (const Symbol a : symbols_) counts_.emplace_back(std::ranges::count(system.axiom, a));
 }
 
 Integer Lengths::length() const {

@@ -20,8 +20,8 @@
 
 // verify: certificates, checked again by means that share nothing with the search that found them. This room reads the JSON of
 // CERTIFICATES.md into statements and proofs, each with the path and line of its field, and checks each proof by definitions
-// alone: it has a reader, languages, derivations and matrices of its own. A proof that does not show its statement is a flaw, told
-// with its place; a stop of the work judges nothing.
+// only: it has its own reader, languages, derivations and matrices. If a proof does not show its statement, the flaw is reported
+// with its place; if the work is stopped, nothing is judged.
 
 namespace algae::verify {
 
@@ -37,7 +37,7 @@ struct JsonValue {
     std::size_t line = 0;           // counts from 1
 };
 
-/// The value that a JSON text holds. Throws Error naming the line where it is none, has a member twice
+/// The value of a JSON text. Throws Error, which names the line, if the text is not JSON, has a member twice
 /// in one object or is followed by something else; BoundReached where lists and objects are nested
 /// deeper than 1000 levels.
 ///
@@ -51,8 +51,8 @@ struct Flaw {
     std::string reason;
 };
 
-/// A value of a certificate and how to get there: "statements[2].proof.cases[0]". Whoever asks for
-/// something else than what is there gets an Error that names the path and the line.
+/// A value of a certificate and its path: "statements[2].proof.cases[0]". If the value is not what is asked for, an Error
+/// names the path and the line.
 class Field {
 public:
     Field(const JsonValue& value, std::string path, const std::string& file)
@@ -62,7 +62,7 @@ public:
     std::size_t line() const { return value_->line; }
     JsonValue::Kind kind() const { return value_->kind; }
 
-    /// Throws Error if this is no object or has a field that is not named here.
+    /// Throws Error if this is not an object or has a field that is not named here.
     void only(const std::vector<std::string_view>& names) const;
     bool has(std::string_view name) const;
     /// A field of an object. Throws Error if it is missing.
@@ -79,9 +79,9 @@ public:
     /// A number or a string of digits; a minus sign before the digits only where `negative`.
     Integer integer(bool negative = false) const;
 
-    /// The certificate is none: throws Error.
+    /// The certificate is not well formed: throws Error.
     [[noreturn]] void fail(const std::string& what) const;
-    /// The proof does not hold: throws Flaw.
+    /// The proof is wrong: throws Flaw.
     [[noreturn]] void refuse(const std::string& why) const;
 
 private:
@@ -122,19 +122,20 @@ std::vector<Symbol> accessible_letters(const System& system, const Word& from);
 
 /// Whether every letter that is accessible from the axiom is a terminal.
 bool has_only_terminals(const System& system);
-/// Whether it is a D0L system: no context, one table, one successor for each accessible letter, no
-/// letter that is no terminal.
+/// Whether it is a D0L system: no context, one table, one successor for each accessible letter, and all
+/// accessible letters are terminals.
 bool is_d0l(const System& system);
 
 /// The letters from which some derivation by this table goes on for ever without becoming empty.
 std::set<Symbol> lasting_letters(const System::Successors& table);
 
-/// Whether an 0L system derives words without end: some letter derives a word with itself in it, where the first
-/// rule has a lasting letter besides. Only systems with one table and terminals only are said to.
+/// Whether an 0L system is found to derive infinitely many words: some letter derives a word that contains it again, and the
+/// successor of the first rule also contains a lasting letter. False for systems with several tables or with letters
+/// that are not terminals.
 bool is_endless(const System& system);
 
-/// What keeps the system from having the form of a family, in words; nothing if it has it. The families are
-/// 0L, T0L, E0L and ET0L with P and D before, and IL. `empty_axiom`: whether the empty word may be
+/// Why the system does not have the form of a family, in words; nothing if it has that form. The families are
+/// 0L, T0L, E0L and ET0L, with or without P and D in front, and IL. `empty_axiom`: whether the empty word may be
 /// the axiom.
 std::optional<std::string> beyond_form(const System& system, const std::string& family,
                                        bool empty_axiom);
@@ -186,7 +187,7 @@ struct ModuleSystem {
     std::set<std::string> ignored;  // not seen when contexts are matched
 };
 
-/// Throw Error where the field is not as CERTIFICATES.md says.
+/// Throw Error if the field is not as CERTIFICATES.md says.
 ModuleSystem module_system(const Field& field);
 Modules modules(const Field& field);
 Rational probability(const Field& field);
@@ -194,24 +195,24 @@ Rational probability(const Field& field);
 /// What the names in the expressions of a rule stand for.
 using Bindings = std::map<std::string, double>;
 
-/// The value of an expression. Throws Flaw (at `proof`) where it does not exist, BoundReached where it
+/// The value of an expression. Throws Flaw (at `proof`) if it does not exist, BoundReached if it
 /// uses a function that is not arithmetic.
 double value(const Term& term, const Bindings& names, const Field& proof);
 
-/// What a module may become, with probabilities; nothing if it stays.
+/// The possible successors of a module with their probabilities; empty if the module stays.
 using Choices = std::vector<std::pair<Rational, Modules>>;
 
-/// The choices of the module at a position of a word: of the rules that match there, those with the most
-/// modules around it that are first in the system. Throws what `value` throws, and Flaw where they leave a
-/// choice without probabilities that add up to 1.
+/// The choices of the module at a position of a word: of the rules that match there, the first of those with the most
+/// modules in their contexts, and all rules with the same contexts. Throws what `value` throws, and Flaw if their
+/// probabilities do not add up to 1.
 Choices choices(const ModuleSystem& system, const Modules& word, std::size_t position,
                 const Field& proof);
 
-/// The probability that a word derives the other in so many steps. Where no rule looks around, by
-/// recursion: the probability that a module derives a part of the other word being the sum over its
-/// rules of that of its successor in one step less, and that of a word the sum over all places where
-/// what its first modules derive may end; cubic in the length of the other word. Where some rule does, by
-/// deriving all words; BoundReached if there are more than 10,000. Throws what `choices` throws.
+/// The probability that a word derives the other in this number of steps. If no rule has a context, it is computed by
+/// recursion: the probability that a module derives a part of the other word is a sum over its rules, of the probability
+/// that the successor derives it in one step less; that of a word is a sum over all places where the part of its first
+/// modules may end. This is cubic in the length of the other word. If some rule has a context, all words are
+/// derived; BoundReached if there are more than 10,000. Throws what `choices` throws.
 Rational chance(const ModuleSystem& system, const Modules& from, const Modules& to,
                 const Integer& steps, const Field& proof, const Budget& budget);
 
@@ -260,7 +261,7 @@ struct NamedSystem {
     std::shared_ptr<const System> system;
 };
 
-/// What is said, without any "not" before it.
+/// A statement, without any "not" in front of it.
 struct Statement {
     enum class Kind {
         family,
@@ -297,7 +298,7 @@ struct Statement {
     std::optional<Rational> probability;
 };
 
-/// One statement of a certificate and what is said of it.
+/// One statement of a certificate and its verdict.
 struct Entry {
     Field field;
     std::string text;
@@ -319,12 +320,12 @@ struct Certificate {
     std::vector<Entry> entries;
 };
 
-/// The certificate that a text holds (CERTIFICATES.md). Its proofs are not looked at. Throws Error naming the
-/// path and the line of the first field that is missing, unexpected or of the wrong type.
+/// The certificate in a text (CERTIFICATES.md). Its proofs are not checked. Throws Error, which names the
+/// path and the line, at the first field that is missing, unexpected or of the wrong type.
 std::unique_ptr<const Certificate> read_certificate(const std::string& text,
                                                     const std::string& file);
 
-/// Reads the parts of a certificate. Everything throws Error where the text is not as CERTIFICATES.md says.
+/// Reads the parts of a certificate. All functions throw Error if the text is not as CERTIFICATES.md says.
 class Reader {
 public:
     using Systems = std::map<std::string, std::shared_ptr<const System>>;
@@ -353,6 +354,7 @@ private:
     System::Successors table(const Field& field) const;
     System with_context(const Field& field) const;
     bool of_languages(const Field& field, Statement& read) const;
+    bool of_pairs(const Field& field, Statement& read) const;
     Statement of_modules(const Field& field, Statement read) const;
     Statement of_dimension(const Field& field, Statement read) const;
     Statement of_systems(const Field& field, Statement read) const;
@@ -382,7 +384,7 @@ struct Family {
 /// Example: to_string(Family{.propagating = true, .tables = true}) == "PT0L"
 std::string to_string(Family family);
 
-/// The family of this name. Throws Error if there is none.
+/// The family of this name. Throws Error if there is no such family.
 ///
 /// Example: family_named("PD0L") == Family{true, true, false}
 Family family_named(std::string_view name);
@@ -427,10 +429,10 @@ struct LetterRule {
     }
 };
 
-/// Why a rule is in no table that keeps the language closed, given which rules are still possible
-/// and which are known to be there. Either no choice of one possible rule for each letter of `word`,
-/// this one among them, sends `word` into the language (`images` is empty), or `images`, letter by
-/// letter, is a derivation step that uses this rule and rules that are there only, and leaves it.
+/// Why a rule is not in any table that keeps the language closed, given the rules that are still possible
+/// and the rules that are known to be there. Either (`images` is empty) no choice of one possible rule for each letter of
+/// `word`, this rule among them, sends `word` into the language; or `images`, letter by
+/// letter, is a derivation step that leaves the language and uses this rule and otherwise only rules that are there.
 struct ExcludedRule {
     LetterRule rule;
     Word word;
@@ -463,7 +465,7 @@ struct ImpossibleTable {
     ObstructionCase why;
 };
 
-/// Why a finite language is not of a family: data that can be checked without any search. At first
+/// Why a finite language is not in a family: data that can be checked without any search. At first
 /// all factors of words of the language are possible images of every letter (in a propagating
 /// family, all but ε): what the letter becomes is a factor of a word of the language.
 ///
@@ -477,49 +479,49 @@ struct FamilyObstruction {
     std::vector<ImpossibleTable> impossible;
 };
 
-/// A word as certificates have it: the names of its symbols with a blank between any two.
+/// A word as it stands in certificates: the names of its symbols, separated by blanks.
 ///
 /// Example: certificate_text(*finite_language({"ab"}).alphabet, {0, 1, 0}) == "a b a"
 std::string certificate_text(const Alphabet& alphabet, const Word& word);
 
-/// What a certificate holds of a proof by cases (CERTIFICATES.md): the cases and the impossible tables. The
+/// A proof by cases as it stands in a certificate (CERTIFICATES.md): the cases and the impossible tables. The
 /// family and the language are those of the statement that it proves.
 nlohmann::ordered_json to_json(const FamilyObstruction& obstruction);
 
 namespace verify {
 
-/// The proof by cases that a certificate holds; its family and language are left as they begin.
+/// The proof by cases in a certificate; its family and its language are not set.
 FamilyObstruction read_obstruction(const Reader& reader, const Field& field);
 
 }  // namespace verify
 
-/// What is wrong with a proof that a finite language is not of a family, in words; nothing if it
-/// proves that. Checks every step anew, on words and sets of words: it knows nothing of the search.
-/// Exponential in the worst case; throws BoundReached where it takes more than the budget.
+/// The flaw of a proof that a finite language is not in a family, in words; nothing if the proof is correct.
+/// Checks every step again, on words and sets of words, and shares nothing with the search.
+/// Exponential in the worst case; throws BoundReached if it takes more than the budget.
 ///
 /// Example: flaw_in(*decide_family(finite_language({"a", "aa"}), Family{}).obstruction) == std::nullopt
 std::optional<std::string> flaw_in(const FamilyObstruction& obstruction, const Budget& budget = {});
 
 namespace verify {
 
-/// What came of one statement of a certificate.
+/// The result of checking one statement of a certificate.
 struct Finding {
     enum class Outcome {
-        checked,      // its proof shows it, or its opposite if it is said to be refuted
+        checked,      // its proof shows it, or its opposite if the verdict is "refuted"
         cited,        // it rests on a source: not checked
         undecided,    // the certificate does not decide it
         not_checked,  // a bound was reached: see `reason`
         wrong         // its proof does not show it: see `path`, `line` and `reason`
     };
     Outcome outcome = Outcome::undecided;
-    std::string statement;  // in words, made of the statement itself and not of its text
+    std::string statement;  // in words, written from the statement itself and not from its text
     std::string citation;
     std::string path;
     std::size_t line = 0;
     std::string reason;
 };
 
-/// Checks every statement of a certificate, each by itself. Throws Error where a proof is not as
+/// Checks every statement of a certificate, each by itself. Throws Error if a proof is not as
 /// CERTIFICATES.md says, Interrupted if the work was asked to stop.
 std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget);
 

@@ -60,7 +60,7 @@ TEST_CASE("what is wrong with a mesh is said before a file appears") {
             "a figure in space in .glb, .obj, .ply, .stl, .x3d or .wrl");
     refused("-o -", 2, "glb, obj, ply, stl, x3d, wrl or vrml1");
     refused(to_glb + "--facets 2", 2, "--facets 2: expected 3 to 256 sides of a tube");
-    refused(to_glb + "--panels", 2, "--panels: glb is no picture");
+    refused(to_glb + "--panels", 2, "--panels: glb is not a picture");
     refused(to_glb + "-n 0..2", 2, "-n 0..2: glb holds one generation");
     refused(to_glb + "--max-memory 1K", 3, "--max-memory");
     refused("--facets 9 -o '" + scratch.file("a.svg") + "'", 2, "--facets is for");

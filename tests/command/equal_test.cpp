@@ -72,9 +72,9 @@ TEST_CASE("equal compares languages") {
         run("equal " + one + " " + files.file("three.lsys", "axiom S; S -> T; T -> XS"));
     CHECK(other.status == 1);
     CHECK(other.out ==
-          "different: generation 2 of A is no word of B: SX\n"
+          "different: generation 2 of A is not a word of B: SX\n"
           "  generation 2 of B alone has as many of each letter, in another order\n");
-    CHECK(run("equal " + one + " koch").out == "different: generation 0 of A is no word of B: S\n");
+    CHECK(run("equal " + one + " koch").out == "different: generation 0 of A is not a word of B: S\n");
     const json refuted = json::parse(run("equal " + one + " koch --json").out);
     CHECK(refuted == json::parse(R"({"verdict": "different",
         "witness": {"by": "word", "of": "A", "generation": 0, "length": 1, "word": "S"}})"));

@@ -101,7 +101,7 @@ TEST_CASE("member with tables names the table of each step, and with terminals l
     CHECK(no.out.starts_with(
         "no: bbb is not in the language: what the letters derive within it by "));
     CHECK(run("member - aSb", system).out ==
-          "no: aSb is not in the language: the letter S at position 1 is no terminal\n");
+          "no: aSb is not in the language: the letter S at position 1 is not a terminal\n");
 }
 
 TEST_CASE("member of an E0L system needs no tables") {

@@ -81,7 +81,7 @@ TEST_CASE("landscapes and paths in space become meshes") {
                 "brownian lies in the plane, and glb is for figures in space"));
     CHECK(holds(refused("dla --particles 9 -o '" + scratch.file("a.glb") + "'"), "in the plane"));
     CHECK(holds(refused("terrain --width 9 -o '" + scratch.file("a.glb") + "'"),
-                "--width: glb is no picture"));
+                "--width: glb is not a picture"));
     CHECK(scratch.size() == 8);
 }
 

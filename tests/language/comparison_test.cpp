@@ -169,10 +169,10 @@ TEST_CASE("words with letters that have no image are left out of images of langu
         "show L(G) is infinite; show L(E) is infinite",
         "t.claim", {});
     const Symbol a = *claim.alphabet->find("a");
-    const auto language = [&](std::size_t i) {
+    const auto language_of = [&](std::size_t i) {
         return std::get<IsFinite>(claim.statements[i].statement.says).language;
     };
-    const Language only_b = language(0), some_a = language(1);
+    const Language only_b = language_of(0), some_a = language_of(1);
     const auto same = [&](const Language& language, std::vector<Word> words) {
         return judge_equality(language, words_language(std::move(words)), *claim.alphabet).truth ==
                Truth::proved;

@@ -73,8 +73,9 @@ TEST_CASE("the boundary of a limit set that fills an area") {
 TEST_CASE("an upper bound proves what is at most, and refutes what is above it") {
     // Irrational turns: whether parts coincide is not known.
     const std::string tree = "D0L { axiom X; X -> F[+X][-X]; F -> FF; angle 20 }";
-    const auto bounded =
-        exact_dimension(*claim_of(tree, "dimension(G) = 1").statements[0].statement.drawn);
+    const auto bounded = exact_dimension(
+        *std::get<HasDimension>(claim_of(tree, "dimension(G) = 1").statements[0].statement.says)
+             .system);
     if (bounded.status == ExactDimension::Status::upper_bound) {
         const std::string bound = bounded.value->text();
         CHECK(truth(tree, "dimension(G) = " + bound) == Truth::undecided);

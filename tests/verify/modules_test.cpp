@@ -123,7 +123,7 @@ TEST_CASE("what is no certificate is refused") {
     CHECK(refused(certificate_of(R"({"derives": [["b", "x"]], "system": "S", "steps": 1})"))
               .find("expected a number, found 'x'") != std::string::npos);
     CHECK(refused(certificate_of(R"({"derives": [[]], "system": "S", "steps": 1})"))
-              .find("a module has a letter") != std::string::npos);
+              .find("a module must have a letter") != std::string::npos);
     CHECK(!refused(certificate_of(R"({"derives": [["b"]], "system": "S"})")).empty());
     Json other = certificate_of(b + "}");
     other["statements"][0]["proof"]["by"] = "derivation";

@@ -18,17 +18,17 @@ namespace algae::command {
 
 class Verb;
 
-/// What FILE means on the command line, in help texts.
+/// The meaning of FILE on the command line, for help texts.
 inline constexpr const char* file_help = "a file, - for standard input, or a name from the gallery";
 
 /// The type of such an argument.
 inline constexpr const char* file_type = "FILE|NAME";
 
 /// The bytes of a file. Throws Error if it cannot be read or is a folder, BoundReached if reading
-/// it as a system would take more than the budget's memory.
+/// it as a system would take more memory than the budget has.
 std::string file_text(const std::string& path, const Budget& budget);
 
-/// A text and what messages call it.
+/// A text and its name in messages.
 struct SourceText {
     std::string name, text;
 };
@@ -43,31 +43,31 @@ Model open_model(const std::string& file, const Budget& budget);
 /// Its rules alone.
 LSystem open_system(const std::string& file, const Budget& budget);
 
-/// An option that stands for a statement of a relative's file, and what the command line says;
-/// nothing where the text is empty.
+/// An option that replaces a statement of a relative's file, with its text on the command line;
+/// an empty text means that the option is not given.
 struct StatementOption {
     std::string option, key, text;  // "--points", "points", "1000"
 };
 
-/// Whether the end of its name says that FILE holds a relative.
+/// Whether FILE has a relative, by its extension.
 bool is_relative(const std::string& file);
-/// The relative in FILE; statements that options name are as these say.
+/// The relative in FILE; options replace statements of the file.
 std::unique_ptr<Relative> open_relative(const std::string& file, const Budget& budget,
                                         const std::vector<StatementOption>& said = {});
-/// The relative of one kind, "ifs", that FILE and the options say; the options alone if there is no
-/// FILE. A name that a system of the gallery has as well means the relative.
+/// The relative of one kind, "ifs", that FILE and the options describe, or the options alone if there is no
+/// FILE. If a system of the gallery has the same name, the name means the relative.
 std::unique_ptr<Relative> open_kind(const std::string& kind, const std::string& file,
                                     const Budget& budget, const std::vector<StatementOption>& said);
 
 /// The folder of a file, "." for standard input.
 std::string folder_of(const std::string& file);
 
-/// What a name of a system means in a text: a file in the first of these folders that has it, or what
-/// it means on the command line.
+/// How names of systems in a text are read: as a file in the first of these folders that has it, otherwise
+/// as on the command line.
 std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
-                                                      const Budget& budget);
+                                                        const Budget& budget);
 
-/// `--environment 'COMMAND'`. Only the command line says which program runs, never a file.
+/// `--environment 'COMMAND'`. Only the command line, never a file, says which program runs.
 void add_environment_option(Verb& verb, std::string& program);
 
 /// The program of --environment, started; nullptr where the option is not given. Throws Error if no

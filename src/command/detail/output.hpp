@@ -16,6 +16,12 @@ namespace algae::command {
 /// Prints text to standard output. Throws Error if it cannot be written.
 void print(std::string_view text);
 
+/// Prints one of the two views of a report, or of what else has both.
+template <class Report>
+void print_report(const Report& report, bool json) {
+    print(json ? to_json(report).text() : to_text(report));
+}
+
 /// A note on standard error: "algae: note: TEXT".
 void note(const std::string& text);
 

@@ -21,39 +21,39 @@ namespace algae::command {
 inline constexpr const char* picture_formats = "svg|pdf|png|ps|eps|gif|webp";
 inline constexpr const char* mesh_formats = "glb|obj|ply|stl|x3d|wrl|vrml1";
 
-/// The format of a picture by the end of this name. Throws Error, listing what else may be drawn.
+/// The format of a picture by the extension of this name. Throws Error, which lists the other formats.
 PictureFormat picture_of(const std::string& named);
 
-/// The name whose end says the format: that of the output unless --format says it. Throws Error if
-/// nothing does.
+/// A name whose extension says the format: that of the output unless --format is given. Throws Error if
+/// neither says it.
 std::string named_format(const std::string& output, const std::string& format);
 
-/// Throws Error if an option is given that a file of a figure in space has no place for.
+/// Throws Error if an option is given that makes no sense for a file of a figure in space.
 void refuse_on_mesh(const std::vector<std::pair<const char*, bool>>& given, MeshFormat format);
 
-/// Calls `draw` with standard output if the path is `-`, otherwise with the path.
-template <class Draw>
-auto drawn_to(const std::string& output, const Draw& draw) {
-    return output == "-" ? draw(std::cout) : draw(output);
-}
+/// Standard output if the path is `-`, otherwise the file.
+Target target_of(const std::string& output);
 
-/// What `draw` takes for figures in space.
+/// Throws Error, the option and then `why`, at the first option that is given.
+void refuse_given(const std::vector<std::pair<const char*, bool>>& given, const std::string& why);
+
+/// The options of `draw` for figures in space.
 struct SpaceOptions {
     std::optional<Camera> camera;
     std::optional<Light> light;
     std::optional<double> fog;
 
     void add_to(Verb& verb);
-    /// Throws Error if an option is given that only figures in space have.
+    /// Throws Error if one of these options is given.
     void check_unused(const std::string& name) const;
 };
 
-/// How the scenes of a system are looked at: as the options say, and where they do not, its file.
+/// How the scenes of a system are seen: as the options say, otherwise as its file says.
 /// `background` is that of the picture.
 ViewChoices view_choices(const SpaceOptions& options, const Model& system,
                          const std::optional<std::string>& background);
 
-/// A reader: a label as --label says it, "TEXT@x,y" or "TEXT@x,y,z".
+/// A reader of the text of --label, "TEXT@x,y" or "TEXT@x,y,z".
 PointLabel point_label(const std::string& option, const std::string& text);
 
 /// One word of a system, ready to be drawn.
@@ -64,7 +64,7 @@ struct FigurePlate {
     std::string name, caption;
 };
 
-/// What of a system with choices a picture shows, where it is not the file that says it.
+/// The choices of a picture of a system with choices; what is not set comes from the file.
 struct PlateChoices {
     std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;  // a word for each
     std::vector<std::size_t> tables;                               // one for each step
@@ -94,17 +94,22 @@ private:
     bool many_seeds_ = false;
 };
 
-/// The generations that a file says its figure shows; Throws Error if it says none.
+/// The generations that the figure shows according to its file. Throws Error if the file does not say it.
 std::pair<std::uint64_t, std::uint64_t> shown_generations(const Model& system);
 
-/// Writes a scene, `-` to standard output; the result says what, as JSON.
+/// Writes a scene, to standard output for `-`, and describes it as JSON.
 Json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,
                 const MeshChoices& choices, const Budget& budget);
 
-/// The scene of a relative. Throws Error if it lies in the plane.
+/// The scene of a relative. Throws Error if the relative lies in the plane.
 Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget);
 
-/// Figures of a relative with a caption underneath: the text, or if it is empty what each shows.
+/// One plate as a picture of its own, several side by side.
+Drawn draw_plates(std::span<const Plate> plates, const std::string& output, PictureFormat format,
+                  const PictureOptions& picture, const Budget& budget,
+                  Progress* progress = nullptr);
+
+/// Figures of a relative with a caption underneath: the text, or if it is empty the caption of each figure.
 std::vector<Plate> relative_plates(const std::vector<RelativeFigure>& figures, bool captions,
                                    const std::string& caption);
 
@@ -113,7 +118,7 @@ Drawn draw_relative(const Relative& relative, const std::string& output, Picture
                     const PictureOptions& picture, bool captions, const std::string& caption,
                     const Budget& budget);
 
-/// What is known of it and what was drawn, as one JSON object.
+/// The facts about a relative and the picture that was drawn, as one JSON object.
 Json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,
                    const std::string& output, const Budget& budget);
 

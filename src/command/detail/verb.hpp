@@ -1,9 +1,9 @@
 #pragma once
 // command: the program `algae`, one verb a question.
 //
-// A verb is a struct of typed options and a function that calls the library and shows the result. What it
-// declares here is a plain table; the parser, `--help`, the manual page and the completions of shells are
-// all made from it. CLI11 stays in verb.cpp: its header costs four seconds in every file that includes it.
+// A verb is a struct of typed options and a function that calls the library and shows the result. It
+// declares its options as a plain table, from which the parser, `--help`, the manual page and the completions of
+// shells are made. CLI11 stays in verb.cpp: its header costs four seconds in every file that includes it.
 
 #include <atomic>
 #include <cstdint>
@@ -20,16 +20,21 @@
 
 namespace algae::command {
 
-/// How the command ends.
+/// The exit status of the command.
 enum Status { success = 0, refuted = 1, bad_input = 2, undecided = 3, interrupted = 130 };
 
 /// Set by Ctrl-C.
 extern std::atomic<bool> stop;
 
-/// What the budgets of all verbs call at each check, if anything: tests stop verbs by it.
+/// A function that the budgets of all verbs call at each check, if it is set: tests stop verbs by it.
 extern const std::function<void()>* at_check;
 
-// Readers give an option's text as a value. They throw Error, which names the option, if they cannot.
+/// A number of any sign, or nothing.
+std::optional<double> number(const std::string& text);
+/// The parts of a text between commas, empty ones too.
+std::vector<std::string> between_commas(const std::string& text);
+
+// Readers make a value from an option's text. If they cannot, they throw Error, which names the option.
 
 /// A generation or a count: a whole number from 0 to 2^63 - 1.
 std::uint64_t natural(const std::string& option, const std::string& text);
@@ -59,8 +64,8 @@ Range range(const std::string& option, const std::string& text);
 [[noreturn]] void refuse(const std::string& option, const std::string& expected,
                          const std::string& found);
 
-/// An option or an argument of a verb. The name of its type says what may stand there: FILE and DIR
-/// paths, NAME a name from the gallery, COLOUR a colour's name, `map|solid` one of these words.
+/// An option or an argument of a verb. The name of its type says which values are possible: FILE and DIR
+/// are paths, NAME is a name from the gallery, COLOUR the name of a colour, `map|solid` one of these words.
 struct Option {
     std::vector<std::string> names;  // "-o", "--output"; of an argument its name, "FILE"
     std::string type;                // empty for a flag
@@ -69,14 +74,14 @@ struct Option {
     bool bounds = false;                           // one of those that bound the work
     std::vector<std::string> words;                // other values are refused, if there are any
     std::vector<std::string> needs, excludes;      // names of other options
-    std::function<void(const std::string&)> take;  // puts one value where the verb finds it
+    std::function<void(const std::string&)> take;  // stores one value in the options of the verb
 
     /// The longest of the names.
     const std::string& name() const { return names.back(); }
     bool is_argument() const { return !name().starts_with('-'); }
 };
 
-/// What may stand for a value: the words of a set, and paths.
+/// The possible values: the words of a set, and paths.
 struct Values {
     std::vector<std::string> words;
     bool files = false, folders = false;
@@ -87,7 +92,7 @@ struct Bounds {
     std::optional<std::uint64_t> letters, memory;
     std::optional<double> timeout;  // seconds
 
-    /// The time begins now.
+    /// The timeout is counted from now on.
     Budget budget() const;
 };
 
@@ -124,7 +129,7 @@ public:
         added.repeated = std::is_same_v<Target, std::vector<Value>>;
         return added;
     }
-    /// One of some words, and what each means.
+    /// One of some words, each with its meaning.
     template <class Target>
     Option& choice(const std::string& names, Target& target,
                    const std::vector<std::pair<std::string, Target>>& choices,
@@ -137,25 +142,25 @@ public:
         };
         return added;
     }
-    /// Something that is either said or not.
+    /// A flag.
     Option& flag(const std::string& names, bool& target, const std::string& text);
-    /// `--json`, which all verbs say in the same words but a few.
+    /// `--json`, with the same text in nearly all verbs.
     Option& json_flag(bool& target, const std::string& text = "print one JSON object");
     /// --max-letters, --max-memory and --timeout.
     void bounded_by(Bounds& bounds);
 
     /// "algae draw [OPTIONS] FILE"
     std::string usage() const;
-    /// Whether it runs one kind of generator, and its names from the gallery are those of the kind.
+    /// Whether it runs one kind of generator; then NAME stands for the names of this kind.
     bool is_generator() const;
-    /// What the type of one of its options allows; nothing where any text may stand.
+    /// The values that the type of one of its options allows; empty if any text is possible.
     Values values(const Option& option) const;
 
 private:
     Option& add(const std::string& names, const std::string& type, const std::string& text);
 };
 
-/// All names that FILE may be, those of other generators with their ends, `fern.ifs`.
+/// All names that FILE may be; those of other generators have their extensions, `fern.ifs`.
 std::vector<std::string> gallery_names();
 
 /// The verbs, in the order of the help.
@@ -174,20 +179,20 @@ public:
         return {verb, *options};
     }
 
-    /// Reads the command line and runs its verb, or prints help; gives how the command ends. Throws
-    /// Error where the command line is wrong, and whatever the verb throws.
+    /// Reads the command line and runs its verb, or prints help; returns the exit status. Throws
+    /// Error if the command line is wrong, and whatever the verb throws.
     int run(int argc, char** argv);
 
-    std::deque<Verb> all;  // whose places stay
+    std::deque<Verb> all;  // addresses stay valid
 };
 
 /// Adds all verbs.
 void add_verbs(Verbs& verbs);
 
-/// Runs the command; every failure becomes one message on standard error and a status.
+/// Runs the command; every failure becomes one message on standard error and an exit status.
 int run_command(int argc, char** argv);
 
-// Those of each file.
+// The verbs of each file.
 void add_show(Verbs& verbs);
 void add_fmt(Verbs& verbs);
 void add_convert(Verbs& verbs);

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "system/system.hpp"
 

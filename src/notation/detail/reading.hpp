@@ -121,19 +121,36 @@ enum class Stage {
     unknown
 };
 
-/// A statement that begins with a keyword: when and how it is read into the system. `read` throws
-/// `SyntaxError` or `DependsOnError`.
+/// What the values of statements are printed from.
+struct Printing {
+    const LSystem& system;
+    const Drawing& drawing;  // of the whole file, as expectations are
+    const std::vector<Expectation>& expectations;
+    const Printer& printer;
+};
+
+/// A statement that begins with a keyword: what users are told of it, when and how it is read, and how it is printed.
 struct Setting {
-    std::string name;
+    StatementHelp help;
     Stage stage;
     bool repeats;  // a file may have several
+    bool within;   // it may stand in a system within another
+    /// Reads it into the system. Throws `SyntaxError` or `DependsOnError`.
     void (*read)(const Clause&, Reading&);
+    /// What stands behind the keyword, for each line of it; an empty text makes no line. Null for systems within and
+    /// for tables, which are printed with their rules.
+    std::vector<std::string> (*print)(const Printing&);
+
+    const std::string& name() const { return help.keyword; }
 };
 
 /// All of them, in the order in which they are printed.
 ///
-/// Example: settings().front().name == "title"
+/// Example: settings().front().name() == "title"
 const std::vector<Setting>& settings();
+
+/// Reads `system leaf { ... }` into the system. Throws `SyntaxError`.
+void read_inner(const Clause& clause, Reading& reading);
 
 /// Throws `SyntaxError` where a name that is declared is too long, or has a character from `begin` on that
 /// is reserved or one of `more`.

@@ -35,7 +35,7 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
 /// The colours that a figure is drawn in: those of the options, or its own.
 const std::vector<std::string>& colours_of(const Figure& figure, const PictureOptions& options);
 
-/// Tells a Progress about one figure among several, as often as is good for it.
+/// Reports the progress of one figure among several.
 class Share {
 public:
     Share() = default;
@@ -55,16 +55,16 @@ struct PixelRectangle {
     int left = 0, top = 0, width = 0, height = 0;
 };
 
-/// Draws a figure in its cell with strokes of this width, by the canvas that suits it. `drawn` is told what was drawn.
+/// Draws a figure in its cell with strokes of this width, by the canvas that suits it. `drawn` records what was drawn.
 void draw_figure(cairo_t* context, const Cell& cell, const Plan& plan, const Figure& figure,
                  double width, const Budget& budget, const Share& share, Drawn& drawn);
 
-/// Draws one plate of a plan in its cell: its figure, and its caption below. `drawn` is told.
+/// Draws one plate of a plan in its cell: its figure, and its caption below. Adds to `drawn`.
 /// Throws what drawing a figure throws.
 void draw_plate(cairo_t* context, const Plan& plan, std::size_t i, const Plate& plate,
                 const Budget& budget, const Share& share, Drawn& drawn);
 
-/// How much of the work of a picture one figure is, for the progress.
+/// The share of one figure in the work of a picture, for the progress.
 double work(const Figure& figure);
 
 /// The length of a scale bar for a figure so wide: 1, 2 or 5 times a power of ten, about a quarter of it.

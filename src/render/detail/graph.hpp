@@ -13,13 +13,13 @@ typedef struct _cairo cairo_t;
 
 namespace algae {
 
-/// How texts of graphs are written: DejaVu Sans, or what the machine has in its place.
+/// The font of texts in graphs: DejaVu Sans, or the substitute of the machine.
 struct GraphFont {
     double size = 12;
     bool bold = false;
 };
 
-/// How wide a text with a subscript is, in points. No pixels are looked at, so it is the same for
+/// The width of a text with a subscript in points. It does not depend on pixels, so it is the same for
 /// all formats.
 double text_width(const std::string& text, const std::string& subscript, const GraphFont& font);
 
@@ -28,7 +28,7 @@ double text_width(const std::string& text, const std::string& subscript, const G
 void write_text(cairo_t* context, const std::string& text, const std::string& subscript,
                 const GraphFont& font, double x, double y, double share = 0.5);
 
-/// Sizes of what graphs are made of, in points.
+/// Sizes of texts in graphs, in points.
 inline constexpr double graph_letters = 12;       // of labels of nodes
 inline constexpr double graph_small_letters = 9;  // of all other texts
 
@@ -52,10 +52,10 @@ struct GraphLayout {
 /// The width and height of a node, so that its label fits.
 Point node_size(const Graph::Node& node);
 
-/// Places a graph by Graphviz's `dot` (Gansner, Koutsofios, North and Vo 1993): as few crossings
-/// and as short edges as it finds. One at a time in a process, since Graphviz has global state.
-/// Throws Error with Graphviz's own words if it cannot, and what budget.check throws, before it
-/// begins and after.
+/// Places a graph by Graphviz's `dot` (Gansner, Koutsofios, North and Vo 1993), which looks for few crossings
+/// and short edges. A process places one graph at a time, because Graphviz has global state.
+/// Throws Error with Graphviz's own words if it fails, and what budget.check throws, before
+/// and after.
 GraphLayout graph_layout(const Graph& graph, const Budget& budget = {});
 
 /// Places a graph whose edges make trees, a row a generation: leaves stand side by side at equal

@@ -24,7 +24,7 @@ struct Cell {
     double caption_top = 0;
 };
 
-/// What decides a layout. Lengths are those of the picture.
+/// The inputs of a layout. Lengths are those of the picture.
 struct LayoutWishes {
     std::optional<double> width, height;
     double longest = 600;  // of the two sides if neither is given
@@ -41,16 +41,16 @@ struct Layout {
     std::vector<Cell> cells;
 };
 
-/// The layout of figures with these boxes in rows of cells of one size, each figure in the middle
-/// of its cell, or with one scale for all in the middle of its lower side. In a row of several
-/// cells none is more than twice as high as wide unless the wishes say so.
+/// The layout of figures with these boxes in rows of cells of one size. Each figure is in the middle
+/// of its cell, or, with one scale for all, in the middle of the lower side. Cells of a row of several
+/// are at most twice as high as wide unless the wishes say otherwise.
 Layout layout(std::span<const Box> boxes, const LayoutWishes& wishes);
 
 /// One page for each figure, all of the size that holds the largest in each direction.
 std::vector<Layout> page_layouts(std::span<const Box> boxes, LayoutWishes wishes);
 
-/// How many of these panels stand in a row: all up to 5, then rows as equal as can be; figures much
-/// wider than high stand under each other in as few columns as keep the picture from being steep.
+/// How many of these panels stand in a row: all if there are up to 5, otherwise rows as equal as possible. Figures much
+/// wider than high stand below each other, in as few columns as keep the picture from becoming too high.
 std::size_t panel_columns(std::span<const Box> boxes);
 
 /// A rectangle for a label, by its middle; x to the right, y downward, as in a picture.
@@ -59,8 +59,8 @@ struct LabelPlace {
     double width = 0, height = 0;
 };
 
-/// Finds places for labels in a picture where they cover little: what stands in the way is told
-/// first, and every label found stands in the way of the next.
+/// Finds places for labels in a picture where they cover little. Obstacles are added
+/// first, and every label that is placed is an obstacle for the next.
 class LabelPlaces {
 public:
     LabelPlaces(Point low, Point high) : low_(low), high_(high) {}
@@ -70,8 +70,8 @@ public:
     /// A disc that labels should not cover.
     void avoid(Point middle, double radius) { discs_.emplace_back(middle, radius); }
 
-    /// Of the middles that may be, earlier ones better, the one at which a label of this size is least
-    /// in the way. O(places * things in the way).
+    /// The middle, of those offered, at which a label of this size covers least; earlier ones are preferred.
+    /// O(places * obstacles).
     LabelPlace place(const std::vector<Point>& middles, double width, double height);
 
 private:

@@ -47,7 +47,7 @@ public:
     /// Marks the cells whose middles lie inside (nonzero winding). Not thickened.
     void polygon(std::span<const Point> corners);
 
-    bool is_blank() const { return left_ > right_ && filled_top_ > filled_bottom_; }
+    bool is_blank() const { return marks_.is_empty() && filling_.is_empty(); }
 
     /// The pixels touched since the last call, as a rectangle of coverages from 0 to 255 in rows
     /// of `stride` bytes. Leaves the bitmap blank.
@@ -62,6 +62,19 @@ public:
     void set_diameter(double diameter);
 
 private:
+    /// A rectangle around cells.
+    struct Bounds {
+        std::uint32_t left = UINT32_MAX, right = 0, top = UINT32_MAX, bottom = 0;
+
+        bool is_empty() const { return left > right; }
+        void add(std::uint32_t from, std::uint32_t to, std::uint32_t row) {
+            if (from < left) left = from;
+            if (to > right) right = to;
+            if (row < top) top = row;
+            if (row > bottom) bottom = row;
+        }
+    };
+
     /// One row of the disc: the cells from `first` to `last` beside the marked one.
     struct Run {
         int row, first, last;
@@ -69,10 +82,7 @@ private:
 
     void mark(std::uint32_t column, std::uint32_t row) {
         bits_[row * words_ + (column >> 6)] |= std::uint64_t{1} << (column & 63);
-        if (column < left_) left_ = column;
-        if (column > right_) right_ = column;
-        if (row < top_) top_ = row;
-        if (row > bottom_) bottom_ = row;
+        marks_.add(column, column, row);
     }
     void long_line(Point to);
     void dilate(std::vector<std::uint64_t>& rows, std::size_t row, std::size_t first,
@@ -88,8 +98,7 @@ private:
     bool marked_ = false;                 // whether that is so, and it is marked
     std::vector<Run> disc_;
     std::vector<std::uint64_t> bits_, filled_;
-    std::uint32_t left_, right_, top_, bottom_;  // of the marked cells; left > right when none
-    std::uint32_t filled_left_, filled_right_, filled_top_, filled_bottom_;
+    Bounds marks_, filling_;  // of the marked cells and of filled polygons
     std::vector<std::uint64_t> run_, next_run_;
 };
 

@@ -35,6 +35,8 @@ public:
     /// What + turns by.
     Heading turn() const { return turn_; }
     Heading half() const { return order_ / 2; }
+    /// What a command turns by: 0 if it is none of +, - and |.
+    Heading turn_of(Command command) const;
 
     Heading normal(Heading heading) const {
         heading %= order_;

@@ -15,7 +15,7 @@
 
 namespace algae::verify {
 
-/// Whether this part of a word stands there from a position on.
+/// Whether the word has this part at the position.
 inline bool stands_at(const Word& part, const Word& word, std::size_t position) {
     return part.size() <= word.size() - position &&
            std::equal(part.begin(), part.end(),
@@ -70,29 +70,29 @@ private:
     std::vector<std::uint64_t> bits_;
 };
 
-/// What a letter, and all that it derives in some number of steps, does to the states of an automaton:
-/// for each accessible letter the pairs of states that some derived word leads from one to the other.
+/// How letters act on the states of an automaton after some number of steps: for each accessible letter, the pairs of
+/// states such that some derived word leads from the first to the second.
 using Relations = std::map<Symbol, BooleanMatrix>;
 
-/// What a word does, where its letters do this.
+/// How a word acts, if its letters act like this.
 BooleanMatrix relation_of(const Word& word, const Relations& relations, std::size_t states);
 
-/// The relations of one more step, done first, by a table.
+/// The relations after one more step, which comes first, by a table.
 Relations one_step_earlier(const Relations& relations, const System::Successors& table,
                            std::size_t states);
 
-/// Goes through the relations for all sequences of tables, beginning with `start` for none, until
-/// nothing new comes; ends as soon as `stop` is true of one, and tells whether it was. Throws BoundReached
-/// where they would take more than the budget's memory.
+/// Computes the relations for all sequences of tables, beginning with `start` for the empty sequence, until
+/// no new relations appear. Returns true as soon as `stop` is true for one of them. Throws BoundReached
+/// if they take more than the budget's memory.
 bool some_relations(const System& system, const Relations& start, std::size_t states,
                     const std::function<bool(const Relations&)>& stop, const Budget& budget);
 
-/// The same for all sequences of exactly so many tables.
+/// The same for all sequences of exactly this number of tables.
 bool some_relations_after(const System& system, const Relations& start, std::size_t states,
                           const Integer& steps, const std::function<bool(const Relations&)>& stop,
                           const Budget& budget);
 
-/// The lengths of the words of a D0L system, one generation after the other, by counting letters.
+/// The lengths of the words of a D0L system, one generation after the other, computed by counting letters.
 class Lengths {
 public:
     /// `system` must outlive this.
@@ -114,8 +114,8 @@ private:
 Integer length_of_generation(const System& system, const Integer& generation, const Budget& budget);
 
 /// The letter at a position, counted from 0, of a generation of a D0L system, found without writing
-/// the word; nothing if the word is not so long. Throws BoundReached where the lengths of what letters
-/// become take more than the budget.
+/// the word; nothing if the word is shorter. Throws BoundReached if the lengths of the images of letters
+/// take more than the budget.
 std::optional<Symbol> letter_of_generation(const System& system, std::uint64_t generation,
                                            Integer position, const Budget& budget);
 
@@ -199,7 +199,7 @@ void check_growth_class(const Obligation& task);
 /// Checks that a language is infinite, by one of the kinds of proof that show only this.
 void check_infinite(const Obligation& task, const Language& language, const Field& proof);
 
-/// Throws Flaw where two words of D0L systems in a generation have the same length.
+/// Throws Flaw if two words of D0L systems in a generation have the same length.
 void check_lengths_differ(const Obligation& task);
 
 /// Throws Flaw if a system occurs in the expression whose language is not finite.

@@ -14,7 +14,7 @@
 namespace algae::verify {
 
 /// Regular expressions with complement, intersection, images and inverse images, each known by a number,
-/// and their derivatives (Brzozowski 1964): the derivative by a letter has what may follow it.
+/// and their derivatives (Brzozowski 1964): the derivative by a letter is the set of words that may follow it.
 class Derivatives {
 public:
     using Term = std::size_t;
@@ -22,16 +22,16 @@ public:
     /// Both must outlive this.
     Derivatives(const Alphabet& alphabet, const Budget& budget);
 
-    /// The expression, where all systems in it have finite languages; throws Error if one has not,
-    /// BoundReached if that cannot be found out.
+    /// The expression, in which all systems must have finite languages: throws BoundReached if that
+    /// cannot be shown.
     Term term(const Language& language) { return convert(*language, false); }
 
     /// Whether the language has the empty word.
     bool nullable(Term term);
     Term derivative(Term term, Symbol letter);
     Term derivative(Term term, const Word& word);
-    /// Whether no word is in the left language and not in the right one, worked out by comparing all
-    /// derivatives of both that can be reached.
+    /// Whether every word of the left language is in the right one, computed by comparing all reachable
+    /// derivatives of both.
     bool included(Term left, Term right);
     bool equal(Term left, Term right);
 
@@ -91,9 +91,9 @@ private:
     Term none_ = 0, empty_word_ = 0;
 };
 
-/// Whether a word is in a language, by the definition of each operation: of an L(G) without context by the
-/// tables of which letters derive which factors of the word, until nothing new comes; with context by
-/// deriving. Throws BoundReached where that takes more than the budget.
+/// Whether a word is in a language, by the definition of each operation: for an L(G) without context by
+/// tables of which letters derive which factors of the word, until the tables repeat; with context by
+/// deriving. Throws BoundReached if that takes more than the budget.
 bool contains(const Language& language, const Word& word, const Alphabet& alphabet,
               const Budget& budget);
 
@@ -108,20 +108,20 @@ bool is_terminal(const System& system, const Word& word);
 bool derives(const System& system, const Word& from, const Word& to,
              const std::optional<Integer>& steps, const Budget& budget);
 
-/// Whether every word of the left language is in the right one, a regular expression. The left is an L(G),
-/// worked out by what all that letters derive does to the derivatives of the right, until it repeats;
-/// or made of such by union, image, reversal, and intersection and difference with regular expressions.
-/// Throws Error if it is something else.
+/// Whether every word of the left language is in the right one, a regular expression. The left language is an L(G),
+/// for which is computed how the words derived from letters act on the derivatives of the right one, until this repeats;
+/// or it is made of such languages by union, image, reversal, and intersection and difference with regular
+/// expressions. Throws Error if it is something else.
 bool within_regular(const Language& left, const Language& right, const Alphabet& alphabet,
                     const Budget& budget);
 
 /// All words of a language, by the definition of each operation; nothing if it is infinite. Throws
-/// BoundReached where that cannot be found out or takes more than the budget.
+/// BoundReached if that cannot be decided or takes more than the budget.
 std::optional<std::set<Word>> finite_values(const Language& language, const Alphabet& alphabet,
                                             const Budget& budget);
 
-/// The words of a finite set or of a system whose derivations come to an end; throws BoundReached if
-/// they do not within the budget.
+/// The words of a finite set, or of a system with finitely many words; throws BoundReached if
+/// they are not found within the budget.
 std::vector<Word> finite_values_of_leaf(const Tree& leaf, const Budget& budget);
 
 }  // namespace algae::verify

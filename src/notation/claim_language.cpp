@@ -196,151 +196,117 @@ LanguageOperand inverse_image_operand(LanguageOperand part, const Morphism& morp
     return out;
 }
 
-/// Factors or choices put together as they come: neighbours that are words become one finite set.
-class Gathered {
-public:
-    Gathered(Kind kind, const char* where) : kind_(kind), where_(where) {}
-
-    void add_word(Word word) {
-        if (kind_ == Kind::concatenated && !words_.empty())
-            words_[0].insert(words_[0].end(), word.begin(), word.end());
-        else
-            words_.push_back(std::move(word));
-    }
+/// A part of a regular expression on its way: factors or choices as they come, of which neighbours that are words
+/// become one finite set. `where` it begins.
+struct Gathered {
+    Kind kind = Kind::words;  // united, concatenated, or neither: one operand
+    const char* where = nullptr;
+    std::vector<Word> words = {};  // of a concatenation at most one
+    std::optional<LanguageOperand> whole = {};
 
     void add(LanguageOperand operand) {
         const LanguageTree& tree = *operand.language;
-        const bool joins =
-            tree.kind == Kind::words && (kind_ == Kind::united || tree.words.size() == 1);
-        if (!joins) {
+        if (tree.kind != Kind::words || (kind != Kind::united && tree.words.size() != 1)) {
             flush();
             return join(std::move(operand));
         }
-        for (const Word& word : tree.words) add_word(word);
+        for (const Word& word : tree.words) {
+            if (kind == Kind::concatenated && !words.empty())
+                words[0].insert(words[0].end(), word.begin(), word.end());
+            else
+                words.push_back(word);
+        }
     }
-
     LanguageOperand finish() {
         flush();
-        return std::move(*whole_);
+        return std::move(*whole);
     }
 
 private:
     void flush() {
-        if (words_.empty()) return;
-        join({words_language(std::exchange(words_, {})), 0, 1});
+        if (!words.empty()) join({words_language(std::exchange(words, {})), 0, 1});
     }
     void join(LanguageOperand operand) {
-        whole_ = whole_ ? combined_operand(kind_, {std::move(*whole_), std::move(operand)}, where_)
-                        : std::move(operand);
+        whole = whole ? combined_operand(kind, {std::move(*whole), std::move(operand)}, where)
+                      : std::move(operand);
     }
-
-    Kind kind_;
-    const char* where_;
-    std::vector<Word> words_;  // of a concatenation at most one
-    std::optional<LanguageOperand> whole_;
 };
 
-/// Puts a regular expression together from its tokens, given from left to right.
-class RegularBuilder {
-public:
-    /// At the begin of the expression or behind an opening bracket.
-    void begin(const char* where) {
-        settle();
-        groups_.push_back({{Kind::united, where}, {Kind::concatenated, where}});
+/// The parts as one of this kind.
+Gathered gathered(Kind kind, std::vector<Gathered> parts) {
+    if (parts[0].kind != kind) {
+        Gathered first = std::move(parts[0]);
+        parts[0] = {kind, first.where};
+        parts[0].add(first.finish());
     }
-    void letter(Word word) {
-        settle();
-        letter_ = std::move(word);
-    }
-    void repeat(char sign, const char* where) {
-        LanguageOperand operand = letter_
-                                      ? LanguageOperand{words_language({std::move(*letter_)}), 0, 1}
-                                      : std::move(*last_);
-        letter_.reset();
-        if (sign != '?') {
-            last_ = combined_operand(sign == '*' ? Kind::star : Kind::plus, {std::move(operand)},
-                                     where);
-            return;
-        }
-        Gathered choices(Kind::united, where);
-        choices.add(std::move(operand));
-        choices.add_word({});
-        last_ = choices.finish();
-    }
-    /// Behind a bar, where the next choice begins.
-    void choice(const char* where) {
-        finish_choice();
-        groups_.back().factors = {Kind::concatenated, where};
-    }
-    void close() { last_ = finish(); }
+    parts[0].add(parts[1].finish());
+    return std::move(parts[0]);
+}
 
-    /// What the innermost brackets hold.
-    LanguageOperand finish() {
-        finish_choice();
-        LanguageOperand whole = groups_.back().choices.finish();
-        groups_.pop_back();
-        return whole;
-    }
+/// A part to which nothing more is added.
+Gathered closed(LanguageOperand operand, const char* where) {
+    return {Kind::words, where, {}, std::move(operand)};
+}
 
-    std::size_t brackets() const { return groups_.size() - 1; }
-
-private:
-    struct Group {
-        Gathered choices, factors;
-    };
-
-    /// What was read last is a factor: nothing more binds to it. A letter that stays as it is needs no
-    /// language of its own, so long words are read fast.
-    void settle() {
-        if (letter_) groups_.back().factors.add_word(std::move(*letter_));
-        if (last_) groups_.back().factors.add(std::move(*last_));
-        letter_.reset();
-        last_.reset();
-    }
-    void finish_choice() {
-        settle();
-        groups_.back().choices.add(groups_.back().factors.finish());
-    }
-
-    std::vector<Group> groups_;
-    std::optional<Word> letter_;
-    std::optional<LanguageOperand> last_;
-};
+/// What `?`, `*` or `+`, which stands at this place, makes of a part.
+Gathered repeated(Gathered part, const char* sign) {
+    LanguageOperand operand = part.finish();
+    if (*sign != '?')
+        return closed(
+            combined_operand(*sign == '*' ? Kind::star : Kind::plus, {std::move(operand)}, sign),
+            part.where);
+    Gathered choices{Kind::united, sign};
+    choices.add(std::move(operand));
+    choices.add({words_language({{}}), 0, 1});
+    return closed(choices.finish(), part.where);
+}
 
 /// Reads the regular expression between slashes that stands next, `/a(aa)*|b?/`, as a language: letters next
 /// to each other are one word, choices of words one finite set. Throws `SyntaxError`. Brackets nest at
 /// most 200 deep, operations 1000. Linear.
 LanguageOperand parse_regular(const char*& here, const char* end, ClaimReading& reading) {
+    using Parts = std::vector<Gathered>;
+    enum Binding { choice, product };
     const char* const first_slash = here;
     if (std::find(here + 1, end, '/') == end) throw SyntaxError{first_slash, "'/' is never closed"};
-    RegularBuilder builder;
+    OperatorStack<Gathered> stack;
+    const char* where = here;  // of a letter
+    const auto infix = [&](Kind kind, Binding binding) {
+        return [&stack, kind, binding](auto&) {
+            stack.infix(binding, [kind](Parts parts) { return gathered(kind, std::move(parts)); });
+        };
+    };
     const auto on_open = told([&](std::string_view at) {
-        if (builder.brackets() == most_brackets) throw too_many_brackets(at.data());
+        if (stack.depth() == most_brackets) throw too_many_brackets(at.data());
+        stack.open([at](Parts parts) { return closed(parts[0].finish(), at.data()); });
     });
-    const auto on_begin = told([&](std::string_view at) { builder.begin(at.data()); });
-    const auto on_empty = [&](auto&) { builder.letter({}); };
-    const auto on_letter = [&](auto& c) { builder.letter({x3::_attr(c)}); };
-    const auto on_repeat = told([&](std::string_view at) { builder.repeat(at[0], at.data()); });
-    const auto on_choice = told([&](std::string_view at) { builder.choice(at.data()); });
-    const auto on_close = [&](auto&) { builder.close(); };
-    const auto is_open = [&](auto& c) { x3::_pass(c) = builder.brackets() > 0; };
+    const auto add = [&](Word letter) {
+        stack.operand({Kind::concatenated, where, {std::move(letter)}});
+    };
+    const auto on_empty = [&](auto&) { add({}); };
+    const auto on_letter = [&](auto& c) { add({x3::_attr(c)}); };
+    const auto on_repeat = told([&](std::string_view at) {
+        stack.postfix([at](Parts parts) { return repeated(std::move(parts[0]), at.data()); });
+    });
+    const auto on_close = [&](auto&) { stack.close(); };
+    const auto is_open = [&](auto& c) { x3::_pass(c) = stack.depth() > 0; };
     const auto refuse = told([](std::string_view at) {
         throw SyntaxError{at.data(), "expected a letter, found " + quoted(at) +
                                          ", which has no meaning between slashes"};
     });
 
-    const auto open = x3::raw[x3::lit('(')][on_open] >> grammar::here[on_begin];
     const auto letter = x3::lit("ε")[on_empty] | x3::raw[x3::char_(".^$\\[]{}")][refuse] |
                         (grammar::SymbolParser(reading.lexicon) - x3::char_("|*+?()/"))[on_letter];
     const auto behind =
         x3::raw[x3::char_("*+?")][on_repeat] | (x3::eps[is_open] >> x3::lit(')')[on_close]);
-    const auto factor = *open >> wanted("a letter or '(' (the empty word is ε)")[letter] >> *behind;
-    const auto next = ('|' >> grammar::here[on_choice]) | !(x3::char_(")/") | x3::eoi);
+    const auto factor = *x3::raw[x3::lit('(')][on_open] >> grammar::place(where) >>
+                        wanted("a letter or '(' (the empty word is ε)")[letter] >> *behind;
+    const auto next = x3::lit('|')[infix(Kind::united, choice)] |
+                      (!(x3::char_(")/") | x3::eoi))[infix(Kind::concatenated, product)];
     ++here;
-    grammar::read(here, end, grammar::here[on_begin] >> factor % next);
-    const bool is_closed = builder.brackets() == 0;
-    LanguageOperand whole = builder.finish();
-    if (!is_closed) throw unexpected("a letter, an operator or ')'", here);
+    grammar::read(here, end, factor % next);
+    LanguageOperand whole = stack.finish().finish();
+    if (stack.depth() > 0) throw unexpected("a letter, an operator or ')'", here);
     if (here == end || *here != '/') throw unexpected("a letter, an operator or '/'", here);
     ++here;
     return whole;

@@ -25,7 +25,6 @@
 namespace algae {
 
 namespace x3 = grammar::x3;
-using grammar::ByHand;
 using grammar::sets;
 using grammar::told;
 using grammar::wanted;
@@ -190,12 +189,11 @@ AlgebraicInteger parse_surd(const char*& here, const char* end) {
     QuadraticNumber number;
     long degree = 1;  // of the root
     const char* where = here;
-    const auto on_begin = told([&](std::string_view at) { where = at.data(); });
     const auto on_degree =
         told([&](std::string_view text) { degree = small_number(text, most_root, "a root"); });
     const auto sum = [&](bool only_operand) {
-        return ByHand([&number, only_operand](const char*& first, const char* last) {
-            number = parse_sum(first, last, only_operand);
+        return grammar::into(number, [only_operand](const char*& first, const char* last) {
+            return parse_sum(first, last, only_operand);
         });
     };
     const auto in_power = [](char token) {
@@ -207,7 +205,7 @@ AlgebraicInteger parse_surd(const char*& here, const char* end) {
     const auto square_root =
         word("sqrt") >> sum(true) >> !x3::char_("*+-") >> x3::eps[sets(degree, 2)];
     grammar::read(here, end,
-                  grammar::here[on_begin] >> (square_root | (sum(true) >> power) | sum(false)));
+                  grammar::place(where) >> (square_root | (sum(true) >> power) | sum(false)));
     return root(number, degree, where);
 }
 
@@ -255,7 +253,6 @@ Polynomial parse_polynomial(const char*& here, const char* end) {
     bool minus = false;
     std::optional<Integer> coefficient;
     std::size_t exponent = 0;
-    const auto on_begin = told([&](std::string_view at) { where = at.data(); });
     const auto on_sign = told([&](std::string_view sign) { minus = sign == "-"; });
     const auto on_coefficient =
         told([&](std::string_view text) { coefficient = natural_number(text); });
@@ -275,7 +272,7 @@ Polynomial parse_polynomial(const char*& here, const char* end) {
                       wanted("a polynomial in x")[power | x3::eps[has_coefficient]] >>
                       x3::eps[on_term];
     grammar::read(here, end,
-                  grammar::here[on_begin] >> -x3::raw[x3::lit('-')][on_sign] >>
+                  grammar::place(where) >> -x3::raw[x3::lit('-')][on_sign] >>
                       term % x3::raw[x3::char_("+-")][on_sign]);
     if (sum.degree() < 1 || sum.leading_coefficient() != 1)
         throw SyntaxError{
@@ -294,31 +291,24 @@ AlgebraicInteger parse_algebraic(const char*& here, const char* end) {
         near = grammar::text_of(x3::_attr(c));
         x3::_pass(c) = is_decimal(near);
     };
-    const auto on_polynomial = told([&](std::string_view at) { where = at.data(); });
-    const auto largest_root = ByHand([&](const char*& first, const char* last) {
-        number = checked(AlgebraicInteger::largest_root(parse_polynomial(first, last)), where);
+    const auto largest_root = grammar::into(number, [&](const char*& first, const char* last) {
+        return checked(AlgebraicInteger::largest_root(parse_polynomial(first, last)), where);
     });
-    const auto nearest_root = ByHand([&](const char*& first, const char* last) {
+    const auto nearest_root = grammar::into(number, [&](const char*& first, const char* last) {
         const double value = rational_of(near).to_double();
-        number = checked(root_near(of_roots(parse_polynomial(first, last), 2), value), where);
+        return checked(root_near(of_roots(parse_polynomial(first, last), 2), value), where);
     });
-    const auto in_brackets = ByHand(
-        [&](const char*& first, const char* last) { number = parse_algebraic(first, last); });
-    const auto surd =
-        ByHand([&](const char*& first, const char* last) { number = parse_surd(first, last); });
-
     const auto is_exact =
         "', the square root of a root of' and a polynomial, as a decimal number is not exact";
     const auto largest = word("the") >> word("largest") >> word("real") >> word("root") >>
-                         word("of") >> grammar::here[on_polynomial] >> largest_root;
+                         word("of") >> grammar::place(where) >> largest_root;
     const auto square_root_of = word("the") >> word("square") >> word("root") >> word("of") >>
                                 word("a") >> word("root") >> word("of");
     const auto nearest = fraction[at_decimal] >> wanted(is_exact)[x3::lit(',')] >>
-                         wanted(is_exact)[square_root_of] >> grammar::here[on_polynomial] >>
-                         nearest_root;
-    const auto bracketed =
-        '(' >> &(word("the") | fraction[at_decimal]) >> in_brackets >> wanted("')'")[x3::lit(')')];
-    grammar::read(here, end, largest | bracketed | nearest | surd);
+                         wanted(is_exact)[square_root_of] >> grammar::place(where) >> nearest_root;
+    const auto bracketed = '(' >> &(word("the") | fraction[at_decimal]) >>
+                           grammar::into(number, parse_algebraic) >> wanted("')'")[x3::lit(')')];
+    grammar::read(here, end, largest | bracketed | nearest | grammar::into(number, parse_surd));
     return std::move(*number);
 }
 
@@ -328,14 +318,11 @@ DimensionValue parse_dimension_value(const char*& here, const char* end) {
     std::optional<AlgebraicInteger> over;
     std::optional<DimensionValue> first, next;
     const char* where = here;
-    const auto on_under = told([&](std::string_view at) { where = at.data(); });
-    const auto dividend =
-        ByHand([&](const char*& from, const char* last) { over = parse_algebraic(from, last); });
-    const auto divisor = ByHand([&](const char*& from, const char* last) {
+    const auto divisor = grammar::into(next, [&](const char*& from, const char* last) {
         const AlgebraicInteger under = parse_algebraic(from, last);
         if (under.integer() == Integer(1))
             throw SyntaxError{where, "expected a number above 1, as log 1 is 0"};
-        next = DimensionValue(Rational(1), *over, under);
+        return DimensionValue(Rational(1), *over, under);
     });
     const auto on_fraction = told([&](std::string_view text) {
         is_decimal(text);
@@ -358,9 +345,9 @@ DimensionValue parse_dimension_value(const char*& here, const char* end) {
                                                   quoted(written) +
                                                   ", which is not known to be it"};
     });
-    const auto logarithms = word("log") >> dividend >>
+    const auto logarithms = word("log") >> grammar::into(over, parse_algebraic) >>
                             wanted("'/' and a second logarithm")[x3::lit('/')] >>
-                            wanted("'log'")[word("log")] >> grammar::here[on_under] >> divisor;
+                            wanted("'log'")[word("log")] >> grammar::place(where) >> divisor;
     const auto value = logarithms | wanted("'log' or a number")[fraction[on_fraction]];
     grammar::read(here, end, x3::raw[value][on_value] % '=');
     return std::move(*first);

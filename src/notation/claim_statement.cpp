@@ -174,8 +174,8 @@ class StatementReader {
     auto is(const char* expectation) { return unequal() | wanted(expectation)['=']; }
 
     auto language(Language& to, bool between_bars = false) {
-        return ByHand([this, &to, between_bars](const char*& here, const char* end) {
-            to = parse_language(here, end, reading_, between_bars).language;
+        return grammar::into(to, [this, between_bars](const char*& here, const char* end) {
+            return parse_language(here, end, reading_, between_bars).language;
         });
     }
     /// A word and a system between brackets, `growth(G)`; `opening` is expected if there are none.
@@ -227,10 +227,10 @@ class StatementReader {
     bool dimension_of(const char* of, const char* opening) {
         Form said;
         const auto on_name = [&](std::string_view name) { said.system = reading_.written(name); };
-        const auto value = ByHand([&](const char*& here, const char* end) {
-            said.dimension.value =
-                std::make_shared<const DimensionValue>(parse_dimension_value(here, end));
-        });
+        const auto value =
+            grammar::into(said.dimension.value, [](const char*& here, const char* end) {
+                return std::make_shared<const DimensionValue>(parse_dimension_value(here, end));
+            });
         const auto on_value =
             told([&](std::string_view text) { said.dimension.text = trimmed(text); });
         return read(of_system(of, opening, on_name) >>

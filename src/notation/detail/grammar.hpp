@@ -98,8 +98,17 @@ auto sets(Value& value, New to) {
     return [&value, to = std::move(to)](auto&) { value = to; };
 }
 
-/// Where the next token begins.
+/// Where the next token begins; and told to a variable.
 inline const auto here = x3::raw[x3::eps];
+inline auto place(const char*& to) {
+    return here[told([&to](std::string_view at) { to = at.data(); })];
+}
+
+/// What a function `read(first, last)` reads, which moves its first argument on, into a variable.
+template <class Value, class Read>
+auto into(Value& to, Read read) {
+    return ByHand([&to, read](const char*& first, const char* last) { to = read(first, last); });
+}
 
 inline const auto digits = x3::raw[x3::lexeme[+x3::char_('0', '9')]];
 

@@ -326,7 +326,7 @@ DimensionValue parse_dimension_value(const char*& here, const char* end) {
     });
     const auto on_fraction = told([&](std::string_view text) {
         is_decimal(text);
-        next = DimensionValue(rational_of(text));
+        next.emplace(rational_of(text));
     });
     const auto on_value = told([&](std::string_view written) {
         if (!first) {

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <cmath>
@@ -289,7 +291,8 @@ private:
     void keyword(const std::string& name, const std::string& where) {
         const std::size_t at = scanner_.offset();
         if (scanner_.take_word(name)) return scanner_.expect(":", "behind '" + name + "'");
-        scanner_.fail_at(at, "expected '{}:' {}, found {}", name, where, scanner_.found_next());
+        scanner_.fail_at(
+            at, fmt::format("expected '{}:' {}, found {}", name, where, scanner_.found_next()));
     }
 
     /// A keyword, then items with ',' between them and ';' behind the last. Goes on behind a faulty
@@ -344,7 +347,8 @@ private:
         const std::size_t at = scanner_.offset();
         const Rational value = scanner_.number(what, least, most);
         if (!value.is_integer())
-            scanner_.fail_at(at, "expected {}, found '{}'", what, shortest_text(value));
+            scanner_.fail_at(at,
+                             fmt::format("expected {}, found '{}'", what, shortest_text(value)));
         return static_cast<long>(value.numerator().to_int64());
     }
     long pixels(const std::string& what) {
@@ -385,7 +389,7 @@ private:
         const std::size_t at = scanner_.offset();
         const char name = letter("an angle, L, U or H");
         if (!std::strchr("LUH", name))
-            scanner_.fail_at(at, "expected an angle, L, U or H, found '{}'", name);
+            scanner_.fail_at(at, fmt::format("expected an angle, L, U or H, found '{}'", name));
         scanner_.expect("=", fmt::format("behind the angle {}", name));
         const long degrees = whole("a whole number of degrees", 0, 360);
         if (!system_.angles.emplace(name, degrees).second)
@@ -423,10 +427,10 @@ private:
             if (is_module(letter))
                 check_declared(letter, at, hint);
             else if (letter == 0 || !std::strchr(brno_turtle_symbols, letter))
-                scanner_.fail_at(at,
-                                 "expected a module, a symbol of the turtle, ',' or ';' in {}, "
-                                 "found {}{}",
-                                 what, algae::quoted(character), hint);
+                scanner_.fail_at(
+                    at, fmt::format("expected a module, a symbol of the turtle, ',' or ';' in {}, "
+                                    "found {}{}",
+                                    what, algae::quoted(character), hint));
             if ((letter == '/' || letter == '\\') && word.text.ends_with(letter))
                 hint = "; in words two rolls begin no comment";
             word.add(character, at);

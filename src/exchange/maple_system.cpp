@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <map>
 #include <set>
@@ -61,7 +63,8 @@ std::string maple_symbol(const Scanner& scanner, MapleForm form, std::string_vie
     if (character == "\\")
         scanner.fail_at(offset, "expected '?', which stands for the backslash, found '\\'");
     if (undeclared_length(character) != character.size())
-        scanner.fail_at(offset, "expected a symbol, found {}", algae::quoted(character));
+        scanner.fail_at(offset,
+                        fmt::format("expected a symbol, found {}", algae::quoted(character)));
     return std::string(character);
 }
 
@@ -124,8 +127,8 @@ private:
         const bool round = character == '(' || character == ')';
         if (!round_) round_ = round;
         if (*round_ != round)
-            scanner_.fail_at(offset, "brackets are written {} before, found '{}'",
-                             *round_ ? "( )" : "[ ]", character);
+            scanner_.fail_at(offset, fmt::format("brackets are written {} before, found '{}'",
+                                                 *round_ ? "( )" : "[ ]", character));
     }
 
     Symbol known(const std::string& name, std::size_t offset) {
@@ -133,9 +136,10 @@ private:
         const Symbol symbol = system_.alphabet.symbol(name);
         const MapleMeaning meaning = maple_meaning(form_, name);
         if (meaning == MapleMeaning::refused)
-            scanner_.fail_at(offset,
-                             "{} turns the turtle in space, and is nothing to this procedure",
-                             algae::quoted(name));
+            scanner_.fail_at(
+                offset,
+                fmt::format("{} turns the turtle in space, and is nothing to this procedure",
+                            algae::quoted(name)));
         if (meaning == MapleMeaning::none) {
             Production silent;
             silent.predecessor.symbol = symbol;
@@ -149,11 +153,12 @@ private:
             const MapleValue& left = values_.text(list.items[i], "a predecessor, a string");
             const Word predecessor = word(left);
             if (predecessor.size() != 1)
-                values_.fail(list.items[i], "expected a predecessor of one character, found {}",
-                             algae::quoted(left.text));
+                values_.fail(list.items[i],
+                             fmt::format("expected a predecessor of one character, found {}",
+                                         algae::quoted(left.text)));
             if (i + 1 == list.items.size())
-                values_.fail(list.items[i], "the predecessor {} has no successor",
-                             algae::quoted(left.text));
+                values_.fail(list.items[i], fmt::format("the predecessor {} has no successor",
+                                                        algae::quoted(left.text)));
             check_new(list.items[i], predecessor.front());
             Production rule;
             rule.predecessor.symbol = predecessor.front();
@@ -168,31 +173,34 @@ private:
             return algae::quoted(system_.alphabet.name(symbol));
         };
         if (form_ == MapleForm::strings && !is_new)
-            values_.fail(left, "a second rule for {}, which the procedure never uses",
-                         name(predecessor));
+            values_.fail(left, fmt::format("a second rule for {}, which the procedure never uses",
+                                           name(predecessor)));
         if (form_ == MapleForm::stochastic && predecessors_.size() > 1)
-            values_.fail(left,
-                         "a rule for {} behind one for {}; the probabilities are those of all "
-                         "rules, for one predecessor",
-                         name(predecessor), name(system_.rules.front().predecessor.symbol));
+            values_.fail(
+                left,
+                fmt::format("a rule for {} behind one for {}; the probabilities are those of all "
+                            "rules, for one predecessor",
+                            name(predecessor), name(system_.rules.front().predecessor.symbol)));
     }
 
     void probabilities(const MapleValue& argument, const MapleValue& list) {
         if (list.items.size() != system_.rules.size())
-            values_.fail(argument, "expected a probability for each of the {} rules, found {}",
-                         system_.rules.size(), list.items.size());
+            values_.fail(argument,
+                         fmt::format("expected a probability for each of the {} rules, found {}",
+                                     system_.rules.size(), list.items.size()));
         Rational sum;
         for (const MapleValue& item : list.items) {
             const Rational probability = values_.rational(item, "a probability");
             if (sign(probability) <= 0)
-                values_.fail(item, "expected a probability above 0, found {}",
-                             shortest_text(probability));
+                values_.fail(item, fmt::format("expected a probability above 0, found {}",
+                                               shortest_text(probability)));
             sum += probability;
         }
         if (!list.items.empty() && sum != 1 && sum != 100)
-            values_.fail(argument,
-                         "the probabilities add up to {}, expected 100, of percentages, or 1",
-                         shortest_text(sum));
+            values_.fail(
+                argument,
+                fmt::format("the probabilities add up to {}, expected 100, of percentages, or 1",
+                            shortest_text(sum)));
         for (std::size_t i = 0; i < list.items.size(); ++i)
             system_.rules[i].probability = values_.rational(list.items[i], "a probability") / sum;
     }
@@ -239,10 +247,12 @@ private:
         for (const MapleValue& item : list.items) {
             const MapleValue& module = values_.list(item, "a module, such as [\"F\",[1]]");
             if (module.items.empty() || module.items.size() > 2)
-                values_.fail(item,
-                             "expected the name of a module and a list of its parameters, found {} "
-                             "values",
-                             module.items.size());
+                values_.fail(
+                    item,
+                    fmt::format(
+                        "expected the name of a module and a list of its parameters, found {} "
+                        "values",
+                        module.items.size()));
             const std::string symbol = name(module.items[0]);
             std::vector<Expression> arguments;
             const bool has_list = module.items.size() == 2;
@@ -259,8 +269,9 @@ private:
     std::string name(const MapleValue& value) const {
         const MapleValue& text = values_.text(value, "the name of a module, a string");
         if (!is_character(text.text))
-            values_.fail(value, "expected the name of a module, one character, found {}",
-                         algae::quoted(text.text));
+            values_.fail(value,
+                         fmt::format("expected the name of a module, one character, found {}",
+                                     algae::quoted(text.text)));
         return maple_symbol(scanner_, MapleForm::parametric, text.text, text.offset + 1);
     }
 
@@ -274,8 +285,8 @@ private:
         }
         for (const MapleValue& item : values_.list(value, "a list of parameters").items) {
             if (item.expression.most_index > parameters)
-                values_.fail(item, "uses parameter {} of a module that has {}",
-                             item.expression.most_index, parameters);
+                values_.fail(item, fmt::format("uses parameter {} of a module that has {}",
+                                               item.expression.most_index, parameters));
             found.push_back(values_.number(item, "a parameter, a number"));
         }
         if (found.size() > most_parameters)
@@ -291,12 +302,12 @@ private:
     void check(const std::string& symbol, std::size_t arity, bool has_list, std::size_t offset) {
         const MapleMeaning meaning = maple_meaning(MapleForm::parametric, symbol);
         if (meaning == MapleMeaning::refused)
-            scanner_.fail_at(offset, "{} is nothing to this procedure, expected '@'",
-                             algae::quoted(symbol));
+            scanner_.fail_at(offset, fmt::format("{} is nothing to this procedure, expected '@'",
+                                                 algae::quoted(symbol)));
         if (maple_need(symbol) == MapleNeed::one && arity == 0)
-            scanner_.fail_at(offset, "the module {} has no parameter", shown(symbol));
+            scanner_.fail_at(offset, fmt::format("the module {} has no parameter", shown(symbol)));
         if (maple_need(symbol) == MapleNeed::none && has_list)
-            scanner_.fail_at(offset, "the module {} takes no parameters", symbol);
+            scanner_.fail_at(offset, fmt::format("the module {} takes no parameters", symbol));
         if (meaning == MapleMeaning::none && silent_.insert({symbol, arity}).second) {
             Production silent;
             silent.predecessor.symbol = system_.alphabet.symbol(symbol);
@@ -308,26 +319,30 @@ private:
         const bool has_function = function && function->kind == MapleValue::Kind::function;
         if (!is_maple_capital(symbol)) {
             if (has_function)
-                values_.fail(*function,
-                             "the procedure rewrites capital letters alone, and never calls {}",
-                             algae::quoted(symbol));
+                values_.fail(
+                    *function,
+                    fmt::format("the procedure rewrites capital letters alone, and never calls {}",
+                                algae::quoted(symbol)));
             return;
         }
         if (!has_function)
-            scanner_.fail_at(offset,
-                             "no function is assigned to the capital letter {0}; one that stays "
-                             "needs {0} := L -> [[\"{0}\",L]]",
-                             symbol);
+            scanner_.fail_at(
+                offset,
+                fmt::format("no function is assigned to the capital letter {0}; one that stays "
+                            "needs {0} := L -> [[\"{0}\",L]]",
+                            symbol));
         if (!has_list)
-            scanner_.fail_at(offset,
-                             "the module {0} has no list for its function, expected [\"{0}\",[]]",
-                             symbol);
+            scanner_.fail_at(
+                offset,
+                fmt::format("the module {0} has no list for its function, expected [\"{0}\",[]]",
+                            symbol));
         if (is_identity(*function, symbol)) return;
         const auto [seen, is_new] = seen_.emplace(symbol, Seen{arity, offset});
         if (seen->second.arity != arity)
-            scanner_.fail_at(offset, "the module {} has {} parameters here and {} in line {}",
-                             symbol, arity, seen->second.arity,
-                             scanner_.source().place(seen->second.offset).line);
+            scanner_.fail_at(
+                offset,
+                fmt::format("the module {} has {} parameters here and {} in line {}", symbol, arity,
+                            seen->second.arity, scanner_.source().place(seen->second.offset).line));
         if (is_new) open_.push_back(symbol);
     }
 
@@ -398,7 +413,8 @@ bool is_vector(const MapleValues& values, const MapleValue& list, const std::vec
 void read_position(const MapleValues& values, const MapleValue& said, Drawing::Start& start) {
     const MapleValue& point = values.list(said, "the position, a list of coordinates");
     if (point.items.size() != 2 && point.items.size() != 3)
-        values.fail(said, "expected two or three coordinates, found {}", point.items.size());
+        values.fail(said,
+                    fmt::format("expected two or three coordinates, found {}", point.items.size()));
     if (point.items.size() == 3 &&
         !values.rational(point.items[2], "the third coordinate").is_zero())
         values.fail(point.items[2], "expected 0: figures begin in the plane of x and y");
@@ -427,10 +443,12 @@ void read_start(MapleValues& values, MapleForm form, Model& system) {
     for (const auto& [name, entries] : frame)
         if (const auto found = said.find(name); found != said.end())
             if (!is_vector(values, values.list(found->second, "a vector"), entries))
-                values.fail(found->second,
-                            "expected {} as in the procedure: figures in space begin along x, with "
-                            "z up",
-                            name);
+                values.fail(
+                    found->second,
+                    fmt::format(
+                        "expected {} as in the procedure: figures in space begin along x, with "
+                        "z up",
+                        name));
     const bool at_rest =
         start.x.exact->is_zero() && start.y.exact->is_zero() && start.heading.exact->is_zero();
     if (!at_rest) system.drawing.start = start;
@@ -445,8 +463,9 @@ void read_generation(const MapleValues& values, const MapleValue& said, Model& s
     if (bare_name(said) == "N" && !values.sheet().find("N")) return;
     const Rational count = values.rational(said, "the number of steps");
     if (!count.is_integer() || sign(count) < 0 || count >= power(Rational(2), 63))
-        values.fail(said, "expected a whole number of steps from 0 to 2^63 - 1, found {}",
-                    shortest_text(count));
+        values.fail(said,
+                    fmt::format("expected a whole number of steps from 0 to 2^63 - 1, found {}",
+                                shortest_text(count)));
     const std::uint64_t generation = std::stoull(to_string(count));
     system.drawing.generations = {generation, generation};
 }
@@ -459,10 +478,11 @@ Model read_maple(std::string_view text, const std::string& name) {
     MapleValues values(scanner, sheet);
     const std::vector<MapleValue>& arguments = sheet.arguments;
     if (arguments.size() != 2 && arguments.size() != 4 && arguments.size() != 5)
-        scanner.fail_at(sheet.call,
-                        "expected Lsystem(AXIOMA, REGRAS, INCREMENTO, N), Lsystem(AXIOMA, REGRAS, "
+        scanner.fail_at(
+            sheet.call,
+            fmt::format("expected Lsystem(AXIOMA, REGRAS, INCREMENTO, N), Lsystem(AXIOMA, REGRAS, "
                         "PROB, INCREMENTO, N) or Lsystem(AXIOMA, N), found {} arguments",
-                        arguments.size());
+                        arguments.size()));
     const MapleForm form = arguments.size() == 2   ? MapleForm::parametric
                            : arguments.size() == 4 ? MapleForm::strings
                                                    : MapleForm::stochastic;
@@ -480,8 +500,8 @@ Model read_maple(std::string_view text, const std::string& name) {
     try {
         return read_lsystem(print_lsystem(system), name);
     } catch (const Diagnostics& error) {
-        scanner.fail_at(sheet.call, "this system cannot be said in the notation: {}",
-                        error.findings().front().message);
+        scanner.fail_at(sheet.call, fmt::format("this system cannot be said in the notation: {}",
+                                                error.findings().front().message));
     }
 }
 

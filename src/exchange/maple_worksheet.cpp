@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
@@ -84,14 +86,15 @@ public:
 private:
     void count(std::size_t offset) {
         if (++operations_ > most_operations)
-            scanner_.fail_at(offset, "an expression with more than {} operators and calls",
-                             most_operations);
+            scanner_.fail_at(offset,
+                             fmt::format("an expression with more than {} operators and calls",
+                                         most_operations));
     }
 
     Expression sum() {
         if (++depth_ > most_depth)
-            scanner_.fail_at(scanner_.offset(), "an expression nested more than {} deep",
-                             most_depth);
+            scanner_.fail_at(scanner_.offset(),
+                             fmt::format("an expression nested more than {} deep", most_depth));
         Expression read = scanner_.expression(
             maple, [&] { return atom(); }, [&](std::size_t offset) { count(offset); }, unscaled);
         --depth_;
@@ -141,8 +144,8 @@ private:
             if (text.size() > longest_number) throw Error("");
             value = Rational(text);
         } catch (const Error&) {
-            scanner_.fail_at(scanner_.offset(), "the number {} is out of range",
-                             algae::quoted(text));
+            scanner_.fail_at(scanner_.offset(),
+                             fmt::format("the number {} is out of range", algae::quoted(text)));
         }
         scanner_.take(number);
         return number_expression(value);
@@ -154,7 +157,8 @@ private:
         const std::size_t where = scanner_.offset();
         const Rational index = scanner_.number("the number of a parameter", 1, 1000);
         if (!index.is_integer())
-            scanner_.fail_at(where, "expected a whole number, found {}", to_string(index));
+            scanner_.fail_at(where,
+                             fmt::format("expected a whole number, found {}", to_string(index)));
         scanner_.expect("]", "");
         const std::string text = to_string(index);
         read_.most_index = std::max(read_.most_index, std::stoul(text));
@@ -169,8 +173,8 @@ private:
         if (function == std::end(maple_functions) && name != "evalf") {
             std::string known;
             for (const MapleFunction& one : maple_functions) known += std::string(one.maple) + ", ";
-            scanner_.fail_at(where, "expected one of {}evalf, found the function {}", known,
-                             algae::quoted(name));
+            scanner_.fail_at(where, fmt::format("expected one of {}evalf, found the function {}",
+                                                known, algae::quoted(name)));
         }
         scanner_.expect("(", "");
         std::vector<Expression> arguments{sum()};
@@ -258,7 +262,8 @@ private:
         } else if (name == "Lsystem") {
             call(where);
         } else if (name != "restart") {
-            scanner_.fail_at(where, "expected {}, found {}", statements_known, algae::quoted(name));
+            scanner_.fail_at(
+                where, fmt::format("expected {}, found {}", statements_known, algae::quoted(name)));
         }
         if (!scanner_.take(";") && !scanner_.take(":"))
             scanner_.fail("';' or ':' at the end of the statement");
@@ -268,14 +273,16 @@ private:
         for (const char* kept : {"D", "I", "Pi"})
             if (name == kept)
                 scanner_.fail_at(
-                    where, "Maple keeps the name {} for itself: nothing can be assigned to it",
-                    name);
+                    where,
+                    fmt::format("Maple keeps the name {} for itself: nothing can be assigned to it",
+                                name));
         MapleValue read = value("", 0);
         if (is_start(name) && calls_.empty()) sheet_.start[name] = read;
         const auto [at, is_new] = sheet_.assigned.emplace(name, sheet_.assignments.size());
         if (!is_new)
-            scanner_.fail_at(where, "{} is assigned twice, first in {}", algae::quoted(name),
-                             line_of(sheet_.assignments[at->second].offset));
+            scanner_.fail_at(where,
+                             fmt::format("{} is assigned twice, first in {}", algae::quoted(name),
+                                         line_of(sheet_.assignments[at->second].offset)));
         sheet_.assignments.push_back({name, where, std::move(read)});
     }
 
@@ -327,7 +334,8 @@ private:
 
     MapleValue value(const std::string& parameters, std::size_t depth) {
         if (depth > most_depth)
-            scanner_.fail_at(scanner_.offset(), "lists nested more than {} deep", most_depth);
+            scanner_.fail_at(scanner_.offset(),
+                             fmt::format("lists nested more than {} deep", most_depth));
         MapleValue read;
         read.offset = scanner_.offset();
         const std::string_view rest = scanner_.rest();
@@ -386,7 +394,7 @@ private:
     void check_names(const MapleValue& value) const {
         for (const auto& [name, where] : value.expression.names)
             if (!sheet_.assigned.contains(name) && !(in_call_ && name == "N"))
-                scanner_.fail_at(where, nothing_assigned, algae::quoted(name));
+                scanner_.fail_at(where, fmt::format(nothing_assigned, algae::quoted(name)));
         for (const MapleValue& item : value.items) check_names(item);
     }
 
@@ -426,14 +434,15 @@ const MapleValue& MapleValues::resolved(const MapleValue& value) const {
     const std::string name = bare_name(value);
     if (name.empty()) return value;
     const auto found = ends_.find(name);
-    if (found == ends_.end()) fail(value, nothing_assigned, algae::quoted(name));
+    if (found == ends_.end()) fail(value, fmt::format(nothing_assigned, algae::quoted(name)));
     return found->second->kind == MapleValue::Kind::expression ? value : *found->second;
 }
 
 const MapleValue& MapleValues::of_kind(MapleValue::Kind kind, const MapleValue& value,
                                        const std::string& what) const {
     const MapleValue& found = resolved(value);
-    if (found.kind != kind) fail(value, "expected {}, found {}", what, kind_name(found));
+    if (found.kind != kind)
+        fail(value, fmt::format("expected {}, found {}", what, kind_name(found)));
     return found;
 }
 
@@ -443,9 +452,11 @@ const MapleExpression& MapleValues::checked(const MapleValue& value,
     for (const auto& [name, offset] : value.expression.names)
         if (!numbers_.contains(name)) {
             const MapleValue* assigned = sheet_.find(name);
-            if (!assigned) scanner_.fail_at(offset, nothing_assigned, algae::quoted(name));
-            scanner_.fail_at(offset, "expected a number, and {} is {}", algae::quoted(name),
-                             kind_name(resolved(*assigned)));
+            if (!assigned)
+                scanner_.fail_at(offset, fmt::format(nothing_assigned, algae::quoted(name)));
+            scanner_.fail_at(offset,
+                             fmt::format("expected a number, and {} is {}", algae::quoted(name),
+                                         kind_name(resolved(*assigned))));
         }
     return value.expression;
 }
@@ -486,7 +497,7 @@ Quantity MapleValues::setting(const MapleValue& value, const std::string& what) 
 
 Rational MapleValues::rational(const MapleValue& value, const std::string& what) const {
     const Quantity found = quantity(value, what);
-    if (!found.exact) fail(value, "expected {} without roots and functions", what);
+    if (!found.exact) fail(value, fmt::format("expected {} without roots and functions", what));
     return *found.exact;
 }
 

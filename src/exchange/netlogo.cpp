@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -465,8 +467,8 @@ private:
 
     void begin(std::size_t at) {
         if (inside_)
-            scanner_.fail_at(at, "expected 'end' of the procedure {} before 'to'",
-                             procedures_.back().first);
+            scanner_.fail_at(at, fmt::format("expected 'end' of the procedure {} before 'to'",
+                                             procedures_.back().first));
         const std::string name = scanner_.name("the name of a procedure behind 'to'");
         procedures_.emplace_back(name, at);
         inside_ = true;
@@ -500,8 +502,9 @@ private:
             if (character == "\\") {
                 const std::string escaped(rest.substr(here, 2));
                 if (escaped != "\\\\" && escaped != "\\\"")
-                    scanner_.fail_at(at, "expected '\\\\' or '\\\"' in a string, found {}",
-                                     algae::quoted(escaped));
+                    scanner_.fail_at(at,
+                                     fmt::format("expected '\\\\' or '\\\"' in a string, found {}",
+                                                 algae::quoted(escaped)));
                 character = escaped.substr(1);
                 bytes = 2;
             }
@@ -525,18 +528,20 @@ private:
     }
     void check_symbol(std::string_view character, std::size_t at) const {
         if (undeclared_length(character) != character.size())
-            scanner_.fail_at(at, "expected a symbol of the notation, found {}",
-                             algae::quoted(character));
+            scanner_.fail_at(at, fmt::format("expected a symbol of the notation, found {}",
+                                             algae::quoted(character)));
         if (character.size() == 4)
-            scanner_.fail_at(at, "expected a character of NetLogo, found {}, which is two there",
-                             algae::quoted(character));
+            scanner_.fail_at(
+                at, fmt::format("expected a character of NetLogo, found {}, which is two there",
+                                algae::quoted(character)));
     }
 
     void add_rule() {
         const std::size_t at = scanner_.offset();
         const PlacedString letter = string("a letter in quotation marks behind 'add-rule'");
         if (!is_character(letter.text))
-            scanner_.fail_at(letter.offset, "expected one letter, found \"{}\"", letter.text);
+            scanner_.fail_at(letter.offset,
+                             fmt::format("expected one letter, found \"{}\"", letter.text));
         check_symbol(letter.text, letter.offsets[0]);
         const PlacedString successor = word("a successor in quotation marks");
         const PlacedString command = string("a command in quotation marks");
@@ -552,8 +557,9 @@ private:
         std::string name = scanner_.name("a setting behind 'set'");
         for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         if (std::ranges::count(names, name) == 0)
-            scanner_.fail_at(at, "expected one of {}, found {}{}", fmt::join(names, ", "),
-                             algae::quoted(name), did_you_mean(name, names));
+            scanner_.fail_at(at,
+                             fmt::format("expected one of {}, found {}{}", fmt::join(names, ", "),
+                                         algae::quoted(name), did_you_mean(name, names)));
         if (name == "chain") {
             chain_ = word("a word in quotation marks behind 'set chain'");
             has_chain_ = true;
@@ -562,7 +568,7 @@ private:
         const std::size_t where = scanner_.offset();
         const Quantity number = read_netlogo_number(scanner_);
         if (number.value == 0 && (name == "d" || name == "k-shorten" || name == "k"))
-            scanner_.fail_at(where, "expected a number other than 0 for {}", name);
+            scanner_.fail_at(where, fmt::format("expected a number other than 0 for {}", name));
         system_.numbers.insert_or_assign(name, number);
     }
 

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <utility>
@@ -122,8 +124,8 @@ Rational Scanner::number(const std::string& expectation, const Rational& least,
     const std::string_view text = next.substr(plus, size - plus);
     const Rational value(plain_number(text));
     if (value < least || value > most)
-        fail_at(here_, "expected {} from {} to {}, found {}", expectation, to_string(least),
-                to_string(most), algae::quoted(text));
+        fail_at(here_, fmt::format("expected {} from {} to {}, found {}", expectation,
+                                   to_string(least), to_string(most), algae::quoted(text)));
     here_ += size;
     return value;
 }

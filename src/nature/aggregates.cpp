@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -71,7 +73,7 @@ std::vector<Link> joined(const std::vector<GridCell>& cells) {
 void Aggregates::check() const {
     require(!particles.empty(), "particles: expected at least one number");
     for (const std::uint64_t count : particles)
-        require(count > 0 && count <= most, "particles: expected 1 to {}, found {}", most, count);
+        require(count > 0 && count <= most, "particles: expected 1 to {}, found {}", {most, count});
     require(!off_lattice || !region, "region: clusters off the lattice have none");
     require(!by_steps || region, "steps: expected a region, which single steps need");
     if (region) GridAggregate(seed, region, {});

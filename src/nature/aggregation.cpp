@@ -58,7 +58,7 @@ void Occupancy::take(std::int64_t x, std::int64_t y) {
 
 double square_exit_chance(std::int64_t r, std::int64_t y) {
     require(r >= 1 && y > -r && y < r,
-            "a side of a square: expected |y| < r, found r = {} and y = {}", r, y);
+            "a side of a square: expected |y| < r, found r = {} and y = {}", {r, y});
     const double n = 2 * static_cast<double>(r);
     double sum = 0, sign = 1;
     for (std::int64_t k = 1; k < 2 * r; k += 2, sign = -sign) {
@@ -144,7 +144,7 @@ int half_exponent(std::int64_t reach) {
 std::optional<std::int64_t> checked(std::optional<std::uint64_t> region) {
     if (!region) return std::nullopt;
     require(*region > 0 && *region <= widest_region, "region: expected 1 to {} cells, found {}",
-            widest_region, *region);
+            {widest_region, *region});
     return static_cast<std::int64_t>(*region);
 }
 
@@ -162,10 +162,10 @@ GridAggregate::GridAggregate(std::uint64_t seed, std::optional<std::uint64_t> re
 void GridAggregate::add(GridCell cell) {
     const std::int64_t reach = reach_of(cell.x, cell.y);
     require(!region_ || reach <= *region_, "cell ({}, {}) is outside of the region of {} cells",
-            cell.x, cell.y, region_.value_or(0));
+            {cell.x, cell.y, region_.value_or(0)});
     make_room(reach + 2);
-    require(!occupancy_.taken(cell.x, cell.y), "cell ({}, {}) is in the cluster already", cell.x,
-            cell.y);
+    require(!occupancy_.taken(cell.x, cell.y), "cell ({}, {}) is in the cluster already",
+            {cell.x, cell.y});
     stay(cell.x, cell.y);
 }
 
@@ -195,7 +195,7 @@ bool GridAggregate::touches(std::int64_t x, std::int64_t y) const {
 
 GridCell GridAggregate::free_cell(const Draws& draws, std::uint64_t& number) const {
     const std::uint64_t side = static_cast<std::uint64_t>(2 * *region_ + 1);
-    require(cells_.size() < side * side, "no cell of the region of {} cells is free", *region_);
+    require(cells_.size() < side * side, "no cell of the region of {} cells is free", {*region_});
     for (;;) {
         const auto place = [&] {
             return static_cast<std::int64_t>(Draws::scaled(draws.at(number++), side)) - *region_;

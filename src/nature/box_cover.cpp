@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -89,7 +91,7 @@ std::vector<BoxCover::Square> turned_squares(double side) {
     int steps = 0;
     while (steps < koch_steps && std::pow(3.0, -steps - 1) > 1.001 * side) ++steps;
     require(std::fabs(side * std::pow(3.0, steps + 1) - 1) <= 1e-6,
-            "cells: turned squares have the sides 1/3, 1/9, ... 1/6561, found {}", side);
+            "cells: turned squares have the sides 1/3, 1/9, ... 1/6561, found {}", {side});
     const Stroke bases = koch(steps);
     std::vector<BoxCover::Square> squares;
     for (std::size_t i = 1; i < bases.size(); ++i) {
@@ -109,7 +111,7 @@ void BoxCover::check() const {
     require(!cells.empty(), "cells: expected at least one side");
     for (const double side : cells)
         require(side <= 1 && side >= 1.0 / 4096, "cells: expected sides from 1/4096 to 1, found {}",
-                side);
+                {side});
     require(!turned || shape == Shape::koch,
             "squares turned: expected set koch, whose copies turn");
     require(!plot || cells.size() >= 2, "cells: expected at least two sides for a plot");

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
@@ -103,7 +105,8 @@ std::size_t cell_table_size(std::uint32_t states, std::size_t neighbours) {
     std::size_t size = 1;
     for (std::size_t i = 0; i < neighbours; ++i) {
         require(size <= largest_cell_table / states,
-                "a table for {} cells of {} states has more than 2^24 entries", neighbours, states);
+                "a table for {} cells of {} states has more than 2^24 entries",
+                {neighbours, std::uint64_t{states}});
         size *= states;
     }
     return size;
@@ -144,10 +147,10 @@ CellRule life_rule(std::string_view text, const std::vector<CellOffset>& neighbo
                         static_cast<std::size_t>(digit - '0') < cells,
                     "expected a rule such as B3/S23 with numbers of neighbours from 0 to {}, found "
                     "'{}'",
-                    cells - 1, text);
+                    {cells - 1, text});
             found[static_cast<std::size_t>(digit - '0')] = true;
         }
-        require(right, "expected a rule such as B3/S23, found '{}'", text);
+        require(right, "expected a rule such as B3/S23, found '{}'", {text});
         return found;
     };
     const auto born = counts(text.substr(0, slash), 'B');
@@ -169,8 +172,8 @@ CellGrid::CellGrid(std::size_t width, std::size_t height, const Budget& budget)
     : columns(width), rows(height) {
     require(width > 0 && height > 0, "a grid has at least one cell");
     require(width <= budget.memory / 4 / height,
-            "a grid of {} x {} cells does not fit in the {} MiB allowed{}", width, height,
-            budget.memory >> 20, budget.by(Bound::memory));
+            "a grid of {} x {} cells does not fit in the {} MiB allowed{}",
+            {width, height, budget.memory >> 20, budget.by(Bound::memory)});
     cells.resize(width * height);
 }
 
@@ -325,7 +328,7 @@ CellDevelopment::CellDevelopment(const CellRule& rule, const CellGrid& start,
             "a rule of one dimension is for one row of cells");
     for (const std::uint8_t state : start.cells)
         require(state < rule.states, "the state {} of a cell is out of range: expected 0 to {}",
-                state, rule.states - 1);
+                {std::uint64_t{state}, std::uint64_t{rule.states - 1}});
     if (rule.is_elementary())
         engine_ = std::make_unique<Bits>(rule, start, boundary);
     else

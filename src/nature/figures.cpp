@@ -1,3 +1,5 @@
+#include <fmt/args.h>
+
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -16,6 +18,14 @@
 // last dot there; the cells are then drawn colour by colour.
 
 namespace algae {
+
+void require(bool holds, std::string_view text, std::initializer_list<Said> values) {
+    if (holds) return;
+    fmt::dynamic_format_arg_store<fmt::format_context> arguments;
+    for (const Said& value : values)
+        std::visit([&](const auto& said) { arguments.push_back(said); }, value);
+    throw Error(fmt::vformat(text, arguments));
+}
 
 Colour mixed(const Colour& from, const Colour& to, double share) {
     return {from.red + share * (to.red - from.red), from.green + share * (to.green - from.green),

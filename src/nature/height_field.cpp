@@ -58,8 +58,8 @@ private:
 void check_surface(const BrownianMotion& surface) {
     check_parameters(surface);
     require(surface.levels <= most_surface_levels,
-            "levels: expected 0 to {} for a surface, found {}", most_surface_levels,
-            surface.levels);
+            "levels: expected 0 to {} for a surface, found {}",
+            {most_surface_levels, surface.levels});
 }
 
 HeightField diamond_square(const BrownianMotion& surface, const Gaussians& numbers,
@@ -152,7 +152,7 @@ HeightField exact_surface(const BrownianMotion& surface, const Gaussians& number
 
 double height_at_share(const HeightField& field, double share) {
     require(share >= 0 && share <= 1 && !field.heights.empty(),
-            "expected a share from 0 to 1 of a surface, found {}", share);
+            "expected a share from 0 to 1 of a surface, found {}", {share});
     std::vector<double> sorted = field.heights;
     const auto place = static_cast<std::ptrdiff_t>(share * static_cast<double>(sorted.size() - 1));
     std::nth_element(sorted.begin(), sorted.begin() + place, sorted.end());

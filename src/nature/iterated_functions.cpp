@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -91,32 +93,32 @@ std::vector<bool> IteratedFunctions::recurrent_states() const {
 }
 
 void IteratedFunctions::check() const {
-    require(!maps.empty(), "{}: has no maps; expected lines such as `map 0.5 0 0 0.5 0 0`", name);
+    require(!maps.empty(), "{}: has no maps; expected lines such as `map 0.5 0 0 0.5 0 0`", {name});
     const std::vector<bool> recurrent = recurrent_states();
     std::vector<bool> mapped(states.size());
     for (const Map& map : maps) {
         mapped[map.from] = true;
         const double stretch = norm(map.map);
         require(!recurrent[map.from] || stretch < 1,
-                "{}: {} does not contract: its norm is {:.6g}, expected less than 1", name,
-                map.name, stretch);
+                "{}: {} does not contract: its norm is {:.6g}, expected less than 1",
+                {name, map.name, stretch});
     }
     for (std::size_t i = 0; i < states.size(); ++i)
-        require(mapped[i], "{}: the state {} has no map", name, states[i]);
+        require(mapped[i], "{}: the state {} has no map", {name, states[i]});
     const bool said = std::any_of(maps.begin(), maps.end(),
                                   [](const Map& map) { return map.probability.has_value(); });
     if (!said) return;
     double sum = 0;
     for (const Map& map : maps) {
-        require(map.probability.has_value(), "{}: {} has no probability, others do", name,
-                map.name);
+        require(map.probability.has_value(), "{}: {} has no probability, others do",
+                {name, map.name});
         require(map.probability->value > 0,
-                "{}: the probability of {} is {:.6g}, expected more than 0", name, map.name,
-                map.probability->value);
+                "{}: the probability of {} is {:.6g}, expected more than 0",
+                {name, map.name, map.probability->value});
         sum += map.probability->value;
     }
-    require(!(std::fabs(sum - 1) > 1e-12), "{}: the probabilities add up to {}, expected 1", name,
-            sum_text(maps, sum));
+    require(!(std::fabs(sum - 1) > 1e-12), "{}: the probabilities add up to {}, expected 1",
+            {name, sum_text(maps, sum)});
 }
 
 double IteratedFunctions::contraction() const {
@@ -319,7 +321,7 @@ std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::ui
     require(
         system.states.size() == 1,
         "{}: has {} states, and the chaos game is for one; its attractor is drawn without points",
-        system.name, system.states.size());
+        {system.name, system.states.size()});
     Game game;
     game.count = count;
     game.seed = system.seed;

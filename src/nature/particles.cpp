@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -27,14 +29,14 @@ enum Number : std::uint64_t { of_speed, of_angle, of_life, of_size, of_place, of
 constexpr std::uint64_t emitters_from = std::uint64_t{1} << 63;  // generations of their draws
 
 void check_share(const std::string& what, const ParticleKind& kind, double share) {
-    require(share >= 0 && share <= 1, "{} of {}: expected 0 to 1, found {}", what, kind.name,
-            share);
+    require(share >= 0 && share <= 1, "{} of {}: expected 0 to 1, found {}",
+            {what, kind.name, share});
 }
 
 void check_positive(const std::string& what, const ParticleKind& kind, const Scatter& chance) {
     require(chance.spread >= 0 && chance.mean - chance.spread >= 0 && std::isfinite(chance.mean),
-            "{} of {}: expected numbers from 0 on, found {} +- {}", what, kind.name, chance.mean,
-            chance.spread);
+            "{} of {}: expected numbers from 0 on, found {} +- {}",
+            {what, kind.name, chance.mean, chance.spread});
 }
 
 void check(const ParticleSystem& system) {
@@ -54,11 +56,11 @@ void check(const ParticleSystem& system) {
         check_share("opacity", kind, kind.opacity_dying);
         if (kind.bursts_into == ParticleKind::none) continue;
         require(kind.bursts_into < system.kinds.size(), "{} bursts into a kind that there is not",
-                kind.name);
+                {kind.name});
         const ParticleKind& part = system.kinds[kind.bursts_into];
         require(!(part.life.mean - part.life.spread < 1),
                 "{}: what something bursts into lives for at least 1 frame, found {} +- {}",
-                part.name, part.life.mean, part.life.spread);
+                {part.name, part.life.mean, part.life.spread});
     }
 }
 
@@ -228,8 +230,8 @@ void ParticleShow::check() const {
     constexpr std::uint64_t most = most_frames;
     require(!shown.empty(), "show: expected a frame");
     for (const std::uint64_t frame : shown)
-        require(frame <= most, "show: expected frames 0 to {}, found {}", most, frame);
-    require(last_frame <= most, "frames: expected 0 to {}, found {}", most, last_frame);
+        require(frame <= most, "show: expected frames 0 to {}, found {}", {most, frame});
+    require(last_frame <= most, "frames: expected 0 to {}, found {}", {most, last_frame});
     require(!view || (view->breadth() > 0 && view->height() > 0),
             "view: expected two corners of a rectangle, found a line or a point");
 }
@@ -259,7 +261,7 @@ std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>
                 box.add(Point{particle.place.x - particle.size, particle.place.y - particle.size});
                 box.add(Point{particle.place.x + particle.size, particle.place.y + particle.size});
             }
-    require(!box.empty, "{}: no particle is alive in the frames shown", name);
+    require(!box.empty, "{}: no particle is alive in the frames shown", {name});
     std::vector<RelativeFigure> made;
     for (const std::uint64_t frame : wanted) {
         const auto at = static_cast<std::size_t>(

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -150,6 +152,9 @@ Scene relief_scene(const HeightField& field, const Relief& relief, std::size_t s
 constexpr std::size_t shown_squares = 256;  // along an edge, in the solid view
 constexpr std::size_t shown_lines = 64;     // of the grid
 
+/// Of the views in their order.
+constexpr const char* view_names[] = {"map", "contour lines", "solid view", "coast", "grid"};
+
 Relief relief_of(const HeightField& field, double water) {
     const auto [low, high] = std::minmax_element(field.heights.begin(), field.heights.end());
     return {*low, height_at_share(field, water), *high};
@@ -211,8 +216,8 @@ void Terrain::check() const {
     if (levels)
         for (const int level : {levels->first, levels->second})
             check_surface({surface.hurst, surface.sigma, level});
-    require(water >= 0 && water <= 1, "water: expected a share from 0 to 1, found {}", water);
-    require(lines <= 1000, "lines: expected 0 to 1000, found {}", lines);
+    require(water >= 0 && water <= 1, "water: expected a share from 0 to 1, found {}", {water});
+    require(lines <= 1000, "lines: expected 0 to 1000, found {}", {lines});
     require(!views.empty(), "view: expected map, contours, solid, coast or grid");
     check_camera(camera);
 }
@@ -231,34 +236,22 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
         const HeightField heights = field(level, budget);
         const Relief relief = relief_of(heights, water);
         for (const View view : views) {
+            const std::string what = view_names[static_cast<std::size_t>(view)];
             std::unique_ptr<Figure> figure;
-            std::string what;
-            const auto paths = [&](std::vector<Path> drawn, const char* view_name) {
-                figure = std::make_unique<PathFigure>(std::move(drawn), style);
-                what = view_name;
-            };
-            switch (view) {
-                case View::map:
-                    paths(relief_map(heights, relief, budget), "map");
-                    break;
-                case View::contours:
-                    paths(contours(heights, relief, lines, budget), "contour lines");
-                    break;
-                case View::coast:
-                    paths(lines_of(contour_lines(heights, relief.water, budget), {}, 1), "coast");
-                    break;
-                case View::grid:
-                    paths(grid(heights, camera), "grid");
-                    break;
-                case View::solid: {
-                    ViewChoices choices;
-                    choices.camera = camera;
-                    figure = std::make_unique<SpaceView>(
-                        relief_scene(heights, relief, shown_squares, budget), style, SceneFacts{},
-                        choices, budget);
-                    what = "solid view";
-                    break;
-                }
+            if (view == View::solid) {
+                ViewChoices choices;
+                choices.camera = camera;
+                figure = std::make_unique<SpaceView>(
+                    relief_scene(heights, relief, shown_squares, budget), style, SceneFacts{},
+                    choices, budget);
+            } else {
+                figure = std::make_unique<PathFigure>(
+                    view == View::map        ? relief_map(heights, relief, budget)
+                    : view == View::contours ? contours(heights, relief, lines, budget)
+                    : view == View::grid
+                        ? grid(heights, camera)
+                        : lines_of(contour_lines(heights, relief.water, budget), {}, 1),
+                    settings);
             }
             std::string caption = views.size() > 1 ? what : fmt::format("H = {}", surface.hurst);
             if (levels)
@@ -273,7 +266,7 @@ RelativeFigure Terrain::measured_figure(const Budget& budget) const {
     check();
     const HeightField heights = field(surface.levels, budget);
     std::vector<Stroke> coast = contour_lines(heights, height_at_share(heights, water), budget);
-    require(!coast.empty(), "{}: there is no coast, as there is no water or no land", name);
+    require(!coast.empty(), "{}: there is no coast, as there is no water or no land", {name});
     return pictured(*this, lines_of(coast, {}, 1), "coast");
 }
 

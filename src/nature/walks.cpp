@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wconversion"
 #pragma GCC diagnostic ignored "-Wsign-conversion"
@@ -73,7 +75,7 @@ namespace {
 
 void check_dimensions(int dimensions) {
     require(dimensions >= 1 && dimensions <= 3, "dimensions: expected 1, 2 or 3, found {}",
-            dimensions);
+            {dimensions});
 }
 
 }  // namespace
@@ -81,7 +83,7 @@ void check_dimensions(int dimensions) {
 std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
     check_dimensions(walk.dimensions);
     require(walk.deviation > 0 && std::isfinite(walk.deviation),
-            "deviation: expected a number above 0, found {:f}", walk.deviation);
+            "deviation: expected a number above 0, found {:f}", {walk.deviation});
     if (walk.steps >= budget.memory / sizeof(Vector))
         throw BoundReached(Bound::memory,
                            fmt::format("a walk of {} steps takes more memory than the {} bytes "
@@ -204,11 +206,11 @@ std::optional<Scene> RandomWalks::scene(const Budget& budget) const {
 void check_parameters(const BrownianMotion& motion) {
     constexpr int most = BrownianMotion::most_levels;
     require(motion.hurst > 0 && motion.hurst < 1,
-            "hurst: expected a number between 0 and 1, found {}", motion.hurst);
+            "hurst: expected a number between 0 and 1, found {}", {motion.hurst});
     require(motion.sigma > 0 && std::isfinite(motion.sigma),
-            "sigma: expected a number above 0, found {}", motion.sigma);
-    require(motion.levels >= 0 && motion.levels <= most, "levels: expected 0 to {}, found {}", most,
-            motion.levels);
+            "sigma: expected a number above 0, found {}", {motion.sigma});
+    require(motion.levels >= 0 && motion.levels <= most, "levels: expected 0 to {}, found {}",
+            {most, motion.levels});
 }
 
 double displacement_variance(const BrownianMotion& motion, int level) {
@@ -239,7 +241,7 @@ double midpoint_increment_variance(const BrownianMotion& motion, std::uint64_t f
     check_parameters(motion);
     const std::uint64_t pieces = std::uint64_t{1} << motion.levels;
     require(from <= pieces && to <= pieces, "expected values 0 to {} of a path, found {} and {}",
-            pieces, from, to);
+            {pieces, from, to});
     // The increment as a sum of values times factors; at most four of them at every level.
     std::map<std::uint64_t, double> factors;
     factors[to] += 1;
@@ -302,7 +304,7 @@ std::vector<double> exact_path(const BrownianMotion& motion, const Gaussians& nu
 }
 
 double estimated_hurst(const std::vector<double>& path) {
-    require(path.size() >= 6, "expected a path of at least 6 values, found {}", path.size());
+    require(path.size() >= 6, "expected a path of at least 6 values, found {}", {path.size()});
     const auto mean_square = [&](std::size_t step) {
         double sum = 0;
         const std::size_t count = path.size() - 2 * step;

@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -33,21 +35,21 @@ std::vector<Path> graph(const WeierstrassFunction& function, double from, double
 }  // namespace
 
 void WeierstrassFunction::check() const {
-    require(a > 0 && a < 1, "a: expected a number between 0 and 1, found {}", a);
-    require(b > 1 && std::isfinite(b), "b: expected a number above 1, found {}", b);
+    require(a > 0 && a < 1, "a: expected a number between 0 and 1, found {}", {a});
+    require(b > 1 && std::isfinite(b), "b: expected a number above 1, found {}", {b});
     require(a * b >= 1,
             "a b: expected at least 1, below which the function has a derivative, found {} * {} = "
             "{:.6g}",
-            a, b, a * b);
+            {a, b, a * b});
     const auto check_terms = [](std::uint64_t count) {
-        require(count >= 1 && count <= 1000, "terms: expected 1 to 1000, found {}", count);
+        require(count >= 1 && count <= 1000, "terms: expected 1 to 1000, found {}", {count});
     };
     std::ranges::for_each(terms, check_terms);
     check_terms(most_terms);
-    require(zooms <= 12, "zoom: expected 0 to 12, found {}", zooms);
-    require(from < to, "interval: expected from < to, found {} and {}", from, to);
+    require(zooms <= 12, "zoom: expected 0 to 12, found {}", {zooms});
+    require(from < to, "interval: expected from < to, found {} and {}", {from, to});
     require(points >= 2 && points <= 10'000'000, "points: expected 2 to 10000000, found {}",
-            points);
+            {points});
 }
 
 double WeierstrassFunction::sum(double x, std::uint64_t count) const {

@@ -699,7 +699,7 @@ const std::vector<Setting>& settings() {
         {{"schedule",
           {"schedule light dark"},
           "the tables of the steps, again and again; [above](#parameters-and-choices)",
-          "`--tables` or a seed must say"},
+          "a seed, or whoever derives a word, must say"},
          other,
          once,
          outside,

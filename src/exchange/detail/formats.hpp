@@ -173,6 +173,4 @@ RelativeFile read_ifs_table(std::string_view text, const std::string& name);
 /// several states.
 std::string print_ifs_table(const Relative& relative);
 
-// Cells as words: conversion.cpp.
-
 }  // namespace algae

@@ -91,10 +91,8 @@ public:
     std::vector<std::pair<std::string, Quantity>> constants() const;
     bool is_constant(const std::string& name) const { return used_.contains(name); }
 
-    template <class... Values>
-    [[noreturn]] void fail(const MapleValue& value, fmt::format_string<Values...> message,
-                           Values&&... values) const {
-        scanner_.fail_at(value.offset, fmt::format(message, std::forward<Values>(values)...));
+    [[noreturn]] void fail(const MapleValue& value, const std::string& message) const {
+        scanner_.fail_at(value.offset, message);
     }
     const Scanner& scanner() const { return scanner_; }
     const MapleWorksheet& sheet() const { return sheet_; }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <fmt/format.h>
-
 #include <functional>
 #include <string>
 #include <string_view>
@@ -66,13 +64,6 @@ public:
     [[noreturn]] void fail(const std::string& expectation);
     /// Throws `Diagnostics` with this message at an offset of the text.
     [[noreturn]] void fail_at(std::size_t offset, const std::string& message) const;
-    /// The same, with the values where `{}` stand.
-    template <class Value, class... Values>
-    [[noreturn]] void fail_at(std::size_t offset, fmt::format_string<Value, Values...> message,
-                              Value&& value, Values&&... values) const {
-        fail_at(offset,
-                fmt::format(message, std::forward<Value>(value), std::forward<Values>(values)...));
-    }
 
 private:
     void skip();

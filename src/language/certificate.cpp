@@ -6,7 +6,6 @@
 #include "language/detail/finite_family.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
-#include "model/model.hpp"
 #include "rewrite/rewrite.hpp"
 #include "verify/verify.hpp"
 
@@ -185,13 +184,14 @@ struct StatementWriter {
         return result;
     }
     Json operator()(const HasDimension& said) const {
-        return dimension("dimension", *said.system, said.dimension);
+        return dimension("dimension", said.name, said.dimension);
     }
     Json operator()(const BoundaryHasDimension& said) const {
-        return dimension("boundary", *said.system, said.dimension);
+        return dimension("boundary", said.name, said.dimension);
     }
-    static Json dimension(const char* of, const LSystem& system, const ClaimedDimension& claimed) {
-        return {{of, system.name}, {claimed.at_most ? "at most" : "equals", claimed.text}};
+    static Json dimension(const char* of, const std::string& system,
+                          const ClaimedDimension& claimed) {
+        return {{of, system}, {claimed.at_most ? "at most" : "equals", claimed.text}};
     }
 };
 

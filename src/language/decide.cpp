@@ -61,11 +61,9 @@ struct Judge {
     Answer operator()(const HasGrowthClass& said) const { return judge_growth_class(said, budget); }
     Answer operator()(const Rewrites& said) const { return judge_rewriting(said, budget); }
     Answer operator()(const HasChance& said) const { return judge_chance(said, budget); }
-    Answer operator()(const HasDimension& said) const {
-        return judge_dimension(*said.system, said.dimension, budget);
-    }
+    Answer operator()(const HasDimension& said) const { return judge_dimension(said, budget); }
     Answer operator()(const BoundaryHasDimension& said) const {
-        return judge_boundary(*said.system, said.dimension, budget);
+        return judge_boundary(said, budget);
     }
 };
 

@@ -1,7 +1,6 @@
 #include "dimension/dimension.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
-#include "model/model.hpp"
 
 // Statements about the dimension of limit sets and of their boundaries: by `exact_dimension`, and exactly.
 //
@@ -48,10 +47,11 @@ Answer judge_bounded(steps::LimitSet said) {
     return open(said);
 }
 
-steps::LimitSet limit_set(const Model& system, const ClaimedDimension& claimed, bool boundary,
-                          const Budget& budget) {
-    return {system.name, std::make_shared<const ExactDimension>(exact_dimension(system, budget)),
-            boundary, claimed, Order::unknown};
+template <class Said>
+steps::LimitSet limit_set(const Said& said, bool boundary, const Budget& budget) {
+    return {said.name,
+            std::make_shared<const ExactDimension>(exact_dimension(*said.system, budget)), boundary,
+            said.dimension, Order::unknown};
 }
 
 }  // namespace
@@ -60,17 +60,15 @@ bool exceeds_plane(const ExactDimension& found) {
     return compare(found.value->enclosure(64), Ball(2, 64)) == Order::greater;
 }
 
-Answer judge_dimension(const Model& system, const ClaimedDimension& claimed,
-                       const Budget& budget) {
-    const steps::LimitSet said = limit_set(system, claimed, false, budget);
+Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
+    const steps::LimitSet said = limit_set(claimed, false, budget);
     if (said.found->status == Status::exact) return judge_exact(*said.found->value, said);
     if (said.found->status == Status::upper_bound) return judge_bounded(said);
     return open(said);
 }
 
-Answer judge_boundary(const Model& system, const ClaimedDimension& claimed,
-                      const Budget& budget) {
-    const steps::LimitSet said = limit_set(system, claimed, true, budget);
+Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget) {
+    const steps::LimitSet said = limit_set(claimed, true, budget);
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
 }
 

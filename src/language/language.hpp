@@ -575,6 +575,8 @@ struct Rewrites {
     ModuleWord word;
     std::optional<ModuleWord> from = {};
     std::uint64_t steps = 0;
+    /// The system with its turtle, which environments follow.
+    std::shared_ptr<const Model> written = {};
 };
 
 /// The derivation has exactly this probability.
@@ -587,12 +589,14 @@ struct HasChance {
 struct HasDimension {
     std::shared_ptr<const Model> system;  // with the turtle
     ClaimedDimension dimension;
+    std::string name = {};  // of the system
 };
 
 /// The boundary of the limit set has.
 struct BoundaryHasDimension {
     std::shared_ptr<const Model> system;
     ClaimedDimension dimension;
+    std::string name = {};
 };
 
 /// One thing that is said of languages and systems, true or false. A new form is a new alternative: the compiler

@@ -251,7 +251,7 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
                     : view == View::grid
                         ? grid(heights, camera)
                         : lines_of(contour_lines(heights, relief.water, budget), {}, 1),
-                    settings);
+                    style);
             }
             std::string caption = views.size() > 1 ? what : fmt::format("H = {}", surface.hurst);
             if (levels)

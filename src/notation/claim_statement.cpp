@@ -101,6 +101,7 @@ ModuleWord parse_modules(std::string_view text, LSystem& system, ClaimReading& r
 /// Reads what is derived, `WORD in n steps`, by a system of these, and the word it begins with if it is no
 /// axiom. Throws `SyntaxError`.
 Rewrites parse_rewriting(const std::shared_ptr<const LSystem>& system,
+                         const std::shared_ptr<const Model>& written,
                          const std::optional<std::string_view>& from, std::string_view word,
                          std::optional<std::uint64_t> steps, ClaimReading& reading) {
     Rewrites said;
@@ -113,6 +114,7 @@ Rewrites parse_rewriting(const std::shared_ptr<const LSystem>& system,
                          word.data() + word.size());
     said.steps = *steps;
     said.system = std::make_shared<const LSystem>(std::move(with_all_letters));
+    said.written = written;
     return said;
 }
 
@@ -148,7 +150,7 @@ std::variant<Derives, Rewrites> parse_derivation(std::string_view text, ClaimRea
         word = before(word, in);
     }
     if (const auto rewriting = reading.rewriting(name))
-        return parse_rewriting(rewriting, from, word, steps, reading);
+        return parse_rewriting(rewriting, reading.written(name), from, word, steps, reading);
     Derives said{reading.system(name), {}, {}, steps};
     if (from) said.from = parse_claimed_word(*from, reading);
     said.word = parse_claimed_word(word, reading);
@@ -226,7 +228,10 @@ class StatementReader {
     template <class Form>
     bool dimension_of(const char* of, const char* opening) {
         Form said;
-        const auto on_name = [&](std::string_view name) { said.system = reading_.written(name); };
+        const auto on_name = [&](std::string_view name) {
+            said.system = reading_.written(name);
+            said.name = name;
+        };
         const auto value =
             grammar::into(said.dimension.value, [](const char*& here, const char* end) {
                 return std::make_shared<const DimensionValue>(parse_dimension_value(here, end));

@@ -56,12 +56,6 @@ std::string piece(const Quantity& number) {
     return text.find(' ') == std::string::npos ? text : '(' + text + ')';
 }
 
-std::string joined(const std::vector<std::string>& words) {
-    std::string out;
-    for (const std::string& word : words) out += (out.empty() ? "" : " ") + word;
-    return out;
-}
-
 bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
@@ -573,17 +567,17 @@ Values print_shapes(const std::vector<Shape>& shapes, const Printing& printing, 
 Values print_start(const Printing& printing) {
     const auto& start = printing.drawing.start;
     if (!start) return {};
-    return {joined({piece(start->x), piece(start->y), piece(start->heading)})};
+    return {joined({piece(start->x), piece(start->y), piece(start->heading)}, " ")};
 }
 
 Values print_tropism(const Printing& printing) {
     const auto& to = printing.drawing.tropism;
     if (!to) return {};
-    return {joined({piece(to->x), piece(to->y), piece(to->z)})};
+    return {joined({piece(to->x), piece(to->y), piece(to->z)}, " ")};
 }
 
 std::string print_direction(const Direction& direction) {
-    return joined({piece(direction.azimuth), piece(direction.elevation)});
+    return joined({piece(direction.azimuth), piece(direction.elevation)}, " ");
 }
 
 Values print_camera(const Printing& printing) {
@@ -592,7 +586,7 @@ Values print_camera(const Printing& printing) {
     Values parts{print_direction(camera->from)};
     if (camera->perspective) parts.emplace_back("perspective");
     if (camera->opening) parts.push_back(piece(*camera->opening));
-    return {joined(parts)};
+    return {joined(parts, " ")};
 }
 
 Values print_range(const std::optional<std::pair<std::uint64_t, std::uint64_t>>& range) {
@@ -614,11 +608,11 @@ Values print_expectations(const Printing& printing) {
 std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment) {
     std::vector<std::string> parts{alphabet.name(environment.module), environment.kind};
     for (const Quantity& number : environment.numbers) parts.push_back(piece(number));
-    return joined(parts);
+    return joined(parts, " ");
 }
 
 std::string print_solid(const SolidSetting& solid) {
-    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures));
+    return solid.kind + (solid.measures.empty() ? "" : ' ' + joined(solid.measures, " "));
 }
 
 std::string print_surface(const SurfaceSetting& surface) {
@@ -659,7 +653,7 @@ const std::vector<Setting>& settings() {
          [](C c, R r) {
              for (const auto name : pieces(c.value())) r.system.identifiers.emplace_back(name);
          },
-         [](P p) -> Values { return {joined(p.system.identifiers)}; }},
+         [](P p) -> Values { return {joined(p.system.identifiers, " ")}; }},
         {{"alphabet",
           {"alphabet wall window"},
           "symbols whose names may be longer; [above](#words-and-rules)",
@@ -704,7 +698,7 @@ const std::vector<Setting>& settings() {
          once,
          outside,
          read_schedule,
-         [](P p) -> Values { return {joined(schedule_names(p.system))}; }},
+         [](P p) -> Values { return {joined(schedule_names(p.system), " ")}; }},
         {{"ignore", {"ignore + - F"}, "symbols that contexts skip; [above](#contexts)", "none"},
          Stage::ignore,
          once,
@@ -844,7 +838,7 @@ const std::vector<Setting>& settings() {
          once,
          outside,
          read_colours,
-         [](P p) -> Values { return {joined(p.drawing.colours)}; }},
+         [](P p) -> Values { return {joined(p.drawing.colours, " ")}; }},
         {{"turn", {"turn clockwise"}, "`+` turns right", "counter-clockwise", turns()},
          other,
          once,

@@ -43,7 +43,6 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
 /// Whether a system occurs in the expression.
 bool has_system(const Language& language);
 
-
 /// Of a language of a system without context, that system; of operations under which E0L or ET0L languages are
 /// closed, the system that the construction makes: with one table as long as the parts have one
 /// and the operation keeps it, or with deterministic tables if that is asked for. Nothing where some part is
@@ -155,14 +154,12 @@ Answer judge_chance(const HasChance& said, const Budget& budget = {});
 /// `exact_dimension`, and exactly. Where the rules give an upper bound only, nothing below it is said
 /// to be the dimension, nor that it is one. Undecided with the reasons where the rules give no
 /// formula, and where two logarithms agree in 200 digits but no proof of their equality was found.
-Answer judge_dimension(const Model& system, const ClaimedDimension& claimed,
-                       const Budget& budget = {});
+Answer judge_dimension(const HasDimension& claimed, const Budget& budget = {});
 
 /// Whether what the rules say of the dimension is more than that of the plane.
 bool exceeds_plane(const ExactDimension& found);
 
 /// The same of the boundary of a limit set with interior points.
-Answer judge_boundary(const Model& system, const ClaimedDimension& claimed,
-                      const Budget& budget = {});
+Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget = {});
 
 }  // namespace algae

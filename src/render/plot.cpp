@@ -332,8 +332,6 @@ private:
         return 100 * std::expm1(off * std::numbers::ln10);
     }
 
-    void colour(double red, double green, double blue) { colour(red, green, blue); }
-
     void shade(const Panel& panel) {
         const double half = (across(1) - across(0)) / 2;
         const double from = std::max(panel.x(across(plot_.first) - half), left),

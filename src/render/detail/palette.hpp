@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "system/system.hpp"
+#include "turtle/turtle.hpp"
 
 namespace algae {
 

@@ -237,7 +237,7 @@ TEST_CASE("systems within are printed as they are read") {
     CHECK(rc::check([] {
         const std::string text = any_system();
         RC_LOG() << text;
-        const LSystem system = read_lsystem(text, "random.lsys");
+        const Model system = read_lsystem(text, "random.lsys");
         const std::string printed = print_lsystem(system);
         RC_LOG() << printed;
         RC_ASSERT(read_lsystem(printed, "printed.lsys") == system);

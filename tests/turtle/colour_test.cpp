@@ -1,4 +1,4 @@
-#include "system/system.hpp"
+#include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
 

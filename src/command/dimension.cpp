@@ -50,7 +50,7 @@ constexpr std::uint64_t usual_grids = 16;
 
 struct Options {
     std::string file, plot;
-    std::string generation, seed;  // of a relative the text of a statement, else a number
+    std::string generation, seed;  // of a generator the text of a statement, else a number
     std::optional<double> threshold;
     std::optional<std::size_t> grids;
     Measure measure = Measure::boxes;
@@ -398,19 +398,19 @@ Input input(const Options& options, const Budget& budget) {
                                : read_points(source.text, source.name)};
 }
 
-/// The relative in FILE.
-std::unique_ptr<Relative> relative(const Options& options, const Budget& budget) {
+/// The generator in FILE.
+std::unique_ptr<Generator> opened(const Options& options, const Budget& budget) {
     if (options.points || options.invert || options.threshold)
         throw Error("--points, --threshold and --invert are for images and points, and " +
                     options.file + " holds none");
-    return open_relative(
+    return open_generator(
         options.file, budget,
         {{"-n", "generation", options.generation}, {"--seed", "seed", options.seed}});
 }
 
-DimensionReport measured_relative(const Options& options, const Budget& budget) {
-    const auto generator = relative(options, budget);
-    const RelativeFigure figure = generator->measured_figure(budget);
+DimensionReport measured_generator(const Options& options, const Budget& budget) {
+    const auto generator = opened(options, budget);
+    const GeneratorFigure figure = generator->measured_figure(budget);
     DimensionReport found;
     found.exact = generator->exact_dimension(budget);
     found.what = figure.name;
@@ -420,7 +420,7 @@ DimensionReport measured_relative(const Options& options, const Budget& budget) 
 }
 
 DimensionReport measured(const Options& options, const Budget& budget) {
-    if (is_relative(options.file)) return measured_relative(options, budget);
+    if (is_generator(options.file)) return measured_generator(options, budget);
     const Input read = input(options, budget);
     if (const auto* system = std::get_if<Model>(&read.content))
         return measured(*system, options, budget);
@@ -429,9 +429,9 @@ DimensionReport measured(const Options& options, const Budget& budget) {
 
 /// Measured by a measure other than boxes.
 ScalingReport other_measured(const Options& options, const Budget& budget) {
-    if (is_relative(options.file)) {
-        const auto generator = relative(options, budget);
-        const RelativeFigure figure = generator->measured_figure(budget);
+    if (is_generator(options.file)) {
+        const auto generator = opened(options, budget);
+        const GeneratorFigure figure = generator->measured_figure(budget);
         return measured_otherwise(options.measure, figure.name, *figure.figure, options.places(),
                                   budget);
     }

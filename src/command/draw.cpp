@@ -5,7 +5,7 @@
 // pdf and ps, frames of gif and webp, or panels if --panels or the file ask for them. Options that exclude each
 // other are refused before anything is drawn. --explain numbers the steps of a short word and shows them in
 // a table or a picture; --progressive draws a word symbol by symbol, several symbols to a frame if there would be
-// too many frames. FILE may be another generator (a relative): then -n and --seed replace statements of
+// too many frames. FILE may be another generator: then -n and --seed replace statements of
 // its file, so these two stay texts until the file is known.
 
 #include <algorithm>
@@ -32,7 +32,7 @@ constexpr std::uint64_t most_strokes = 5'000'000;               // of all pages 
 struct Options {
     std::string file, output, format, tables, environment, background, caption;
     std::string generation,
-        seed;  // of a relative the text of a statement, else a range and a number
+        seed;  // of a generator the text of a statement, else a range and a number
     std::optional<Range> seeds;
     std::optional<double> width, height, margin, line_width, font_size, frame_time;
     std::optional<std::uint64_t> columns, loop, max_frames, facets;
@@ -429,9 +429,9 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
 
     Json json;
     Scene scene;
-    if (is_relative(options.file)) {
+    if (is_generator(options.file)) {
         scene =
-            scene_of(*open_relative(options.file, budget, options.statements()), format, budget);
+            scene_of(*open_generator(options.file, budget, options.statements()), format, budget);
     } else {
         const Model system = open_model(options.file, budget);
         const std::uint64_t generation =
@@ -487,9 +487,9 @@ std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, c
     return moves && shown.first == shown.second ? std::pair(std::uint64_t{0}, shown.second) : shown;
 }
 
-/// Files of relatives: what -n and --seed say stands in their statements.
-int draw_relative_file(const Options& options, PictureFormat format, const PictureOptions& picture,
-                       const Budget& budget) {
+/// Files of generators: what -n and --seed say stands in their statements.
+int draw_generator_file(const Options& options, PictureFormat format, const PictureOptions& picture,
+                        const Budget& budget) {
     refuse_given({{"--seeds", options.seeds.has_value()},
                   {"--tables", !options.tables.empty()},
                   {"--environment", !options.environment.empty()},
@@ -497,10 +497,10 @@ int draw_relative_file(const Options& options, PictureFormat format, const Pictu
                   {"--light", options.space.light.has_value()},
                   {"--fog", options.space.fog.has_value()}},
                  " is for systems, and " + options.file + " is not one of them");
-    const auto relative = open_relative(options.file, budget, options.statements());
-    const Drawn drawn = draw_relative(*relative, options.output, format, picture, options.captions,
-                                      options.caption, budget);
-    if (options.json) print(relative_json(*relative, drawn, options.output, budget).text());
+    const auto generator = open_generator(options.file, budget, options.statements());
+    const Drawn drawn = draw_generator(*generator, options.output, format, picture,
+                                       options.captions, options.caption, budget);
+    if (options.json) print(generator_json(*generator, drawn, options.output, budget).text());
     return success;
 }
 
@@ -522,7 +522,7 @@ int draw(const Options& options) {
     if (animation && options.panels) refuse_panels();
     const PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
-    if (is_relative(options.file)) return draw_relative_file(options, format, picture, budget);
+    if (is_generator(options.file)) return draw_generator_file(options, format, picture, budget);
     const Model system = open_model(options.file, budget);
     const auto generations = generations_of(options, system, animation.has_value());
     FigurePlates plates(system, generations, choices_of(options, system), budget);

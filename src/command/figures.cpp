@@ -18,8 +18,8 @@
 #include "exact/exact.hpp"
 #include "exchange/exchange.hpp"
 #include "language/language.hpp"
-#include "nature/nature.hpp"
 #include "model/model.hpp"
+#include "nature/nature.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
 
@@ -50,7 +50,7 @@ struct Outcome {
 };
 
 bool is_figure_file(const fs::path& path) {
-    return path.extension() == ".lsys" || is_relative(path.string()) ||
+    return path.extension() == ".lsys" || is_generator(path.string()) ||
            system_format(path.string());
 }
 
@@ -59,7 +59,7 @@ bool is_figure_file(const fs::path& path) {
 std::vector<Outcome> figure_files(const fs::path& folder) {
     if (!fs::is_directory(folder))
         throw Error(folder.string() +
-                    ": expected a folder of .lsys files and of files of relatives");
+                    ": expected a folder of .lsys files and of files of generators");
     std::vector<Outcome> files;
     std::map<fs::path, std::size_t> of_stem;
     for (const auto& entry : fs::recursive_directory_iterator(folder)) {
@@ -72,7 +72,7 @@ std::vector<Outcome> figure_files(const fs::path& folder) {
         ++of_stem[outcome.group / outcome.stem];
     }
     if (files.empty())
-        throw Error(folder.string() + ": holds no .lsys files and none of relatives");
+        throw Error(folder.string() + ": holds no .lsys files and none of generators");
     for (Outcome& outcome : files)
         if (of_stem[outcome.group / outcome.stem] > 1)
             outcome.stem = outcome.file.filename().string();
@@ -128,23 +128,23 @@ void write_page(const Options& options, const std::vector<Outcome>& outcomes) {
     write_file((fs::path(options.out) / "index.html").string(), picture_page("Figures", pictures));
 }
 
-void draw_relative_file(const Options& options, Outcome& outcome, const Budget& budget) {
-    const std::unique_ptr<Relative> relative = open_relative(outcome.file.string(), budget);
-    outcome.title = relative->title;
-    outcome.source = relative->source;
+void draw_generator_file(const Options& options, Outcome& outcome, const Budget& budget) {
+    const std::unique_ptr<Generator> generator = open_generator(outcome.file.string(), budget);
+    outcome.title = generator->title;
+    outcome.source = generator->source;
     if (options.check) return;
-    const std::vector<RelativeFigure> figures = relative->figures(budget);
+    const std::vector<GeneratorFigure> figures = generator->figures(budget);
     const bool captions = options.captions || figures.size() > 1;
-    draw_formats(options, outcome, relative_plates(figures, captions, ""), budget);
+    draw_formats(options, outcome, generator_plates(figures, captions, ""), budget);
 }
 
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     if (options.page) outcome.text = file_text(outcome.file.string(), budget);
-    if (is_relative(outcome.file.string())) return draw_relative_file(options, outcome, budget);
+    if (is_generator(outcome.file.string())) return draw_generator_file(options, outcome, budget);
     const Model system = open_model(outcome.file.string(), budget);
     outcome.title = system.title;
     outcome.source = system.source;
-    for (const Disappointment& unmet : unmet_expectations(system, budget)) {
+    for (const Mismatch& unmet : unmet_expectations(system, budget)) {
         outcome.problems.push_back(to_string(unmet.place) + ": error: " + unmet.message);
         outcome.status = refuted;
     }
@@ -217,7 +217,7 @@ void add_figures(Verbs& verbs) {
                   draw_folder);
     verb.option(
         "DIR", options.folder, "DIR",
-        "a folder of .lsys files and of files of relatives, such as .ifs (default figures)");
+        "a folder of .lsys files and of files of generators, such as .ifs (default figures)");
     verb.option("--out", options.out, "DIR", "where the pictures go (default out/figures)");
     verb.option("--formats", options.formats, list, "svg|pdf|png|ps|eps,...",
                 "svg, pdf, png, ps, eps (default svg,pdf)");

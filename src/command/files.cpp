@@ -1,8 +1,8 @@
 // The meaning of FILE: a path, `-` for standard input, or a name from the gallery, in this order.
 //
 // If a system is expected, the extension chooses the reader: .lsys and names without an extension are the
-// notation, formats of other programs have readers of their own, and a file of another generator (a relative:
-// fern.ifs, rule-30.ca) is refused by name. For relatives it is the other way round: `algae ifs fern` looks
+// notation, formats of other programs have readers of their own, and a file of another generator (
+// fern.ifs, rule-30.ca) is refused by name. For generators it is the other way round: `algae ifs fern` looks
 // for fern.ifs in the gallery before a system called fern, and options of the command line replace
 // statements of the file.
 
@@ -83,20 +83,20 @@ SourceText open_text(const std::string& file, const Budget& budget) {
     if (exists(file)) return {file, file_text(file, budget)};
     if (const GalleryEntry* entry = find_system(file))
         return {std::string(entry->name), std::string(entry->text)};
-    if (const GalleryEntry* entry = find_relative(file))
+    if (const GalleryEntry* entry = find_generator(file))
         return {std::string(file_name(*entry)), std::string(entry->text)};
     std::vector<std::string> names;
     for (const GalleryEntry& entry : gallery()) names.emplace_back(entry.name);
-    for (const GalleryEntry& entry : relative_gallery()) names.emplace_back(entry.name);
+    for (const GalleryEntry& entry : generator_gallery()) names.emplace_back(entry.name);
     throw Error("no file \"" + file + "\", and nothing of that name in the gallery" +
                 did_you_mean(file, names) + "; `algae gallery` lists them");
 }
 
 Model open_model(const std::string& file, const Budget& budget) {
     const SourceText source = open_text(file, budget);
-    if (const RelativeKind* kind = relative_kind(source.name))
+    if (const GeneratorKind* kind = generator_kind(source.name))
         throw Error(source.name + " is " + kind->what + ", expected an L-system");
-    if (const RelativeFormat* format = relative_format(source.name))
+    if (const GeneratorFormat* format = generator_format(source.name))
         throw Error(source.name + " is " + format->what + ", expected an L-system");
     if (const SystemFormat* format = system_format(source.name))
         return format->read(source.text, source.name);
@@ -132,30 +132,30 @@ std::vector<std::string> words(const std::string& text) {
     return found;
 }
 
-/// The kind of the relatives in files of this name, possibly in another program's format.
-const RelativeKind* kind_of(const std::string& name) {
-    const RelativeFormat* format = relative_format(name);
-    return relative_kind(format ? "." + format->kind : name);
+/// The kind of the generators in files of this name, possibly in another program's format.
+const GeneratorKind* kind_of(const std::string& name) {
+    const GeneratorFormat* format = generator_format(name);
+    return generator_kind(format ? "." + format->kind : name);
 }
 
-RelativeFile read_source(const SourceText& source, const RelativeKind& kind) {
-    if (const RelativeFormat* format = relative_format(source.name))
+GeneratorFile read_source(const SourceText& source, const GeneratorKind& kind) {
+    if (const GeneratorFormat* format = generator_format(source.name))
         return format->read(source.text, source.name);
-    return read_relative_file(source.text, source.name, kind.keys);
+    return read_generator_file(source.text, source.name, kind.keys);
 }
 
-void change(RelativeFile& file, const std::vector<StatementOption>& said) {
+void change(GeneratorFile& file, const std::vector<StatementOption>& said) {
     for (const auto& [option, key, text] : said)
         if (!text.empty()) file.set(key, words(text), option);
 }
 
-/// The text of FILE for a verb of one kind of relatives.
-SourceText text_of_kind(const std::string& name, const RelativeKind* kind, const std::string& file,
+/// The text of FILE for a verb of one kind of generators.
+SourceText text_of_kind(const std::string& name, const GeneratorKind* kind, const std::string& file,
                         const Budget& budget) {
     const bool by_name = file != "-" && !exists(file);
     const std::string own = file + "." + name;
-    const SourceText source = open_text(by_name && find_relative(own) ? own : file, budget);
-    const RelativeKind* found = kind_of(source.name);
+    const SourceText source = open_text(by_name && find_generator(own) ? own : file, budget);
+    const GeneratorKind* found = kind_of(source.name);
     const bool system = source.name.ends_with(".lsys") || (by_name && !found);
     if (system || (found && found != kind))
         throw Error(source.name + " is " + (system ? "an L-system" : found->what) + ", expected " +
@@ -165,20 +165,20 @@ SourceText text_of_kind(const std::string& name, const RelativeKind* kind, const
 
 }  // namespace
 
-bool is_relative(const std::string& file) {
+bool is_generator(const std::string& file) {
     if (kind_of(file)) return true;
-    return !exists(file) && find_relative(file) && !find_system(file);
+    return !exists(file) && find_generator(file) && !find_system(file);
 }
 
-std::unique_ptr<Relative> open_relative(const std::string& file, const Budget& budget,
-                                        const std::vector<StatementOption>& said) {
+std::unique_ptr<Generator> open_generator(const std::string& file, const Budget& budget,
+                                          const std::vector<StatementOption>& said) {
     const SourceText source = open_text(file, budget);
-    const RelativeKind* kind = kind_of(source.name);
-    if (!kind) return read_relative(source.text, source.name);  // throws what is expected
-    RelativeFile read = read_source(source, *kind);
+    const GeneratorKind* kind = kind_of(source.name);
+    if (!kind) return read_generator(source.text, source.name);  // throws what is expected
+    GeneratorFile read = read_source(source, *kind);
     for (const auto& [option, key, text] : said) {
         const bool known = std::ranges::any_of(
-            kind->keys, [&](const RelativeKey& one) { return one.name == key; });
+            kind->keys, [&](const GeneratorKey& one) { return one.name == key; });
         if (!text.empty() && !known)
             throw Error(option + " is not for " + kind->what + ", and " + source.name + " is one");
     }
@@ -186,11 +186,11 @@ std::unique_ptr<Relative> open_relative(const std::string& file, const Budget& b
     return kind->make(read);
 }
 
-std::unique_ptr<Relative> open_kind(const std::string& kind, const std::string& file,
-                                    const Budget& budget,
-                                    const std::vector<StatementOption>& said) {
-    const RelativeKind& known = *relative_kind("." + kind);
-    RelativeFile read;
+std::unique_ptr<Generator> open_kind(const std::string& kind, const std::string& file,
+                                     const Budget& budget,
+                                     const std::vector<StatementOption>& said) {
+    const GeneratorKind& known = *generator_kind("." + kind);
+    GeneratorFile read;
     read.name = kind;
     if (!file.empty()) read = read_source(text_of_kind(kind, &known, file, budget), known);
     change(read, said);

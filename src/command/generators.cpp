@@ -29,20 +29,20 @@ struct Options {
 };
 
 /// The generator that FILE and the options describe.
-std::unique_ptr<Relative> chosen(const Options& options, const Budget& budget) {
+std::unique_ptr<Generator> chosen(const Options& options, const Budget& budget) {
     return open_kind(options.kind, options.file, budget,
                      {options.said.begin(), options.said.end()});
 }
 
 /// All frames one after the other, each showing the same part of the plane.
-Drawn animate(const Relative& relative, const Options& options, AnimationFormat format,
+Drawn animate(const Generator& generator, const Options& options, AnimationFormat format,
               PictureOptions picture, const Budget& budget) {
     AnimationTiming timing;
     timing.frame = 1 / options.rate.value_or(20);
     timing.last = timing.frame;
     picture.common_scale = true;
-    const std::vector<RelativeFigure> frames = relative.frames(budget);
-    const std::vector<Plate> plates = relative_plates(frames, options.captions, options.caption);
+    const std::vector<GeneratorFigure> frames = generator.frames(budget);
+    const std::vector<Plate> plates = generator_plates(frames, options.captions, options.caption);
     ProgressBar bar("Drawing");
     return draw_animation(plates, target_of(options.output), format, picture, timing, budget, &bar);
 }
@@ -71,26 +71,27 @@ int run_generator(const Options& options) {
     PictureOptions picture;
     picture.width = options.width;
     picture.height = options.height;
-    const std::unique_ptr<Relative> relative = chosen(options, budget);
+    const std::unique_ptr<Generator> generator = chosen(options, budget);
     std::optional<Drawn> drawn;
     Json written;
     if (mesh)
-        written = write_mesh(scene_of(*relative, *mesh, budget), options.output, *mesh, {}, budget);
+        written =
+            write_mesh(scene_of(*generator, *mesh, budget), options.output, *mesh, {}, budget);
     else if (animation)
-        drawn = animate(*relative, options, *animation, picture, budget);
+        drawn = animate(*generator, options, *animation, picture, budget);
     else if (format)
-        drawn = draw_relative(*relative, options.output, *format, picture, options.captions,
-                              options.caption, budget);
+        drawn = draw_generator(*generator, options.output, *format, picture, options.captions,
+                               options.caption, budget);
     if (options.output == "-") return success;
     if (options.json) {
-        Json all = relative_json(*relative, drawn, options.output, budget);
+        Json all = generator_json(*generator, drawn, options.output, budget);
         if (mesh) all.update(written);
         print(all.text());
         return success;
     }
     std::string page;
-    if (!relative->title.empty()) page += relative->title + "\n";
-    for (const RelativeFact& fact : relative->facts(budget)) {
+    if (!generator->title.empty()) page += generator->title + "\n";
+    for (const GeneratorFact& fact : generator->facts(budget)) {
         std::string key = fact.key;
         for (char& letter : key) letter = letter == '_' ? ' ' : letter;
         page += key + ": " + fact.text + "\n";
@@ -104,8 +105,8 @@ int run_automaton(const Options& options) {
     if (!options.output.empty() || options.json)
         throw Error("--text: expected no picture and no --json beside it");
     const Budget budget = options.bounds.budget();
-    const auto relative = chosen(options, budget);
-    const auto& automaton = dynamic_cast<const CellularAutomaton&>(*relative);
+    const auto generator = chosen(options, budget);
+    const auto& automaton = dynamic_cast<const CellularAutomaton&>(*generator);
     if (automaton.rule.dimensions == 1) {
         print(grid_text(automaton.space_time(automaton.generations.front(),
                                              automaton.generations.back(), budget)));
@@ -123,7 +124,7 @@ struct Statement {
     const char* help;
 };
 
-struct Generator {
+struct GeneratorVerb {
     const char *kind, *help;
     std::vector<std::string> examples;
     std::vector<Statement> statements;
@@ -134,7 +135,7 @@ bool in_space(const std::string& kind) {
     return kind == "terrain" || kind == "brownian" || kind == "walk";
 }
 
-const Generator generators[] = {
+const GeneratorVerb generators[] = {
     {"ifs",
      "The attractor of an iterated function system",
      {"algae ifs fern -o fern.png", "algae ifs copy-machine --iterations 0..5 -o copies.pdf"},
@@ -220,7 +221,7 @@ const Generator generators[] = {
        "the last generation, or the first and the last (default 50)"}}},
 };
 
-void add_generator(Verbs& verbs, const Generator& generator) {
+void add_generator(Verbs& verbs, const GeneratorVerb& generator) {
     const std::string kind = generator.kind;
     const bool automaton = kind == "ca";
     auto [verb, options] = verbs.add(kind, generator.help, generator.examples,
@@ -265,7 +266,7 @@ void add_generator(Verbs& verbs, const Generator& generator) {
 }  // namespace
 
 void add_generators(Verbs& verbs) {
-    for (const Generator& generator : generators) add_generator(verbs, generator);
+    for (const GeneratorVerb& generator : generators) add_generator(verbs, generator);
 }
 
 }  // namespace algae::command

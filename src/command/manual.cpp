@@ -152,7 +152,7 @@ The figures and systems of the gallery, the claims of the theory, the lessons, a
 changed. The command holds all but the last and needs none of these files.
 .TP
 .I share/doc/algae/NOTATION.md
-The notation of systems, relatives and claims.
+The notation of systems, generators and claims.
 .TP
 .I share/doc/algae/CERTIFICATES.md
 What a certificate is, and how
@@ -315,7 +315,8 @@ std::string value(const Verb& verb, const Option& option) {
     if (values.words.empty())
         return ':' + message + ':' + (values.files ? "_files" : values.folders ? "_files -/" : " ");
     if (!values.files && !values.folders) return ':' + message + ":(" + set_of(values.words) + ')';
-    return ':' + message + ": _algae_names_and_files " + (verb.is_generator() ? verb.name : "all");
+    return ':' + message + ": _algae_names_and_files " +
+           (verb.names_generators() ? verb.name : "all");
 }
 
 std::string specification(const Verb& verb, const Option& option, std::size_t place) {
@@ -355,7 +356,7 @@ std::string completion(const Table& verbs) {
         cases += of_verb(verb);
         for (const Option& argument : verb.arguments)
             if (verb.values(argument).files && !verb.values(argument).words.empty()) {
-                const std::string kind = verb.is_generator() ? verb.name : "all";
+                const std::string kind = verb.names_generators() ? verb.name : "all";
                 if (names.find("  " + kind + ") ") == std::string::npos)
                     names +=
                         "  " + kind + ") names=(" + set_of(verb.values(argument).words) + ") ;;\n";

@@ -242,12 +242,12 @@ Json write_mesh(const Scene& scene, const std::string& output, MeshFormat format
     return json;
 }
 
-Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget) {
-    auto found = relative.scene(budget);
+Scene scene_of(const Generator& generator, MeshFormat format, const Budget& budget) {
+    auto found = generator.scene(budget);
     if (!found)
-        throw Error(relative.name + " lies in the plane, and " + mesh_format_name(format) +
+        throw Error(generator.name + " lies in the plane, and " + mesh_format_name(format) +
                     " is for figures in space; expected svg, pdf, png, ps or eps");
-    if (found->name.empty()) found->name = relative.name;
+    if (found->name.empty()) found->name = generator.name;
     return std::move(*found);
 }
 
@@ -259,10 +259,10 @@ Drawn draw_plates(std::span<const Plate> plates, const std::string& output, Pict
                : draw_panels(plates, target, format, picture, budget, progress);
 }
 
-std::vector<Plate> relative_plates(const std::vector<RelativeFigure>& figures, bool captions,
-                                   const std::string& caption) {
+std::vector<Plate> generator_plates(const std::vector<GeneratorFigure>& figures, bool captions,
+                                    const std::string& caption) {
     std::vector<Plate> plates;
-    for (const RelativeFigure& figure : figures)
+    for (const GeneratorFigure& figure : figures)
         plates.push_back({figure.figure.get(), figure.name,
                           !caption.empty() ? caption
                           : captions       ? figure.caption
@@ -270,20 +270,20 @@ std::vector<Plate> relative_plates(const std::vector<RelativeFigure>& figures, b
     return plates;
 }
 
-Drawn draw_relative(const Relative& relative, const std::string& output, PictureFormat format,
-                    const PictureOptions& picture, bool captions, const std::string& caption,
-                    const Budget& budget) {
-    const std::vector<RelativeFigure> figures = relative.figures(budget);
-    const std::vector<Plate> plates = relative_plates(figures, captions, caption);
+Drawn draw_generator(const Generator& generator, const std::string& output, PictureFormat format,
+                     const PictureOptions& picture, bool captions, const std::string& caption,
+                     const Budget& budget) {
+    const std::vector<GeneratorFigure> figures = generator.figures(budget);
+    const std::vector<Plate> plates = generator_plates(figures, captions, caption);
     ProgressBar bar("Drawing");
     return draw_plates(plates, output, format, picture, budget, &bar);
 }
 
-Json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,
-                   const std::string& output, const Budget& budget) {
+Json generator_json(const Generator& generator, const std::optional<Drawn>& drawn,
+                    const std::string& output, const Budget& budget) {
     Json out;
-    if (!relative.title.empty()) out.set("title", relative.title);
-    for (const RelativeFact& fact : relative.facts(budget)) out.set(fact.key, *fact.value);
+    if (!generator.title.empty()) out.set("title", generator.title);
+    for (const GeneratorFact& fact : generator.facts(budget)) out.set(fact.key, *fact.value);
     if (!drawn) return out;
     out.set("output", output);
     out.set("width", drawn->width);

@@ -93,10 +93,11 @@ int format(const FmtOptions& options) {
     const SourceText source = open_text(options.file, options.bounds.budget());
     if (const SystemFormat* foreign = system_format(source.name))
         refuse_foreign(source.name, foreign->what, "lsys");
-    if (const RelativeFormat* foreign = relative_format(source.name))
+    if (const GeneratorFormat* foreign = generator_format(source.name))
         refuse_foreign(source.name, foreign->what, foreign->kind);
-    const std::string text = relative_kind(source.name) ? format_relative(source.text, source.name)
-                                                        : format_lsystem(source.text, source.name);
+    const std::string text = generator_kind(source.name)
+                                 ? format_generator(source.text, source.name)
+                                 : format_lsystem(source.text, source.name);
     if (options.check) return source.text == text ? success : refuted;
     if (!options.in_place) {
         print(text);
@@ -144,7 +145,7 @@ int list_gallery(const GalleryOptions& options) {
     std::string text;
     std::size_t widest = 0;
     for (const GalleryEntry& entry : gallery()) widest = std::max(widest, entry.name.size());
-    for (const GalleryEntry& entry : relative_gallery())
+    for (const GalleryEntry& entry : generator_gallery())
         widest = std::max(widest, file_name(entry).size());
     const auto add = [&](const GalleryEntry& entry, std::string_view shown,
                          const std::string& title, const std::string& source) {
@@ -157,9 +158,9 @@ int list_gallery(const GalleryOptions& options) {
         const Model system = read_lsystem(entry.text, std::string(entry.name));
         add(entry, entry.name, system.title, system.source);
     }
-    for (const GalleryEntry& entry : relative_gallery()) {
-        const auto relative = read_relative(entry.text, std::string(file_name(entry)));
-        add(entry, file_name(entry), relative->title, relative->source);
+    for (const GalleryEntry& entry : generator_gallery()) {
+        const auto generator = read_generator(entry.text, std::string(file_name(entry)));
+        add(entry, file_name(entry), generator->title, generator->source);
     }
     print(options.json ? Json{{"figures", entries}}.text() : text);
     return success;

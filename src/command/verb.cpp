@@ -197,14 +197,14 @@ std::string Verb::usage() const {
     return text;
 }
 
-bool Verb::is_generator() const { return relative_kind("file." + name) != nullptr; }
+bool Verb::names_generators() const { return generator_kind("file." + name) != nullptr; }
 
 namespace {
 
 /// The names of one kind of generator.
 std::vector<std::string> names_of_kind(const std::string& kind) {
     std::vector<std::string> names;
-    for (const GalleryEntry& entry : relative_gallery())
+    for (const GalleryEntry& entry : generator_gallery())
         if (file_name(entry).ends_with('.' + kind)) names.emplace_back(entry.name);
     return names;
 }
@@ -214,7 +214,7 @@ std::vector<std::string> names_of_kind(const std::string& kind) {
 std::vector<std::string> gallery_names() {
     std::vector<std::string> names;
     for (const GalleryEntry& entry : gallery()) names.emplace_back(entry.name);
-    for (const GalleryEntry& entry : relative_gallery()) names.emplace_back(file_name(entry));
+    for (const GalleryEntry& entry : generator_gallery()) names.emplace_back(file_name(entry));
     return names;
 }
 
@@ -228,7 +228,7 @@ Values Verb::values(const Option& option) const {
         else if (part == "DIR")
             found.folders = true;
         else if (part == "NAME")
-            found.words = is_generator() ? names_of_kind(name) : gallery_names();
+            found.words = names_generators() ? names_of_kind(name) : gallery_names();
         else if (part == "COLOUR")
             for (const std::string_view colour : colour_names()) found.words.emplace_back(colour);
         else if (type.find('|') != std::string::npos)

@@ -6,8 +6,8 @@
 
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
-#include "nature/nature.hpp"
 #include "model/model.hpp"
+#include "nature/nature.hpp"
 
 // What can become what: the registry of formats and the conversions between them.
 //
@@ -46,16 +46,16 @@ const SystemFormat* system_format(std::string_view file_name) {
     return ending(file_name, system_formats());
 }
 
-const std::vector<RelativeFormat>& relative_formats() {
-    static const std::vector<RelativeFormat> all{
+const std::vector<GeneratorFormat>& generator_formats() {
+    static const std::vector<GeneratorFormat> all{
         {"ca-table", "ca", "the table of a rule of cells on a line", read_ca_table, print_ca_table},
         {"ifs-table", "ifs", "the table of an iterated function system", read_ifs_table,
          print_ifs_table}};
     return all;
 }
 
-const RelativeFormat* relative_format(std::string_view file_name) {
-    return ending(file_name, relative_formats());
+const GeneratorFormat* generator_format(std::string_view file_name) {
+    return ending(file_name, generator_formats());
 }
 
 namespace {
@@ -115,19 +115,19 @@ namespace {
 
 std::string curve_to_functions(std::string_view text, const std::string& name,
                                const Budget& budget) {
-    return print_relative_file(ifs_file(functions_of_curve(read_lsystem(text, name), budget)));
+    return print_generator_file(ifs_file(functions_of_curve(read_lsystem(text, name), budget)));
 }
 
-/// The relative of a kind that the text of a file says, whatever the end of its name.
-std::unique_ptr<Relative> relative_of(const std::string& kind_name, std::string_view text,
-                                      const std::string& name) {
-    const RelativeKind& kind = *relative_kind("." + kind_name);
-    return kind.make(read_relative_file(text, name, kind.keys));
+/// The generator of a kind that the text of a file says, whatever the end of its name.
+std::unique_ptr<Generator> generator_of(const std::string& kind_name, std::string_view text,
+                                        const std::string& name) {
+    const GeneratorKind& kind = *generator_kind("." + kind_name);
+    return kind.make(read_generator_file(text, name, kind.keys));
 }
 
 std::string cells_to_system(std::string_view text, const std::string& name, const Budget&) {
-    const auto relative = relative_of("ca", text, name);
-    return print_lsystem(system_of_cells(dynamic_cast<const CellularAutomaton&>(*relative)));
+    const auto generator = generator_of("ca", text, name);
+    return print_lsystem(system_of_cells(dynamic_cast<const CellularAutomaton&>(*generator)));
 }
 
 /// Between kinds of generators.
@@ -142,9 +142,9 @@ const std::vector<Bridge>& bridges() {
     return all;
 }
 
-/// The format that is a table of the other kind of relatives; nullptr if it is none.
-const RelativeFormat* table_of(const std::string& name, const std::string& kind) {
-    const RelativeFormat* const format = relative_format("." + name);
+/// The format that is a table of the other kind of generators; nullptr if it is none.
+const GeneratorFormat* table_of(const std::string& name, const std::string& kind) {
+    const GeneratorFormat* const format = generator_format("." + name);
     return format && format->kind == kind ? format : nullptr;
 }
 
@@ -164,9 +164,9 @@ std::vector<std::string> targets(const std::string& from) {
 /// Every format, in the order of the alphabet.
 std::vector<std::string> format_names() {
     std::vector<std::string> all{"lsys"};
-    for (const RelativeKind& kind : relative_kinds()) all.push_back(kind.ending);
+    for (const GeneratorKind& kind : generator_kinds()) all.push_back(kind.ending);
     for (const SystemFormat& format : system_formats()) all.push_back(format.name);
-    for (const RelativeFormat& format : relative_formats()) all.push_back(format.name);
+    for (const GeneratorFormat& format : generator_formats()) all.push_back(format.name);
     std::sort(all.begin(), all.end());
     return all;
 }
@@ -192,13 +192,13 @@ std::vector<std::string> format_names() {
 std::optional<std::string> canonical_text(std::string_view text, const std::string& name,
                                           const std::string& format) {
     if (format == "lsys") return format_lsystem(text, name);
-    if (const RelativeKind* kind = relative_kind("." + format)) {
-        const RelativeFile file = read_relative_file(text, name, kind->keys);
+    if (const GeneratorKind* kind = generator_kind("." + format)) {
+        const GeneratorFile file = read_generator_file(text, name, kind->keys);
         kind->make(file);
-        return print_relative_file(file);
+        return print_generator_file(file);
     }
-    if (const RelativeFormat* table = relative_format("." + format)) {
-        const RelativeKind& kind = *relative_kind("." + table->kind);
+    if (const GeneratorFormat* table = generator_format("." + format)) {
+        const GeneratorKind& kind = *generator_kind("." + table->kind);
         return table->print(*kind.make(table->read(text, name)));
     }
     return std::nullopt;
@@ -212,7 +212,7 @@ std::vector<Conversion> conversions() {
         all.push_back({format.name, "lsys", format.what});
         all.push_back({"lsys", format.name, format.what});
     }
-    for (const RelativeFormat& format : relative_formats()) {
+    for (const GeneratorFormat& format : generator_formats()) {
         all.push_back({format.name, format.kind, format.what});
         all.push_back({format.kind, format.name, format.what});
     }
@@ -225,10 +225,10 @@ std::string converted(std::string_view text, const std::string& name, const std:
         if (const auto canonical = canonical_text(text, name, from)) return *canonical;
     for (const Bridge& one : bridges())
         if (one.from == from && one.to == to) return one.convert(text, name, budget);
-    if (const RelativeFormat* table = table_of(from, to))
-        return print_relative_file(table->read(text, name));
-    if (const RelativeFormat* table = table_of(to, from))
-        return table->print(*relative_of(from, text, name));
+    if (const GeneratorFormat* table = table_of(from, to))
+        return print_generator_file(table->read(text, name));
+    if (const GeneratorFormat* table = table_of(to, from))
+        return table->print(*generator_of(from, text, name));
     const SystemFormat *source = system_format("." + from), *target = system_format("." + to);
     if ((source || from == "lsys") && (target || to == "lsys") && (source || target)) {
         const Model system = source ? source->read(text, name) : read_lsystem(text, name);

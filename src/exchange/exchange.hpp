@@ -55,24 +55,24 @@ const std::vector<SystemFormat>& system_formats();
 /// Example: system_format("koch.lsys") == nullptr
 const SystemFormat* system_format(std::string_view file_name);
 
-/// A printed form of a kind of relatives, such as the table of an iterated function system.
-struct RelativeFormat {
+/// A printed form of a kind of generators, such as the table of an iterated function system.
+struct GeneratorFormat {
     std::string name;  // the end of its files' names, without the point: "ifs-table"
     std::string kind;  // that of the files of the notation which say the same: "ifs"
     std::string what;  // "the table of an iterated function system"
     /// What the text says as a file of the kind, its places those of the text. Throws Diagnostics.
-    RelativeFile (*read)(std::string_view text, const std::string& name);
-    /// The text of a relative of the kind. Throws Error that names what it cannot say.
-    std::string (*print)(const Relative& relative);
+    GeneratorFile (*read)(std::string_view text, const std::string& name);
+    /// The text of a generator of the kind. Throws Error that names what it cannot say.
+    std::string (*print)(const Generator& generator);
 };
 
 /// All of them.
-const std::vector<RelativeFormat>& relative_formats();
+const std::vector<GeneratorFormat>& generator_formats();
 
 /// The format whose files end as this name does; nullptr if there is none.
 ///
-/// Example: relative_format("fern.ifs") == nullptr
-const RelativeFormat* relative_format(std::string_view file_name);
+/// Example: generator_format("fern.ifs") == nullptr
+const GeneratorFormat* generator_format(std::string_view file_name);
 
 /// A cellular automaton on a line between fixed states as a system with interactions whose words are
 /// its configurations: a rule for each local configuration, and near the ends, where a word has no

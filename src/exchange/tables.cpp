@@ -121,13 +121,13 @@ protected:
     }
     std::size_t line_of(std::size_t offset) const { return source_.place(offset).line; }
     /// Adds a statement that stands here.
-    void add(const std::string& key, std::vector<RelativeWord> words, std::size_t offset) {
+    void add(const std::string& key, std::vector<GeneratorWord> words, std::size_t offset) {
         const Diagnostic here = source_.finding(offset, "");
         file_.statements.push_back({key, std::move(words), here.place, here.line, {}, ""});
     }
 
     Source source_;
-    RelativeFile file_;
+    GeneratorFile file_;
 };
 
 constexpr const char* arrows[] = {"\\rightarrow", "\\mapsto", "\\to", "->", "→", "↦"};
@@ -150,7 +150,7 @@ class CellTableReader : TableReader {
 public:
     using TableReader::TableReader;
 
-    RelativeFile all() {
+    GeneratorFile all() {
         std::vector<std::vector<TableCell>> lines;
         bool has_arrows = false;
         for (const auto& row : table_rows(source_)) {
@@ -291,7 +291,7 @@ private:
         }
         TableReader::add("states", {{std::to_string(states_)}}, offset);
         TableReader::add("radius", {{std::to_string(length_ / 2)}}, offset);
-        std::vector<RelativeWord> words;
+        std::vector<GeneratorWord> words;
         for (const auto& [cells, entry] : entries_) words.push_back({cells + "->" + entry.next});
         TableReader::add("table", words, offset);
     }
@@ -302,12 +302,12 @@ private:
 
 }  // namespace
 
-RelativeFile read_ca_table(std::string_view text, const std::string& name) {
+GeneratorFile read_ca_table(std::string_view text, const std::string& name) {
     return CellTableReader(text, name).all();
 }
 
-std::string print_ca_table(const Relative& relative) {
-    const auto& automaton = dynamic_cast<const CellularAutomaton&>(relative);
+std::string print_ca_table(const Generator& generator) {
+    const auto& automaton = dynamic_cast<const CellularAutomaton&>(generator);
     const CellRule& rule = automaton.rule;
     if (rule.dimensions != 1)
         throw Error(automaton.name + ": lies in the plane, and a table is one of cells on a line");
@@ -328,7 +328,7 @@ class MapTableReader : TableReader {
 public:
     using TableReader::TableReader;
 
-    RelativeFile all() {
+    GeneratorFile all() {
         std::vector<Row> rows = table_rows(source_);
         if (!rows.empty() && is_header(rows.front())) {
             read_header(rows.front());
@@ -410,7 +410,7 @@ private:
             fail(row[columns_.size()].offset,
                  "expected the end of the row behind {} cells, found {}", columns_.size(),
                  algae::quoted(row[columns_.size()].text));
-        std::vector<RelativeWord> words(columns_.find('p') == std::string::npos ? 6 : 7);
+        std::vector<GeneratorWord> words(columns_.find('p') == std::string::npos ? 6 : 7);
         for (std::size_t i = 0; i < row.size(); ++i) {
             if (columns_[i] == ' ') {
                 check_name(row[i]);
@@ -483,14 +483,14 @@ std::string cell(const IteratedFunctions& system, const Quantity& number) {
 
 }  // namespace
 
-RelativeFile read_ifs_table(std::string_view text, const std::string& name) {
-    RelativeFile file = MapTableReader(text, name).all();
+GeneratorFile read_ifs_table(std::string_view text, const std::string& name) {
+    GeneratorFile file = MapTableReader(text, name).all();
     ifs_kind().make(file);  // whether the maps bring points together
     return file;
 }
 
-std::string print_ifs_table(const Relative& relative) {
-    const auto& system = dynamic_cast<const IteratedFunctions&>(relative);
+std::string print_ifs_table(const Generator& generator) {
+    const auto& system = dynamic_cast<const IteratedFunctions&>(generator);
     if (system.states.size() > 1)
         throw Error(system.name + ": has several states, and a table says maps of one");
     const bool chances = std::all_of(system.maps.begin(), system.maps.end(),

@@ -104,12 +104,12 @@ std::vector<Link> Aggregates::grown(std::uint64_t count, const Budget& budget) c
     return joined(cluster.cells());
 }
 
-std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> Aggregates::figures(const Budget& budget) const {
     check();
     const auto& all = links(*std::max_element(particles.begin(), particles.end()), budget);
     FigureStyle drawn = style;
     if (drawn.colours.empty()) drawn.colours = shades_of_age();
-    std::vector<RelativeFigure> made;
+    std::vector<GeneratorFigure> made;
     for (const std::uint64_t wanted : particles) {
         const std::uint64_t count = std::min<std::uint64_t>(wanted, all.size() - 1);
         std::vector<Link> part(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(count) + 1);
@@ -122,11 +122,11 @@ std::vector<RelativeFigure> Aggregates::figures(const Budget& budget) const {
     return made;
 }
 
-std::vector<RelativeFact> Aggregates::facts(const Budget& budget) const {
+std::vector<GeneratorFact> Aggregates::facts(const Budget& budget) const {
     const auto& all = links(*std::max_element(particles.begin(), particles.end()), budget);
     double radius = 0;
     for (const Link& link : all) radius = std::max(radius, std::hypot(link.to.x, link.to.y));
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     found.push_back({"particles", std::to_string(all.size() - 1), all.size() - 1});
     found.push_back({"seed", std::to_string(seed), seed});
     found.push_back({"grown",

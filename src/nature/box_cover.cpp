@@ -168,10 +168,10 @@ std::vector<BoxCover::Square> BoxCover::covering(double side, const Budget& budg
     return squares;
 }
 
-std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> BoxCover::figures(const Budget& budget) const {
     check();
     const std::vector<Stroke> lines = strokes(budget);
-    std::vector<RelativeFigure> made;
+    std::vector<GeneratorFigure> made;
     const Colour ink{0.12, 0.23, 0.37}, box{0.86, 0.91, 0.96}, edge{0.55, 0.66, 0.78};
     std::vector<Point> counts;
     for (const double side : cells) {
@@ -217,15 +217,15 @@ std::vector<RelativeFigure> BoxCover::figures(const Budget& budget) const {
     return made;
 }
 
-RelativeFigure BoxCover::measured_figure(const Budget& budget) const {
+GeneratorFigure BoxCover::measured_figure(const Budget& budget) const {
     std::vector<Path> paths;
     for (Stroke& stroke : strokes(budget)) paths.push_back({.points = std::move(stroke)});
     return {std::make_unique<PathFigure>(std::move(paths), style), heading(), ""};
 }
 
-std::vector<RelativeFact> BoxCover::facts(const Budget& budget) const {
+std::vector<GeneratorFact> BoxCover::facts(const Budget& budget) const {
     check();
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     const char* const set = shape_names[static_cast<std::size_t>(shape)];
     found.push_back({"set", set, set});
     std::vector<Point> logarithms;

@@ -498,10 +498,10 @@ CellGrid CellularAutomaton::generation(std::uint64_t n, const Budget& budget) co
     return development.grid();
 }
 
-std::vector<RelativeFigure> CellularAutomaton::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> CellularAutomaton::figures(const Budget& budget) const {
     const std::string what = title.empty() ? rule.text : title;
     const FigureStyle own = with_colours(style, rule.states);
-    std::vector<RelativeFigure> found;
+    std::vector<GeneratorFigure> found;
     if (rule.dimensions == 1) {
         CellGrid all = space_time(generations.front(), generations.back(), budget);
         std::vector<Path> table;
@@ -521,10 +521,10 @@ std::vector<RelativeFigure> CellularAutomaton::figures(const Budget& budget) con
     return found;
 }
 
-std::vector<RelativeFact> CellularAutomaton::facts(const Budget& budget) const {
+std::vector<GeneratorFact> CellularAutomaton::facts(const Budget& budget) const {
     constexpr std::uint64_t most_counted = 1000, most_listed = 16;
     constexpr std::size_t most_shown = 32;
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     found.push_back({"rule", rule.text, rule.text});
     if (rule.dimensions == 1 && rule.table.size() <= most_shown) {
         std::string text;

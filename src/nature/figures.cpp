@@ -32,7 +32,7 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
             from.blue + share * (to.blue - from.blue)};
 }
 
-RelativeFact::RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known)
+GeneratorFact::GeneratorFact(std::string of, std::string said, const nlohmann::ordered_json& known)
     : key(std::move(of)),
       text(std::move(said)),
       value(std::make_shared<const nlohmann::ordered_json>(known)) {}
@@ -214,12 +214,12 @@ void LinkFigure::draw(Canvas& canvas, double, const Budget& budget) const {
     }
 }
 
-RelativeFigure pictured(const Relative& of, std::unique_ptr<Figure> figure,
-                        const std::string& what) {
+GeneratorFigure pictured(const Generator& of, std::unique_ptr<Figure> figure,
+                         const std::string& what) {
     return {std::move(figure), of.heading() + ", " + what, what};
 }
 
-RelativeFigure pictured(const Relative& of, std::vector<Path> paths, const std::string& what) {
+GeneratorFigure pictured(const Generator& of, std::vector<Path> paths, const std::string& what) {
     return pictured(of, std::make_unique<PathFigure>(std::move(paths), of.style), what);
 }
 

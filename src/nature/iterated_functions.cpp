@@ -146,9 +146,9 @@ std::vector<double> IteratedFunctions::chances() const {
     return found;
 }
 
-std::vector<RelativeFigure> IteratedFunctions::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> IteratedFunctions::figures(const Budget& budget) const {
     const std::string what = heading();
-    std::vector<RelativeFigure> found;
+    std::vector<GeneratorFigure> found;
     if (generations) {
         for (std::uint64_t n = generations->first; n <= generations->second; ++n)
             found.push_back({copies(*this, n, budget), what + ", generation " + std::to_string(n),
@@ -163,8 +163,8 @@ std::vector<RelativeFigure> IteratedFunctions::figures(const Budget& budget) con
     return found;
 }
 
-RelativeFigure IteratedFunctions::measured_figure(const Budget& budget) const {
-    if (points || generations) return Relative::measured_figure(budget);
+GeneratorFigure IteratedFunctions::measured_figure(const Budget& budget) const {
+    if (points || generations) return Generator::measured_figure(budget);
     return {attractor_figure(*this), heading() + ", the attractor", ""};
 }
 
@@ -172,8 +172,8 @@ std::optional<ExactDimension> IteratedFunctions::exact_dimension(const Budget& b
     return similarity_dimension(*this, budget);
 }
 
-std::vector<RelativeFact> IteratedFunctions::facts(const Budget& budget) const {
-    std::vector<RelativeFact> found;
+std::vector<GeneratorFact> IteratedFunctions::facts(const Budget& budget) const {
+    std::vector<GeneratorFact> found;
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
     std::string text = std::to_string(maps.size());
     const std::vector<double> chance = chances();

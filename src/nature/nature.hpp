@@ -1,6 +1,6 @@
 #pragma once
 
-// nature: the other generators of natural geometry, each as a Relative that has Figures: iterated
+// nature: the other generators of natural geometry, each as a Generator that has Figures: iterated
 // function systems, cellular automata, walks and Brownian paths, landscapes, aggregates, particles,
 // graphs of functions, and sets covered with boxes.
 
@@ -26,27 +26,27 @@ namespace algae {
 
 struct Model;
 
-/// One picture of a relative: what messages call it, and what is written underneath.
-struct RelativeFigure {
+/// One picture of a generator: what messages call it, and what is written underneath.
+struct GeneratorFigure {
     std::unique_ptr<Figure> figure;
     std::string name, caption;
 };
 
-/// Something that is known of a relative: `key` in JSON, with the value there; on a page the key
+/// Something that is known of a generator: `key` in JSON, with the value there; on a page the key
 /// with blanks for underscores, and the text.
-struct RelativeFact {
+struct GeneratorFact {
     std::string key, text;
     std::shared_ptr<const nlohmann::ordered_json> value;  // never null
 
-    RelativeFact(std::string of, std::string said, const nlohmann::ordered_json& known);
+    GeneratorFact(std::string of, std::string said, const nlohmann::ordered_json& known);
 };
 
 /// A generator of natural geometry that is not an L-system: an iterated function system, an
 /// automaton, a path of Brownian motion. What it gives depends on itself alone: random ones hold
 /// their seed.
-class Relative {
+class Generator {
 public:
-    virtual ~Relative() = default;
+    virtual ~Generator() = default;
 
     /// What messages call it, usually the name of its file.
     std::string name;
@@ -58,14 +58,14 @@ public:
     FigureStyle style;
 
     /// The pictures that a page of it shows, at least one. Throws what making them throws.
-    virtual std::vector<RelativeFigure> figures(const Budget& budget) const = 0;
+    virtual std::vector<GeneratorFigure> figures(const Budget& budget) const = 0;
 
     /// The pictures of an animation of it; those of the page where it says nothing else.
-    virtual std::vector<RelativeFigure> frames(const Budget& budget) const {
+    virtual std::vector<GeneratorFigure> frames(const Budget& budget) const {
         return figures(budget);
     }
     /// The one whose dimension is measured: the last of its figures.
-    virtual RelativeFigure measured_figure(const Budget& budget) const {
+    virtual GeneratorFigure measured_figure(const Budget& budget) const {
         return std::move(figures(budget).back());
     }
     /// What is known of its dimension without measuring, if anything.
@@ -73,7 +73,7 @@ public:
         return std::nullopt;
     }
     /// What is worth saying of it, in the order of a page.
-    virtual std::vector<RelativeFact> facts(const Budget&) const { return {}; }
+    virtual std::vector<GeneratorFact> facts(const Budget&) const { return {}; }
     /// The same in space, for those that lie there.
     virtual std::optional<Scene> scene(const Budget&) const { return std::nullopt; }
 };
@@ -95,7 +95,7 @@ struct AffineMap {
 /// With several states it is graph-directed (Mauldin and Williams 1988): a set K_i for each state,
 /// the union of the images of the sets K_to under the maps of the state i. The attractor is that of
 /// the first state.
-class IteratedFunctions : public Relative {
+class IteratedFunctions : public Generator {
 public:
     struct Map {
         std::array<Quantity, 6> numbers;  // a b c d e f, as exact as they are written
@@ -132,13 +132,13 @@ public:
     /// leave, at least a hundredth of the largest.
     std::vector<double> chances() const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
     /// The attractor, unless points or generations are asked for.
-    RelativeFigure measured_figure(const Budget& budget) const override;
+    GeneratorFigure measured_figure(const Budget& budget) const override;
     std::optional<ExactDimension> exact_dimension(const Budget& budget) const override;
     /// The maps with norms, fixed points and probabilities, the contraction, the box of the
     /// attractor, the similarity dimension.
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
 };
 
 /// The graph-directed iterated function system whose attractor the curves of a D0L system approach
@@ -239,7 +239,7 @@ struct CellGrid {
 /// A cellular automaton with the configuration that it starts from: cells on a line or in the
 /// plane, all of which take their next state at once, by one rule, from the states of their
 /// neighbourhoods.
-class CellularAutomaton : public Relative {
+class CellularAutomaton : public Generator {
 public:
     CellRule rule;
     CellBoundary boundary;
@@ -249,9 +249,9 @@ public:
     /// Whether the rule's table stands above the picture.
     bool legend = false;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
     /// The rule, the grid, and how many cells are not 0 in the first generations.
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
 
     /// Generation `first` and those after it up to `last`, one row each. On a line only. Throws
     /// Error if they do not fit in memory.
@@ -285,7 +285,7 @@ struct RandomWalk {
 
 /// Pictures of the beginnings of one random walk: in one dimension its graph against time, in two
 /// its path, in three its path as the usual camera sees it.
-class RandomWalks : public Relative {
+class RandomWalks : public Generator {
 public:
     RandomWalk walk;                          // `steps` is not used
     std::vector<std::uint64_t> steps{10000};  // a figure for each
@@ -293,8 +293,8 @@ public:
     /// Throws Error on a walk out of range or without steps.
     void check() const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
     std::optional<Scene> scene(const Budget& budget) const override;
 };
 
@@ -311,7 +311,7 @@ struct BrownianMotion {
 
 /// Pictures of fractional Brownian motion: in one dimension the graph of X(t), in two and three the
 /// path whose coordinates are independent; one for each H and each number of levels.
-class BrownianPaths : public Relative {
+class BrownianPaths : public Generator {
 public:
     std::vector<double> hurst{0.5};
     double sigma = 1;
@@ -325,8 +325,8 @@ public:
     /// The coordinates of one path, one after the other.
     std::vector<std::vector<double>> coordinates(double h, int level, const Budget& budget) const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
     /// In three dimensions the path of the last H and the most levels.
     std::optional<Scene> scene(const Budget& budget) const override;
 
@@ -340,7 +340,7 @@ constexpr int most_surface_levels = 13;
 struct HeightField;
 
 /// A landscape: a surface, and water up to some height. Its unit is the edge of the land.
-class Terrain : public Relative {
+class Terrain : public Generator {
 public:
     enum class View { map, contours, solid, coast, grid };
 
@@ -359,10 +359,10 @@ public:
     /// The surface with so many levels.
     HeightField field(int level, const Budget& budget) const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
     /// The coast.
-    RelativeFigure measured_figure(const Budget& budget) const override;
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    GeneratorFigure measured_figure(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
     /// The land as squares in the colours of their heights, with the water flat.
     std::optional<Scene> scene(const Budget& budget) const override;
 };
@@ -379,7 +379,7 @@ struct Link {
 /// Pictures of one cluster of diffusion-limited aggregation as it grows. Each particle is drawn
 /// joined to the one that it came to touch, in the colours of the list from the oldest to the
 /// youngest.
-class Aggregates : public Relative {
+class Aggregates : public Generator {
 public:
     std::vector<std::uint64_t> particles{10000};  // a figure for each, with the seed
     std::uint64_t seed = 1;
@@ -396,8 +396,8 @@ public:
     /// answer is kept. Throws BoundReached, Interrupted.
     const std::vector<Link>& links(std::uint64_t count, const Budget& budget) const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
 
 private:
     std::vector<Link> grown(std::uint64_t count, const Budget& budget) const;
@@ -461,7 +461,7 @@ struct ParticleSystem {
 };
 
 /// Frames of a particle system: a sky, and on it the particles as discs in front of their trails.
-class ParticleShow : public Relative {
+class ParticleShow : public Generator {
 public:
     ParticleSystem system;
     std::vector<std::uint64_t> shown{0};  // the frames of the picture
@@ -474,13 +474,13 @@ public:
     /// Throws Error on a system or frames that make no sense.
     void check() const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
-    std::vector<RelativeFigure> frames(const Budget& budget) const override;
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
+    std::vector<GeneratorFigure> frames(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
 
 private:
-    std::vector<RelativeFigure> drawn(const std::vector<std::uint64_t>& wanted,
-                                      const Budget& budget) const;
+    std::vector<GeneratorFigure> drawn(const std::vector<std::uint64_t>& wanted,
+                                       const Budget& budget) const;
 };
 
 // Graphs of functions, and boxes.
@@ -491,7 +491,7 @@ private:
 /// Its graph has the box dimension 2 + log a / log b (Kaplan, Mallet-Paret and Yorke 1984), and for
 /// whole numbers b this is its Hausdorff dimension (Shen, Mathematische Zeitschrift 289, 2018; for
 /// random phases Hunt, Proc. AMS 126, 1998).
-class WeierstrassFunction : public Relative {
+class WeierstrassFunction : public Generator {
 public:
     double a = 0.5, b = 3;
     std::uint64_t most_terms = 40;     // as many as doubles can tell, where b is large
@@ -507,14 +507,14 @@ public:
     /// 2 + log a / log b.
     double dimension() const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
-    RelativeFigure measured_figure(const Budget& budget) const override;
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
+    GeneratorFigure measured_figure(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
 };
 
 /// A set covered with squares of several sizes, as box counting does: the squares of a grid that
 /// the set touches, and their number.
-class BoxCover : public Relative {
+class BoxCover : public Generator {
 public:
     enum class Shape { segment, square, koch, coast };
 
@@ -538,9 +538,9 @@ public:
     /// copy is lower than a third of its width; Error for other sides.
     std::vector<Square> covering(double side, const Budget& budget) const;
 
-    std::vector<RelativeFigure> figures(const Budget& budget) const override;
-    RelativeFigure measured_figure(const Budget& budget) const override;
-    std::vector<RelativeFact> facts(const Budget& budget) const override;
+    std::vector<GeneratorFigure> figures(const Budget& budget) const override;
+    GeneratorFigure measured_figure(const Budget& budget) const override;
+    std::vector<GeneratorFact> facts(const Budget& budget) const override;
 };
 
 }  // namespace algae

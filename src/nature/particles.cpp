@@ -236,8 +236,8 @@ void ParticleShow::check() const {
             "view: expected two corners of a rectangle, found a line or a point");
 }
 
-std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>& wanted,
-                                                const Budget& budget) const {
+std::vector<GeneratorFigure> ParticleShow::drawn(const std::vector<std::uint64_t>& wanted,
+                                                 const Budget& budget) const {
     check();
     std::vector<std::uint64_t> order = wanted;
     std::sort(order.begin(), order.end());
@@ -262,7 +262,7 @@ std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>
                 box.add(Point{particle.place.x + particle.size, particle.place.y + particle.size});
             }
     require(!box.empty, "{}: no particle is alive in the frames shown", {name});
-    std::vector<RelativeFigure> made;
+    std::vector<GeneratorFigure> made;
     for (const std::uint64_t frame : wanted) {
         const auto at = static_cast<std::size_t>(
             std::lower_bound(order.begin(), order.end(), frame) - order.begin());
@@ -274,17 +274,17 @@ std::vector<RelativeFigure> ParticleShow::drawn(const std::vector<std::uint64_t>
     return made;
 }
 
-std::vector<RelativeFigure> ParticleShow::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> ParticleShow::figures(const Budget& budget) const {
     return drawn(shown, budget);
 }
 
-std::vector<RelativeFigure> ParticleShow::frames(const Budget& budget) const {
+std::vector<GeneratorFigure> ParticleShow::frames(const Budget& budget) const {
     std::vector<std::uint64_t> all;
     for (std::uint64_t frame = 0; frame <= last_frame; ++frame) all.push_back(frame);
     return drawn(all, budget);
 }
 
-std::vector<RelativeFact> ParticleShow::facts(const Budget& budget) const {
+std::vector<GeneratorFact> ParticleShow::facts(const Budget& budget) const {
     check();
     ParticleRun run(system, budget);
     std::size_t most = run.particles().size();
@@ -296,7 +296,7 @@ std::vector<RelativeFact> ParticleShow::facts(const Budget& budget) const {
             frame_of_most = run.frame();
         }
     }
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     found.push_back({"kinds", std::to_string(system.kinds.size()), system.kinds.size()});
     found.push_back({"seed", std::to_string(system.seed), system.seed});
     found.push_back({"frames", fmt::format("0 to {}", last_frame), last_frame});

@@ -228,9 +228,9 @@ HeightField Terrain::field(int level, const Budget& budget) const {
     return exact ? exact_surface(wanted, numbers, budget) : diamond_square(wanted, numbers, budget);
 }
 
-std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> Terrain::figures(const Budget& budget) const {
     check();
-    std::vector<RelativeFigure> made;
+    std::vector<GeneratorFigure> made;
     const auto [first, last] = levels.value_or(std::pair(surface.levels, surface.levels));
     for (int level = first; level <= last; ++level) {
         const HeightField heights = field(level, budget);
@@ -262,7 +262,7 @@ std::vector<RelativeFigure> Terrain::figures(const Budget& budget) const {
     return made;
 }
 
-RelativeFigure Terrain::measured_figure(const Budget& budget) const {
+GeneratorFigure Terrain::measured_figure(const Budget& budget) const {
     check();
     const HeightField heights = field(surface.levels, budget);
     std::vector<Stroke> coast = contour_lines(heights, height_at_share(heights, water), budget);
@@ -270,7 +270,7 @@ RelativeFigure Terrain::measured_figure(const Budget& budget) const {
     return pictured(*this, lines_of(coast, {}, 1), "coast");
 }
 
-std::vector<RelativeFact> Terrain::facts(const Budget& budget) const {
+std::vector<GeneratorFact> Terrain::facts(const Budget& budget) const {
     check();
     const HeightField heights = field(surface.levels, budget);
     const Relief relief = relief_of(heights, water);
@@ -281,7 +281,7 @@ std::vector<RelativeFact> Terrain::facts(const Budget& budget) const {
         closed += line.front() == line.back() ? 1 : 0;
         for (std::size_t i = 1; i < line.size(); ++i) total += distance(line[i], line[i - 1]);
     }
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     found.push_back({"method", exact ? "exact" : "midpoint displacement of squares",
                      exact ? "exact" : "midpoint"});
     found.push_back({"points", fmt::format("{} by {}", heights.side, heights.side), heights.side});

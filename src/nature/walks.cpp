@@ -103,7 +103,7 @@ std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
 namespace {
 
 /// A rod without thickness from each place to the next, in the colours of the style.
-Scene path_scene(const std::vector<Vector>& places, const Relative& walker) {
+Scene path_scene(const std::vector<Vector>& places, const Generator& walker) {
     Scene made;
     made.name = walker.heading();
     made.colours = walker.style.colours;
@@ -165,9 +165,9 @@ void RandomWalks::check() const {
     random_walk(short_walk, {});
 }
 
-std::vector<RelativeFigure> RandomWalks::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> RandomWalks::figures(const Budget& budget) const {
     const std::vector<Vector> all = longest(*this, budget);
-    std::vector<RelativeFigure> made;
+    std::vector<GeneratorFigure> made;
     for (const std::uint64_t count : steps) {
         const std::vector<Vector> places(all.begin(),
                                          all.begin() + static_cast<std::ptrdiff_t>(count) + 1);
@@ -177,9 +177,9 @@ std::vector<RelativeFigure> RandomWalks::figures(const Budget& budget) const {
     return made;
 }
 
-std::vector<RelativeFact> RandomWalks::facts(const Budget& budget) const {
+std::vector<GeneratorFact> RandomWalks::facts(const Budget& budget) const {
     const std::vector<Vector> all = longest(*this, budget);
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     found.push_back({"dimensions", std::to_string(walk.dimensions), walk.dimensions});
     found.push_back({"seed", std::to_string(walk.seed), walk.seed});
     for (const std::uint64_t count : steps) {
@@ -345,9 +345,9 @@ std::vector<Vector> BrownianPaths::places(double h, int level, const Budget& bud
     return made;
 }
 
-std::vector<RelativeFigure> BrownianPaths::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> BrownianPaths::figures(const Budget& budget) const {
     check();
-    std::vector<RelativeFigure> made;
+    std::vector<GeneratorFigure> made;
     for (const double h : hurst)
         for (int level = levels.first; level <= levels.second; ++level) {
             std::string caption = fmt::format("H = {}", h);
@@ -360,9 +360,9 @@ std::vector<RelativeFigure> BrownianPaths::figures(const Budget& budget) const {
     return made;
 }
 
-std::vector<RelativeFact> BrownianPaths::facts(const Budget& budget) const {
+std::vector<GeneratorFact> BrownianPaths::facts(const Budget& budget) const {
     check();
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     found.push_back({"method", exact ? "exact, by circulant embedding" : "midpoint displacement",
                      exact ? "exact" : "midpoint"});
     found.push_back({"seed", std::to_string(seed), seed});

@@ -66,9 +66,9 @@ double WeierstrassFunction::sum(double x, std::uint64_t count) const {
 
 double WeierstrassFunction::dimension() const { return 2 + std::log(a) / std::log(b); }
 
-std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) const {
+std::vector<GeneratorFigure> WeierstrassFunction::figures(const Budget& budget) const {
     check();
-    std::vector<RelativeFigure> made;
+    std::vector<GeneratorFigure> made;
     const auto add = [&](double left, double right, std::uint64_t count, const std::string& what) {
         made.push_back(pictured(*this, graph(*this, left, right, count, points, budget), what));
     };
@@ -87,17 +87,17 @@ std::vector<RelativeFigure> WeierstrassFunction::figures(const Budget& budget) c
     return made;
 }
 
-RelativeFigure WeierstrassFunction::measured_figure(const Budget& budget) const {
+GeneratorFigure WeierstrassFunction::measured_figure(const Budget& budget) const {
     check();
     return {std::make_unique<PathFigure>(
                 graph(*this, from, to, most_terms, measured_points, budget), style),
             heading() + ", the graph by " + std::to_string(measured_points) + " segments", ""};
 }
 
-std::vector<RelativeFact> WeierstrassFunction::facts(const Budget&) const {
+std::vector<GeneratorFact> WeierstrassFunction::facts(const Budget&) const {
     check();
     const bool whole = b == std::floor(b);
-    std::vector<RelativeFact> found;
+    std::vector<GeneratorFact> found;
     found.push_back({"function",
                      fmt::format("the sum of {}^n cos({}^n pi x), n = 0, 1, 2, ...", a, b),
                      {{"a", a}, {"b", b}}});

@@ -1,7 +1,7 @@
 #include <algorithm>
 
 #include "nature/nature.hpp"
-#include "notation/detail/relative_values.hpp"
+#include "notation/detail/generator_values.hpp"
 #include "rewrite/rewrite.hpp"
 
 // Cellular automata, `.ca`.
@@ -23,9 +23,9 @@ constexpr std::uint64_t most_generations = std::uint64_t{1} << 40;
 /// Reads the statements of one file.
 class Reader {
 public:
-    explicit Reader(const RelativeFile& file) : file_(file) {}
+    explicit Reader(const GeneratorFile& file) : file_(file) {}
 
-    std::unique_ptr<Relative> automaton() {
+    std::unique_ptr<Generator> automaton() {
         auto made = std::make_unique<CellularAutomaton>();
         file_.describe(*made);
         dimensions_ = static_cast<int>(
@@ -45,7 +45,7 @@ public:
     }
 
 private:
-    const RelativeStatement& statement(const char* key) const { return *file_.find(key); }
+    const GeneratorStatement& statement(const char* key) const { return *file_.find(key); }
 
     std::vector<CellOffset> neighbourhood() const {
         const auto radius = static_cast<int>(file_.natural("radius", 1, 100).value_or(1));
@@ -56,7 +56,7 @@ private:
         return line_neighbourhood(radius);
     }
 
-    Integer number(const RelativeStatement& said) const {
+    Integer number(const GeneratorStatement& said) const {
         const std::string& text = file_.only_word(said, "NUMBER").text;
         if (text.find_first_not_of("0123456789") != std::string::npos)
             file_.fail(said, said.words.front(),
@@ -67,9 +67,9 @@ private:
     CellRule rule() const {
         const auto states =
             static_cast<std::uint32_t>(file_.natural("states", 2, most_states).value_or(2));
-        const RelativeStatement* said = nullptr;
+        const GeneratorStatement* said = nullptr;
         for (const char* key : {"rule", "code", "life", "table"})
-            if (const RelativeStatement* found = file_.find(key)) {
+            if (const GeneratorStatement* found = file_.find(key)) {
                 if (said)
                     file_.fail(*found,
                                "the rule is said twice, by " + said->key + " and by " + found->key);
@@ -104,12 +104,12 @@ private:
         return static_cast<std::uint8_t>(value);
     }
 
-    CellRule table(const RelativeStatement& said, std::uint32_t states,
+    CellRule table(const GeneratorStatement& said, std::uint32_t states,
                    const std::vector<CellOffset>& cells) const {
         CellRule rule = numbered_rule(Integer(0), states, cells);
         rule.text = "table";
         std::vector<bool> known(rule.table.size());
-        for (const RelativeWord& word : said.words) {
+        for (const GeneratorWord& word : said.words) {
             const std::size_t arrow = word.text.find("->");
             std::size_t number = 0;
             bool fits = arrow == cells.size() && word.text.size() == arrow + 3;
@@ -143,7 +143,7 @@ private:
 
     CellBoundary boundary(std::uint32_t states) const {
         CellBoundary found;
-        const RelativeStatement* said = file_.find("boundary");
+        const GeneratorStatement* said = file_.find("boundary");
         if (!said) return found;
         file_.check_words(*said, 1, 2, "periodic, or fixed [STATE]");
         const std::string& word = said->words.front().text;
@@ -162,8 +162,8 @@ private:
     /// What `row` lines and a word behind `start` say, a row each.
     std::vector<std::vector<std::uint8_t>> pattern(std::uint32_t states) const {
         std::vector<std::vector<std::uint8_t>> rows;
-        const auto add = [&](const RelativeStatement& said) {
-            const RelativeWord& word = file_.only_word(said, "STATES");
+        const auto add = [&](const GeneratorStatement& said) {
+            const GeneratorWord& word = file_.only_word(said, "STATES");
             auto& row = rows.emplace_back();
             for (const char character : word.text) {
                 const auto cell = character == '.'   ? std::optional<std::uint8_t>(0)
@@ -177,9 +177,9 @@ private:
                 row.push_back(*cell);
             }
         };
-        for (const RelativeStatement& one : file_.statements)
+        for (const GeneratorStatement& one : file_.statements)
             if (one.key == "row") add(one);
-        if (const RelativeStatement* said = file_.find("start"))
+        if (const GeneratorStatement* said = file_.find("start"))
             if (said->words.front().text != "single" && said->words.front().text != "random") {
                 if (!rows.empty()) file_.fail(*said, "the start is said by `row` lines already");
                 add(*said);
@@ -193,7 +193,7 @@ private:
         for (const auto& row : rows) widest = std::max(widest, row.size());
         std::size_t columns = rows.empty() ? 101 : widest;
         std::size_t height = dimensions_ == 1 ? 1 : rows.empty() ? 101 : rows.size();
-        const RelativeStatement* said = file_.find("cells");
+        const GeneratorStatement* said = file_.find("cells");
         if (said) {
             const auto count = static_cast<std::size_t>(dimensions_);
             file_.check_words(*said, count, count, dimensions_ == 1 ? "N" : "COLUMNS ROWS");
@@ -225,12 +225,12 @@ private:
     }
 
     std::vector<std::uint64_t> generations() const {
-        const RelativeStatement* said = file_.find("generation");
+        const GeneratorStatement* said = file_.find("generation");
         if (!said)
             return dimensions_ == 1 ? std::vector<std::uint64_t>{0, 50}
                                     : std::vector<std::uint64_t>{0};
         std::vector<std::uint64_t> found;
-        for (const RelativeWord& word : said->words) {
+        for (const GeneratorWord& word : said->words) {
             const auto [first, last] = file_.range(*said, word, most_generations);
             if (last < first || (!found.empty() && first < found.back()))
                 file_.fail(*said, word, "expected generations in rising order");
@@ -244,13 +244,13 @@ private:
         return found;
     }
 
-    const RelativeFile& file_;
+    const GeneratorFile& file_;
     int dimensions_ = 1;
 };
 
 }  // namespace
 
-RelativeKind ca_kind() {
+GeneratorKind ca_kind() {
     return {"ca",
             "a cellular automaton",
             {{"dimensions", "1 or 2"},
@@ -268,7 +268,7 @@ RelativeKind ca_kind() {
              {"seed", "S"},
              {"generation", "N or N..M ..."},
              {"legend", ""}},
-            [](const RelativeFile& file) { return Reader(file).automaton(); }};
+            [](const GeneratorFile& file) { return Reader(file).automaton(); }};
 }
 
 }  // namespace algae

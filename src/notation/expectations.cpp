@@ -249,8 +249,8 @@ bool same(const Expectation& expected, const std::string& found) {
 
 }  // namespace
 
-std::vector<Disappointment> unmet_expectations(const Model& system, const Budget& budget) {
-    std::vector<Disappointment> unmet;
+std::vector<Mismatch> unmet_expectations(const Model& system, const Budget& budget) {
+    std::vector<Mismatch> unmet;
     Answers answers(system, budget);
     for (const Expectation& expected : system.expectations) {
         const std::string wanted = "expected " + expected.kind + ' ' +

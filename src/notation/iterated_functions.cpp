@@ -68,10 +68,10 @@ std::optional<Expression> ratio_of(const std::array<Quantity, 6>& n) {
 }
 
 /// The words before `->`, and the state behind it.
-std::size_t take_state(const RelativeFile& file, const RelativeStatement& statement,
-                       std::vector<RelativeWord>& words, const std::vector<std::string>& states) {
+std::size_t take_state(const GeneratorFile& file, const GeneratorStatement& statement,
+                       std::vector<GeneratorWord>& words, const std::vector<std::string>& states) {
     const auto arrow = std::find_if(words.begin(), words.end(),
-                                    [](const RelativeWord& word) { return word.text == "->"; });
+                                    [](const GeneratorWord& word) { return word.text == "->"; });
     if (arrow == words.end()) {
         if (states.size() > 1)
             file.fail(statement,
@@ -88,9 +88,9 @@ std::size_t take_state(const RelativeFile& file, const RelativeStatement& statem
     return static_cast<std::size_t>(state - states.begin());
 }
 
-Map read_map(const RelativeFile& file, const RelativeStatement& statement,
+Map read_map(const GeneratorFile& file, const GeneratorStatement& statement,
              const std::vector<std::string>& states) {
-    std::vector<RelativeWord> words = statement.words;
+    std::vector<GeneratorWord> words = statement.words;
     Map made;
     made.to = take_state(file, statement, words, states);
     const bool similar = statement.key == "similarity";
@@ -100,7 +100,7 @@ Map read_map(const RelativeFile& file, const RelativeStatement& statement,
                                  (similar ? " ratio degrees e f" : " a b c d e f") +
                                  " [probability], found " + counted(words.size(), "value"));
     std::vector<Quantity> values;
-    for (const RelativeWord& word : words) values.push_back(file.quantity(statement, word));
+    for (const GeneratorWord& word : words) values.push_back(file.quantity(statement, word));
     if (values.size() > least) made.probability = values.back();
     if (!similar) {
         std::copy_n(values.begin(), 6, made.numbers.begin());
@@ -123,12 +123,12 @@ Map read_map(const RelativeFile& file, const RelativeStatement& statement,
     return made;
 }
 
-std::vector<Point> read_start(const RelativeFile& file, const RelativeStatement& statement) {
+std::vector<Point> read_start(const GeneratorFile& file, const GeneratorStatement& statement) {
     const std::string& first = statement.words.front().text;
     if (first == "square") return {{0, 0}, {1, 0}, {1, 1}, {0, 1}};
     if (first == "triangle") return {{0, 0}, {1, 0}, {0.5, std::sqrt(0.75)}};
     std::vector<Point> corners;
-    for (const RelativeWord& word : statement.words) {
+    for (const GeneratorWord& word : statement.words) {
         if (!word.text.starts_with('('))
             file.fail(statement, word,
                       "expected start square, triangle, or corners such as (0,0) (1,0) (0,1)");
@@ -137,11 +137,11 @@ std::vector<Point> read_start(const RelativeFile& file, const RelativeStatement&
     return corners;
 }
 
-std::unique_ptr<Relative> make_ifs(const RelativeFile& file) {
+std::unique_ptr<Generator> make_ifs(const GeneratorFile& file) {
     auto system = std::make_unique<IteratedFunctions>();
     file.describe(*system);
     std::vector<std::string> states;
-    for (const RelativeStatement& statement : file.statements)
+    for (const GeneratorStatement& statement : file.statements)
         if (statement.key == "state") {
             const std::string& name = file.only_word(statement, "NAME").text;
             if (std::find(states.begin(), states.end(), name) != states.end())
@@ -152,7 +152,7 @@ std::unique_ptr<Relative> make_ifs(const RelativeFile& file) {
     if (!states.empty()) system->states = states;
     std::optional<std::size_t> state;
     std::size_t in_state = 0;
-    for (const RelativeStatement& statement : file.statements) {
+    for (const GeneratorStatement& statement : file.statements) {
         if (statement.key == "state") {
             state = state ? *state + 1 : 0;
             in_state = 0;
@@ -171,10 +171,10 @@ std::unique_ptr<Relative> make_ifs(const RelativeFile& file) {
     system->points = file.natural("points", 1, std::uint64_t{1} << 40);
     system->generations = file.range("generation", 1000);
     system->seed = file.natural("seed", 0, ~std::uint64_t{0}).value_or(1);
-    if (const RelativeStatement* from = file.find("from")) {
+    if (const GeneratorStatement* from = file.find("from")) {
         system->from = file.point(*from, file.only_word(*from, "(x,y)"));
     }
-    if (const RelativeStatement* start = file.find("start"))
+    if (const GeneratorStatement* start = file.find("start"))
         system->start = read_start(file, *start);
     system->check();
     return system;
@@ -182,7 +182,7 @@ std::unique_ptr<Relative> make_ifs(const RelativeFile& file) {
 
 }  // namespace
 
-RelativeKind ifs_kind() {
+GeneratorKind ifs_kind() {
     return {"ifs",
             "an iterated function system",
             {{"state", "NAME", true},
@@ -196,8 +196,8 @@ RelativeKind ifs_kind() {
             make_ifs};
 }
 
-RelativeFile ifs_file(const IteratedFunctions& system) {
-    RelativeFile file;
+GeneratorFile ifs_file(const IteratedFunctions& system) {
+    GeneratorFile file;
     file.name = system.name;
     if (!system.title.empty()) file.add("title", {system.title});
     if (!system.source.empty()) file.add("source", {system.source});

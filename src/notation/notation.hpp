@@ -32,7 +32,7 @@ struct SystemForm;
 struct Point;
 struct Colour;
 struct Drawing;
-class Relative;
+class Generator;
 class IteratedFunctions;
 struct Model;
 struct SolidSetting;
@@ -136,7 +136,7 @@ std::string print_surface(const SurfaceSetting& surface);
 const char* shape_name(StampShape shape);
 
 /// An expectation of a file that does not hold: where it stands, what it expected, what was found.
-struct Disappointment {
+struct Mismatch {
     Place place;
     std::string message;  // "expected length 3: 148, found 149"
 };
@@ -149,8 +149,8 @@ struct Disappointment {
 /// corner); of figures in space x y z. A decimal stands for the value rounded to its digits, in the
 /// parameters of a word too; a fraction there for the double nearest to it. Systems with choices derive
 /// the word of the first seed of their setting `seed`, or of seed 1. The word of a system of shape rules
-/// is that of its boxes' symbols. An unknown kind, and a value that cannot be read, is a disappointment too.
-std::vector<Disappointment> unmet_expectations(const Model& system, const Budget& budget = {});
+/// is that of its boxes' symbols. An unknown kind, and a value that cannot be read, is a mismatch too.
+std::vector<Mismatch> unmet_expectations(const Model& system, const Budget& budget = {});
 
 // Claims: `.claim` files, and languages as claims write them.
 
@@ -193,45 +193,45 @@ std::string misfit(const LSystem& system, std::string_view family);
 
 // Other generators: `.ifs`, `.ca`, `.walk` and so on, small files of lines `key value ...`.
 
-/// What a statement of a relative's file may begin with.
-struct RelativeKey {
+/// What a statement of a generator's file may begin with.
+struct GeneratorKey {
     std::string name;
     std::string arguments;  // as an error shows them: "a b c d e f [probability]"
     bool repeats = false;   // more than once in a file
 };
 
 /// The part of a statement between two blanks (blanks in brackets belong to it).
-struct RelativeWord {
+struct GeneratorWord {
     std::string text;
     std::size_t offset = 0;  // of its first byte in the line
-    bool operator==(const RelativeWord& other) const { return text == other.text; }
+    bool operator==(const GeneratorWord& other) const { return text == other.text; }
 };
 
-/// One line of a relative's file: a key and its words. Equal if both are.
-struct RelativeStatement {
+/// One line of a generator's file: a key and its words. Equal if both are.
+struct GeneratorStatement {
     std::string key;
-    std::vector<RelativeWord> words;
+    std::vector<GeneratorWord> words;
     Place place;                     // of the key
     std::string line;                // whole, for errors
     std::vector<std::string> above;  // comments on lines of their own
     std::string behind;              // the comment behind it
-    bool operator==(const RelativeStatement& other) const {
+    bool operator==(const GeneratorStatement& other) const {
         return key == other.key && words == other.words;
     }
 };
 
-/// The small text file of a relative, such as `fern.ifs`: lines `key value ...`, `#` comments. It is
+/// The small text file of a generator, such as `fern.ifs`: lines `key value ...`, `#` comments. It is
 /// what readers of the kinds read from, what options of the command line change, and what is printed.
 /// `title` and `source` have one word, the rest of their line.
-struct RelativeFile {
+struct GeneratorFile {
     std::string name;  // as errors call it
-    std::vector<RelativeStatement> statements;
+    std::vector<GeneratorStatement> statements;
     std::vector<std::string> below;  // comments behind the last statement
 
-    bool operator==(const RelativeFile& other) const { return statements == other.statements; }
+    bool operator==(const GeneratorFile& other) const { return statements == other.statements; }
 
     /// The statement of this key, which does not repeat; nullptr if there is none.
-    const RelativeStatement* find(std::string_view key) const;
+    const GeneratorStatement* find(std::string_view key) const;
     /// Appends a statement.
     void add(const std::string& key, const std::vector<std::string>& words);
     /// Replaces the statement of this key, or appends it; `option` is what errors call its place.
@@ -239,37 +239,37 @@ struct RelativeFile {
              const std::string& option);
 
     /// Throws Diagnostics with this message at a word, at a statement, or about the whole file.
-    [[noreturn]] void fail(const RelativeStatement& statement, const RelativeWord& word,
+    [[noreturn]] void fail(const GeneratorStatement& statement, const GeneratorWord& word,
                            const std::string& message) const;
-    [[noreturn]] void fail(const RelativeStatement& statement, const std::string& message) const;
+    [[noreturn]] void fail(const GeneratorStatement& statement, const std::string& message) const;
     [[noreturn]] void fail(const std::string& message) const;
     /// The same: "expected KEY `wanted`, found 'WORD'", and a hint.
-    [[noreturn]] void refuse(const RelativeStatement& statement, const RelativeWord& word,
+    [[noreturn]] void refuse(const GeneratorStatement& statement, const GeneratorWord& word,
                              const std::string& wanted, const std::string& hint = {}) const;
 
     /// The number of words; throws unless from `least` to `most`.
-    void check_words(const RelativeStatement& statement, std::size_t least, std::size_t most,
+    void check_words(const GeneratorStatement& statement, std::size_t least, std::size_t most,
                      const std::string& arguments) const;
 
     /// The word of a statement that has one; throws if it has not.
-    const RelativeWord& only_word(const RelativeStatement& statement,
-                                  const std::string& arguments) const;
+    const GeneratorWord& only_word(const GeneratorStatement& statement,
+                                   const std::string& arguments) const;
 
     /// A word as a number: any expression without names, `1/3`, `sqrt(3)/6`, `cos(60)`. Exact where
     /// `evaluate` is.
-    Quantity quantity(const RelativeStatement& statement, const RelativeWord& word) const;
+    Quantity quantity(const GeneratorStatement& statement, const GeneratorWord& word) const;
     /// Throws unless it is from `least` to `most`.
-    double number(const RelativeStatement& statement, const RelativeWord& word, double least,
+    double number(const GeneratorStatement& statement, const GeneratorWord& word, double least,
                   double most) const;
-    std::uint64_t natural(const RelativeStatement& statement, const RelativeWord& word,
+    std::uint64_t natural(const GeneratorStatement& statement, const GeneratorWord& word,
                           std::uint64_t least, std::uint64_t most) const;
     /// `N` or `N..M`, both at most `most`.
-    std::pair<std::uint64_t, std::uint64_t> range(const RelativeStatement& statement,
-                                                  const RelativeWord& word,
+    std::pair<std::uint64_t, std::uint64_t> range(const GeneratorStatement& statement,
+                                                  const GeneratorWord& word,
                                                   std::uint64_t most) const;
-    Colour colour(const RelativeStatement& statement, const RelativeWord& word) const;
+    Colour colour(const GeneratorStatement& statement, const GeneratorWord& word) const;
     /// `(1,2)` as two numbers.
-    Point point(const RelativeStatement& statement, const RelativeWord& word) const;
+    Point point(const GeneratorStatement& statement, const GeneratorWord& word) const;
 
     /// The value of a statement with one word; nothing where the file has no such statement.
     std::optional<double> number(std::string_view key, double least, double most) const;
@@ -284,49 +284,49 @@ struct RelativeFile {
                                       const std::vector<std::string>& choices) const;
 
     /// Fills in name, title, source and settings (`colour`, `width`) from the file.
-    void describe(Relative& relative) const;
+    void describe(Generator& generator) const;
 };
 
 /// Reads the statements of a file and checks their keys. Throws `Diagnostics` with everything that is
 /// wrong: unknown keys (with the known ones), keys without words, keys said twice. Title and source
 /// come first in the result.
-RelativeFile read_relative_file(std::string_view text, const std::string& name,
-                                const std::vector<RelativeKey>& keys);
+GeneratorFile read_generator_file(std::string_view text, const std::string& name,
+                                  const std::vector<GeneratorKey>& keys);
 
 /// The text of a file with its comments, a line for each statement in their order, words one blank
 /// apart. It reads back as an equal file.
 ///
-/// Example: print_relative_file(RelativeFile{}) == ""
-std::string print_relative_file(const RelativeFile& file);
+/// Example: print_generator_file(GeneratorFile{}) == ""
+std::string print_generator_file(const GeneratorFile& file);
 
 /// A kind of generator: the ending of its files, what stands in them, and how a generator is made from one.
-struct RelativeKind {
+struct GeneratorKind {
     std::string ending;  // without the point: "ifs"
     std::string what;    // "an iterated function system"
-    std::vector<RelativeKey> keys;
+    std::vector<GeneratorKey> keys;
     /// Throws Diagnostics or Error where values are missing, out of range or do not fit together.
-    std::unique_ptr<Relative> (*make)(const RelativeFile&);
+    std::unique_ptr<Generator> (*make)(const GeneratorFile&);
 };
 
 /// All kinds.
-const std::vector<RelativeKind>& relative_kinds();
+const std::vector<GeneratorKind>& generator_kinds();
 
 /// The kind of file that a name ends in; nullptr if no kind has this ending.
 ///
-/// Example: relative_kind("figures/koch.lsys") == nullptr
-const RelativeKind* relative_kind(std::string_view file_name);
+/// Example: generator_kind("figures/koch.lsys") == nullptr
+const GeneratorKind* generator_kind(std::string_view file_name);
 
 /// The generator that the text of a file describes. Throws `Diagnostics` or `Error`.
-std::unique_ptr<Relative> read_relative(std::string_view text, const std::string& file_name);
+std::unique_ptr<Generator> read_generator(std::string_view text, const std::string& file_name);
 
-/// The canonical text of a relative's file, comments kept. Throws as `read_relative` does.
-std::string format_relative(std::string_view text, const std::string& file_name);
+/// The canonical text of a generator's file, comments kept. Throws as `read_generator` does.
+std::string format_generator(std::string_view text, const std::string& file_name);
 
 /// Files `*.ifs` of iterated function systems.
-RelativeKind ifs_kind();
+GeneratorKind ifs_kind();
 
 /// The file that says this system.
-RelativeFile ifs_file(const IteratedFunctions& system);
+GeneratorFile ifs_file(const IteratedFunctions& system);
 
 // What comes with algae, built into the library.
 
@@ -343,7 +343,7 @@ std::span<const GalleryEntry> gallery();
 
 /// The files of the other generators that come with algae, `fern.ifs`, `glider.ca`, likewise. A system
 /// of `gallery()` may have the same name.
-std::span<const GalleryEntry> relative_gallery();
+std::span<const GalleryEntry> generator_gallery();
 
 /// The claims of the theory that come with algae, `theory/closure/union-not-0l.claim`. Two may have the
 /// same name in different folders.
@@ -364,9 +364,9 @@ std::string_view file_name(const GalleryEntry& entry);
 /// The file of another generator that comes with algae, by its name, `fern` or `fern.ifs`; nullptr
 /// if there is none. Time linear in the number of entries.
 ///
-/// Example: find_relative("fern") == find_relative("fern.ifs")
-/// Example: find_relative("fern.ca") == nullptr
-const GalleryEntry* find_relative(std::string_view name);
+/// Example: find_generator("fern") == find_generator("fern.ifs")
+/// Example: find_generator("fern.ca") == nullptr
+const GalleryEntry* find_generator(std::string_view name);
 
 // For those who read other texts: places, findings, characters. `exchange` and `lesson` report faults with them.
 

@@ -2,7 +2,7 @@
 #include <limits>
 
 #include "nature/nature.hpp"
-#include "notation/detail/relative_values.hpp"
+#include "notation/detail/generator_values.hpp"
 
 // Systems of particles, `.particles`.
 //
@@ -23,7 +23,7 @@ constexpr double infinite = std::numeric_limits<double>::infinity();
 /// The words of one statement, taken from the left.
 class Words {
 public:
-    Words(const RelativeFile& file, const RelativeStatement& statement, std::string wanted,
+    Words(const GeneratorFile& file, const GeneratorStatement& statement, std::string wanted,
           const std::vector<std::string>& kinds)
         : file_(file), statement_(statement), wanted_(std::move(wanted)), kinds_(kinds) {}
 
@@ -33,7 +33,7 @@ public:
         ++next_;
         return true;
     }
-    const RelativeWord& word() {
+    const GeneratorWord& word() {
         if (!more()) fail();
         return statement_.words[next_++];
     }
@@ -46,7 +46,7 @@ public:
     Point point() { return file_.point(statement_, word()); }
     /// `MEAN` or `MEAN +- SPREAD`.
     Scatter scatter(double least = -infinite) {
-        const RelativeWord& first = word();
+        const GeneratorWord& first = word();
         Scatter found{file_.number(statement_, first, least, infinite), 0};
         if (take("+-") || take("±")) found.spread = number(0, infinite);
         if (found.mean - found.spread < least)
@@ -58,7 +58,7 @@ public:
     Colour colour() { return file_.colour(statement_, word()); }
     /// The number of the kind that a word names.
     std::size_t kind() {
-        const RelativeWord& name = word();
+        const GeneratorWord& name = word();
         const auto found = std::ranges::find(kinds_, name.text);
         if (found == kinds_.end())
             file_.fail(statement_, name,
@@ -77,8 +77,8 @@ private:
         file_.fail(statement_, "expected " + statement_.key + " " + wanted_);
     }
 
-    const RelativeFile& file_;
-    const RelativeStatement& statement_;
+    const GeneratorFile& file_;
+    const GeneratorStatement& statement_;
     std::string wanted_;
     const std::vector<std::string>& kinds_;
     std::size_t next_ = 0;
@@ -172,18 +172,18 @@ constexpr ShowKey show_keys[] = {
 
 class Reader {
 public:
-    explicit Reader(const RelativeFile& file) : file_(file) {}
+    explicit Reader(const GeneratorFile& file) : file_(file) {}
 
-    std::unique_ptr<Relative> read() {
+    std::unique_ptr<Generator> read() {
         auto show = std::make_unique<ParticleShow>();
         file_.describe(*show);
-        for (const RelativeStatement& statement : file_.statements)
+        for (const GeneratorStatement& statement : file_.statements)
             if (statement.key == "kind") name_kind(statement);
         if (names_.empty()) file_.fail("expected a line `kind NAME`, found no kind of particles");
         show->system.kinds.resize(names_.size());
         for (std::size_t i = 0; i < names_.size(); ++i) show->system.kinds[i].name = names_[i];
         std::size_t kind = any;
-        for (const RelativeStatement& statement : file_.statements) {
+        for (const GeneratorStatement& statement : file_.statements) {
             if (statement.key == "kind")
                 kind = kind + 1;
             else if (const KindKey* key = find(kind_keys, statement.key)) {
@@ -217,32 +217,32 @@ private:
         const auto found = std::ranges::find(keys, name, &Key::name);
         return found == std::end(keys) ? nullptr : found;
     }
-    void name_kind(const RelativeStatement& statement) {
-        const RelativeWord& word = file_.only_word(statement, "NAME");
+    void name_kind(const GeneratorStatement& statement) {
+        const GeneratorWord& word = file_.only_word(statement, "NAME");
         const std::string& name = word.text;
         if (std::ranges::count(names_, name) > 0)
             file_.fail(statement, word, "the kind " + algae::quoted(name) + " is there already");
         names_.push_back(name);
     }
     template <class Key, class Read>
-    void read_statement(const RelativeStatement& statement, const Key& key, Read& into) const {
+    void read_statement(const GeneratorStatement& statement, const Key& key, Read& into) const {
         Words words(file_, statement, key.arguments, names_);
         key.read(words, into);
         words.end();
     }
 
-    const RelativeFile& file_;
+    const GeneratorFile& file_;
     std::vector<std::string> names_;
 };
 
 }  // namespace
 
-RelativeKind particles_kind() {
-    std::vector<RelativeKey> keys{{"kind", "NAME", true}};
+GeneratorKind particles_kind() {
+    std::vector<GeneratorKey> keys{{"kind", "NAME", true}};
     for (const KindKey& key : kind_keys) keys.push_back({key.name, key.arguments, true});
     for (const ShowKey& key : show_keys) keys.push_back({key.name, key.arguments, key.repeats});
     return {"particles", "a system of particles", std::move(keys),
-            [](const RelativeFile& file) { return Reader(file).read(); }};
+            [](const GeneratorFile& file) { return Reader(file).read(); }};
 }
 
 }  // namespace algae

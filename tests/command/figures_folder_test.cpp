@@ -2,17 +2,18 @@
 
 #include "command/run.hpp"
 
-TEST_CASE("figures draws systems and relatives of a folder, and says what folder it expected") {
+TEST_CASE("figures draws systems and generators of a folder, and says what folder it expected") {
     const Scratch scratch;
     const std::string out = scratch.file("out");
     const std::string folder = scratch.path().string();
     const Run empty = run("figures " + folder + " --out " + out);
     CHECK(empty.status == 2);
-    CHECK(empty.err == "algae: " + folder + ": holds no .lsys files and none of relatives\n");
+    CHECK(empty.err == "algae: " + folder + ": holds no .lsys files and none of generators\n");
     const Run missing = run("figures " + folder + "/none --out " + out);
     CHECK(missing.status == 2);
-    CHECK(missing.err == "algae: " + folder +
-                             "/none: expected a folder of .lsys files and of files of relatives\n");
+    CHECK(missing.err ==
+          "algae: " + folder +
+              "/none: expected a folder of .lsys files and of files of generators\n");
     CHECK(scratch.size() == 0);
 
     scratch.file("own.lsys", "axiom F; F -> F+F; generation 2\n");

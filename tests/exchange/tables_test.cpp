@@ -14,7 +14,7 @@ using namespace algae::exchange_tests;
 
 namespace {
 
-std::string of_gallery(const std::string& name) { return std::string(find_relative(name)->text); }
+std::string of_gallery(const std::string& name) { return std::string(find_generator(name)->text); }
 std::string there(const std::string& text, const std::string& kind) {
     return converted(text, "x." + kind + "-table", kind + "-table", kind, {});
 }
@@ -240,8 +240,8 @@ TEST_CASE("any rule of cells on a line goes through its table, its entries in an
         const std::string table = back(text + "\n", "ca"), read = there(table, "ca");
         RC_ASSERT(back(read, "ca") == table);
         const auto rule = [](const std::string& said) {
-            const auto relative = read_relative(said, "x.ca");
-            return dynamic_cast<const CellularAutomaton&>(*relative).rule;
+            const auto generator = read_generator(said, "x.ca");
+            return dynamic_cast<const CellularAutomaton&>(*generator).rule;
         };
         RC_ASSERT(rule(read) == rule(text));
         std::vector<std::string> lines;
@@ -276,7 +276,7 @@ TEST_CASE("any maps go through their table") {
         }
         const std::string read = there(table, "ifs");
         RC_ASSERT(back(read, "ifs") == table);
-        const auto first = read_relative(text, "x.ifs"), second = read_relative(read, "x.ifs");
+        const auto first = read_generator(text, "x.ifs"), second = read_generator(read, "x.ifs");
         const auto& a = dynamic_cast<const IteratedFunctions&>(*first).maps;
         const auto& b = dynamic_cast<const IteratedFunctions&>(*second).maps;
         RC_ASSERT(a.size() == b.size());

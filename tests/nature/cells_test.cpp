@@ -16,7 +16,7 @@ using namespace algae;
 namespace {
 
 CellularAutomaton automaton(const std::string& text) {
-    return dynamic_cast<const CellularAutomaton&>(*read_relative(text, "cells.ca"));
+    return dynamic_cast<const CellularAutomaton&>(*read_generator(text, "cells.ca"));
 }
 
 std::string message(const std::string& text) {

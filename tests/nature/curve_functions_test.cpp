@@ -119,7 +119,7 @@ TEST_CASE("the similarity dimension of a curve's functions is the curve's exact 
         const ExactDimension exact = exact_dimension(system, brief);
         REQUIRE(exact.similarity);
         const std::string text = converted(curve.text, "curve.lsys", "lsys", "ifs", {});
-        const auto read = read_relative(text, "curve.ifs");
+        const auto read = read_generator(text, "curve.ifs");
         const ExactDimension mine =
             similarity_dimension(dynamic_cast<const IteratedFunctions&>(*read));
         REQUIRE(mine.value);

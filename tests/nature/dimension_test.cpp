@@ -59,7 +59,7 @@ TEST_CASE("a cluster of 50,000 discs has a dimension near 1.71, by mass and radi
     const double by_radius = (n * xy - x * y) / (n * xx - x * x);
     CAPTURE(by_radius);
     CHECK(std::abs(by_radius - 1.71) < 0.1);
-    const RelativeFigure figure = [&] {
+    const GeneratorFigure figure = [&] {
         cluster.particles = {50'000};
         return cluster.measured_figure({});
     }();
@@ -82,7 +82,7 @@ TEST_CASE("coasts have the dimension 2 - H, by dividers and by boxes") {
     double by_dividers = 0, by_boxes = 0;
     const int seeds = 6;
     for (land.seed = 1; land.seed <= seeds; ++land.seed) {
-        const RelativeFigure coast = land.measured_figure({});
+        const GeneratorFigure coast = land.measured_figure({});
         by_dividers += divider(*coast.figure, {}).estimate.value().value / seeds;
         by_boxes += boxes(*coast.figure).estimate.value().value / seeds;
     }
@@ -99,7 +99,7 @@ TEST_CASE("the facts of a landscape") {
     const HeightField heights = land.field(5, {});
     CHECK(heights.side == 33);
     nlohmann::ordered_json facts;
-    for (const RelativeFact& fact : land.facts({})) facts[fact.key] = *fact.value;
+    for (const GeneratorFact& fact : land.facts({})) facts[fact.key] = *fact.value;
     CHECK(facts["points"] == 33);
     CHECK(facts["dimension"]["surface"] == doctest::Approx(2.3));
     CHECK(facts["dimension"]["coast"] == doctest::Approx(1.3));

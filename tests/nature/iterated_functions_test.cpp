@@ -26,7 +26,7 @@ const char* const gasket =
     "map 1/2 0 0 1/2 0 0\nmap 1/2 0 0 1/2 1/2 0\nmap 1/2 0 0 1/2 1/4 sqrt(3)/4\n";
 
 IteratedFunctions functions(const std::string& text) {
-    return dynamic_cast<const IteratedFunctions&>(*read_relative(text, "maps.ifs"));
+    return dynamic_cast<const IteratedFunctions&>(*read_generator(text, "maps.ifs"));
 }
 
 std::string message(const std::string& text) {
@@ -203,18 +203,18 @@ TEST_CASE("what is printed reads back as the same") {
          {std::string(fern), std::string(gasket),
           std::string(
               "# above\ntitle  A title   # behind\nmap 1/2 0 0 (1 / 2) 0 0 # b\n# end\n")}) {
-        const std::string printed = format_relative(text, "maps.ifs");
-        CHECK(format_relative(printed, "maps.ifs") == printed);
+        const std::string printed = format_generator(text, "maps.ifs");
+        CHECK(format_generator(printed, "maps.ifs") == printed);
         const IteratedFunctions system = functions(text);
-        const RelativeFile file = ifs_file(system);
-        const IteratedFunctions again = functions(print_relative_file(file));
+        const GeneratorFile file = ifs_file(system);
+        const IteratedFunctions again = functions(print_generator_file(file));
         CHECK(ifs_file(again) == file);
         CHECK(again.maps.size() == system.maps.size());
         for (std::size_t m = 0; m < system.maps.size(); ++m)
             CHECK(again.maps[m].map == system.maps[m].map);
     }
     CHECK(rc::check([] {
-        RelativeFile file;
+        GeneratorFile file;
         const auto count = *rc::gen::inRange(0, 6);
         for (int i = 0; i < count; ++i) {
             std::vector<std::string> words;
@@ -224,6 +224,7 @@ TEST_CASE("what is printed reads back as the same") {
                                                                "a", "sqrt(3)/4"));
             file.add("map", words);
         }
-        RC_ASSERT(read_relative_file(print_relative_file(file), "f.ifs", ifs_kind().keys) == file);
+        RC_ASSERT(read_generator_file(print_generator_file(file), "f.ifs", ifs_kind().keys) ==
+                  file);
     }));
 }

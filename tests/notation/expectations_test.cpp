@@ -28,7 +28,7 @@ std::size_t check_folder(const std::string& folder) {
         const Model system = read_file(entry.path());
         CAPTURE(system.name);
         CHECK(!system.expectations.empty());
-        for (const Disappointment& unmet : unmet_expectations(system))
+        for (const Mismatch& unmet : unmet_expectations(system))
             FAIL_CHECK(to_string(unmet.place), ": ", unmet.message);
     }
     return files;

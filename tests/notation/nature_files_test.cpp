@@ -14,7 +14,7 @@ namespace {
 /// The message with which a file is refused.
 std::string refused(const std::string& text, const std::string& name) {
     try {
-        read_relative(text, name);
+        read_generator(text, name);
     } catch (const Error& error) {
         return error.what();
     }
@@ -25,42 +25,42 @@ std::string refused(const std::string& text, const std::string& name) {
 
 TEST_CASE("files of walks, paths, landscapes and clusters say their parameters") {
     const auto land =
-        read_relative("title Hills\nlevels 3..5\nroughness 0.9\nview map coast\n", "a.terrain");
+        read_generator("title Hills\nlevels 3..5\nroughness 0.9\nview map coast\n", "a.terrain");
     const auto& terrain = dynamic_cast<const Terrain&>(*land);
     CHECK(terrain.title == "Hills");
     CHECK(terrain.surface.hurst == 0.9);
     CHECK(terrain.levels == std::pair(3, 5));
     CHECK(terrain.views.size() == 2);
     CHECK(land->figures({}).size() == 6);
-    const auto cluster = read_relative("particles 20 50\noff-lattice yes\nseed 4", "a.dla");
+    const auto cluster = read_generator("particles 20 50\noff-lattice yes\nseed 4", "a.dla");
     CHECK(dynamic_cast<const Aggregates&>(*cluster).off_lattice);
     const auto figures = cluster->figures({});
     REQUIRE(figures.size() == 2);
     CHECK(figures[1].caption == "50 particles");
     CHECK(figures[1].figure->segments() == Integer(51));
-    CHECK(read_relative("steps 5", "a.walk")->figures({})[0].figure->segments() == Integer(5));
-    CHECK(read_relative("levels 4", "a.brownian")->figures({})[0].figure->segments() ==
+    CHECK(read_generator("steps 5", "a.walk")->figures({})[0].figure->segments() == Integer(5));
+    CHECK(read_generator("levels 4", "a.brownian")->figures({})[0].figure->segments() ==
           Integer(16));
-    CHECK(read_relative("set segment\ncells 1 1/2 1/4", "a.boxes")->figures({})[2].caption ==
+    CHECK(read_generator("set segment\ncells 1 1/2 1/4", "a.boxes")->figures({})[2].caption ==
           "m = 1/4, N = 4");
-    CHECK(read_relative("set square\ncells 1/3", "a.boxes")->figures({})[0].caption ==
+    CHECK(read_generator("set square\ncells 1/3", "a.boxes")->figures({})[0].caption ==
           "m = 1/3, N = 9");
 }
 
 TEST_CASE("turned with its copies, 3 * 4^(n-1) squares of the side 3^-n cover Koch's curve") {
     const auto cover =
-        read_relative("set koch\nsquares turned\ncells 1/3 1/9 1/27 1/81", "a.boxes");
+        read_generator("set koch\nsquares turned\ncells 1/3 1/9 1/27 1/81", "a.boxes");
     const auto figures = cover->figures({});
     CHECK(figures[0].caption == "m = 1/3, N = 3");
     CHECK(figures[1].caption == "m = 1/9, N = 12");
     CHECK(figures[2].caption == "m = 1/27, N = 48");
     CHECK(figures[3].caption == "m = 1/81, N = 192");
-    for (const RelativeFact& fact : cover->facts({}))
+    for (const GeneratorFact& fact : cover->facts({}))
         if (fact.key == "slope") CHECK(fact.text == "1.261860");
 }
 
 TEST_CASE("a file of particles says kinds, and what is born") {
-    const auto show = read_relative(
+    const auto show = read_generator(
         "sky #0b1026\ngravity 0.1\nshow 3\n"
         "kind drop\nspeed 2 +- 1\nangle 90 +- 5\nlife 10\nbursts spark 5 +- 1\n"
         "kind spark\nsize 0.5\ntint #ffffff red\nborn drop 3 at (0,0) to (2,0) until 8 every 2\n",
@@ -78,7 +78,7 @@ TEST_CASE("a file of particles says kinds, and what is born") {
     CHECK(show->frames({}).size() == 4);
 }
 
-TEST_CASE("files of relatives that make no sense are refused at their place") {
+TEST_CASE("files of generators that make no sense are refused at their place") {
     CHECK(refused("hurst 1.2", "a.brownian") ==
           "a.brownian:1:7: error: expected hurst with a number between 0 and 1, found '1.2'\n"
           "  hurst 1.2\n"

@@ -70,7 +70,7 @@ TEST_CASE("generations 0 to 4 of the systems are those worked out by hand and by
             continue;
         }
         system.expectations = {{line.kind, line.generation, line.value, {}}};
-        for (const Disappointment& unmet : unmet_expectations(system)) FAIL_CHECK(unmet.message);
+        for (const Mismatch& unmet : unmet_expectations(system)) FAIL_CHECK(unmet.message);
     }
     CHECK(held.size() >= 120);
     for (const auto& [name, generations] : held)

@@ -11,7 +11,7 @@
 namespace algae {
 struct Model;
 class Environment;
-class Relative;
+class Generator;
 }  // namespace algae
 
 namespace algae::command {
@@ -50,14 +50,15 @@ struct StatementOption {
 };
 
 /// Whether FILE has a relative, by its extension.
-bool is_relative(const std::string& file);
+bool is_generator(const std::string& file);
 /// The relative in FILE; options replace statements of the file.
-std::unique_ptr<Relative> open_relative(const std::string& file, const Budget& budget,
-                                        const std::vector<StatementOption>& said = {});
+std::unique_ptr<Generator> open_generator(const std::string& file, const Budget& budget,
+                                          const std::vector<StatementOption>& said = {});
 /// The relative of one kind, "ifs", that FILE and the options describe, or the options alone if there is no
 /// FILE. If a system of the gallery has the same name, the name means the relative.
-std::unique_ptr<Relative> open_kind(const std::string& kind, const std::string& file,
-                                    const Budget& budget, const std::vector<StatementOption>& said);
+std::unique_ptr<Generator> open_kind(const std::string& kind, const std::string& file,
+                                     const Budget& budget,
+                                     const std::vector<StatementOption>& said);
 
 /// The folder of a file, "." for standard input.
 std::string folder_of(const std::string& file);
@@ -65,7 +66,7 @@ std::string folder_of(const std::string& file);
 /// How names of systems in a text are read: as a file in the first of these folders that has it, otherwise
 /// as on the command line.
 std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
-                                                        const Budget& budget);
+                                                      const Budget& budget);
 
 /// `--environment 'COMMAND'`. Only the command line, never a file, says which program runs.
 void add_environment_option(Verb& verb, std::string& program);

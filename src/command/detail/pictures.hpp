@@ -101,25 +101,25 @@ std::pair<std::uint64_t, std::uint64_t> shown_generations(const Model& system);
 Json write_mesh(const Scene& scene, const std::string& output, MeshFormat format,
                 const MeshChoices& choices, const Budget& budget);
 
-/// The scene of a relative. Throws Error if the relative lies in the plane.
-Scene scene_of(const Relative& relative, MeshFormat format, const Budget& budget);
+/// The scene of a generator. Throws Error if the generator lies in the plane.
+Scene scene_of(const Generator& generator, MeshFormat format, const Budget& budget);
 
 /// One plate as a picture of its own, several side by side.
 Drawn draw_plates(std::span<const Plate> plates, const std::string& output, PictureFormat format,
                   const PictureOptions& picture, const Budget& budget,
                   Progress* progress = nullptr);
 
-/// Figures of a relative with a caption underneath: the text, or if it is empty the caption of each figure.
-std::vector<Plate> relative_plates(const std::vector<RelativeFigure>& figures, bool captions,
-                                   const std::string& caption);
+/// Figures of a generator with a caption underneath: the text, or if it is empty the caption of each figure.
+std::vector<Plate> generator_plates(const std::vector<GeneratorFigure>& figures, bool captions,
+                                    const std::string& caption);
 
-/// Draws all figures of a relative, several as panels or on pages of a pdf. `-` is standard output.
-Drawn draw_relative(const Relative& relative, const std::string& output, PictureFormat format,
-                    const PictureOptions& picture, bool captions, const std::string& caption,
-                    const Budget& budget);
+/// Draws all figures of a generator, several as panels or on pages of a pdf. `-` is standard output.
+Drawn draw_generator(const Generator& generator, const std::string& output, PictureFormat format,
+                     const PictureOptions& picture, bool captions, const std::string& caption,
+                     const Budget& budget);
 
-/// The facts about a relative and the picture that was drawn, as one JSON object.
-Json relative_json(const Relative& relative, const std::optional<Drawn>& drawn,
-                   const std::string& output, const Budget& budget);
+/// The facts about a generator and the picture that was drawn, as one JSON object.
+Json generator_json(const Generator& generator, const std::optional<Drawn>& drawn,
+                    const std::string& output, const Budget& budget);
 
 }  // namespace algae::command

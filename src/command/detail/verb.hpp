@@ -152,7 +152,7 @@ public:
     /// "algae draw [OPTIONS] FILE"
     std::string usage() const;
     /// Whether it runs one kind of generator; then NAME stands for the names of this kind.
-    bool is_generator() const;
+    bool names_generators() const;
     /// The values that the type of one of its options allows; empty if any text is possible.
     Values values(const Option& option) const;
 

@@ -152,11 +152,11 @@ Quantity turned_compass(const Quantity& degrees);
 /// number of states is one more than the greatest that occurs, the radius is that of the entries, of
 /// which none may be missing. Throws Diagnostics with the place of the entry that is missing, given
 /// twice or ill-formed.
-RelativeFile read_ca_table(std::string_view text, const std::string& name);
+GeneratorFile read_ca_table(std::string_view text, const std::string& name);
 
 /// The table of a CellularAutomaton, an entry a line. Its cells and what its figures show are not in
 /// it. Throws Error if it lies in the plane.
-std::string print_ca_table(const Relative& relative);
+std::string print_ca_table(const Generator& generator);
 
 /// A table of maps (x,y) -> (a x + b y + e, c x + d y + f), a row each, as a file of the kind `ifs`:
 ///
@@ -167,10 +167,10 @@ std::string print_ca_table(const Relative& relative);
 /// Blanks, tabs, `|` and `&` separate columns, so that tables of Markdown and of LaTeX are read too. A
 /// header names the columns in any order; without one they are in the order above, with or without
 /// names and probabilities. Throws Diagnostics with the place of what is missing or given twice.
-RelativeFile read_ifs_table(std::string_view text, const std::string& name);
+GeneratorFile read_ifs_table(std::string_view text, const std::string& name);
 
 /// The table of an IteratedFunctions. What its figures show is not in it. Throws Error if it has
 /// several states.
-std::string print_ifs_table(const Relative& relative);
+std::string print_ifs_table(const Generator& generator);
 
 }  // namespace algae

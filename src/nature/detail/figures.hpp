@@ -104,10 +104,10 @@ private:
     double thickness_;
 };
 
-/// A figure of a relative among others: messages call it by both names, and its own stands underneath.
-RelativeFigure pictured(const Relative& of, std::unique_ptr<Figure> figure,
-                        const std::string& what);
-RelativeFigure pictured(const Relative& of, std::vector<Path> paths, const std::string& what);
+/// A figure of a generator among others: messages call it by both names, and its own stands underneath.
+GeneratorFigure pictured(const Generator& of, std::unique_ptr<Figure> figure,
+                         const std::string& what);
+GeneratorFigure pictured(const Generator& of, std::vector<Path> paths, const std::string& what);
 
 /// The line through points with the least squares of their vertical distances from it. Where all lie
 /// above each other none is best, and it is level.

@@ -10,37 +10,37 @@
 #include <set>
 
 #include "nature/nature.hpp"
+#include "notation/detail/generator_values.hpp"
 #include "notation/detail/reading.hpp"
-#include "notation/detail/relative_values.hpp"
 
 // The files of other generators than L-systems: lines `key value ...` with `#` comments.
 //
 // Reading is in two steps. The text becomes a list of statements, whose keys are checked against those of the
 // kind, with unknown, repeated and empty ones as findings, all at once. Then the kind takes the values it
-// needs, each from the statement of a key, and the first faulty one ends the reading; so a `RelativeFile`
+// needs, each from the statement of a key, and the first faulty one ends the reading; so a `GeneratorFile`
 // keeps of each word its place and the line. In between the command may set statements from options, which
 // have no line. Words are separated by blanks outside brackets; numbers are expressions without names, read
 // by the grammar of the `.lsys` notation, so `1/3` and `sqrt(3)/6` stay exact.
 
 namespace algae {
 
-const RelativeStatement* RelativeFile::find(std::string_view key) const {
-    const auto found = std::ranges::find(statements, key, &RelativeStatement::key);
+const GeneratorStatement* GeneratorFile::find(std::string_view key) const {
+    const auto found = std::ranges::find(statements, key, &GeneratorStatement::key);
     return found == statements.end() ? nullptr : &*found;
 }
 
-void RelativeFile::add(const std::string& key, const std::vector<std::string>& words) {
-    RelativeStatement statement;
+void GeneratorFile::add(const std::string& key, const std::vector<std::string>& words) {
+    GeneratorStatement statement;
     statement.key = key;
     statement.place.file = name;
     for (const std::string& word : words) statement.words.push_back({word, 0});
     statements.push_back(std::move(statement));
 }
 
-void RelativeFile::set(const std::string& key, const std::vector<std::string>& words,
-                       const std::string& option) {
-    const auto found = std::ranges::find(statements, key, &RelativeStatement::key);
-    RelativeFile changed;
+void GeneratorFile::set(const std::string& key, const std::vector<std::string>& words,
+                        const std::string& option) {
+    const auto found = std::ranges::find(statements, key, &GeneratorStatement::key);
+    GeneratorFile changed;
     changed.name = option;
     changed.add(key, words);
     if (found == statements.end())
@@ -49,43 +49,43 @@ void RelativeFile::set(const std::string& key, const std::vector<std::string>& w
         *found = changed.statements.front();
 }
 
-void RelativeFile::fail(const RelativeStatement& statement, const RelativeWord& word,
-                        const std::string& message) const {
+void GeneratorFile::fail(const GeneratorStatement& statement, const GeneratorWord& word,
+                         const std::string& message) const {
     if (statement.line.empty()) throw Diagnostics({{statement.place, message, {}, 0}});
     Diagnostic finding = Source(statement.line, statement.place.file).finding(word.offset, message);
     finding.place.line = statement.place.line;
     throw Diagnostics({finding});
 }
 
-void RelativeFile::fail(const RelativeStatement& statement, const std::string& message) const {
+void GeneratorFile::fail(const GeneratorStatement& statement, const std::string& message) const {
     const std::size_t offset = statement.line.find(statement.key);
     fail(statement, {{}, offset == std::string::npos ? 0 : offset}, message);
 }
 
-void RelativeFile::fail(const std::string& message) const { throw Error(name + ": " + message); }
+void GeneratorFile::fail(const std::string& message) const { throw Error(name + ": " + message); }
 
-void RelativeFile::refuse(const RelativeStatement& statement, const RelativeWord& word,
-                          const std::string& wanted, const std::string& hint) const {
+void GeneratorFile::refuse(const GeneratorStatement& statement, const GeneratorWord& word,
+                           const std::string& wanted, const std::string& hint) const {
     fail(statement, word,
          "expected " + statement.key + " " + wanted + ", found " + algae::quoted(word.text) + hint);
 }
 
-const RelativeWord& RelativeFile::only_word(const RelativeStatement& statement,
-                                            const std::string& arguments) const {
+const GeneratorWord& GeneratorFile::only_word(const GeneratorStatement& statement,
+                                              const std::string& arguments) const {
     check_words(statement, 1, 1, arguments);
     return statement.words.front();
 }
 
-void RelativeFile::check_words(const RelativeStatement& statement, std::size_t least,
-                               std::size_t most, const std::string& arguments) const {
+void GeneratorFile::check_words(const GeneratorStatement& statement, std::size_t least,
+                                std::size_t most, const std::string& arguments) const {
     const std::size_t found = statement.words.size();
     if (found >= least && found <= most) return;
     fail(statement,
          "expected " + statement.key + " " + arguments + ", found " + counted(found, "value"));
 }
 
-Quantity RelativeFile::quantity(const RelativeStatement& statement,
-                                const RelativeWord& word) const {
+Quantity GeneratorFile::quantity(const GeneratorStatement& statement,
+                                 const GeneratorWord& word) const {
     try {
         const Source source(word.text, statement.place.file);
         const Quantity value = evaluate(parse_expression(word.text, source), {});
@@ -97,8 +97,8 @@ Quantity RelativeFile::quantity(const RelativeStatement& statement,
     fail(statement, word, "expected a number, found " + algae::quoted(word.text));
 }
 
-double RelativeFile::number(const RelativeStatement& statement, const RelativeWord& word,
-                            double least, double most) const {
+double GeneratorFile::number(const GeneratorStatement& statement, const GeneratorWord& word,
+                             double least, double most) const {
     const double value = quantity(statement, word).value;
     if (value >= least && value <= most) return value;
     refuse(statement, word,
@@ -108,8 +108,8 @@ double RelativeFile::number(const RelativeStatement& statement, const RelativeWo
                                                          shortest_decimal(most)));
 }
 
-std::uint64_t RelativeFile::natural(const RelativeStatement& statement, const RelativeWord& word,
-                                    std::uint64_t least, std::uint64_t most) const {
+std::uint64_t GeneratorFile::natural(const GeneratorStatement& statement, const GeneratorWord& word,
+                                     std::uint64_t least, std::uint64_t most) const {
     std::uint64_t value = 0;
     const char* const end = word.text.data() + word.text.size();
     const auto [stop, problem] = std::from_chars(word.text.data(), end, value);
@@ -118,9 +118,9 @@ std::uint64_t RelativeFile::natural(const RelativeStatement& statement, const Re
            "with a whole number from " + std::to_string(least) + " to " + std::to_string(most));
 }
 
-std::pair<std::uint64_t, std::uint64_t> RelativeFile::range(const RelativeStatement& statement,
-                                                            const RelativeWord& word,
-                                                            std::uint64_t most) const {
+std::pair<std::uint64_t, std::uint64_t> GeneratorFile::range(const GeneratorStatement& statement,
+                                                             const GeneratorWord& word,
+                                                             std::uint64_t most) const {
     const std::size_t dots = word.text.find("..");
     const auto part = [&](const std::string& text) {
         return natural(statement, {text, word.offset}, 0, most);
@@ -129,7 +129,7 @@ std::pair<std::uint64_t, std::uint64_t> RelativeFile::range(const RelativeStatem
     return {first, dots == std::string::npos ? first : part(word.text.substr(dots + 2))};
 }
 
-Point RelativeFile::point(const RelativeStatement& statement, const RelativeWord& word) const {
+Point GeneratorFile::point(const GeneratorStatement& statement, const GeneratorWord& word) const {
     const std::string& text = word.text;
     std::size_t comma = std::string::npos;
     int depth = 0;
@@ -144,48 +144,48 @@ Point RelativeFile::point(const RelativeStatement& statement, const RelativeWord
         quantity(statement, {text.substr(comma + 1, text.size() - comma - 2), word.offset}).value};
 }
 
-std::optional<double> RelativeFile::number(std::string_view key, double least, double most) const {
-    const RelativeStatement* statement = find(key);
+std::optional<double> GeneratorFile::number(std::string_view key, double least, double most) const {
+    const GeneratorStatement* statement = find(key);
     if (!statement) return std::nullopt;
     return number(*statement, only_word(*statement, "NUMBER"), least, most);
 }
 
-std::optional<std::uint64_t> RelativeFile::natural(std::string_view key, std::uint64_t least,
-                                                   std::uint64_t most) const {
-    const RelativeStatement* statement = find(key);
+std::optional<std::uint64_t> GeneratorFile::natural(std::string_view key, std::uint64_t least,
+                                                    std::uint64_t most) const {
+    const GeneratorStatement* statement = find(key);
     if (!statement) return std::nullopt;
     return natural(*statement, only_word(*statement, "N"), least, most);
 }
 
-std::optional<std::pair<std::uint64_t, std::uint64_t>> RelativeFile::range(
+std::optional<std::pair<std::uint64_t, std::uint64_t>> GeneratorFile::range(
     std::string_view key, std::uint64_t most) const {
-    const RelativeStatement* statement = find(key);
+    const GeneratorStatement* statement = find(key);
     if (!statement) return std::nullopt;
-    const RelativeWord& word = only_word(*statement, "N or N..M");
+    const GeneratorWord& word = only_word(*statement, "N or N..M");
     const auto found = range(*statement, word, most);
     if (found.second < found.first)
         fail(*statement, word, "the range " + algae::quoted(word.text) + " goes down");
     return found;
 }
 
-std::optional<std::string> RelativeFile::text(std::string_view key) const {
-    const RelativeStatement* statement = find(key);
+std::optional<std::string> GeneratorFile::text(std::string_view key) const {
+    const GeneratorStatement* statement = find(key);
     if (!statement) return std::nullopt;
     return only_word(*statement, "TEXT").text;
 }
 
-std::optional<std::string> RelativeFile::choice(std::string_view key,
-                                                const std::vector<std::string>& choices) const {
-    const RelativeStatement* statement = find(key);
+std::optional<std::string> GeneratorFile::choice(std::string_view key,
+                                                 const std::vector<std::string>& choices) const {
+    const GeneratorStatement* statement = find(key);
     if (!statement) return std::nullopt;
     const std::string wanted = fmt::format("{}", fmt::join(choices, "|"));
-    const RelativeWord& word = only_word(*statement, wanted);
+    const GeneratorWord& word = only_word(*statement, wanted);
     if (std::ranges::count(choices, word.text) == 0)
         refuse(*statement, word, wanted, did_you_mean(word.text, choices));
     return word.text;
 }
 
-Colour RelativeFile::colour(const RelativeStatement& statement, const RelativeWord& word) const {
+Colour GeneratorFile::colour(const GeneratorStatement& statement, const GeneratorWord& word) const {
     try {
         return colour_named(word.text);
     } catch (const Error& error) {
@@ -193,19 +193,19 @@ Colour RelativeFile::colour(const RelativeStatement& statement, const RelativeWo
     }
 }
 
-void RelativeFile::describe(Relative& relative) const {
-    relative.name = name;
-    relative.title = text("title").value_or("");
-    relative.source = text("source").value_or("");
-    if (const RelativeStatement* colours = find("colour"))
-        for (const RelativeWord& word : colours->words) {
+void GeneratorFile::describe(Generator& generator) const {
+    generator.name = name;
+    generator.title = text("title").value_or("");
+    generator.source = text("source").value_or("");
+    if (const GeneratorStatement* colours = find("colour"))
+        for (const GeneratorWord& word : colours->words) {
             if (word.text != "along") colour(*colours, word);
-            relative.style.colours.push_back(word.text);
+            generator.style.colours.push_back(word.text);
         }
-    if (const RelativeStatement* width = find("width")) {
-        const RelativeWord& points = only_word(*width, "POINTS");
+    if (const GeneratorStatement* width = find("width")) {
+        const GeneratorWord& points = only_word(*width, "POINTS");
         number(*width, points, 0.001, 1000);
-        relative.style.width = quantity(*width, points);
+        generator.style.width = quantity(*width, points);
     }
 }
 
@@ -236,8 +236,8 @@ std::size_t comment_start(std::string_view line, std::string_view key) {
 }
 
 /// The words of a part of a line; blanks in their brackets are left out.
-std::vector<RelativeWord> words_of(std::string_view line, std::string_view part) {
-    std::vector<RelativeWord> found;
+std::vector<GeneratorWord> words_of(std::string_view line, std::string_view part) {
+    std::vector<GeneratorWord> found;
     for (const std::string_view piece : pieces(part)) {
         std::string word;
         for (const std::string_view solid : blank_separated(piece)) word += solid;
@@ -248,18 +248,18 @@ std::vector<RelativeWord> words_of(std::string_view line, std::string_view part)
 
 }  // namespace
 
-RelativeFile read_relative_file(std::string_view text, const std::string& name,
-                                const std::vector<RelativeKey>& own_keys) {
-    std::vector<RelativeKey> keys{
+GeneratorFile read_generator_file(std::string_view text, const std::string& name,
+                                  const std::vector<GeneratorKey>& own_keys) {
+    std::vector<GeneratorKey> keys{
         {"title", "TEXT"}, {"source", "TEXT"}, {"colour", "COLOUR ..."}, {"width", "POINTS"}};
     keys.insert(keys.end(), own_keys.begin(), own_keys.end());
     std::vector<std::string> names;
-    std::ranges::transform(keys, std::back_inserter(names), &RelativeKey::name);
+    std::ranges::transform(keys, std::back_inserter(names), &GeneratorKey::name);
 
     const Source source(text, name);
     Findings findings(source);
     findings.throw_if_no_text();
-    RelativeFile file;
+    GeneratorFile file;
     file.name = name;
     std::vector<std::string> comments;
     std::set<std::string> said;
@@ -274,7 +274,7 @@ RelativeFile read_relative_file(std::string_view text, const std::string& name,
         const auto key_end = static_cast<std::size_t>(
             std::find_if(line.begin() + static_cast<std::ptrdiff_t>(begin), line.end(), is_space) -
             line.begin());
-        RelativeStatement statement;
+        GeneratorStatement statement;
         statement.key = line.substr(begin, key_end - begin);
         const std::size_t stop = comment_start(line, statement.key);
         if (stop < line.size()) statement.behind = trimmed(line.substr(stop));
@@ -282,7 +282,7 @@ RelativeFile read_relative_file(std::string_view text, const std::string& name,
             comments.push_back(std::move(statement.behind));
             continue;
         }
-        const auto known = std::ranges::find(keys, statement.key, &RelativeKey::name);
+        const auto known = std::ranges::find(keys, statement.key, &GeneratorKey::name);
         if (known == keys.end()) {
             findings.add(offset + begin,
                          "unknown statement " + algae::quoted(statement.key) +
@@ -315,16 +315,16 @@ RelativeFile read_relative_file(std::string_view text, const std::string& name,
     file.below = std::move(comments);
     for (const char* first : {"source", "title"})
         std::stable_partition(file.statements.begin(), file.statements.end(),
-                              [&](const RelativeStatement& s) { return s.key == first; });
+                              [&](const GeneratorStatement& s) { return s.key == first; });
     return file;
 }
 
-std::string print_relative_file(const RelativeFile& file) {
+std::string print_generator_file(const GeneratorFile& file) {
     std::string out;
-    for (const RelativeStatement& statement : file.statements) {
+    for (const GeneratorStatement& statement : file.statements) {
         for (const std::string& comment : statement.above) out += comment + '\n';
         out += statement.key;
-        for (const RelativeWord& word : statement.words) out += ' ' + word.text;
+        for (const GeneratorWord& word : statement.words) out += ' ' + word.text;
         if (!statement.behind.empty()) out += ' ' + statement.behind;
         out += '\n';
     }
@@ -336,57 +336,57 @@ namespace {
 
 /// What `read(statement, word)` makes of each word of the statement of this key.
 template <class Read>
-auto each_value(const RelativeFile& file, const char* key, Read read) {
+auto each_value(const GeneratorFile& file, const char* key, Read read) {
     std::optional<std::vector<decltype(read(file.statements[0], file.statements[0].words[0]))>>
         found;
-    const RelativeStatement* statement = file.find(key);
+    const GeneratorStatement* statement = file.find(key);
     if (!statement) return found;
     found.emplace();
-    for (const RelativeWord& word : statement->words) found->push_back(read(*statement, word));
+    for (const GeneratorWord& word : statement->words) found->push_back(read(*statement, word));
     return found;
 }
 
 }  // namespace
 
-std::optional<std::vector<double>> hurst_values(const RelativeFile& file, const char* key) {
-    return each_value(file, key, [&](const RelativeStatement& said, const RelativeWord& word) {
+std::optional<std::vector<double>> hurst_values(const GeneratorFile& file, const char* key) {
+    return each_value(file, key, [&](const GeneratorStatement& said, const GeneratorWord& word) {
         const double found = file.quantity(said, word).value;
         if (!(found > 0 && found < 1)) file.refuse(said, word, "with a number between 0 and 1");
         return found;
     });
 }
 
-std::optional<std::vector<double>> number_values(const RelativeFile& file, const char* key,
+std::optional<std::vector<double>> number_values(const GeneratorFile& file, const char* key,
                                                  double least, double most) {
-    return each_value(file, key, [&](const RelativeStatement& said, const RelativeWord& word) {
+    return each_value(file, key, [&](const GeneratorStatement& said, const GeneratorWord& word) {
         return file.number(said, word, least, most);
     });
 }
 
-std::optional<std::vector<std::uint64_t>> natural_values(const RelativeFile& file, const char* key,
+std::optional<std::vector<std::uint64_t>> natural_values(const GeneratorFile& file, const char* key,
                                                          std::uint64_t least, std::uint64_t most) {
-    return each_value(file, key, [&](const RelativeStatement& said, const RelativeWord& word) {
+    return each_value(file, key, [&](const GeneratorStatement& said, const GeneratorWord& word) {
         return file.natural(said, word, least, most);
     });
 }
 
-std::optional<double> positive_value(const RelativeFile& file, const char* key) {
-    const RelativeStatement* statement = file.find(key);
+std::optional<double> positive_value(const GeneratorFile& file, const char* key) {
+    const GeneratorStatement* statement = file.find(key);
     if (!statement) return std::nullopt;
-    const RelativeWord& word = file.only_word(*statement, "NUMBER");
+    const GeneratorWord& word = file.only_word(*statement, "NUMBER");
     const double found = file.quantity(*statement, word).value;
     if (!(found > 0)) file.refuse(*statement, word, "with a number above 0");
     return found;
 }
 
-std::optional<std::pair<int, int>> level_values(const RelativeFile& file, const char* key,
+std::optional<std::pair<int, int>> level_values(const GeneratorFile& file, const char* key,
                                                 int most) {
     const auto found = file.range(key, static_cast<std::uint64_t>(most));
     if (!found) return std::nullopt;
     return std::pair(static_cast<int>(found->first), static_cast<int>(found->second));
 }
 
-std::uint64_t seed_value(const RelativeFile& file) {
+std::uint64_t seed_value(const GeneratorFile& file) {
     return file.natural("seed", 0, std::numeric_limits<std::uint64_t>::max()).value_or(1);
 }
 

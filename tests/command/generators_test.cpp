@@ -172,7 +172,7 @@ TEST_CASE("automata and curves are converted, and others refused") {
     CHECK(holds(refused("convert rule-54.ca --to lsys"), "expected `boundary fixed 0`"));
 }
 
-TEST_CASE("Richardson's plot of a coast, and the dimension of a relative by its name") {
+TEST_CASE("Richardson's plot of a coast, and the dimension of a generator by its name") {
     const Scratch scratch;
     const std::string coast = scratch.file(
         "coast.terrain", "levels 8\nroughness 0.8\nmethod exact\nview coast\nseed 3\n");

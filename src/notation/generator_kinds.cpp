@@ -2,14 +2,14 @@
 #include <map>
 
 #include "nature/nature.hpp"
-#include "notation/detail/relative_values.hpp"
+#include "notation/detail/generator_values.hpp"
 
 // The kinds of files that describe other generators than L-systems, and the short ones among them.
 //
-// A kind is one row of the table `relative_kinds`: the ending of its files, the keys that may stand in them,
+// A kind is one row of the table `generator_kinds`: the ending of its files, the keys that may stand in them,
 // with what follows each (for messages), and a function that makes the generator. All kinds share one syntax,
-// read in relative_file.cpp, so that a kind is only what its keys mean: the function takes the values from
-// the `RelativeFile`, which reports a faulty one at its place, and ends with the generator's own `check`,
+// read in generator_file.cpp, so that a kind is only what its keys mean: the function takes the values from
+// the `GeneratorFile`, which reports a faulty one at its place, and ends with the generator's own `check`,
 // which knows what does not fit together. A value that the file does not give keeps the default of the
 // generator's type, unless the notation says another. Iterated function systems, cellular automata and
 // particles have longer readers, each in a source of its own.
@@ -18,7 +18,7 @@ namespace algae {
 
 namespace {
 
-std::unique_ptr<Relative> make_boxes(const RelativeFile& file) {
+std::unique_ptr<Generator> make_boxes(const GeneratorFile& file) {
     auto cover = std::make_unique<BoxCover>();
     file.describe(*cover);
     static const std::map<std::string, BoxCover::Shape> shapes{
@@ -36,7 +36,7 @@ std::unique_ptr<Relative> make_boxes(const RelativeFile& file) {
     return cover;
 }
 
-std::unique_ptr<Relative> make_brownian(const RelativeFile& file) {
+std::unique_ptr<Generator> make_brownian(const GeneratorFile& file) {
     auto paths = std::make_unique<BrownianPaths>();
     file.describe(*paths);
     paths->hurst = hurst_values(file, "hurst").value_or(paths->hurst);
@@ -50,7 +50,7 @@ std::unique_ptr<Relative> make_brownian(const RelativeFile& file) {
     return paths;
 }
 
-std::unique_ptr<Relative> make_dla(const RelativeFile& file) {
+std::unique_ptr<Generator> make_dla(const GeneratorFile& file) {
     auto cluster = std::make_unique<Aggregates>();
     file.describe(*cluster);
     cluster->particles =
@@ -68,7 +68,7 @@ std::unique_ptr<Relative> make_dla(const RelativeFile& file) {
     return cluster;
 }
 
-std::unique_ptr<Relative> make_function(const RelativeFile& file) {
+std::unique_ptr<Generator> make_function(const GeneratorFile& file) {
     auto function = std::make_unique<WeierstrassFunction>();
     file.describe(*function);
     file.choice("function", {"weierstrass"});
@@ -80,7 +80,7 @@ std::unique_ptr<Relative> make_function(const RelativeFile& file) {
     if (const auto counts = natural_values(file, "terms", 1, 1000)) function->terms = *counts;
     function->zooms = file.natural("zoom", 0, 12).value_or(0);
     function->points = file.natural("points", 2, 10'000'000).value_or(function->points);
-    if (const RelativeStatement* interval = file.find("interval")) {
+    if (const GeneratorStatement* interval = file.find("interval")) {
         file.check_words(*interval, 2, 2, "FROM TO");
         function->from = file.quantity(*interval, interval->words[0]).value;
         function->to = file.quantity(*interval, interval->words[1]).value;
@@ -89,14 +89,15 @@ std::unique_ptr<Relative> make_function(const RelativeFile& file) {
     return function;
 }
 
-std::vector<Terrain::View> views_of(const RelativeFile& file, const RelativeStatement& statement) {
+std::vector<Terrain::View> views_of(const GeneratorFile& file,
+                                    const GeneratorStatement& statement) {
     static const std::map<std::string, Terrain::View> known{{"map", Terrain::View::map},
                                                             {"contours", Terrain::View::contours},
                                                             {"solid", Terrain::View::solid},
                                                             {"coast", Terrain::View::coast},
                                                             {"grid", Terrain::View::grid}};
     std::vector<Terrain::View> found;
-    for (const RelativeWord& word : statement.words) {
+    for (const GeneratorWord& word : statement.words) {
         const auto view = known.find(word.text);
         if (view == known.end()) {
             std::vector<std::string> names;
@@ -109,7 +110,7 @@ std::vector<Terrain::View> views_of(const RelativeFile& file, const RelativeStat
     return found;
 }
 
-std::unique_ptr<Relative> make_terrain(const RelativeFile& file) {
+std::unique_ptr<Generator> make_terrain(const GeneratorFile& file) {
     auto land = std::make_unique<Terrain>();
     file.describe(*land);
     if (const auto levels = level_values(file, "levels", most_surface_levels)) {
@@ -124,8 +125,8 @@ std::unique_ptr<Relative> make_terrain(const RelativeFile& file) {
     land->exact = file.choice("method", {"exact", "midpoint"}).value_or("midpoint") == "exact";
     land->water = file.number("water", 0, 1).value_or(land->water);
     land->lines = file.natural("lines", 0, 1000).value_or(land->lines);
-    if (const RelativeStatement* view = file.find("view")) land->views = views_of(file, *view);
-    if (const RelativeStatement* camera = file.find("camera")) {
+    if (const GeneratorStatement* view = file.find("view")) land->views = views_of(file, *view);
+    if (const GeneratorStatement* camera = file.find("camera")) {
         file.check_words(*camera, 2, 2, "AZIMUTH ELEVATION");
         land->camera.azimuth = file.number(*camera, camera->words[0], -360, 360);
         land->camera.elevation = file.number(*camera, camera->words[1], -90, 90);
@@ -135,7 +136,7 @@ std::unique_ptr<Relative> make_terrain(const RelativeFile& file) {
     return land;
 }
 
-std::unique_ptr<Relative> make_walk(const RelativeFile& file) {
+std::unique_ptr<Generator> make_walk(const GeneratorFile& file) {
     constexpr std::uint64_t most_steps = 1'000'000'000;
     auto walks = std::make_unique<RandomWalks>();
     file.describe(*walks);
@@ -147,18 +148,18 @@ std::unique_ptr<Relative> make_walk(const RelativeFile& file) {
     return walks;
 }
 
-const RelativeKind& kind_of(const std::string& file_name) {
-    if (const RelativeKind* kind = relative_kind(file_name)) return *kind;
+const GeneratorKind& kind_of(const std::string& file_name) {
+    if (const GeneratorKind* kind = generator_kind(file_name)) return *kind;
     std::string endings;
-    for (const RelativeKind& kind : relative_kinds())
+    for (const GeneratorKind& kind : generator_kinds())
         endings += (endings.empty() ? "." : ", .") + kind.ending;
     throw Error("expected a file ending in " + endings + ", found \"" + file_name + "\"");
 }
 
 }  // namespace
 
-const std::vector<RelativeKind>& relative_kinds() {
-    static const std::vector<RelativeKind> kinds{
+const std::vector<GeneratorKind>& generator_kinds() {
+    static const std::vector<GeneratorKind> kinds{
         ifs_kind(),
         ca_kind(),
         {"walk",
@@ -217,31 +218,31 @@ const std::vector<RelativeKind>& relative_kinds() {
     return kinds;
 }
 
-const RelativeKind* relative_kind(std::string_view file_name) {
-    const auto& kinds = relative_kinds();
+const GeneratorKind* generator_kind(std::string_view file_name) {
+    const auto& kinds = generator_kinds();
     const auto found = std::ranges::find_if(
-        kinds, [&](const RelativeKind& kind) { return file_name.ends_with("." + kind.ending); });
+        kinds, [&](const GeneratorKind& kind) { return file_name.ends_with("." + kind.ending); });
     return found == kinds.end() ? nullptr : &*found;
 }
 
-std::unique_ptr<Relative> read_relative(std::string_view text, const std::string& file_name) {
-    const RelativeKind& kind = kind_of(file_name);
-    return kind.make(read_relative_file(text, file_name, kind.keys));
+std::unique_ptr<Generator> read_generator(std::string_view text, const std::string& file_name) {
+    const GeneratorKind& kind = kind_of(file_name);
+    return kind.make(read_generator_file(text, file_name, kind.keys));
 }
 
-std::string format_relative(std::string_view text, const std::string& file_name) {
-    const RelativeKind& kind = kind_of(file_name);
-    const RelativeFile file = read_relative_file(text, file_name, kind.keys);
+std::string format_generator(std::string_view text, const std::string& file_name) {
+    const GeneratorKind& kind = kind_of(file_name);
+    const GeneratorFile file = read_generator_file(text, file_name, kind.keys);
     kind.make(file);
-    return print_relative_file(file);
+    return print_generator_file(file);
 }
 
 std::string_view file_name(const GalleryEntry& entry) {
     return entry.path.substr(entry.path.find_last_of('/') + 1);
 }
 
-const GalleryEntry* find_relative(std::string_view name) {
-    const auto entries = relative_gallery();
+const GalleryEntry* find_generator(std::string_view name) {
+    const auto entries = generator_gallery();
     const auto found = std::find_if(entries.begin(), entries.end(), [&](const GalleryEntry& entry) {
         return entry.name == name || file_name(entry) == name;
     });

@@ -18,8 +18,8 @@
 #include "exact/exact.hpp"
 #include "exchange/exchange.hpp"
 #include "language/language.hpp"
-#include "nature/nature.hpp"
 #include "model/model.hpp"
+#include "nature/nature.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
 

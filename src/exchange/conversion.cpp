@@ -6,8 +6,8 @@
 
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
-#include "nature/nature.hpp"
 #include "model/model.hpp"
+#include "nature/nature.hpp"
 
 // What can become what: the registry of formats and the conversions between them.
 //

@@ -65,7 +65,7 @@ std::string folder_of(const std::string& file);
 /// How names of systems in a text are read: as a file in the first of these folders that has it, otherwise
 /// as on the command line.
 std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
-                                                        const Budget& budget);
+                                                      const Budget& budget);
 
 /// `--environment 'COMMAND'`. Only the command line, never a file, says which program runs.
 void add_environment_option(Verb& verb, std::string& program);

@@ -76,7 +76,8 @@ TEST_CASE("dimension refuses what it cannot measure") {
         CHECK(refused.status == 2);
         return refused.err;
     };
-    CHECK(message("koch --invert") == "algae: --invert is for images, and koch is not one of them\n");
+    CHECK(message("koch --invert") ==
+          "algae: --invert is for images, and koch is not one of them\n");
     CHECK(message("koch --plot a.xyz").find("a.xyz") != std::string::npos);
     CHECK(message("koch --grids 0") == "algae: --grids: expected 1 to 1000, found 0\n");
     CHECK(message("-", "printf '1 2\\n3 x\\n' |") ==

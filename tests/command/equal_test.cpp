@@ -74,7 +74,8 @@ TEST_CASE("equal compares languages") {
     CHECK(other.out ==
           "different: generation 2 of A is not a word of B: SX\n"
           "  generation 2 of B alone has as many of each letter, in another order\n");
-    CHECK(run("equal " + one + " koch").out == "different: generation 0 of A is not a word of B: S\n");
+    CHECK(run("equal " + one + " koch").out ==
+          "different: generation 0 of A is not a word of B: S\n");
     const json refuted = json::parse(run("equal " + one + " koch --json").out);
     CHECK(refuted == json::parse(R"({"verdict": "different",
         "witness": {"by": "word", "of": "A", "generation": 0, "length": 1, "word": "S"}})"));

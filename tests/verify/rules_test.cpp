@@ -76,8 +76,8 @@ TEST_CASE("what is no certificate is refused with the place") {
     };
     Json bad = good;
     bad["statements"][0]["statement"]["member"] = "a c";
-    CHECK(
-        error(bad).ends_with(": statements[0].statement.member: 'c' is not a letter of the alphabet"));
+    CHECK(error(bad).ends_with(
+        ": statements[0].statement.member: 'c' is not a letter of the alphabet"));
     bad = good;
     bad["statements"][0]["statement"]["member"] = "a  a";
     CHECK(error(bad).ends_with("'' is not a letter of the alphabet"));

@@ -230,9 +230,7 @@ int is(const IsOptions& options) {
         text = out.text();
     }
     print(text);
-    return found.truth == Truth::proved    ? success
-           : found.truth == Truth::refuted ? refuted
-                                           : undecided;
+    return status_of(found.truth);
 }
 
 }  // namespace

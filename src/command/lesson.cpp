@@ -111,9 +111,7 @@ int mark_answer(const Options& options, const Exercise& exercise) {
         mark(exercise, text, options.answer == "-" ? "standard input" : options.answer,
              systems_for(options, exercise, budget), budget);
     print(options.json ? as_json(exercise, marked).text() : report(exercise, marked));
-    return marked.verdict == Truth::proved    ? success
-           : marked.verdict == Truth::refuted ? refuted
-                                              : undecided;
+    return status_of(marked.verdict);
 }
 
 int print_task_or_mark(const Options& options, const Exercise& exercise) {

@@ -185,7 +185,7 @@ std::vector<std::string> format_names() {
     check(to, possible);
     possible.pop_back();
     throw Error(fmt::format("{0}: cannot convert {1} to {2}; {1} converts to {3}", name, from, to,
-                            possible.empty() ? "nothing" : enumerated(possible)));
+                            possible.empty() ? "nothing" : listed(possible, " and ")));
 }
 
 /// The text of a format in its canonical form; nothing where that takes another way.

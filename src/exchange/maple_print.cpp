@@ -85,11 +85,11 @@ private:
             std::find_if(std::begin(maple_functions), std::end(maple_functions),
                          [&](const MapleFunction& one) { return expression.name == one.name; });
         if (function == std::end(maple_functions)) fail(expression);
-        std::vector<std::string> arguments;
         const bool angle = function->angle == MapleFunction::Angle::argument;
-        for (const Expression& one : expression.operands)
-            arguments.push_back(text(one, angle ? product : sign));
-        const std::string call = fmt::format("{}({}", function->maple, fmt::join(arguments, ","));
+        const std::string arguments = joined(expression.operands, ",", [&](const Expression& one) {
+            return text(one, angle ? product : sign);
+        });
+        const std::string call = function->maple + ("(" + arguments);
         if (angle) return {call + "*Pi/180)", atom};
         if (function->angle == MapleFunction::Angle::value) return {call + ")*180/Pi", product};
         return {call + ")", atom};
@@ -234,11 +234,11 @@ private:
 
     std::string rules() const {
         const bool many = system_.rules.size() > 1;
-        std::vector<std::string> texts;
-        for (const Production& rule : system_.rules)
-            texts.push_back((many ? "\n  " : "") + string({rule.predecessor.symbol}) + ", " +
-                            string(rule.successor.letters));
-        return fmt::format("[{}{}]", fmt::join(texts, ","), many ? "\n" : "");
+        const std::string all = joined(system_.rules, ",", [&](const Production& rule) {
+            return (many ? "\n  " : "") + string({rule.predecessor.symbol}) + ", " +
+                   string(rule.successor.letters);
+        });
+        return "[" + all + (many ? "\n]" : "]");
     }
 
     /// Percentages where they are whole, as the procedure draws from 1 to 100; otherwise fractions.
@@ -246,10 +246,12 @@ private:
         const bool whole = std::ranges::all_of(system_.rules, [](const Production& rule) {
             return (*rule.probability * 100).is_integer();
         });
-        std::vector<std::string> texts;
-        for (const Production& rule : system_.rules)
-            texts.push_back(shortest_text(*rule.probability * (whole ? 100 : 1)));
-        return fmt::format("[{}]", fmt::join(texts, ","));
+        return "[" +
+               joined(system_.rules, ",",
+                      [&](const Production& rule) {
+                          return shortest_text(*rule.probability * (whole ? 100 : 1));
+                      }) +
+               "]";
     }
 
     Expression angle() const {

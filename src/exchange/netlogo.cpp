@@ -481,7 +481,7 @@ private:
         findings_.add(procedures_[1].second,
                       fmt::format("expected one procedure, found {}; put the one you want into a "
                                   "file of its own",
-                                  enumerated(names)));
+                                  listed(names, " and ")));
     }
 
     PlacedString string(const std::string& what) {
@@ -557,9 +557,8 @@ private:
         std::string name = scanner_.name("a setting behind 'set'");
         for (char& c : name) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
         if (std::ranges::count(names, name) == 0)
-            scanner_.fail_at(at,
-                             fmt::format("expected one of {}, found {}{}", fmt::join(names, ", "),
-                                         algae::quoted(name), did_you_mean(name, names)));
+            scanner_.fail_at(at, "expected one of " + joined(names, ", ") + ", found " +
+                                     algae::quoted(name) + did_you_mean(name, names));
         if (name == "chain") {
             chain_ = word("a word in quotation marks behind 'set chain'");
             has_chain_ = true;

@@ -205,11 +205,6 @@ std::string commented(const char* mark, const std::vector<std::string>& texts) {
     return lines;
 }
 
-std::string enumerated(const std::vector<std::string>& names) {
-    if (names.size() < 2) return fmt::format("{}", fmt::join(names, ""));
-    return fmt::format("{} and {}", fmt::join(names.begin(), names.end() - 1, ", "), names.back());
-}
-
 void add(Findings& findings, const Diagnostics& error) {
     for (const Diagnostic& finding : error.findings()) findings.add(finding.place, finding.message);
 }

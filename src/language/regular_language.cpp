@@ -142,39 +142,43 @@ const Image& image_of(Symbol a, const std::vector<Image>& images) {
     return images[a];
 }
 
+/// The language of the automaton's states with other moves: `put(words, from, letter, to)` puts the words for the
+/// letter between two states.
+template <class Put>
+RegularLanguage with_moves(const RegularLanguage& language, const Budget& budget, Put put) {
+    const Nfa letters = as_nfa(language.automaton());
+    Nfa words;
+    for (const Nfa::State& state : letters.states) words.add_state(state.accepting);
+    words.initial = letters.initial;
+    for (std::size_t s = 0; s < letters.states.size(); ++s)
+        for (const auto& [letter, to] : letters.states[s].moves) put(words, s, letter, to);
+    return RegularLanguage(words, budget);
+}
+
 }  // namespace
 
 RegularLanguage image(const RegularLanguage& language, const std::vector<Word>& images,
                       const Budget& budget) {
-    const Nfa letters = as_nfa(language.automaton());
-    Nfa words;
-    for (const Nfa::State& state : letters.states) words.add_state(state.accepting);
-    words.initial = letters.initial;
-    for (std::size_t s = 0; s < letters.states.size(); ++s)
-        for (const auto& [letter, to] : letters.states[s].moves)
-            words.add_path(s, image_of(letter, images), to);
-    return RegularLanguage(words, budget);
+    return with_moves(language, budget,
+                      [&](Nfa& words, std::size_t from, Symbol letter, std::size_t to) {
+                          words.add_path(from, image_of(letter, images), to);
+                      });
 }
 
 RegularLanguage image(const RegularLanguage& language, const std::vector<RegularLanguage>& images,
                       const Budget& budget) {
-    const Nfa letters = as_nfa(language.automaton());
-    Nfa words;
-    for (const Nfa::State& state : letters.states) words.add_state(state.accepting);
-    words.initial = letters.initial;
-    for (std::size_t s = 0; s < letters.states.size(); ++s)
-        for (const auto& [letter, to] : letters.states[s].moves) {
-            const Nfa part = as_nfa(image_of(letter, images).automaton());
-            const std::size_t shift = words.add_states(part);
-            for (const std::size_t begin : part.initial)
-                words.states[s].silent.push_back(begin + shift);
-            for (std::size_t t = shift; t < words.states.size(); ++t)
-                if (words.states[t].accepting) {
-                    words.states[t].accepting = false;
-                    words.states[t].silent.push_back(to);
-                }
-        }
-    return RegularLanguage(words, budget);
+    return with_moves(language, budget,
+                      [&](Nfa& words, std::size_t from, Symbol letter, std::size_t to) {
+                          const Nfa part = as_nfa(image_of(letter, images).automaton());
+                          const std::size_t shift = words.add_states(part);
+                          for (const std::size_t begin : part.initial)
+                              words.states[from].silent.push_back(begin + shift);
+                          for (std::size_t t = shift; t < words.states.size(); ++t)
+                              if (words.states[t].accepting) {
+                                  words.states[t].accepting = false;
+                                  words.states[t].silent.push_back(to);
+                              }
+                      });
 }
 
 RegularLanguage inverse_image(const RegularLanguage& language, const std::vector<Word>& images,

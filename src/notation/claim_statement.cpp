@@ -1,7 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
-#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -36,13 +32,10 @@ namespace {
 namespace x3 = grammar::x3;
 using grammar::between;
 using grammar::ByHand;
+using grammar::is_one_of;
 using grammar::told;
 using grammar::wanted;
 using grammar::word;
-
-bool is_one_of(const std::vector<std::string>& all, std::string_view word) {
-    return std::find(all.begin(), all.end(), word) != all.end();
-}
 
 constexpr const char* properties =
     "a family (0L, PD0L, ET0L, regular, ...), finite, infinite or empty";

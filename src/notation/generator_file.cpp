@@ -1,6 +1,3 @@
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 #include <algorithm>
 #include <cctype>
 #include <charconv>
@@ -178,7 +175,7 @@ std::optional<std::string> GeneratorFile::choice(std::string_view key,
                                                  const std::vector<std::string>& choices) const {
     const GeneratorStatement* statement = find(key);
     if (!statement) return std::nullopt;
-    const std::string wanted = fmt::format("{}", fmt::join(choices, "|"));
+    const std::string wanted = joined(choices, "|");
     const GeneratorWord& word = only_word(*statement, wanted);
     if (std::ranges::count(choices, word.text) == 0)
         refuse(*statement, word, wanted, did_you_mean(word.text, choices));
@@ -284,10 +281,9 @@ GeneratorFile read_generator_file(std::string_view text, const std::string& name
         }
         const auto known = std::ranges::find(keys, statement.key, &GeneratorKey::name);
         if (known == keys.end()) {
-            findings.add(offset + begin,
-                         "unknown statement " + algae::quoted(statement.key) +
-                             did_you_mean(statement.key, names) +
-                             fmt::format("; expected one of {}", fmt::join(names, ", ")));
+            findings.add(offset + begin, "unknown statement " + algae::quoted(statement.key) +
+                                             did_you_mean(statement.key, names) +
+                                             "; expected one of " + joined(names, ", "));
             continue;
         }
         if (!known->repeats && !said.insert(statement.key).second) {

@@ -31,6 +31,7 @@ namespace {
 
 namespace x3 = grammar::x3;
 using grammar::between;
+using grammar::is_one_of;
 using grammar::text_of;
 using grammar::wanted;
 
@@ -41,23 +42,17 @@ Quantity quantity_of(std::string_view text, const Reading& reading) {
 }
 
 [[noreturn]] void refuse(std::string_view found, const std::vector<std::string>& names) {
-    throw SyntaxError{found.data(), "expected " + listed(names) + ", found " + quoted(found) +
-                                        did_you_mean(found, names)};
+    throw unknown_word(listed(names), found, names);
 }
 
 [[noreturn]] void refuse_many(std::string_view found, const std::vector<std::string>& names) {
-    throw SyntaxError{found.data(), "expected one of " + listed(names, ", ") + ", found " +
-                                        quoted(found) + did_you_mean(found, names)};
+    throw unknown_word("one of " + joined(names, ", "), found, names);
 }
 
 /// A number as one piece among several.
 std::string piece(const Quantity& number) {
     const std::string text = to_text(number.expression);
     return text.find(' ') == std::string::npos ? text : '(' + text + ')';
-}
-
-bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
-    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 // The names that may stand behind keywords.

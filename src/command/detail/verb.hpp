@@ -23,6 +23,11 @@ namespace algae::command {
 /// The exit status of the command.
 enum Status { success = 0, refuted = 1, bad_input = 2, undecided = 3, interrupted = 130 };
 
+/// The status that says what was decided.
+inline Status status_of(Truth truth) {
+    return truth == Truth::proved ? success : truth == Truth::refuted ? refuted : undecided;
+}
+
 /// Set by Ctrl-C.
 extern std::atomic<bool> stop;
 

@@ -100,9 +100,6 @@ bool is_character(std::string_view text);
 /// Example: commented("# ", {"Fern", ""}) == "# Fern\n"
 std::string commented(const char* mark, const std::vector<std::string>& texts);
 
-/// Example: enumerated({"a", "b", "c"}) == "a, b and c"
-std::string enumerated(const std::vector<std::string>& names);
-
 /// Adds what is wrong with a part of a text to what is wrong with all of it.
 void add(Findings& findings, const Diagnostics& error);
 

@@ -1,11 +1,13 @@
 #pragma once
 // What the grammars share. It includes Spirit X3 and is included by the grammars' .cpp files only.
 
+#include <algorithm>
 #include <boost/spirit/home/x3.hpp>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <vector>
 
 #include "notation/detail/expression_grammar.hpp"
 
@@ -19,6 +21,10 @@ inline std::string_view between(const char* first, const char* last) {
 
 inline std::string_view text_of(const boost::iterator_range<const char*>& range) {
     return between(range.begin(), range.end());
+}
+
+inline bool is_one_of(const std::vector<std::string>& names, std::string_view name) {
+    return std::find(names.begin(), names.end(), name) != names.end();
 }
 
 /// Skips what is white space within a line.

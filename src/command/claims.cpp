@@ -67,61 +67,157 @@ Claim open_claim(const std::string& file, const Budget& budget) {
 
 struct CheckOptions {
     std::vector<std::string> paths;
-    std::string certificate;
+    std::string statement, certificate, accept;
+    std::uint64_t instances = SearchLimits().instances, size = SearchLimits().size;
     bool explain = false, json = false;
     Bounds bounds;
 };
 
-/// One line for the claim, and lines with the reasons for each statement that does not stand.
+/// The verdict on a statement with what it rests on, as lines.
+std::vector<std::string> reasons(const CheckedStatement& found, const ClaimedStatement& claimed,
+                                 const Alphabet& alphabet) {
+    if (found.outcome == Outcome::cited) return {"cited: " + claimed.citation};
+    std::vector<std::string> lines = sentences(found.answer, alphabet);
+    const std::string verdict = verdict_text(found);
+    if (const auto values = witness_of(found.answer, alphabet); !values.empty()) {
+        const bool example = found.answer.truth == Truth::proved && !claimed.statement.negated;
+        const auto text = [](const auto& all) {
+            return joined(all, ", ",
+                          [](const auto& one) { return one.first + " = " + one.second; });
+        };
+        std::vector<std::string> by{verdict + " by the " +
+                                    (example ? "example " : "counterexample ") + text(values)};
+        if (const auto others = witness_of(found.answer, alphabet, true); !others.empty())
+            by.push_back("the first with a word that is not empty: " + text(others));
+        return by;
+    }
+    if (found.answer.truth != Truth::undecided) return {verdict};
+    if (!lines.empty()) lines.front() = verdict + ": " + lines.front();
+    return lines;
+}
+
+/// The claim's title, its theorem with the verdict, how many examples hold, and lines with the reasons for each that
+/// does not. The title stands behind a word of ours, so it cannot imitate a verdict.
 std::string summary(const CheckedClaim& checked) {
-    std::string text =
-        fmt::format("{:<9}  {}\n", to_string(checked.outcome()), checked.claim.title);
+    const Claim& claim = checked.claim;
+    std::string text = "claim " + claim.title + '\n';
+    if (const auto theorem = checked.theorem()) {
+        const ClaimedStatement& claimed = claim.statements[*theorem];
+        text += "  theorem " + claimed.statement.text + '\n';
+        for (const std::string& line :
+             reasons(checked.statements[*theorem], claimed, *claim.alphabet))
+            text += "    " + line + '\n';
+    }
+    const auto [hold, of] = checked.examples();
+    if (of > 0)
+        text += "  examples: " + std::to_string(hold) + " of " + std::to_string(of) + " hold\n";
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {
         const CheckedStatement& found = checked.statements[i];
-        if (found.outcome != Outcome::wrong && found.outcome != Outcome::undecided) continue;
-        const ClaimedStatement& claimed = checked.claim.statements[i];
+        const ClaimedStatement& claimed = claim.statements[i];
+        if (found.outcome == Outcome::holds || checked.theorem() == i) continue;
         text += "    " + to_string(claimed.statement.place) + ": " + claimed.statement.text + ": " +
-                verdict_text(claimed, found) + '\n';
-        for (const std::string& line : sentences(found.answer, *checked.claim.alphabet))
-            text += "        " + line + '\n';
+                verdict_text(found) + '\n';
+        const std::vector<std::string> lines = found.outcome == Outcome::cited
+                                                   ? std::vector<std::string>{claimed.citation}
+                                                   : sentences(found.answer, *claim.alphabet);
+        for (const std::string& line : lines) text += "        " + line + '\n';
     }
     return text;
 }
 
-Json as_json(const CheckedClaim& checked) {
-    Json statements = Json::array();
-    for (std::size_t i = 0; i < checked.statements.size(); ++i) {
-        const ClaimedStatement& claimed = checked.claim.statements[i];
-        const CheckedStatement& found = checked.statements[i];
-        Json entry{{"text", claimed.statement.text}, {"verdict", verdict_text(claimed, found)}};
-        if (!claimed.citation.empty()) entry.set("citation", claimed.citation);
-        entry.set("argument", sentences(found.answer, *checked.claim.alphabet));
-        statements.add(std::move(entry));
+Json theorem_json(const CheckedStatement& found, const ClaimedStatement& claimed,
+                  const Alphabet& alphabet) {
+    Json out{{"text", claimed.statement.text}, {"verdict", verdict_text(found)}};
+    if (!claimed.citation.empty()) out.set("citation", claimed.citation);
+    if (const std::string method = method_of(found.answer, alphabet); !method.empty())
+        out.set("method", method);
+    if (const auto values = witness_of(found.answer, alphabet); !values.empty()) {
+        Json witness;
+        for (const auto& [name, value] : values) witness.set(name, value);
+        out.set("counterexample", std::move(witness));
     }
-    return {{"claim", checked.claim.title},
-            {"file", checked.claim.name},
-            {"verdict", to_string(checked.outcome())},
-            {"statements", statements}};
+    if (const auto& searched = found.answer.searched)
+        out.set("searched", {{"instances", searched->visited},
+                             {"meeting", searched->instances},
+                             {"size", searched->size},
+                             {"undecided", searched->undecided}});
+    return out;
 }
 
-int check_paths(const CheckOptions& options) {
-    const Budget budget = options.bounds.budget();
+Json as_json(const CheckedClaim& checked) {
+    const Claim& claim = checked.claim;
+    Json statements = Json::array();
+    for (std::size_t i = 0; i < checked.statements.size(); ++i) {
+        const ClaimedStatement& claimed = claim.statements[i];
+        const CheckedStatement& found = checked.statements[i];
+        Json entry{{"text", claimed.statement.text}, {"verdict", verdict_text(found)}};
+        if (found.outcome == Outcome::fails) entry.set("holds", false);
+        if (!claimed.citation.empty()) entry.set("citation", claimed.citation);
+        entry.set("argument", sentences(found.answer, *claim.alphabet));
+        statements.add(std::move(entry));
+    }
+    const auto theorem = checked.theorem();
+    const auto [hold, of] = checked.examples();
+    Json out{{"claim", claim.title},
+             {"file", claim.name},
+             {"verdict", std::string(to_string(checked.verdict()))}};
+    if (theorem)
+        out.set("theorem", theorem_json(checked.statements[*theorem], claim.statements[*theorem],
+                                        *claim.alphabet));
+    out.set("examples", {{"hold", hold}, {"of", of}});
+    return out.set("statements", statements);
+}
+
+/// Whether all is as the claim says; what is cited counts where it is accepted.
+Status status_of(const CheckedClaim& checked, bool accepts_cited) {
+    const Outcome worst = checked.worst();
+    if (worst == Outcome::fails) return refuted;
+    return worst == Outcome::undecided || (worst == Outcome::cited && !accepts_cited) ? undecided
+                                                                                      : success;
+}
+
+/// The claims that were asked for: of files, or of a statement on the command line.
+std::vector<Claim> asked_claims(const CheckOptions& options, const Budget& budget) {
+    if (options.statement.empty() == options.paths.empty())
+        throw Error("expected files of claims or --say and a statement, found " +
+                    std::string(options.paths.empty() ? "neither" : "both"));
+    if (!options.statement.empty()) {
+        const std::string text = "claim " + options.statement + "\ntheorem " + options.statement;
+        return {read_claim(text, "--say", systems_from({"."}, budget))};
+    }
     std::vector<std::string> files;
     for (const std::string& path : options.paths)
         for (std::string& file : claim_files(path)) files.push_back(std::move(file));
-    if (!options.certificate.empty() && files.size() != 1)
-        throw Error("--certificate takes one claim, found " + std::to_string(files.size()));
-    std::vector<Claim>
-        claims;  // all are read before any is decided: a mistake in one shows at once
-    for (const std::string& file : files) claims.push_back(open_claim(file, budget));
-    std::size_t counts[4] = {};
+    std::vector<Claim> claims;
+    for (const std::string& file : files) {
+        claims.push_back(open_claim(file, budget));
+        if (claims.back().statements.empty())
+            throw Error(file +
+                        ": expected a statement (theorem, show, lemma or refute), found none");
+    }
+    return claims;
+}
+
+int check_claims(const CheckOptions& options) {
+    const Budget budget = options.bounds.budget();
+    if (!options.accept.empty() && options.accept != "cited")
+        throw Error("--accept: expected 'cited', found " + algae::quoted(options.accept));
+    // All are read before any is decided: a mistake in one shows at once.
+    std::vector<Claim> claims = asked_claims(options, budget);
+    if (!options.certificate.empty() && claims.size() != 1)
+        throw Error("--certificate takes one claim, found " + std::to_string(claims.size()));
+    std::map<ClaimVerdict, std::size_t> counts;
     Json all = Json::array();
-    Outcome worst = Outcome::stands;
+    int worst = success;
+    const auto worse = [](int a, int b) {  // refuted is worse than undecided
+        return a == refuted || b == refuted ? static_cast<int>(refuted) : std::max(a, b);
+    };
     ProgressBar bar("check");
     for (std::size_t i = 0; i < claims.size(); ++i) {
-        const CheckedClaim checked = check(std::move(claims[i]), budget);
-        ++counts[static_cast<std::size_t>(checked.outcome())];
-        worst = std::max(worst, checked.outcome());
+        const CheckedClaim checked =
+            check(std::move(claims[i]), budget, {options.instances, options.size});
+        ++counts[checked.verdict()];
+        worst = worse(worst, status_of(checked, !options.accept.empty()));
         if (!options.certificate.empty())
             write_file(options.certificate, Json(certificate(checked)).text(1));
         if (options.json)
@@ -135,9 +231,14 @@ int check_paths(const CheckOptions& options) {
     if (options.json)
         print(Json{{"claims", all}}.text());
     else if (claims.size() > 1)
-        print(fmt::format("{} claims: {} proved, {} cited, {} undecided, {} wrong\n", claims.size(),
-                          counts[0], counts[1], counts[2], counts[3]));
-    return worst == Outcome::wrong ? refuted : worst == Outcome::undecided ? undecided : success;
+        print(std::to_string(claims.size()) + " claims: " +
+              joined(counts, ", ",
+                     [](const auto& one) {
+                         return std::to_string(one.second) + ' ' +
+                                std::string(to_string(one.first));
+                     }) +
+              '\n');
+    return worst;
 }
 
 // closure
@@ -159,6 +260,17 @@ public:
                                            const std::string& operation) const {
         return table_.cell(family, operation);
     }
+    /// The proof that a family is not closed, by a counterexample; nullptr if a search finds none.
+    const CheckedClaim* refutation(const std::string& family, const std::string& operation) {
+        const auto [entry, is_new] = refutations_.try_emplace({family, operation});
+        if (is_new)
+            if (std::optional<Claim> claim = closure_claim(family, operation)) {
+                constexpr SearchLimits limits{1'000, 9};
+                CheckedClaim found = check(std::move(*claim), budget_, limits);
+                if (found.verdict() == ClaimVerdict::proved) entry->second = std::move(found);
+            }
+        return entry->second ? &*entry->second : nullptr;
+    }
     const CheckedClaim& checked(std::size_t claim) {
         if (!checked_[claim]) checked_[claim] = check(claims_[claim], budget_);
         return *checked_[claim];
@@ -166,7 +278,7 @@ public:
     /// Whether every claim that was asked for is decided, and no bound was reached before.
     bool is_decided() const {
         return std::ranges::none_of(checked_, [](const auto& checked) {
-            return checked && checked->outcome() == Outcome::undecided;
+            return checked && checked->worst() == Outcome::undecided;
         });
     }
 
@@ -184,33 +296,43 @@ private:
     std::vector<Claim> claims_;
     ClosureTable table_;
     std::vector<std::optional<CheckedClaim>> checked_;
+    std::map<std::pair<std::string, std::string>, std::optional<CheckedClaim>> refutations_;
 };
 
-/// "+" and "-" where all statements of the claim are proved, in brackets where some rest on a source.
+/// What is known of a cell: "refuted" by a counterexample, or what the claim comes to that is about it.
+std::string status_of(Theory& theory, const ClosureTable::Cell& cell, const std::string& family,
+                      const std::string& operation) {
+    if (!cell.closed && theory.refutation(family, operation)) return "refuted";
+    return std::string(to_string(theory.checked(cell.claim).verdict()));
+}
+
+/// "+" and "-" where a formal statement decides it, with "e" where examples hold, in brackets where a source is cited.
 std::string sign(Theory& theory, const std::string& family, const std::string& operation) {
     const auto cell = theory.cell(family, operation);
     if (!cell) return "?";
     const std::string plain = cell->closed ? "+" : "-";
-    switch (theory.checked(cell->claim).outcome()) {
-        case Outcome::stands:
-            return plain;
-        case Outcome::cited:
-            return "(" + plain + ")";
-        default:
-            return plain + "?";
-    }
+    const std::string status = status_of(theory, *cell, family, operation);
+    if (status == "proved" || status == "refuted") return plain;
+    if (status == "examples") return "e" + plain;
+    return status == "cited" ? "(" + plain + ")" : plain + "?";
 }
 
 Json as_json(Theory& theory, const std::string& family, const std::string& operation) {
     const auto cell = theory.cell(family, operation);
     Json entry{{"family", family}, {"operation", operation}};
     if (!cell) return entry.set("closed", nullptr);
-    const CheckedClaim& checked = theory.checked(cell->claim);
-    const bool is_known = checked.outcome() != Outcome::undecided;
-    entry.set("closed", is_known ? Json(cell->closed) : Json());
-    entry.set("status", to_string(checked.outcome()));
-    entry.set("claim", checked.claim.name);
-    return entry;
+    const std::string status = status_of(theory, *cell, family, operation);
+    entry.set("closed", status == "undecided" ? Json() : Json(cell->closed));
+    entry.set("status", status);
+    if (status == "refuted") {
+        const CheckedClaim& found = *theory.refutation(family, operation);
+        Json witness;
+        for (const auto& [name, value] :
+             witness_of(found.statements.at(0).answer, *found.claim.alphabet))
+            witness.set(name, value);
+        entry.set("counterexample", std::move(witness));
+    }
+    return entry.set("claim", theory.checked(cell->claim).claim.name);
 }
 
 std::string table_text(Theory& theory, const std::vector<std::string>& families,
@@ -227,10 +349,12 @@ std::string table_text(Theory& theory, const std::vector<std::string>& families,
         text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
     }
     return text +
-           "\n+ closed, by a construction or theorem whose instance is decided; - not closed, by a "
-           "counterexample that is proved\n"
-           "in brackets: some statement of the claim rests on a cited source. `algae closure 0L "
-           "union` shows a cell.\n";
+           "\n+ closed, - not closed; without a mark it is proved, - by a counterexample. e: "
+           "examples of a "
+           "construction or of\n"
+           "an argument hold. In brackets: a statement of the claim rests on a cited source. "
+           "`algae "
+           "closure 0L union` shows a cell.\n";
 }
 
 std::string cell_text(Theory& theory, const std::string& family, const std::string& operation) {
@@ -238,11 +362,13 @@ std::string cell_text(Theory& theory, const std::string& family, const std::stri
     if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
     const CheckedClaim& checked = theory.checked(cell->claim);
     const std::string under = "closed under " + operation;
-    const bool is_known = checked.outcome() != Outcome::undecided;
+    const std::string status = status_of(theory, *cell, family, operation);
+    const bool is_known = status != "undecided";
     const std::string name =
         !is_known ? "Whether " + family + " languages are " + under + " is undecided"
                   : family + " languages are " + (cell->closed ? "" : "not ") + under;
-    return name + " (" + checked.claim.name + ", " + to_string(checked.outcome()) + ").\n\n" +
+    return name + " (" + checked.claim.name + ", " + std::string(to_string(checked.verdict())) +
+           ").\n\n" +
            explanation(checked, is_known ? family : "");  // the reason may be at another family
 }
 
@@ -373,13 +499,21 @@ int verify_certificate(const VerifyOptions& options) {
 }  // namespace
 
 void add_check(Verbs& verbs) {
-    auto [verb, options] =
-        verbs.add("check", "Whether claims hold, statement by statement",
-                  {"algae check theory", "algae check union.claim --explain"}, check_paths);
+    auto [verb, options] = verbs.add("check", "Whether claims hold, statement by statement",
+                                     {"algae check theory", "algae check union.claim --explain",
+                                      "algae check --say 'for all 0L languages A, B: A | B is 0L'"},
+                                     check_claims);
     verb.option("PATH", options.paths, "FILE|DIR",
                 "claim files, folders of them, - for standard input, or theory, the claims that "
-                "come with algae")
-        .required = true;
+                "come with algae");
+    verb.option("--say", options.statement, "STATEMENT", "a statement instead of files");
+    verb.option(
+        "--instances", options.instances, natural, "N",
+        "how many instances of a statement about all values are searched, 100000 if not given");
+    verb.option("--size", options.size, natural, "K",
+                "up to which size they are searched, 10 if not given");
+    verb.option("--accept", options.accept, "cited",
+                "let statements that rest on a cited source count as decided");
     verb.flag("--explain", options.explain, "print the argument in sentences");
     verb.option("--certificate", options.certificate, "FILE",
                 "write what algae verify checks again");

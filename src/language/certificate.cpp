@@ -115,6 +115,46 @@ Json morphism_json(const Morphism& morphism, const Alphabet& alphabet) {
     return result;
 }
 
+/// The morphism of an image, or the bound name that is one.
+Json morphism_json(const LanguageTree& tree, const Alphabet& alphabet) {
+    if (tree.variable) return tree.variable->name;
+    return morphism_json(tree.morphism, alphabet);
+}
+
+/// What stands in the place of a bound name.
+struct ValueWriter {
+    const Alphabet& alphabet;
+
+    Json operator()(const Language& value) const { return to_json(value, alphabet); }
+    Json operator()(const std::shared_ptr<const SourceSystem>& value) const {
+        return to_json(*value, alphabet);
+    }
+    Json operator()(const Morphism& value) const { return morphism_json(value, alphabet); }
+    Json operator()(const std::vector<std::pair<Symbol, std::vector<Word>>>& value) const {
+        Json result = Json::object();
+        for (const auto& [letter, words] : value)
+            result[alphabet.name(letter)] = words_json(words, alphabet);
+        return result;
+    }
+    Json operator()(const Word& value) const { return certificate_text(alphabet, value); }
+    Json operator()(const Integer& value) const { return to_string(value); }
+};
+
+/// How a certificate names the ways to join statements.
+const char* joint_name(Joint::Kind kind) {
+    switch (kind) {
+        case Joint::Kind::all:
+            return "all of";
+        case Joint::Kind::any:
+            return "any of";
+        case Joint::Kind::implies:
+            return "implies";
+        case Joint::Kind::iff:
+            return "iff";
+    }
+    return "";
+}
+
 Json pair_json(const LanguageTree& tree, const Alphabet& alphabet) {
     return Json::array({to_json(tree.parts[0], alphabet), to_json(tree.parts[1], alphabet)});
 }
@@ -188,6 +228,30 @@ struct StatementWriter {
     }
     Json operator()(const BoundaryHasDimension& said) const {
         return dimension("boundary", said.name, said.dimension);
+    }
+    Json operator()(const Joint& said) const {
+        return {{joint_name(said.kind), statements(said.parts)}};
+    }
+    Json operator()(const Quantified& said) const {
+        Json names = Json::array();
+        for (const QuantifiedName& name : said.bindings) {
+            Json one{{"name", name.name}, {"of", name.text}};
+            const Domain& domain = name.domain;
+            if (domain.max_size) one["size"] = *domain.max_size;
+            if (domain.max_word_length) one["length"] = *domain.max_word_length;
+            names.push_back(std::move(one));
+        }
+        Json result{{said.universal ? "for all" : "for some", std::move(names)}};
+        if (said.disjoint) result["different letters"] = true;
+        if (said.over) result["over"] = certificate_text(alphabet, *said.over);
+        if (!said.conditions.empty()) result["with"] = statements(said.conditions);
+        result["holds"] = to_json(said.body.front(), alphabet);
+        return result;
+    }
+    Json statements(const std::vector<Statement>& all) const {
+        Json result = Json::array();
+        for (const Statement& one : all) result.push_back(to_json(one, alphabet));
+        return result;
     }
     static Json dimension(const char* of, const std::string& system,
                           const ClaimedDimension& claimed) {
@@ -266,10 +330,12 @@ Json to_json(const Language& language, const Alphabet& alphabet) {
                     {"letters", certificate_text(alphabet, tree.letters)}};
         case Kind::image:
             return {{"image", to_json(tree.parts[0], alphabet)},
-                    {"morphism", morphism_json(tree.morphism, alphabet)}};
+                    {"morphism", morphism_json(tree, alphabet)}};
         case Kind::inverse_image:
             return {{"inverse image", to_json(tree.parts[0], alphabet)},
-                    {"morphism", morphism_json(tree.morphism, alphabet)}};
+                    {"morphism", morphism_json(tree, alphabet)}};
+        case Kind::variable:
+            return {{"name", tree.variable->name}};
     }
     return {};
 }
@@ -449,12 +515,44 @@ struct ProofWriter {
         return {{"by", "reversal"}, {"proof", of(said.part)}};
     }
     Json operator()(const steps::Constructed& said) const { return construction_json(said.tables); }
+
+    Json operator()(const steps::FromStatements& said) const {
+        Json parts = Json::array();
+        for (const steps::FromStatements::Known& part : said.parts)
+            parts.push_back({{"part", part.index},
+                             {"holds", part.answer.truth == Truth::proved},
+                             {"proof", certificate(part.answer, alphabet)}});
+        return {{"by", "parts"}, {"parts", std::move(parts)}};
+    }
+    Json operator()(const steps::ByInstance& said) const {
+        Json values = Json::object();
+        for (const BoundValue& value : said.values)
+            values[value.name] = std::visit(ValueWriter{alphabet}, value.is);
+        Json result{{"by", "instance"}, {"values", std::move(values)}};
+        if (!said.members.empty()) result["members"] = proofs(said.members);
+        if (!said.conditions.empty()) result["with"] = proofs(said.conditions);
+        result["proof"] = certificate(said.body, alphabet);
+        return result;
+    }
+    Json operator()(const steps::ByCases& said) const {
+        return {{"by", said.rule}, {"instances", said.instances}};
+    }
+    Json proofs(const std::vector<Answer>& all) const {
+        Json result = Json::array();
+        for (const Answer& one : all) result.push_back(certificate(one, alphabet));
+        return result;
+    }
 };
 
 }  // namespace
 
 Json certificate(const Answer& answer, const Alphabet& alphabet) {
     return answer.proof ? std::visit(ProofWriter{alphabet}, answer.proof->step) : Json();
+}
+
+std::string method_of(const Answer& answer, const Alphabet& alphabet) {
+    const Json written = certificate(answer, alphabet);
+    return written.is_object() ? written.value("by", std::string()) : std::string();
 }
 
 Json balance_certificate(const Balance& balance, const Alphabet& alphabet) {

@@ -1,13 +1,11 @@
 #include <algorithm>
-#include <map>
 
 #include "exact/exact.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
 
 // From a claim to its verdicts: each statement goes to its judge, a bound that is reached
-// leaves it undecided, and an error gets the place of the statement. Also the table of closure that claims
-// settle together.
+// leaves it undecided, and an error gets the place of the statement.
 
 namespace algae {
 
@@ -22,6 +20,7 @@ namespace {
 struct Judge {
     const Claim& claim;
     const Budget& budget;
+    const SearchLimits& limits;
     const Alphabet& alphabet = *claim.alphabet;
 
     Answer operator()(const InFamily& said) const {
@@ -65,14 +64,19 @@ struct Judge {
     Answer operator()(const BoundaryHasDimension& said) const {
         return judge_boundary(said, budget);
     }
+    Answer operator()(const Joint& said) const { return judge_joint(said, claim, budget, limits); }
+    Answer operator()(const Quantified& said) const {
+        return judge_quantified(said, claim, budget, limits);
+    }
 };
 
 }  // namespace
 
 //> decide
-Answer decide(const Statement& statement, const Claim& claim, const Budget& budget) {
+Answer decide(const Statement& statement, const Claim& claim, const Budget& budget,
+              const SearchLimits& limits) {
     try {
-        Answer found = std::visit(Judge{claim, budget}, statement.says);
+        Answer found = std::visit(Judge{claim, budget, limits}, statement.says);
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
         return undecided(error.what());
@@ -87,28 +91,59 @@ Answer decide(const Statement& statement, const Claim& claim, const Budget& budg
 namespace {
 
 using Outcome = CheckedStatement::Outcome;
+using Purpose = ClaimedStatement::Purpose;
 
 Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
     if (truth == Truth::undecided)
         return claimed.citation.empty() ? Outcome::undecided : Outcome::cited;
-    const Truth expected =
-        claimed.purpose == ClaimedStatement::Purpose::refute ? Truth::refuted : Truth::proved;
-    return truth == expected ? Outcome::stands : Outcome::wrong;
+    const Truth expected = claimed.purpose == Purpose::refute ? Truth::refuted : Truth::proved;
+    return truth == expected ? Outcome::holds : Outcome::fails;
 }
 
 }  // namespace
 
-CheckedStatement::Outcome CheckedClaim::outcome() const {
-    Outcome worst = Outcome::stands;
+bool CheckedStatement::is_vacuous() const {
+    return answer.searched && answer.searched->instances == 0 && answer.searched->undecided == 0 &&
+           !answer.searched->witness && !answer.searched->finite_only;
+}
+
+std::optional<std::size_t> CheckedClaim::theorem() const {
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        if (claim.statements[i].purpose == Purpose::theorem) return i;
+    return std::nullopt;
+}
+
+std::pair<std::size_t, std::size_t> CheckedClaim::examples() const {
+    std::pair<std::size_t, std::size_t> found;
+    for (std::size_t i = 0; i < statements.size(); ++i) {
+        if (claim.statements[i].purpose == Purpose::theorem) continue;
+        ++found.second;
+        if (statements[i].outcome == Outcome::holds) ++found.first;
+    }
+    return found;
+}
+
+CheckedStatement::Outcome CheckedClaim::worst() const {
+    Outcome worst = Outcome::holds;
     for (const CheckedStatement& statement : statements) worst = std::max(worst, statement.outcome);
     return worst;
 }
 
-CheckedClaim check(Claim claim, const Budget& budget) {
+ClaimVerdict CheckedClaim::verdict() const {
+    if (worst() == Outcome::fails) return ClaimVerdict::refuted;
+    const std::optional<std::size_t> which = theorem();
+    const Outcome decisive = which ? statements[*which].outcome : worst();
+    if (decisive == Outcome::cited) return ClaimVerdict::cited;
+    if (which && statements[*which].is_vacuous()) return ClaimVerdict::vacuous;
+    if (decisive == Outcome::undecided) return ClaimVerdict::undecided;
+    return which ? ClaimVerdict::proved : ClaimVerdict::examples;
+}
+
+CheckedClaim check(Claim claim, const Budget& budget, const SearchLimits& limits) {
     CheckedClaim checked;
     for (const ClaimedStatement& claimed : claim.statements) {
         CheckedStatement found;
-        found.answer = decide(claimed.statement, claim, budget);
+        found.answer = decide(claimed.statement, claim, budget, limits);
         found.outcome = outcome(claimed, found.answer.truth);
         checked.statements.push_back(std::move(found));
     }
@@ -116,60 +151,16 @@ CheckedClaim check(Claim claim, const Budget& budget) {
     return checked;
 }
 
-std::string to_string(CheckedStatement::Outcome outcome) {
-    static const char* const names[] = {"proved", "cited", "undecided", "WRONG"};
-    return names[static_cast<std::size_t>(outcome)];
+std::string_view to_string(ClaimVerdict verdict) {
+    static constexpr std::string_view names[] = {"proved",  "examples",  "cited",
+                                                 "vacuous", "undecided", "refuted"};
+    return names[static_cast<std::size_t>(verdict)];
 }
 
-std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked) {
-    const bool refuted = statement.purpose == ClaimedStatement::Purpose::refute;
-    return checked.outcome == Outcome::stands && refuted ? "refuted" : to_string(checked.outcome);
-}
-
-const std::vector<std::string>& closure_operations() {
-    static const std::vector<std::string> all{"union",
-                                              "concatenation",
-                                              "star",
-                                              "plus",
-                                              "intersection",
-                                              "intersection with regular",
-                                              "complement",
-                                              "homomorphism",
-                                              "non-erasing homomorphism",
-                                              "inverse homomorphism",
-                                              "reversal",
-                                              "finite substitution",
-                                              "substitution",
-                                              "gsm mapping"};
-    return all;
-}
-
-const std::vector<std::string>& closure_families() {
-    static const std::vector<std::string> all{"REG", "CF",   "D0L",   "PD0L", "0L",
-                                              "P0L", "DT0L", "PDT0L", "T0L",  "PT0L",
-                                              "E0L", "ET0L", "EDT0L", "IL"};
-    return all;
-}
-
-ClosureTable::ClosureTable(const std::vector<Claim>& claims) {
-    std::map<std::pair<std::string, std::string>, Place> places;
-    for (std::size_t i = 0; i < claims.size(); ++i)
-        for (const ClosureFact& fact : claims[i].closure)
-            for (const std::string& family : fact.families) {
-                const auto key = std::pair(family, fact.operation);
-                const auto [place, is_new] = places.emplace(key, fact.place);
-                if (!is_new)
-                    throw Error(to_string(fact.place) + ": whether " + family +
-                                " is closed under " + fact.operation + " is settled at " +
-                                to_string(place->second) + " already");
-                cells_.emplace(key, Cell{fact.closed, i});
-            }
-}
-
-std::optional<ClosureTable::Cell> ClosureTable::cell(std::string_view family,
-                                                     std::string_view operation) const {
-    const auto found = cells_.find(std::pair(std::string(family), std::string(operation)));
-    return found == cells_.end() ? std::nullopt : std::optional(found->second);
+std::string verdict_text(const CheckedStatement& checked) {
+    if (checked.outcome == Outcome::cited) return "cited";
+    if (checked.is_vacuous()) return "vacuous";
+    return std::string(to_string(checked.answer.truth));
 }
 
 }  // namespace algae

@@ -110,6 +110,8 @@ std::string rules_text(const Table& table, const std::vector<Symbol>& letters,
     return text;
 }
 
+}  // namespace
+
 std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
     if (!system.tables) {
         std::string text = "the system with axiom " + spell(alphabet, system.interactive->axiom);
@@ -139,6 +141,8 @@ std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
         if (tables.terminal[a]) text += " " + alphabet.name(a);
     return text;
 }
+
+namespace {
 
 /// Whether a statement says of another family what one of the claim says of this one.
 bool is_about_another(const Claim& claim, const Statement& statement, const std::string& family) {
@@ -180,8 +184,9 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
         const ClaimedStatement& claimed = claim.statements[i];
         const CheckedStatement& found = checked.statements[i];
         if (!family.empty() && is_about_another(claim, claimed.statement, family)) continue;
-        page += "\n" + wrapped(std::to_string(++number) + ". " + claimed.statement.text + ": " +
-                                   verdict_text(claimed, found) +
+        const bool is_theorem = claimed.purpose == ClaimedStatement::Purpose::theorem;
+        page += "\n" + wrapped((is_theorem ? "Theorem. " : std::to_string(++number) + ". ") +
+                                   claimed.statement.text + ": " + verdict_text(found) +
                                    (found.outcome == CheckedStatement::Outcome::cited
                                         ? " (" + claimed.citation + ")"
                                         : "") +

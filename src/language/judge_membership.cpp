@@ -102,8 +102,10 @@ public:
                 return image(language, word);
             case Kind::inverse_image:
                 return inverse_image(language, word);
+            case Kind::variable:
+                break;
         }
-        return {};
+        throw Error("a bound name has no words");
     }
 
 private:

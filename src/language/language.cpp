@@ -24,6 +24,7 @@ void add_letters(std::set<Symbol>& letters, const Word& word) {
 }
 
 void add_letters(std::set<Symbol>& letters, const SourceSystem& system) {
+    if (system.variable) return;
     if (system.tables) {
         for (const Symbol a : accessible_letters(*system.tables))
             if (system.tables->terminal[a]) letters.insert(a);
@@ -94,6 +95,10 @@ std::string words_text(const std::vector<Word>& words, const Alphabet& alphabet)
     return "{" + joined(words, ", ", [&](const Word& word) { return spell(alphabet, word); }) + "}";
 }
 
+std::string morphism_text(const LanguageTree& tree, const Alphabet& alphabet) {
+    return tree.variable ? tree.variable->name : to_string(tree.morphism, alphabet);
+}
+
 std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
     const auto part = [&](std::size_t i, Level least) {
         return text(tree.parts[i], alphabet, least);
@@ -120,9 +125,11 @@ std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
         case Kind::reversed:
             return part(0, primary) + "^R";
         case Kind::image:
-            return to_string(tree.morphism, alphabet) + "(" + part(0, sum) + ")";
+            return morphism_text(tree, alphabet) + "(" + part(0, sum) + ")";
         case Kind::inverse_image:
-            return to_string(tree.morphism, alphabet) + "^-1(" + part(0, sum) + ")";
+            return morphism_text(tree, alphabet) + "^-1(" + part(0, sum) + ")";
+        case Kind::variable:
+            return tree.variable->name;
     }
     return {};
 }

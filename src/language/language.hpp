@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "exact/exact.hpp"
+#include "search/search.hpp"
 #include "system/system.hpp"
 #include "word/word.hpp"
 
@@ -36,9 +37,17 @@ struct SourceSystem {
     std::string name;  // as it is called in text
     std::optional<ET0L> tables;
     std::optional<IL> interactive;  // where `tables` is empty
+    /// A name that a quantifier binds, by its number, instead of a system.
+    std::optional<std::size_t> variable = {};
 };
 
 struct LanguageTree;
+
+/// A name that a quantifier binds: their numbers tell bound names apart.
+struct BoundName {
+    std::size_t number = 0;
+    std::string name;
+};
 
 /// A language as a value: an expression whose parts are languages. All parts are over the symbols of
 /// one alphabet that the caller knows. Cheap to copy.
@@ -60,6 +69,7 @@ struct LanguageTree {
         reversed,
         image,          // under `morphism`
         inverse_image,  // the words over the letters that have an image whose image is in the part
+        variable,       // a name that a quantifier binds
     };
     Kind kind = Kind::words;
     std::vector<Word> words;  // sorted: shorter ones first, then by symbol numbers
@@ -67,8 +77,9 @@ struct LanguageTree {
     /// Two of a union, intersection, difference, concatenation; otherwise one.
     std::vector<Language> parts;
     Morphism morphism;
-    std::vector<Symbol> letters;  // increasing
-    std::string name;             // what the text calls it, where it has a name
+    std::vector<Symbol> letters;             // increasing
+    std::string name;                        // what the text calls it, where it has a name
+    std::optional<BoundName> variable = {};  // that this is, or that the morphism of an image is
 };
 
 /// The finite set of these words, in any order and with repetitions.
@@ -599,22 +610,62 @@ struct BoundaryHasDimension {
     std::string name = {};
 };
 
+struct Statement;
+
+/// Several statements as one.
+struct Joint {
+    enum class Kind {
+        all,
+        any,
+        implies,
+        iff
+    } kind = Kind::all;  // `implies` and `iff` have two parts
+    std::vector<Statement> parts;
+};
+
+/// A name that a quantifier binds, and what it ranges over.
+struct QuantifiedName {
+    std::string name;
+    Domain domain;
+    /// The family that a value must be of, beyond what the domain says: languages of a family are searched among
+    /// finite ones.
+    std::string family = {};
+    /// A letter or a word stands in texts as this letter of the alphabet.
+    std::optional<Symbol> letter = {};
+    std::string text = {};  // what it ranges over, as the claim writes it: "0L languages"
+};
+
+/// A statement for all values of the bound names that meet conditions, or for some. The bound names are numbered
+/// from `first` on; a quantifier inside another one goes on counting.
+struct Quantified {
+    bool universal = true;
+    std::size_t first = 0;
+    std::vector<QuantifiedName> bindings;
+    bool disjoint = false;  // values have no letters in common
+    /// Over these letters and no others; otherwise values are over any letters, and one of those that differ by a
+    /// renaming stands for all.
+    std::optional<std::vector<Symbol>> over = {};
+    std::vector<Statement> conditions;
+    std::vector<Statement> body;  // one
+};
+
 /// One thing that is said of languages and systems, true or false. A new form is a new alternative: the compiler
 /// lists the judges and readers that miss it.
 struct Statement {
     std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, Derives,
                  EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, Rewrites, HasChance,
-                 HasDimension, BoundaryHasDimension>
+                 HasDimension, BoundaryHasDimension, Joint, Quantified>
         says;
     bool negated = false;
     std::string text = {};  // as written
     Place place = {};
 };
 
-/// A statement and what the claim says of it.
+/// A statement and what the claim says of it: `theorem` is what the title puts into words, of which a claim has at
+/// most one; the others are examples and steps, `refute` of what is false.
 struct ClaimedStatement {
     Statement statement;
-    enum class Purpose { show, lemma, refute } purpose = Purpose::show;  // `refute`: it is false
+    enum class Purpose { show, lemma, refute, theorem } purpose = Purpose::show;
     std::string citation;  // `by ...`: the source it rests on where it is not decided
 };
 
@@ -633,6 +684,9 @@ struct Claim {
     std::vector<std::string> notes;  // `note`, in the order of the file, printed by explanations
     bool empty_axiom = false;        // whether families of systems may have the empty word as axiom
     std::shared_ptr<const Alphabet> alphabet;
+    /// By which values of bound names are written, where the claim binds names: a, b, ..., and x, y, ... for the letters
+    /// that the inverse of a morphism leads to.
+    std::vector<Symbol> instance_letters, inverse_letters;
     std::vector<std::shared_ptr<const SourceSystem>> systems;  // defined by the claim, in order
     /// Defined by the claim: systems whose words are derived module by module.
     std::vector<std::shared_ptr<const LSystem>> rewritings;
@@ -643,13 +697,33 @@ struct Claim {
 
 struct Proof;
 
+/// How far the instances of a quantified statement were gone through, in their order.
+struct Searched {
+    std::uint64_t instances = 0;  // that meet the conditions
+    std::uint64_t visited = 0;    // with those that do not
+    std::uint64_t size = 0;       // of the last one
+    std::uint64_t undecided = 0;  // of the instances before the witness
+    bool all = false;             // there are no others
+    bool finite_only =
+        false;             // names range over languages, of which only finite ones are instances
+    bool witness = false;  // the last one is a counterexample or an example
+};
+
 /// What is known of a statement, and how. The proof is of the statement where it is proved and of its opposite
 /// where it is refuted; there is none where it is undecided. Three functions read it: `sentences`,
 /// `certificate` and `latex`.
 struct Answer {
     Truth truth = Truth::undecided;
     std::shared_ptr<const Proof> proof;
-    std::vector<std::string> tried;  // where it is undecided
+    std::vector<std::string> tried;         // where it is undecided
+    std::optional<Searched> searched = {};  // of a quantified statement
+};
+
+/// How far instances are searched where a quantifier has no bounds: up to a number of them and a size, whichever
+/// comes first.
+struct SearchLimits {
+    std::uint64_t instances = 100'000;
+    std::uint64_t size = 10;
 };
 
 /// The answer to the opposite statement, by the same proof.
@@ -676,7 +750,8 @@ Judgement in_sentences(const Answer& answer, const Alphabet& alphabet);
 
 /// What is known of a statement of a claim. A bound that is reached makes it undecided, and the answer says
 /// which. Throws Interrupted if the work was asked to stop, Error where the statement cannot be about its systems.
-Answer decide(const Statement& statement, const Claim& claim, const Budget& budget = {});
+Answer decide(const Statement& statement, const Claim& claim, const Budget& budget = {},
+              const SearchLimits& limits = {});
 
 /// What may be used besides the language itself.
 struct FamilyQuestion {
@@ -707,31 +782,53 @@ Answer judge_empty(const Language& language, const Alphabet& alphabet, const Bud
 Answer judge_size(const Language& language, const Integer& size, const Alphabet& alphabet,
                   const Budget& budget = {});
 
-/// The result for one statement of a claim. It stands if it is as the claim says: proved, or refuted where the claim
+/// The result for one statement of a claim. It holds if it is as the claim says: proved, or refuted where the claim
 /// says `refute`. A statement is cited if it is undecided here and rests on a source that the claim names.
 struct CheckedStatement {
-    enum class Outcome { stands, cited, undecided, wrong };
+    enum class Outcome { holds, cited, undecided, fails };
     Outcome outcome = Outcome::undecided;
     Answer answer;
+
+    /// Whether it is about all values that meet conditions, and none was found that does.
+    bool is_vacuous() const;
 };
+
+/// What a claim comes to: the verdict on its theorem, or `examples` where it has none and its statements hold.
+/// `refuted` if anything in it fails, `vacuous` if no instance of the theorem meets its conditions.
+enum class ClaimVerdict { proved, examples, cited, vacuous, undecided, refuted };
+
+/// "proved", "examples", ...
+std::string_view to_string(ClaimVerdict verdict);
 
 /// The result for a claim: one entry for each of its statements.
 struct CheckedClaim {
     Claim claim;
     std::vector<CheckedStatement> statements;
 
-    /// The worst of its statements, of `wrong`, `undecided`, `cited`, `stands`.
-    CheckedStatement::Outcome outcome() const;
+    ClaimVerdict verdict() const;
+    /// Which of the statements is the theorem, if the claim has one.
+    std::optional<std::size_t> theorem() const;
+    /// How many statements that are not the theorem hold, and how many there are.
+    std::pair<std::size_t, std::size_t> examples() const;
+    /// The worst of all statements, of `fails`, `undecided`, `cited`, `holds`.
+    CheckedStatement::Outcome worst() const;
 };
 
 /// Decides all statements of a claim. Throws what `decide` throws.
-CheckedClaim check(Claim claim, const Budget& budget = {});
+CheckedClaim check(Claim claim, const Budget& budget = {}, const SearchLimits& limits = {});
 
-/// "proved", "cited", "undecided" or "WRONG", as reports print it.
-std::string to_string(CheckedStatement::Outcome outcome);
+/// "proved", "refuted", "cited", "vacuous" or "undecided": what is known of the statement, whatever the claim says of it.
+std::string verdict_text(const CheckedStatement& checked);
 
-/// "proved", "refuted", "cited", "undecided" or "WRONG", as reports print it.
-std::string verdict_text(const ClaimedStatement& statement, const CheckedStatement& checked);
+/// The name of the method by which a certificate calls the proof: "instance", "cases", "form", ...; empty where there
+/// is none.
+std::string method_of(const Answer& answer, const Alphabet& alphabet);
+
+/// The values that refute a universal statement, or prove that there are some: names and texts, as "A" and "{a}".
+/// `other`: the first ones that make a language with a word that is not empty, where the least do not.
+std::vector<std::pair<std::string, std::string>> witness_of(const Answer& answer,
+                                                            const Alphabet& alphabet,
+                                                            bool other = false);
 
 /// The claim as a page: its title and source, the definitions, its notes, then each statement with its verdict
 /// and the argument in sentences, in lines of at most 100 characters. With a family, what is said of a language
@@ -752,7 +849,14 @@ const std::vector<std::string>& closure_operations();
 /// Example: closure_families().front() == "REG"
 const std::vector<std::string>& closure_families();
 
-/// Which families of languages are closed under which operations, and which claim settles it.
+/// The claim that a family is not closed under an operation, as a theorem that a search for a finite counterexample may
+/// prove: `not for all 0L languages A, B: A | B is 0L`. Nothing for other families than 0L, with P, D and T, and for
+/// operations whose results on finite languages are not decided.
+///
+/// Example: closure_claim("0L", "union")->statements.at(0).statement.negated
+std::optional<Claim> closure_claim(const std::string& family, const std::string& operation);
+
+/// Which families of languages are closed under which operations, and which claim is about it.
 class ClosureTable {
 public:
     struct Cell {

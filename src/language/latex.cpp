@@ -178,8 +178,7 @@ std::string latex(const CheckedClaim& checked) {
         const CheckedStatement& found = checked.statements[i];
         const bool cited = found.outcome == CheckedStatement::Outcome::cited;
         text += "\n\\paragraph{" + std::to_string(i + 1) + "} " + "\\texttt{" +
-                set(claimed.statement.text, in_prose, as_it_is) +
-                "}: " + verdict_text(claimed, found) +
+                set(claimed.statement.text, in_prose, as_it_is) + "}: " + verdict_text(found) +
                 (cited ? " (" + set(claimed.citation, in_prose, as_it_is) + ")" : "") + ".\n";
         if (cited) continue;
         const std::string argument = latex(found.answer, *claim.alphabet);

@@ -70,6 +70,29 @@ std::string sign_between(Order order) {
     return order == Order::equal ? " = " : order == Order::less ? " < " : " > ";
 }
 
+/// The text of a value of a bound name.
+struct ValueText {
+    const Alphabet& alphabet;
+
+    std::string operator()(const Language& value) const { return unnamed_text(value, alphabet); }
+    std::string operator()(const std::shared_ptr<const SourceSystem>& value) const {
+        return system_text(*value, alphabet);
+    }
+    std::string operator()(const Morphism& value) const {
+        return algae::to_string(value, alphabet);
+    }
+    std::string operator()(const std::vector<std::pair<Symbol, std::vector<Word>>>& value) const {
+        return "{ " +
+               joined(value, "; ",
+                      [&](const auto& one) {
+                          return alphabet.name(one.first) + " -> " +
+                                 algae::to_string(words_language(one.second), alphabet);
+                      }) +
+               " }";
+    }
+    std::string operator()(const Word& value) const { return spell(alphabet, value); }
+    std::string operator()(const Integer& value) const { return algae::to_string(value); }
+};
 class Sentences {
 public:
     explicit Sentences(const Alphabet& alphabet) : alphabet_(alphabet) {}
@@ -446,7 +469,55 @@ public:
     }
     void operator()(const steps::Constructed& said) { say(construction(said.tables)); }
 
+    // --- Several statements, and statements about all values ---
+
+    void operator()(const steps::FromStatements& said) {
+        for (const steps::FromStatements::Known& part : said.parts) {
+            say(part.text + (part.answer.truth == Truth::proved ? ":" : " does not hold:"));
+            indent(of(part.answer));
+        }
+    }
+    void operator()(const steps::ByInstance& said) {
+        say("The " + std::string(said.searched.undecided == 0 ? "least " : "") + kind_of(said) +
+            " is " + values(said) + ", of size " + number(said.size) + before(said.searched) + ".");
+        argue(said);
+        if (!said.other) return;
+        say("The first " + kind_of(said) + " whose language has a word that is not empty is " +
+            values(*said.other) + ", of size " + number(said.other->size) + ".");
+        argue(*said.other);
+    }
+    void operator()(const steps::ByCases& said) {
+        say("Each of the " + number(said.instances) + " instances was decided.");
+    }
+
 private:
+    static std::string kind_of(const steps::ByInstance& said) {
+        return said.universal ? "counterexample" : "example";
+    }
+    static std::string before(const Searched& searched) {
+        if (searched.undecided == 0) return "";
+        return "; " + counted(searched.undecided, "smaller instance") +
+               (searched.undecided == 1 ? " is" : " are") + " undecided";
+    }
+    void argue(const steps::ByInstance& said) {
+        for (const Answer& member : said.members) indent(of(member));
+        for (const Answer& condition : said.conditions) indent(of(condition));
+        indent(of(said.body));
+    }
+    void indent(const Lines& lines) {
+        for (const std::string& line : lines) say("  " + line);
+    }
+
+    std::string values(const steps::ByInstance& said) const {
+        return joined(said.values, ", ", [&](const BoundValue& value) {
+            const std::string text = std::visit(ValueText{alphabet_}, value.is);
+            // What a system is is said in words.
+            return std::holds_alternative<std::shared_ptr<const SourceSystem>>(value.is)
+                       ? marked(value.name) + " = " + text
+                       : marked(value.name + " = " + text);
+        });
+    }
+
     void say(std::string line) { lines_.push_back(std::move(line)); }
     void add(const Proof& proof) {
         const Lines more = of(proof);
@@ -611,6 +682,17 @@ std::vector<std::string> sentences(const Answer& answer, const Alphabet& alphabe
 
 Judgement in_sentences(const Answer& answer, const Alphabet& alphabet) {
     return {answer.truth, sentences(answer, alphabet)};
+}
+
+std::vector<std::pair<std::string, std::string>> witness_of(const Answer& answer,
+                                                            const Alphabet& alphabet, bool other) {
+    std::vector<std::pair<std::string, std::string>> values;
+    const auto* said = answer.proof ? std::get_if<steps::ByInstance>(&answer.proof->step) : nullptr;
+    if (said && other) said = said->other.get();
+    if (!said) return values;
+    for (const BoundValue& value : said->values)
+        values.emplace_back(value.name, std::visit(ValueText{alphabet}, value.is));
+    return values;
 }
 
 }  // namespace algae

@@ -152,12 +152,20 @@ LanguageOperand combined_operand(Kind kind, std::vector<LanguageOperand> parts, 
     return out;
 }
 
+/// Whether a bound name stands in the language, whose letters are known of no instance.
+bool is_open(const Language& language) {
+    return language->variable || (language->system && language->system->variable) ||
+           std::any_of(language->parts.begin(), language->parts.end(), is_open);
+}
+
 /// The words that are not in the language, over the letters that the claim declares or else those of the
 /// language. Throws `SyntaxError` if there are none, or it has others.
 LanguageOperand complement_operand(LanguageOperand part, const ClaimReading& reading,
                                    const char* where) {
     LanguageOperand out = measured({part}, where);
-    std::vector<Symbol> letters = letters_of(part.language);
+    // Without `alphabet`, the letters of an instance are found when it is put in.
+    std::vector<Symbol> letters =
+        is_open(part.language) ? std::vector<Symbol>() : letters_of(part.language);
     if (!reading.declared.empty()) {
         for (const Symbol letter : letters)
             if (!std::binary_search(reading.declared.begin(), reading.declared.end(), letter))
@@ -166,7 +174,7 @@ LanguageOperand complement_operand(LanguageOperand part, const ClaimReading& rea
                                reading.alphabet->name(letter)};
         letters = reading.declared;
     }
-    if (letters.empty())
+    if (letters.empty() && !is_open(part.language))
         throw SyntaxError{where,
                           "expected a language with letters after '~', found one without; "
                           "'alphabet a b' says what letters there are"};
@@ -174,10 +182,37 @@ LanguageOperand complement_operand(LanguageOperand part, const ClaimReading& rea
     return out;
 }
 
+/// A morphism on its way from a text, or the number of the bound name that is one.
+struct MorphismOperand {
+    Morphism morphism = {};
+    std::optional<std::size_t> variable = {};
+};
+
+/// The image, or inverse image, of a language under a bound morphism.
+LanguageOperand bound_operand(Kind kind, LanguageOperand part, std::size_t variable,
+                              std::string_view name, ClaimReading& reading) {
+    LanguageOperand out = measured({part}, name.data());
+    MorphismUse& use = reading.uses[variable];
+    (kind == Kind::image ? use.applied : use.inverse) = true;
+    if (use.applied && use.inverse)
+        throw SyntaxError{name.data(), "expected " + quoted(name) +
+                                           " or its inverse, found both in one statement; bind a "
+                                           "second name for the inverse"};
+    LanguageTree tree;
+    tree.kind = kind;
+    tree.parts = {std::move(part.language)};
+    tree.variable = BoundName{variable, std::string(name)};
+    out.language = std::make_shared<const LanguageTree>(std::move(tree));
+    return out;
+}
+
 /// The image of the language under a morphism; `name` is what the text calls that. Throws `SyntaxError` if
 /// a letter of the language has no image.
-LanguageOperand image_operand(LanguageOperand part, const Morphism& morphism, std::string_view name,
-                              const ClaimReading& reading) {
+LanguageOperand image_operand(LanguageOperand part, const MorphismOperand& by,
+                              std::string_view name, ClaimReading& reading) {
+    if (by.variable)
+        return bound_operand(Kind::image, std::move(part), *by.variable, name, reading);
+    const Morphism& morphism = by.morphism;
     LanguageOperand out = measured({part}, name.data());
     for (const Symbol letter : letters_of(part.language))
         if (!morphism.maps(letter))
@@ -189,10 +224,12 @@ LanguageOperand image_operand(LanguageOperand part, const Morphism& morphism, st
     return out;
 }
 
-LanguageOperand inverse_image_operand(LanguageOperand part, const Morphism& morphism,
-                                      const char* where) {
-    LanguageOperand out = measured({part}, where);
-    out.language = inverse_image_language(std::move(part.language), morphism);
+LanguageOperand inverse_image_operand(LanguageOperand part, const MorphismOperand& by,
+                                      std::string_view name, ClaimReading& reading) {
+    if (by.variable)
+        return bound_operand(Kind::inverse_image, std::move(part), *by.variable, name, reading);
+    LanguageOperand out = measured({part}, name.data());
+    out.language = inverse_image_language(std::move(part.language), by.morphism);
     return out;
 }
 
@@ -321,7 +358,7 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
     OperatorStack<LanguageOperand> stack;
     std::size_t signs = 0;  // `~` next to each other
     std::string_view name;  // of what stands last
-    Morphism morphism;
+    MorphismOperand morphism;
 
     const auto combine = [](Kind kind, std::string_view at) {
         return
@@ -356,8 +393,8 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
         });
     });
     const auto on_inverse_image = told([&](std::string_view at) {
-        open(at, [morphism, name](Parts parts) {
-            return inverse_image_operand(std::move(parts[0]), morphism, name.data());
+        open(at, [&reading, morphism, name](Parts parts) {
+            return inverse_image_operand(std::move(parts[0]), morphism, name, reading);
         });
     });
     const auto on_close = [&](auto&) { stack.close(); };
@@ -369,13 +406,19 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
         name = grammar::text_of(x3::_attr(c));
         const ClaimName& known = reading.expect(name);
         x3::_pass(c) = known.kind == ClaimName::Kind::morphism;
-        if (x3::_pass(c)) morphism = known.morphism;
+        if (x3::_pass(c)) morphism = {known.morphism, known.variable};
     };
     const auto on_name = told([&](std::string_view text) {
         const ClaimName& known = reading.expect(text);
         if (known.kind == ClaimName::Kind::system)
             throw SyntaxError{text.data(), "expected a language, found the system " + quoted(text) +
                                                "; its language is L(" + std::string(text) + ")"};
+        if (known.kind != ClaimName::Kind::language)
+            throw SyntaxError{text.data(),
+                              "expected a language, found " + quoted(text) +
+                                  (known.kind == ClaimName::Kind::word
+                                       ? ", a word; its language is {" + std::string(text) + "}"
+                                       : ", which is none")};
         stack.operand(known.language);
     });
     const auto on_system = told([&](std::string_view text) { name = text; });
@@ -385,7 +428,7 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
     const auto braces_of_morphism = ByHand([&](const char*& first, const char* last) {
         if (!is_morphism(first, last)) return false;
         name = between(first, last);
-        morphism = parse_morphism(first, last, reading);
+        morphism = {parse_morphism(first, last, reading), {}};
         return true;
     });
     const auto set = ByHand([&](const char*& first, const char* last) {

@@ -168,6 +168,10 @@ std::string kind_text(ClaimName::Kind kind) {
             return "a system";
         case ClaimName::Kind::morphism:
             return "a morphism";
+        case ClaimName::Kind::word:
+            return "a word";
+        case ClaimName::Kind::number:
+            return "a number";
         case ClaimName::Kind::rewriting:
             return "a system with probabilities, parameters or contexts of trees, of which claims "
                    "say what "
@@ -187,18 +191,50 @@ ClaimReading::ClaimReading(const Source& text_source, Findings& text_findings,
       alphabet(std::make_shared<Alphabet>()),
       lexicon(*alphabet) {}
 
+namespace {
+
+void check_name(std::string_view name) {
+    const auto& keywords = claim_keywords();
+    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end() || system_form(name) ||
+        is_rewriting_family(name))
+        throw SyntaxError{name.data(),
+                          "expected another name, " + quoted(name) + " has a meaning in claims"};
+}
+
+}  // namespace
+
 ClaimName& ClaimReading::define(std::string_view name) {
     const auto [entry, is_new] = names_.try_emplace(std::string(name));
     if (!is_new)
         throw SyntaxError{name.data(), quoted(name) + " is defined twice, first in line " +
                                            std::to_string(source.place(entry->second.where).line)};
     entry->second.where = name.data();
-    const auto& keywords = claim_keywords();
-    if (std::find(keywords.begin(), keywords.end(), name) != keywords.end() || system_form(name) ||
-        is_rewriting_family(name))
-        throw SyntaxError{name.data(),
-                          "expected another name, " + quoted(name) + " has a meaning in claims"};
+    check_name(name);
     return entry->second;
+}
+
+ClaimName& ClaimReading::bind(std::string_view name) {
+    check_name(name);
+    const auto [entry, is_new] = names_.try_emplace(std::string(name));
+    hidden_.push_back(
+        {std::string(name), is_new ? std::nullopt : std::optional(std::move(entry->second))});
+    entry->second = {};
+    entry->second.where = name.data();
+    entry->second.end = name.data() + name.size();
+    entry->second.variable = uses.size();
+    uses.emplace_back();
+    binds = true;
+    return entry->second;
+}
+
+void ClaimReading::release(std::size_t bound) {
+    for (; hidden_.size() > bound; hidden_.pop_back()) {
+        auto& [name, meaning] = hidden_.back();
+        if (meaning)
+            names_.at(name) = std::move(*meaning);
+        else
+            names_.erase(name);
+    }
 }
 
 const ClaimName* ClaimReading::find(std::string_view name) const {

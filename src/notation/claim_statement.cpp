@@ -410,7 +410,7 @@ std::vector<std::string> written_statements() {
     return all;
 }
 
-Statement parse_statement(std::string_view text, ClaimReading& reading) {
+Statement parse_single_statement(std::string_view text, ClaimReading& reading) {
     Statement statement;
     statement.text = trimmed(text);
     statement.place = reading.source.place(text.data());

@@ -326,6 +326,7 @@ public:
                 text_.data() + text_.size(),
                 "expected a title, 'claim TEXT', before the end of the file, found none");
         reading_.findings.throw_if_any();
+        if (reading_.binds) choose_instance_letters();
         reading_.finish();
         claim_.alphabet = reading_.alphabet;
         return std::move(claim_);
@@ -339,6 +340,20 @@ private:
             reading_.findings.gather(read);
         } catch (const DependsOnError&) {  // its cause is among the findings
         }
+    }
+
+    /// The values of bound names are written with a, b, ..., the letters that inverse morphisms lead to with x, y, z.
+    void choose_instance_letters() {
+        for (char c = 'a'; c <= 'z'; ++c) {
+            const Symbol letter = reading_.declare(std::string_view(&c, 1));
+            const auto& bound = reading_.bound_letters;
+            if (std::find(bound.begin(), bound.end(), letter) != bound.end()) continue;
+            (c < 'x' ? claim_.instance_letters : claim_.inverse_letters).push_back(letter);
+        }
+        // More than three letters are rarely asked for; then the others serve, from the last one on.
+        claim_.inverse_letters.insert(claim_.inverse_letters.end(),
+                                      claim_.instance_letters.rbegin(),
+                                      claim_.instance_letters.rend());
     }
 
     void read_alphabet(const ClaimClause& clause) {
@@ -356,18 +371,19 @@ private:
         if (word == "claim" || word == "source" || word == "note") return read_text(clause);
         if (clause.unclosed) throw SyntaxError{clause.unclosed, "'{' is never closed"};
         if (word == "allow") return read_allowance(clause);
-        if (word == "show" || word == "lemma" || word == "refute") return read_claimed(clause);
+        if (word == "show" || word == "lemma" || word == "refute" || word == "theorem")
+            return read_claimed(clause);
         if (is_closure_fact(clause.text)) {
             claim_.closure.push_back(parse_closure_fact(clause.text, reading_));
             return;
         }
-        static const std::vector<std::string> words{"claim",  "source", "note",      "alphabet",
-                                                    "allow",  "let",    "show",      "lemma",
-                                                    "refute", "closed", "not closed"};
+        static const std::vector<std::string> words{"claim",  "source",  "note",   "alphabet",
+                                                    "allow",  "let",     "show",   "lemma",
+                                                    "refute", "theorem", "closed", "not closed"};
         constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
         throw unknown_word(
-            "claim, source, note, alphabet, allow, let, show, lemma, refute or closed", word,
-            reading_.findings.count() < most ? words : std::vector<std::string>());
+            "claim, source, note, alphabet, allow, let, theorem, show, lemma, refute or closed",
+            word, reading_.findings.count() < most ? words : std::vector<std::string>());
     }
 
     void read_text(const ClaimClause& clause) {
@@ -390,9 +406,14 @@ private:
         using Purpose = ClaimedStatement::Purpose;
         std::string_view text = clause.text.substr(clause.keyword.size());
         ClaimedStatement claimed;
-        claimed.purpose = clause.keyword == "show"    ? Purpose::show
-                          : clause.keyword == "lemma" ? Purpose::lemma
-                                                      : Purpose::refute;
+        claimed.purpose = clause.keyword == "show"      ? Purpose::show
+                          : clause.keyword == "lemma"   ? Purpose::lemma
+                          : clause.keyword == "theorem" ? Purpose::theorem
+                                                        : Purpose::refute;
+        if (claimed.purpose == Purpose::theorem) {
+            if (theorem_) throw given_twice(clause.keyword, theorem_, reading_.source);
+            theorem_ = clause.text.data();
+        }
         if (const std::size_t by = find_word(text, "by"); by != std::string_view::npos) {
             const std::string_view citation = trimmed(text.substr(by + 2));
             if (citation.empty())
@@ -416,6 +437,7 @@ private:
     Claim claim_;
     std::vector<std::pair<std::string_view, const char*>> given_;  // texts that stand once
     std::vector<ClaimDefinition> definitions_;
+    const char* theorem_ = nullptr;  // stands there
 };
 
 }  // namespace

@@ -33,7 +33,11 @@ Word Reader::word(const Field& field) const {
     if (rest.empty()) return word;
     for (;;) {
         const std::size_t blank = rest.find(' ');
-        word.push_back(symbol(field, rest.substr(0, blank)));
+        const Symbol letter = symbol(field, rest.substr(0, blank));
+        if (const auto bound = bound_.words.find(letter); bound != bound_.words.end())
+            word.insert(word.end(), bound->second.begin(), bound->second.end());
+        else
+            word.push_back(letter);
         if (blank == std::string_view::npos) return word;
         rest.remove_prefix(blank + 1);
     }
@@ -108,6 +112,8 @@ System Reader::system(const Field& field) const {
 }
 
 NamedSystem Reader::named_system(const Field& field) const {
+    if (const auto bound = bound_.systems.find(field.text()); bound != bound_.systems.end())
+        return {bound->first, bound->second};
     const auto found = systems_.find(field.text());
     if (found == systems_.end()) field.fail("no system is called '" + field.text() + "'");
     return {found->first, found->second};
@@ -149,8 +155,17 @@ Language Reader::language(const Field& field) const {
         const NamedSystem named = named_system(field.at("generated"));
         return generated_by(named.system, named.name);
     }
+    if (field.has("name")) {
+        field.only({"name"});
+        const auto bound = bound_.languages.find(field.at("name").text());
+        if (bound == bound_.languages.end())
+            field.fail("no language is called '" + field.at("name").text() + "'");
+        return bound->second;
+    }
     for (const Operation& each : operations) {
         if (!field.has(each.name)) continue;
+        if (each.with == "morphism" && field.at(each.with).kind() == JsonValue::Kind::text)
+            return bound_image(each.kind, field);
         std::vector<std::string_view> names{each.name};
         if (!each.with.empty()) names.push_back(each.with);
         field.only(names);
@@ -286,6 +301,9 @@ Statement Reader::statement(const Field& field) const {
         read.negated = !read.negated;
         return read;
     }
+    for (const std::string_view kind : {"all of", "any of", "implies", "iff"})
+        if (field.has(kind)) return joint(field, kind);
+    if (field.has("for all") || field.has("for some")) return quantified(field);
     if (of_languages(field, read) || of_pairs(field, read)) return read;
     return of_systems(field, std::move(read));
 }
@@ -597,6 +615,7 @@ std::string morphism_text(const std::map<Symbol, Word>& morphism, const Alphabet
 std::string language_text(const Language& language, const Alphabet& alphabet) {
     const auto part = [&](std::size_t i) { return language_text(language->parts[i], alphabet); };
     std::string text;
+    if (language->kind == Tree::Kind::variable) return language->name;
     if (language->kind == Tree::Kind::generated) return "L(" + language->name + ")";
     if (language->kind == Tree::Kind::words) {
         for (const Word& word : language->words)
@@ -608,7 +627,9 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     if (*operation.between) text += operation.between + part(1);
     text += operation.after;
     if (operation.with == "letters") text += spell(alphabet, language->letters);
-    if (operation.with == "morphism") text += morphism_text(language->morphism, alphabet);
+    if (operation.with == "morphism")
+        text +=
+            language->name.empty() ? morphism_text(language->morphism, alphabet) : language->name;
     return shortened(text);
 }
 
@@ -643,6 +664,38 @@ std::string modules_text(const Modules& word) {
         if (!list.empty()) text += "(" + list + ")";
     }
     return text.empty() ? "ε" : shortened(text);
+}
+
+std::string plain_text(const Statement& statement, const Alphabet& alphabet, bool opposite);
+
+/// "for all 0L languages A, B with (A = B): (A | B) is 0L".
+std::string quantified_text(const Statement& statement, const Alphabet& alphabet) {
+    const Quantified& said = *statement.quantified;
+    std::string text = said.universal ? "for all " : "for some ";
+    for (std::size_t i = 0; i < said.names.size(); ++i) {
+        const Quantified::Name& name = said.names[i];
+        text += (i > 0 ? " and " : "") + name.of + " " + name.name;
+        if (name.size) text += " up to size " + std::to_string(*name.size);
+        if (name.length) text += " with words up to length " + std::to_string(*name.length);
+    }
+    if (said.different_letters) text += " over different letters";
+    if (said.over) text += " over the letters " + spell(alphabet, *said.over);
+    for (std::size_t i = 0; i + 1 < statement.parts.size(); ++i)
+        text += (i > 0 ? " and (" : " with (") +
+                plain_text(statement.parts[i], alphabet, statement.parts[i].negated) + ")";
+    const Statement& body = statement.parts.back();
+    return text + ": " + plain_text(body, alphabet, body.negated);
+}
+
+std::string joint_text(const Statement& statement, const Alphabet& alphabet) {
+    const std::string between = statement.family == "all of"   ? " and "
+                                : statement.family == "any of" ? " or "
+                                                               : " " + statement.family + " ";
+    std::string text;
+    for (const Statement& part : statement.parts)
+        text +=
+            (text.empty() ? "(" : between + "(") + plain_text(part, alphabet, part.negated) + ")";
+    return text;
 }
 
 std::string plain_text(const Statement& statement, const Alphabet& alphabet, bool opposite) {
@@ -700,6 +753,10 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    (statement.kind == Kind::dimension ? "dimension" : "boundary's dimension") +
                    " of " + statement.family + " is " + no + (statement.at_most ? "at most " : "") +
                    statement.formula->text();
+        case Kind::joint:
+            return (opposite ? "not: " : "") + joint_text(statement, alphabet);
+        case Kind::quantified:
+            return (opposite ? "not " : "") + quantified_text(statement, alphabet);
         case Kind::growth_class:
             break;
     }

@@ -85,6 +85,13 @@ const std::vector<Method>& methods() {
         {"terms", {Kind::growth_formula}, holds, {"terms"}, check_formula_terms},
         {"generation", {Kind::growth_formula}, fails, {"generation"}, check_formula_fails},
         {"components", {Kind::growth_class}, either, {}, check_growth_class},
+        {"parts", {Kind::joint}, either, {"parts"}, check_parts},
+        {"instance",
+         {Kind::quantified},
+         either,
+         {"values", "members", "with", "proof"},
+         check_instance},
+        {"cases", {Kind::quantified}, either, {"instances"}, check_all_instances},
     };
     return all;
 }

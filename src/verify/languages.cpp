@@ -118,9 +118,11 @@ Derivatives::Term Derivatives::convert(const Tree& tree, bool reversed) {
         }
         case Tree::Kind::image:
         case Tree::Kind::inverse_image:
+            return convert_morphism(tree, reversed);
+        case Tree::Kind::variable:
             break;
     }
-    return convert_morphism(tree, reversed);
+    throw Error("a bound name has no words");
 }
 
 Derivatives::Term Derivatives::convert_morphism(const Tree& tree, bool reversed) {
@@ -399,9 +401,11 @@ private:
                 return image && in(tree.parts[0], *image);
             }
             case Tree::Kind::image:
+                return image(tree, word);
+            case Tree::Kind::variable:
                 break;
         }
-        return image(tree, word);
+        throw Error("a bound name has no words");
     }
 
     bool generated(const System& system, const Word& word) const {
@@ -789,9 +793,11 @@ public:
                 if (const auto part = tried(tree.parts[0])) return preimages(*part, tree.morphism);
                 return regular(language);
             case Tree::Kind::complement:
+                return regular(language);
+            case Tree::Kind::variable:
                 break;
         }
-        return regular(language);
+        throw Error("a bound name has no words");
     }
 
 private:

@@ -234,12 +234,13 @@ struct Tree {
         reversal,
         complement,
         image,
-        inverse_image
+        inverse_image,
+        variable  // a bound name without a value
     };
     Kind kind = Kind::words;
     std::vector<Word> words;               // in shortlex order, each once
-    std::shared_ptr<const System> system;  // of `generated`
-    std::string name;                      // of the system
+    std::shared_ptr<const System> system;  // of `generated`; null for a bound name without a value
+    std::string name;                      // of the system, or bound
     std::vector<Language> parts;
     std::vector<Symbol> letters;      // of a complement, increasing
     std::map<Symbol, Word> morphism;  // of an image or inverse image
@@ -261,6 +262,20 @@ struct NamedSystem {
     std::shared_ptr<const System> system;
 };
 
+/// A statement about all values of bound names, or some. Its conditions and its body are read again for each instance.
+struct Quantified {
+    struct Name {
+        std::string name, of;                       // what it ranges over: "0L languages"
+        std::optional<std::uint64_t> size, length;  // at most: of the value, of each word
+    };
+    bool universal = true;
+    std::vector<Name> names;
+    bool different_letters = false;
+    std::optional<std::vector<Symbol>> over;
+    std::vector<Field> conditions;
+    std::vector<Field> body;  // one
+};
+
 /// A statement, without any "not" in front of it.
 struct Statement {
     enum class Kind {
@@ -279,7 +294,9 @@ struct Statement {
         growth_formula,
         growth_class,
         dimension,
-        boundary
+        boundary,
+        joint,
+        quantified
     };
     Kind kind = Kind::family;
     bool negated = false;
@@ -296,6 +313,9 @@ struct Statement {
     Modules modules;
     std::optional<Modules> modules_from;
     std::optional<Rational> probability;
+    std::vector<Statement>
+        parts;  // joined as `family` says; of a quantified statement, conditions and body as they stand
+    std::shared_ptr<const Quantified> quantified;
 };
 
 /// One statement of a certificate and its verdict.
@@ -325,6 +345,16 @@ struct Certificate {
 std::unique_ptr<const Certificate> read_certificate(const std::string& text,
                                                     const std::string& file);
 
+/// What bound names stand for while a quantified statement is read; those without a value stay names.
+struct BoundNames {
+    using Images = std::map<Symbol, std::vector<Word>>;
+
+    std::map<std::string, Language> languages;
+    std::map<std::string, std::shared_ptr<const System>> systems;
+    std::map<std::string, std::optional<Images>> morphisms;
+    std::map<Symbol, Word> words;  // by the letter that a bound word is in texts
+};
+
 /// Reads the parts of a certificate. All functions throw Error if the text is not as CERTIFICATES.md says.
 class Reader {
 public:
@@ -345,6 +375,11 @@ public:
     NamedSystem named_system(const Field& field) const;
     Language language(const Field& field) const;
     Statement statement(const Field& field) const;
+    /// The images of letters, as a certificate has those of a morphism or a substitution.
+    BoundNames::Images images(const Field& field, bool several) const;
+
+    /// A reader that knows these names besides its own.
+    Reader with(const BoundNames& names) const;
 
 private:
     Symbol symbol(const Field& field, std::string_view name) const;
@@ -358,7 +393,11 @@ private:
     Statement of_modules(const Field& field, Statement read) const;
     Statement of_dimension(const Field& field, Statement read) const;
     Statement of_systems(const Field& field, Statement read) const;
+    Statement joint(const Field& field, std::string_view kind) const;
+    Statement quantified(const Field& field) const;
+    Language bound_image(Tree::Kind kind, const Field& field) const;
 
+    BoundNames bound_;
     const Alphabet& alphabet_;
     const Systems& systems_;
     const Rewritings& rewritings_;

@@ -18,26 +18,31 @@ const std::string cited = "claim star\nlet A = {aa, aaa}\nshow A* is not 0L by a
 }  // namespace
 
 TEST_CASE(
-    "check ends with 0, 1 or 3: all stand, one is wrong, none is wrong and one is undecided") {
+    "check ends with 0, 1 or 3: all hold, one fails, none fails and one is undecided or cited") {
     const Scratch files;
     const Run stands = run("check " + files.file("right.claim", right));
     CHECK(stands.status == 0);
-    CHECK(stands.out == "proved     powers of two\n");
+    CHECK(stands.out == "claim powers of two\n  examples: 2 of 2 hold\n");
     const std::string file = files.file("wrong.claim", wrong);
     const Run refuted = run("check " + file);
     CHECK(refuted.status == 1);
-    CHECK(refuted.out.starts_with("WRONG      one letter\n    " + file +
-                                  ":3:6: {a, aa} is 0L: WRONG\n        {a, aa} is not 0L.\n"));
+    CHECK(refuted.out.starts_with("claim one letter\n  examples: 1 of 2 hold\n    " + file +
+                                  ":3:6: {a, aa} is 0L: refuted\n        {a, aa} is not 0L.\n"));
     const std::string undecided = files.file("open.claim", open);
     const Run tried = run("check " + undecided);
     CHECK(tried.status == 3);
-    CHECK(tried.out == "undecided  star\n    " + undecided +
+    CHECK(tried.out == "claim star\n  examples: 0 of 1 hold\n    " + undecided +
                            ":3:6: A* is 0L: undecided\n"
                            "        A* was not found to be finite; that no 0L system does is "
                            "decided for finite languages only\n");
-    const Run source = run("check " + files.file("cited.claim", cited));
-    CHECK(source.status == 0);
-    CHECK(source.out == "cited      star\n");
+    const std::string book = files.file("cited.claim", cited);
+    const Run source = run("check " + book);
+    CHECK(source.status == 3);
+    CHECK(source.out == "claim star\n  examples: 0 of 1 hold\n    " + book +
+                            ":3:6: A* is not 0L: cited\n        a book\n");
+    CHECK(run("check --accept cited " + book).status == 0);
+    CHECK(run("check --accept all " + book).err ==
+          "algae: --accept: expected 'cited', found 'all'\n");
 }
 
 TEST_CASE("check of a dimension within a time says that it is over, and nothing of the rules") {
@@ -61,19 +66,21 @@ TEST_CASE("check of a folder counts its claims, those in folders of it too, and 
     files.file("d.txt", "no claim");
     const Run found = run("check " + files.path().string());
     CHECK(found.status == 1);
-    CHECK(found.out.starts_with("proved     powers of two\nWRONG      one letter\n"));
-    CHECK(found.out.ends_with("3 claims: 1 proved, 0 cited, 1 undecided, 1 wrong\n"));
+    CHECK(
+        found.out.starts_with("claim powers of two\n  examples: 2 of 2 hold\nclaim one letter\n"));
+    CHECK(found.out.ends_with("3 claims: 1 examples, 1 undecided, 1 refuted\n"));
 }
 
 TEST_CASE("check --json tells claims, statements, verdicts and arguments") {
     const Scratch files;
     const Run found = run("check --json " + files.file("right.claim", right) + " " +
                           files.file("cited.claim", cited));
-    CHECK(found.status == 0);
+    CHECK(found.status == 3);
     const json claims = json::parse(found.out)["claims"];
     CHECK(claims.size() == 2);
     CHECK(claims[0]["claim"] == "powers of two");
-    CHECK(claims[0]["verdict"] == "proved");
+    CHECK(claims[0]["verdict"] == "examples");
+    CHECK(claims[0]["examples"] == json{{"hold", 2}, {"of", 2}});
     const json statements = json::parse(R"json([
         {"text": "aaaa in L(G)", "verdict": "proved", "argument": ["aaaa is in L(G): a => aa => aaaa."]},
         {"text": "aaa in L(G)", "verdict": "refuted", "argument":
@@ -114,14 +121,14 @@ TEST_CASE("check --explain tells definitions, and separates claims") {
                          files.file("a.claim", "claim T\nallow empty axiom\nshow {ε} is 0L\n") +
                          " " + files.file("b.claim", "claim U\nnote Words.\nshow {a} is finite\n"));
     CHECK(page.status == 0);
-    CHECK(page.out ==
-          "T\n\nSystems may have the empty word as axiom.\n\n1. {ε} is 0L: proved.\n   The system "
-          "with axiom ε generates it.\n"
-          "\n" +
-              std::string(100, '=') +
-              "\n\n"
-              "U\n\nWords.\n\n1. {a} is finite: proved.\n   {a} has 1 word.\n2 claims: 2 proved, 0 "
-              "cited, 0 undecided, 0 wrong\n");
+    CHECK(
+        page.out ==
+        "T\n\nSystems may have the empty word as axiom.\n\n1. {ε} is 0L: proved.\n   The system "
+        "with axiom ε generates it.\n"
+        "\n" +
+            std::string(100, '=') +
+            "\n\n"
+            "U\n\nWords.\n\n1. {a} is finite: proved.\n   {a} has 1 word.\n2 claims: 2 examples\n");
 }
 
 TEST_CASE("check --certificate writes what verify checks") {
@@ -190,7 +197,7 @@ TEST_CASE("check refuses what it cannot read or write, and leaves no file behind
 TEST_CASE("check reads standard input") {
     const Run found = run("check -", "printf 'claim T; show {a} is 0L' |");
     CHECK(found.status == 0);
-    CHECK(found.out == "proved     T\n");
+    CHECK(found.out == "claim T\n  examples: 1 of 1 hold\n");
 }
 
 TEST_CASE("check and its folders know the theory that comes with algae, wherever it runs") {
@@ -198,13 +205,13 @@ TEST_CASE("check and its folders know the theory that comes with algae, wherever
     const std::string there = "cd '" + files.path().string() + "' &&";
     const Run all = run("check theory/finite", there);
     CHECK(all.status == 0);
-    CHECK(all.out.ends_with(" claims: 11 proved, 0 cited, 0 undecided, 0 wrong\n"));
+    CHECK(all.out.ends_with("\n11 claims: 11 examples\n"));
     const Run one = run("check theory/closure/union-not-0l.claim --certificate c.json", there);
     CHECK(one.status == 0);
     CHECK(std::filesystem::exists(files.file("c.json")));
     std::filesystem::create_directory(files.path() / "theory");
     files.file("theory/own.claim", right);  // a folder of one's own comes first
-    CHECK(run("check theory", there).out == "proved     powers of two\n");
+    CHECK(run("check theory", there).out == "claim powers of two\n  examples: 2 of 2 hold\n");
     const Run none = run("check theory/finite", there);
     CHECK(none.status == 0);
     const Run missing = run("check no-theory", there);

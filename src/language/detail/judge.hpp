@@ -73,6 +73,9 @@ nlohmann::ordered_json to_json(const LSystem& system);
 /// The expression that a name stands for.
 std::string unnamed_text(const Language& language, const Alphabet& alphabet);
 
+/// A system as sentences speak of it: "the 0L system with axiom a; a -> ab | ε".
+std::string system_text(const SourceSystem& system, const Alphabet& alphabet);
+
 /// A system whose words are derived module by module as sentences speak of it: "the parametric D0L system
 /// with axiom A(1); A(x) : x < 3 -> A(x+1)", constants behind.
 std::string rewriting_text(const LSystem& system);
@@ -161,5 +164,16 @@ bool exceeds_plane(const ExactDimension& found);
 
 /// The same of the boundary of a limit set with interior points.
 Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget = {});
+
+// --- Judges of statements made of others ---
+
+/// Whether the statement holds for all values, or for some: by the first instance that decides it, or by all of them
+/// where the bounds leave finitely many. Throws what budget.check throws.
+Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
+                        const SearchLimits& limits);
+
+/// Several statements as one, in three-valued logic.
+Answer judge_joint(const Joint& said, const Claim& claim, const Budget& budget,
+                   const SearchLimits& limits);
 
 }  // namespace algae

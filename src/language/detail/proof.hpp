@@ -53,6 +53,17 @@ struct Repeated {
     bool one_table = true;
 };
 
+/// What stands in the place of a bound name: a language, a system, a morphism, a finite substitution, a word (a letter is
+/// one) or a number.
+struct BoundValue {
+    std::size_t variable = 0;
+    std::string name;
+    std::optional<Symbol> letter;  // by which it stands in texts
+    std::variant<Language, std::shared_ptr<const SourceSystem>, Morphism,
+                 std::vector<std::pair<Symbol, std::vector<Word>>>, Word, Integer>
+        is;
+};
+
 namespace steps {
 
 // --- The words of finite languages ---
@@ -456,24 +467,59 @@ struct Constructed {
     TableValue tables;
 };
 
+// --- Several statements, and statements about all values ---
+
+/// What is known of parts decides the whole.
+struct FromStatements {
+    struct Known {
+        std::size_t index = 0;
+        std::string text;  // of the part
+        Answer answer;
+    };
+    Joint::Kind kind = Joint::Kind::all;
+    std::vector<Known> parts;
+};
+
+/// The values of an instance meet the conditions, and of them the body is true (an example) or false (a
+/// counterexample).
+struct ByInstance {
+    bool universal = true;
+    std::vector<BoundValue> values;
+    std::uint64_t size = 0;
+    std::vector<Answer> members;  // of those names that range over languages of a family
+    std::vector<Answer> conditions;
+    Statement statement;  // the body with the values
+    Answer body;
+    Searched searched = {};
+    std::shared_ptr<const ByInstance> other =
+        {};  // a larger one whose language has a word that is not empty
+};
+
+/// Every instance was decided.
+struct ByCases {
+    static constexpr const char* rule = "cases";
+    Quantified statement;
+    std::uint64_t instances = 0;  // that meet the conditions
+};
+
 }  // namespace steps
 
 struct Proof {
-    std::variant<steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
-                 steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
-                 steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives,
-                 steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops,
-                 steps::Likely, steps::SameSequence, steps::OtherSequence, steps::SameGrowth,
-                 steps::OtherGrowth, steps::FollowsFormula, steps::LeavesFormula, steps::Grows,
-                 steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
-                 steps::OtherValues, steps::SameAutomata, steps::NothingOutside,
-                 steps::Distinguished, steps::SameDeterministic, steps::WithinRegular,
-                 steps::ByInduction, steps::BothInclusions, steps::Counted, steps::NoWord,
-                 steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
-                 steps::InfiniteRound, steps::InfiniteTables, steps::Pumped, steps::InfinitePart,
-                 steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
-                 steps::RegularOperations, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
-                 steps::GeneratedBy, steps::OfReversal, steps::Constructed>
+    std::variant<
+        steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
+        steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
+        steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives, steps::DerivesNot,
+        steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely, steps::SameSequence,
+        steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth, steps::FollowsFormula,
+        steps::LeavesFormula, steps::Grows, steps::LimitSet, steps::Identical, steps::SameValues,
+        steps::ValuesWithin, steps::OtherValues, steps::SameAutomata, steps::NothingOutside,
+        steps::Distinguished, steps::SameDeterministic, steps::WithinRegular, steps::ByInduction,
+        steps::BothInclusions, steps::Counted, steps::NoWord, steps::FiniteConstruction,
+        steps::FoundWord, steps::Disjoint, steps::NoTerminals, steps::InfiniteRound,
+        steps::InfiniteTables, steps::Pumped, steps::InfinitePart, steps::InfiniteSize,
+        steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations, steps::HasEmptyWord,
+        steps::Sparse, steps::FiniteFamily, steps::GeneratedBy, steps::OfReversal,
+        steps::Constructed, steps::FromStatements, steps::ByInstance, steps::ByCases>
         step;
 };
 

@@ -26,7 +26,7 @@ struct LanguageOperand {
 
 /// What a name stands for in a claim.
 struct ClaimName {
-    enum class Kind { language, system, rewriting, morphism, broken };
+    enum class Kind { language, system, rewriting, morphism, word, number, broken };
     Kind kind = Kind::broken;     // as long as its definition has not been read
     const char* where = nullptr;  // it begins, with the name
     const char* end = nullptr;    // it ends
@@ -35,6 +35,12 @@ struct ClaimName {
     std::shared_ptr<const LSystem> rewriting;
     std::shared_ptr<const Model> written;  // of any system, with its turtle
     Morphism morphism;
+    std::optional<std::size_t> variable = {};  // the number of a bound name
+};
+
+/// How a bound morphism is used, which says what letters it is about.
+struct MorphismUse {
+    bool applied = false, inverse = false;
 };
 
 /// A claim, or a single language, on its way from a text: what the readers of its parts share. They throw
@@ -51,11 +57,20 @@ public:
     Lexicon lexicon;
     std::vector<Symbol> declared;  // by `alphabet`
     std::vector<std::string>
-        long_names;              // the symbols that are read as one because they are declared
-    bool opens_systems = false;  // `L(NAME)` of a name that is not defined opens a system
+        long_names;                 // the symbols that are read as one because they are declared
+    bool opens_systems = false;     // `L(NAME)` of a name that is not defined opens a system
+    std::vector<MorphismUse> uses;  // of bound names, by their numbers
+    std::vector<Symbol> bound_letters;  // by which bound words and letters stand in texts
+    bool binds = false;                 // some statement binds names
 
     /// Makes a name known before its definition is read. Throws if it is known or cannot be a name.
     ClaimName& define(std::string_view name);
+    /// Makes a name known that a quantifier binds, with the next number; it hides a definition of this name. Throws if
+    /// it cannot be a name.
+    ClaimName& bind(std::string_view name);
+    /// How many names are bound here; at the end of a statement those behind that number are forgotten.
+    std::size_t bound() const { return hidden_.size(); }
+    void release(std::size_t bound);
     /// What a name stands for, if it was defined before; nullptr if it was not defined at all.
     const ClaimName* find(std::string_view name) const;
     /// The same; throws with what could have been meant if it was not defined.
@@ -88,6 +103,11 @@ private:
     std::string suggestion(std::string_view name) const;
 
     std::unordered_map<std::string, ClaimName> names_;
+    struct Hidden {
+        std::string name;                  // that is bound
+        std::optional<ClaimName> meaning;  // before
+    };
+    std::vector<Hidden> hidden_;
     std::unordered_map<std::string, std::shared_ptr<const SourceSystem>> opened_;
     std::vector<Owned> systems_;
 };
@@ -122,9 +142,13 @@ DimensionValue parse_dimension_value(const char*& here, const char* end);
 /// The number of these digits, of which there are at most a thousand. Throws `SyntaxError`.
 Integer natural_number(std::string_view digits);
 
-/// The statement that is the whole of the text: `A is not 0L`, `A == B`, `a in A`, `|A| = 3`,
-/// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
+/// The statement that is the whole of the text: a single one, several joined by `and`, `or`, `implies`, `iff`, `not`, or
+/// `for all ...: ...`. Throws `SyntaxError` or `DependsOnError`.
 Statement parse_statement(std::string_view text, ClaimReading& reading);
+
+/// The single statement that is the whole of the text: `A is not 0L`, `A == B`, `a in A`, `|A| = 3`,
+/// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
+Statement parse_single_statement(std::string_view text, ClaimReading& reading);
 
 /// An example of each form of statements, as NOTATION.md has them, in the order in which the forms are tried.
 std::vector<std::string> written_statements();

@@ -195,6 +195,10 @@ void check_other_length(const Obligation& task);
 void check_formula_terms(const Obligation& task);
 void check_formula_fails(const Obligation& task);
 void check_growth_class(const Obligation& task);
+/// Statements made of others, and quantified ones.
+void check_parts(const Obligation& task);
+void check_instance(const Obligation& task);
+void check_all_instances(const Obligation& task);
 
 /// Checks that a language is infinite, by one of the kinds of proof that show only this.
 void check_infinite(const Obligation& task, const Language& language, const Field& proof);

@@ -1,0 +1,594 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <utility>
+
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
+#include "search/search.hpp"
+
+// Statements about all values of some names, or about some values.
+//
+// The room `search` gives the instances, tuples of values, in a fixed order and each once up to renaming; here an
+// instance is put into the conditions and the body (`Substitution`), and the judges of closed statements decide
+// these. An instance counts if all conditions are proved of it. A counterexample (of `for all`) is one whose body is
+// refuted, an example (of `for some`) one whose body is proved: such an instance is the proof, and it needs nothing
+// of the search. If the domain has bounds and every instance is decided, the statement is decided by cases; without
+// bounds nothing but a witness decides it here. An undecided instance neither refutes nor supports anything; a
+// witness is the least one if no instance before it is undecided.
+//
+// A renaming of letters does not change whether a statement holds, unless it names letters itself, in a word or in a
+// system of the claim. Then each instance is tried under all names: its letters go, in every way, to those that the
+// statement names and to new ones.
+//
+// Languages of a family are searched among finite languages, for which membership in the families of 0L systems is
+// decided; so a counterexample that needs an infinite language is not found, and the verdict is `undecided`.
+//
+// Many counterexamples are empty: {a} & {b} = {} is not 0L, as no system has an empty language. If the least
+// counterexample to `X is FAMILY` has no word but ε, the search goes on for one with such a word, and the argument
+// names both.
+
+namespace algae {
+
+namespace {
+
+using Kind = LanguageTree::Kind;
+using Images = std::vector<std::pair<Symbol, std::vector<Word>>>;
+
+// --- Putting values in the place of bound names ---
+
+/// Replaces the bound names of a statement by values.
+class Substitution {
+public:
+    explicit Substitution(const std::vector<BoundValue>& values) : values_(values) {
+        for (const BoundValue& value : values)
+            if (value.letter) words_.emplace(*value.letter, std::get<Word>(value.is));
+    }
+
+    Statement operator()(const Statement& statement) const {
+        Statement closed = statement;
+        std::visit([&](auto& said) { put(said); }, closed.says);
+        return closed;
+    }
+
+    Language language(const Language& open) const {
+        const LanguageTree& tree = *open;
+        if (tree.kind == Kind::variable) {
+            const BoundValue* value = find(tree.variable->number);
+            return value ? std::get<Language>(value->is) : open;
+        }
+        LanguageTree closed = tree;
+        for (Language& part : closed.parts) part = language(part);
+        for (Word& word : closed.words) word = replaced(word);
+        if (tree.kind == Kind::words) return renamed(words_language(std::move(closed.words)), tree);
+        if (tree.system) closed.system = system(tree.system);
+        if (tree.kind == Kind::complement && tree.letters.empty())
+            closed.letters = letters_of(closed.parts[0]);
+        if (tree.kind == Kind::image || tree.kind == Kind::inverse_image) {
+            const BoundValue* value = tree.variable ? find(tree.variable->number) : nullptr;
+            if (value && std::holds_alternative<Images>(value->is))
+                return substituted(closed.parts[0], std::get<Images>(value->is));
+            if (value) {
+                closed.morphism = std::get<Morphism>(value->is);
+                closed.variable.reset();
+            } else if (!tree.variable) {
+                closed.morphism = replaced(tree.morphism);
+            }
+        }
+        return std::make_shared<const LanguageTree>(std::move(closed));
+    }
+
+private:
+    const BoundValue* find(std::size_t variable) const {
+        for (const BoundValue& value : values_)
+            if (value.variable == variable) return &value;
+        return nullptr;
+    }
+
+    static Language renamed(Language language, const LanguageTree& from) {
+        return from.name.empty() ? language : named(std::move(language), from.name);
+    }
+
+    std::shared_ptr<const SourceSystem> system(
+        const std::shared_ptr<const SourceSystem>& open) const {
+        const BoundValue* value = open->variable ? find(*open->variable) : nullptr;
+        return value ? std::get<std::shared_ptr<const SourceSystem>>(value->is) : open;
+    }
+
+    Word replaced(const Word& word) const {
+        if (words_.empty()) return word;
+        Word all;
+        for (const Symbol a : word) {
+            const auto found = words_.find(a);
+            if (found == words_.end())
+                all.push_back(a);
+            else
+                all.insert(all.end(), found->second.begin(), found->second.end());
+        }
+        return all;
+    }
+
+    Morphism replaced(const Morphism& morphism) const {
+        if (words_.empty()) return morphism;
+        Morphism all;
+        for (const Symbol a : morphism.domain()) all.add(a, replaced(morphism[a]));
+        return all;
+    }
+
+    /// The image of a language under a finite substitution, as an expression.
+    static Language substituted(const Language& language, const Images& images) {
+        const LanguageTree& tree = *language;
+        switch (tree.kind) {
+            case Kind::words: {
+                std::vector<Word> all;
+                for (const Word& word : tree.words) {
+                    std::vector<Word> made{{}};
+                    for (const Symbol a : word) made = products(made, images_of(a, images));
+                    all.insert(all.end(), made.begin(), made.end());
+                }
+                return words_language(std::move(all));
+            }
+            case Kind::united:
+            case Kind::concatenated:
+            case Kind::star:
+            case Kind::plus: {
+                std::vector<Language> parts;
+                for (const Language& part : tree.parts) parts.push_back(substituted(part, images));
+                return combined(tree.kind, std::move(parts));
+            }
+            default:
+                throw Error(
+                    "a finite substitution is applied to finite languages and their union, "
+                    "concatenation and star");
+        }
+    }
+    static const std::vector<Word>& images_of(Symbol letter, const Images& images) {
+        const auto found = std::find_if(images.begin(), images.end(),
+                                        [&](const auto& one) { return one.first == letter; });
+        if (found == images.end()) throw Error("a letter has no image under the substitution");
+        return found->second;
+    }
+    static std::vector<Word> products(const std::vector<Word>& left,
+                                      const std::vector<Word>& right) {
+        std::vector<Word> all;
+        for (const Word& u : left)
+            for (const Word& v : right) {
+                all.push_back(u);
+                all.back().insert(all.back().end(), v.begin(), v.end());
+            }
+        return all;
+    }
+
+    void put(InFamily& said) const { said.language = language(said.language); }
+    void put(IsFinite& said) const { said.language = language(said.language); }
+    void put(IsEmpty& said) const { said.language = language(said.language); }
+    void put(EqualLanguages& said) const { said = {language(said.left), language(said.right)}; }
+    void put(IncludedIn& said) const { said = {language(said.inner), language(said.outer)}; }
+    void put(HasWord& said) const { said = {language(said.language), replaced(said.word)}; }
+    void put(HasSize& said) const { said.language = language(said.language); }
+    void put(Derives& said) const {
+        said.system = system(said.system);
+        said.word = replaced(said.word);
+        if (said.from) said.from = replaced(*said.from);
+    }
+    void put(EqualSequences& said) const { said = {system(said.left), system(said.right)}; }
+    void put(EqualGrowth& said) const { said = {system(said.left), system(said.right)}; }
+    void put(HasGrowthFormula& said) const { said.system = system(said.system); }
+    void put(HasGrowthClass& said) const { said.system = system(said.system); }
+    void put(Rewrites&) const {}
+    void put(HasChance&) const {}
+    void put(HasDimension&) const {}
+    void put(BoundaryHasDimension&) const {}
+    void put(Joint& said) const {
+        for (Statement& part : said.parts) part = (*this)(part);
+    }
+    void put(Quantified& said) const {
+        for (Statement& part : said.conditions) part = (*this)(part);
+        for (Statement& part : said.body) part = (*this)(part);
+    }
+
+    const std::vector<BoundValue>& values_;
+    std::map<Symbol, Word> words_;  // what stands in texts as a letter
+};
+
+// --- The letters that a statement names ---
+
+/// Collects the letters that a statement names itself, outside of bound names.
+class NamedLetters {
+public:
+    explicit NamedLetters(const Quantified& said) {
+        for (const QuantifiedName& binding : said.bindings)
+            if (binding.letter) bound_.insert(*binding.letter);
+        for (const Statement& part : said.conditions) of(part);
+        for (const Statement& part : said.body) of(part);
+        for (const Symbol letter : bound_) found_.erase(letter);
+    }
+
+    std::vector<Symbol> letters() const { return {found_.begin(), found_.end()}; }
+
+private:
+    void of(const Statement& statement) {
+        std::visit([&](const auto& said) { in(said); }, statement.says);
+    }
+    void in(const Word& word) { found_.insert(word.begin(), word.end()); }
+    void in(const Language& language) {
+        const LanguageTree& tree = *language;
+        for (const Language& part : tree.parts) in(part);
+        for (const Word& word : tree.words) in(word);
+        if (tree.kind == Kind::generated) in(tree.system);
+        if (tree.kind == Kind::complement) in(tree.letters);
+        for (const Symbol a : tree.morphism.domain()) {
+            found_.insert(a);
+            in(tree.morphism[a]);
+        }
+    }
+    void in(const std::shared_ptr<const SourceSystem>& system) {
+        if (!system->variable) in(letters_of(generated_language(system)));
+    }
+    void in(const InFamily& said) { in(said.language); }
+    void in(const IsFinite& said) { in(said.language); }
+    void in(const IsEmpty& said) { in(said.language); }
+    void in(const EqualLanguages& said) {
+        in(said.left);
+        in(said.right);
+    }
+    void in(const IncludedIn& said) {
+        in(said.inner);
+        in(said.outer);
+    }
+    void in(const HasWord& said) {
+        in(said.language);
+        in(said.word);
+    }
+    void in(const HasSize& said) { in(said.language); }
+    void in(const Derives& said) {
+        in(said.system);
+        in(said.word);
+        if (said.from) in(*said.from);
+    }
+    void in(const EqualSequences& said) {
+        in(said.left);
+        in(said.right);
+    }
+    void in(const EqualGrowth&) {}
+    void in(const HasGrowthFormula&) {}
+    void in(const HasGrowthClass&) {}
+    void in(const Rewrites&) {}
+    void in(const HasChance&) {}
+    void in(const HasDimension&) {}
+    void in(const BoundaryHasDimension&) {}
+    void in(const Joint& said) {
+        for (const Statement& part : said.parts) of(part);
+    }
+    void in(const Quantified& said) {
+        for (const QuantifiedName& binding : said.bindings)
+            if (binding.letter) bound_.insert(*binding.letter);
+        for (const Statement& part : said.conditions) of(part);
+        for (const Statement& part : said.body) of(part);
+    }
+
+    std::set<Symbol> found_, bound_;
+};
+
+// --- Instances as values over the alphabet of the claim ---
+
+/// The values of an instance, whose letter i is called letters[i].
+class InstanceReader {
+public:
+    InstanceReader(const Quantified& said, const Claim& claim) : said_(said), claim_(claim) {}
+
+    std::vector<BoundValue> values(const Instance& instance,
+                                   const std::vector<Symbol>& letters) const {
+        std::vector<BoundValue> all;
+        for (std::size_t i = 0; i < said_.bindings.size(); ++i) {
+            const QuantifiedName& binding = said_.bindings[i];
+            BoundValue value{said_.first + i, binding.name, binding.letter, {}};
+            value.is = of(instance, i, binding, letters);
+            all.push_back(std::move(value));
+        }
+        return all;
+    }
+
+private:
+    using Of = decltype(BoundValue::is);
+
+    static Word moved(const Word& word, const std::vector<Symbol>& letters) {
+        Word all;
+        for (const Symbol a : word) all.push_back(letters[a]);
+        return all;
+    }
+    static std::vector<Word> moved(const std::vector<Word>& words,
+                                   const std::vector<Symbol>& letters) {
+        std::vector<Word> all;
+        for (const Word& word : words) all.push_back(moved(word, letters));
+        return all;
+    }
+
+    Of of(const Instance& instance, std::size_t i, const QuantifiedName& binding,
+          const std::vector<Symbol>& letters) const {
+        switch (binding.domain.kind) {
+            case Domain::Kind::language:
+                return named(words_language(moved(instance.language(i), letters)), binding.name);
+            case Domain::Kind::system:
+                return system(instance.et0l(i), binding, letters);
+            case Domain::Kind::word:
+                return moved(instance.word(i), letters);
+            case Domain::Kind::letter:
+                return Word{letters[instance.letter(i)]};
+            case Domain::Kind::number:
+                return Integer(instance.number(i));
+            case Domain::Kind::substitution: {
+                Images images;
+                for (const auto& [letter, words] : instance.substitution(i))
+                    images.emplace_back(letters[letter], moved(words, letters));
+                return images;
+            }
+            case Domain::Kind::morphism:
+            case Domain::Kind::inverse_morphism: {
+                const bool inverse = binding.domain.kind == Domain::Kind::inverse_morphism;
+                const Morphism morphism = instance.morphism(i);
+                Morphism named_images;
+                for (const Symbol a : morphism.domain())
+                    named_images.add(inverse ? claim_.inverse_letters.at(a) : letters[a],
+                                     moved(morphism[a], letters));
+                return named_images;
+            }
+        }
+        return {};
+    }
+
+    std::shared_ptr<const SourceSystem> system(const ET0L& instance, const QuantifiedName& binding,
+                                               const std::vector<Symbol>& letters) const {
+        const std::size_t all = claim_.alphabet->size();
+        ET0L moved_system{claim_.alphabet,           moved(instance.axiom, letters), {},
+                          std::vector<char>(all, 1), instance.table_names,           binding.name};
+        for (const Table& table : instance.tables) {
+            Table& target = moved_system.tables.emplace_back(all);
+            for (Symbol a = 0; a < all; ++a) target[a] = {Word{a}};
+            for (Symbol a = 0; a < table.size(); ++a) target[letters[a]] = moved(table[a], letters);
+        }
+        moved_system.table_names.resize(moved_system.tables.size());
+        auto system = std::make_shared<SourceSystem>();
+        system->name = binding.name;
+        system->tables = std::move(moved_system);
+        return system;
+    }
+
+    const Quantified& said_;
+    const Claim& claim_;
+};
+
+/// Calls `use(letters)` with every way to call the `count` letters of an instance: by the letters that the statement
+/// names, each at most once, and by new ones, these in order. Until it says false, which is then the result.
+template <class Use>
+bool each_naming(std::size_t count, const std::vector<Symbol>& fixed,
+                 const std::vector<Symbol>& fresh, Use use) {
+    std::vector<Symbol> letters;
+    std::vector<char> taken(fixed.size(), 0);
+    const auto choose = [&](auto& self, std::size_t next_fresh) -> bool {
+        if (letters.size() == count) return use(letters);
+        for (std::size_t i = 0; i < fixed.size(); ++i) {
+            if (taken[i]) continue;
+            taken[i] = 1;
+            letters.push_back(fixed[i]);
+            if (!self(self, next_fresh)) return false;
+            letters.pop_back();
+            taken[i] = 0;
+        }
+        letters.push_back(fresh.at(next_fresh));
+        const bool more = self(self, next_fresh + 1);
+        letters.pop_back();
+        return more;
+    };
+    return choose(choose, 0);
+}
+
+// --- The search ---
+
+class QuantifiedJudge {
+public:
+    QuantifiedJudge(const Quantified& said, const Claim& claim, const Budget& budget,
+                    const SearchLimits& limits)
+        : said_(said), claim_(claim), budget_(budget), limits_(limits), reader_(said, claim) {
+        for (const QuantifiedName& binding : said.bindings) tuple_.values.push_back(binding.domain);
+        tuple_.disjoint = said.disjoint;
+        if (said.over) {
+            tuple_.over = said.over->size();
+            return;
+        }
+        fixed_ = NamedLetters(said).letters();
+        for (const Symbol letter : claim.instance_letters)
+            if (!std::binary_search(fixed_.begin(), fixed_.end(), letter)) fresh_.push_back(letter);
+        tuple_.letters = fresh_.size();
+    }
+
+    Answer judge() {
+        const bool is_bounded = is_finite(tuple_);
+        const auto greatest = greatest_size(tuple_);
+        const std::uint64_t last_size =
+            is_bounded ? *greatest : std::min(limits_.size, greatest.value_or(limits_.size));
+        searched_.finite_only = std::any_of(
+            said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& name) {
+                return name.domain.kind == Domain::Kind::language &&
+                       name.text != "finite languages" && !name.domain.max_word_length;
+            });
+        searched_.all = is_bounded;
+        for (std::uint64_t size = 0; size <= last_size && !is_over_; ++size) {
+            searched_.size = size;
+            visit(
+                tuple_, size, [&](const Instance& instance) { return look_at(instance); }, budget_);
+        }
+        if (is_stopped_by_limit_) searched_.all = false;
+        if (witness_) return answer_by(*witness_);
+        const bool has_inverse = std::any_of(
+            said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& binding) {
+                return binding.domain.kind == Domain::Kind::inverse_morphism;
+            });
+        // The letters of an inverse morphism's domain are called by new names only.
+        const bool decided = searched_.instances > 0 && searched_.all && !searched_.finite_only &&
+                             searched_.undecided == 0 && (fixed_.empty() || !has_inverse);
+        if (!decided) {
+            Answer open = undecided(text_of_search());
+            open.searched = searched_;
+            return open;
+        }
+        Answer by_cases =
+            algae::decided(said_.universal, steps::ByCases{said_, searched_.instances});
+        by_cases.searched = searched_;
+        return by_cases;
+    }
+
+private:
+    struct Witness {
+        steps::ByInstance step;
+        bool trivial = false;
+    };
+
+    bool look_at(const Instance& instance) {
+        if (searched_.visited == limits_.instances && !searched_.all) {
+            is_over_ = is_stopped_by_limit_ = true;
+            return false;
+        }
+        budget_.check();
+        ++searched_.visited;
+        if (said_.over) return look_at(instance, *said_.over);
+        return each_naming(
+            instance.letters(), fixed_, fresh_,
+            [&](const std::vector<Symbol>& letters) { return look_at(instance, letters); });
+    }
+
+    /// False when the search is over.
+    bool look_at(const Instance& instance, const std::vector<Symbol>& letters) {
+        steps::ByInstance step;
+        step.values = reader_.values(instance, letters);
+        step.size = instance.size();
+        const Substitution substitution(step.values);
+        bool open = false;
+        for (std::size_t i = 0; i < said_.bindings.size(); ++i) {
+            const QuantifiedName& binding = said_.bindings[i];
+            if (binding.family.empty()) continue;
+            Statement member;
+            member.says = InFamily{std::get<Language>(step.values[i].is), binding.family};
+            Answer found = decide(member, claim_, budget_, limits_);
+            if (found.truth == Truth::refuted) return true;
+            open = open || found.truth == Truth::undecided;
+            step.members.push_back(std::move(found));
+        }
+        for (const Statement& condition : said_.conditions) {
+            Answer found = decide(substitution(condition), claim_, budget_, limits_);
+            if (found.truth == Truth::refuted) return true;
+            open = open || found.truth == Truth::undecided;
+            step.conditions.push_back(std::move(found));
+        }
+        if (!open) ++searched_.instances;
+        step.statement = substitution(said_.body.front());
+        step.body = decide(step.statement, claim_, budget_, limits_);
+        const Truth sought = said_.universal ? Truth::refuted : Truth::proved;
+        if (step.body.truth == opposite(sought)) return true;
+        if (open || step.body.truth == Truth::undecided) {
+            if (!witness_) ++searched_.undecided;
+            return true;
+        }
+        const bool trivial = is_trivial(step.statement);
+        return keep({std::move(step), trivial});
+    }
+
+    bool keep(Witness found) {
+        if (!witness_) {
+            searched_.witness = true;
+            witness_searched_ = searched_;
+            witness_ = std::move(found);
+        } else if (!found.trivial) {
+            witness_->step.other = std::make_shared<const steps::ByInstance>(std::move(found.step));
+            return !(is_over_ = true);
+        }
+        return witness_->trivial || !(is_over_ = true);
+    }
+
+    /// Whether the statement is `X is FAMILY` and X has no word but perhaps the empty one.
+    bool is_trivial(const Statement& statement) const {
+        const auto* said = std::get_if<InFamily>(&statement.says);
+        if (!said) return false;
+        const auto value = finite_value(said->language, *claim_.alphabet, budget_);
+        return value && std::all_of(value->words.begin(), value->words.end(),
+                                    [](const Word& word) { return word.empty(); });
+    }
+
+    Answer answer_by(const Witness& witness) const {
+        steps::ByInstance step = witness.step;
+        step.universal = said_.universal;
+        step.searched = witness_searched_;
+        Answer answer = algae::decided(!said_.universal, std::move(step));
+        answer.searched = witness_searched_;
+        return answer;
+    }
+
+    std::string text_of_search() const {
+        const std::string what = said_.universal ? "counterexample" : "example";
+        const std::string languages = searched_.finite_only ? " with finite languages" : "";
+        if (searched_.instances == 0 && searched_.undecided == 0)
+            return "No instance meets the conditions, of " +
+                   counted(searched_.visited, "instance") + languages + " up to size " +
+                   std::to_string(searched_.size) + ".";
+        std::string text = "No " + what + " is among the first " +
+                           std::to_string(searched_.visited) + " instances" + languages +
+                           ", up to size " + std::to_string(searched_.size);
+        if (searched_.instances != searched_.visited)
+            text += ", of which " + std::to_string(searched_.instances) + " meet the conditions";
+        text += searched_.undecided == 0
+                    ? "; each of them is decided."
+                    : "; " + std::to_string(searched_.undecided) + " of them are undecided.";
+        return text;
+    }
+
+    const Quantified& said_;
+    const Claim& claim_;
+    const Budget& budget_;
+    const SearchLimits& limits_;
+    InstanceReader reader_;
+    Tuple tuple_;
+    std::vector<Symbol> fixed_, fresh_;
+    Searched searched_, witness_searched_;
+    std::optional<Witness> witness_;
+    bool is_over_ = false, is_stopped_by_limit_ = false;
+};
+
+}  // namespace
+
+Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
+                        const SearchLimits& limits) {
+    return QuantifiedJudge(said, claim, budget, limits).judge();
+}
+
+// Several statements as one, by three-valued logic: an undecided part decides nothing, but another part may.
+Answer judge_joint(const Joint& said, const Claim& claim, const Budget& budget,
+                   const SearchLimits& limits) {
+    steps::FromStatements step{said.kind, {}};
+    std::vector<std::string> tried;
+    std::vector<Truth> truths;
+    // What decides the whole alone: a refuted part of `all`, a proved one of `any`, and so on.
+    for (std::size_t i = 0; i < said.parts.size(); ++i) {
+        Answer found = decide(said.parts[i], claim, budget, limits);
+        const Truth truth = found.truth;
+        truths.push_back(truth);
+        if (truth == Truth::undecided) {
+            tried.insert(tried.end(), found.tried.begin(), found.tried.end());
+            continue;
+        }
+        const bool decides = said.kind == Joint::Kind::all   ? truth == Truth::refuted
+                             : said.kind == Joint::Kind::any ? truth == Truth::proved
+                             : said.kind == Joint::Kind::implies
+                                 ? truth == (i == 0 ? Truth::refuted : Truth::proved)
+                                 : false;
+        if (decides) step.parts.clear();
+        step.parts.push_back({i, said.parts[i].text, std::move(found)});
+        if (decides) return algae::decided(said.kind != Joint::Kind::all, std::move(step));
+    }
+    if (std::count(truths.begin(), truths.end(), Truth::undecided) > 0)
+        return {Truth::undecided, nullptr, std::move(tried), {}};
+    const bool holds =
+        said.kind == Joint::Kind::all || (said.kind == Joint::Kind::iff && truths[0] == truths[1]);
+    return algae::decided(holds, std::move(step));
+}
+
+}  // namespace algae

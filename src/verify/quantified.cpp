@@ -1,0 +1,369 @@
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <set>
+
+#include "exact/exact.hpp"
+#include "verify/detail/checking.hpp"
+#include "verify/detail/languages.hpp"
+#include "verify/verify.hpp"
+
+// Statements made of others: how they are read, and proofs of them.
+//
+// A statement about all values is shown to be false, and one about some values to be true, by an instance: values
+// for the bound names. Its conditions and its body are read again with these values in the place of the names, which
+// makes statements without bound names; each has a proof of its own. That the values are what the names range over is
+// checked here: by the form of a system, by a look at a morphism, and for languages of a family by one more proof. How
+// the instance was found does not matter, nor that it is the least one; the certificate does not say that.
+
+namespace algae::verify {
+
+Reader Reader::with(const BoundNames& names) const {
+    Reader more = *this;
+    for (const auto& [name, language] : names.languages)
+        more.bound_.languages.insert_or_assign(name, language);
+    for (const auto& [name, system] : names.systems)
+        more.bound_.systems.insert_or_assign(name, system);
+    for (const auto& [name, morphism] : names.morphisms)
+        more.bound_.morphisms.insert_or_assign(name, morphism);
+    for (const auto& [letter, word] : names.words) more.bound_.words.insert_or_assign(letter, word);
+    return more;
+}
+
+BoundNames::Images Reader::images(const Field& field, bool several) const {
+    BoundNames::Images all;
+    for (const auto& [name, image] : field.object()) {
+        std::vector<Word>& of = all[symbol(image, name)];
+        of = several ? words(image) : std::vector<Word>{word(image)};
+        if (of.empty()) image.fail("a letter needs an image");
+    }
+    return all;
+}
+
+namespace {
+
+/// The words that a substitution makes of a word.
+std::vector<Word> substituted(const Word& word, const BoundNames::Images& images,
+                              const Field& where) {
+    std::vector<Word> made{{}};
+    for (const Symbol a : word) {
+        const auto found = images.find(a);
+        if (found == images.end()) where.fail("a letter of the language has no image");
+        std::vector<Word> longer;
+        for (const Word& begun : made)
+            for (const Word& image : found->second) {
+                longer.push_back(begun);
+                longer.back().insert(longer.back().end(), image.begin(), image.end());
+            }
+        made = std::move(longer);
+    }
+    return made;
+}
+
+Language substituted(const Language& language, const BoundNames::Images& images,
+                     const Field& where) {
+    using Kind = Tree::Kind;
+    if (language->kind == Kind::words) {
+        std::vector<Word> all;
+        for (const Word& word : language->words) {
+            const std::vector<Word> made = substituted(word, images, where);
+            all.insert(all.end(), made.begin(), made.end());
+        }
+        return words_of(std::move(all));
+    }
+    static constexpr std::array kept = {Kind::united, Kind::concatenation, Kind::star, Kind::plus};
+    if (std::ranges::count(kept, language->kind) == 0)
+        where.fail("a substitution of this operation is not known");
+    std::vector<Language> parts;
+    for (const Language& part : language->parts) parts.push_back(substituted(part, images, where));
+    return combination(language->kind, std::move(parts));
+}
+
+}  // namespace
+
+Language Reader::bound_image(Tree::Kind kind, const Field& field) const {
+    const std::string& name = field.at("morphism").text();
+    const auto bound = bound_.morphisms.find(name);
+    if (bound == bound_.morphisms.end())
+        field.at("morphism").fail("no morphism is called '" + name + "'");
+    const bool inverse = kind == Tree::Kind::inverse_image;
+    const Language of = language(field.at(inverse ? "inverse image" : "image"));
+    Tree tree;
+    tree.kind = kind;
+    tree.parts = {of};
+    if (!bound->second) {
+        tree.name = name;
+        return std::make_shared<const Tree>(std::move(tree));
+    }
+    const bool several =
+        std::ranges::any_of(*bound->second, [](const auto& one) { return one.second.size() > 1; });
+    if (several && inverse) field.fail("a substitution has no inverse here");
+    if (several) return substituted(of, *bound->second, field);
+    for (const auto& [letter, images] : *bound->second) tree.morphism[letter] = images.front();
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+Statement Reader::joint(const Field& field, std::string_view kind) const {
+    field.only({kind});
+    Statement read;
+    read.kind = Statement::Kind::joint;
+    read.family = kind;
+    for (const Field& part : field.at(kind).list()) read.parts.push_back(statement(part));
+    const bool is_pair = kind == "implies" || kind == "iff";
+    if (read.parts.empty() || (is_pair && read.parts.size() != 2))
+        field.at(kind).fail(is_pair ? "expected two statements" : "expected statements");
+    return read;
+}
+
+namespace {
+
+/// The nouns that names may range over, without the family in front.
+constexpr std::array<std::string_view, 11> plain_domains = {"languages",
+                                                            "finite languages",
+                                                            "words",
+                                                            "letters",
+                                                            "morphisms",
+                                                            "non-erasing morphisms",
+                                                            "codings",
+                                                            "letter-to-letter morphisms",
+                                                            "finite substitutions",
+                                                            "non-erasing finite substitutions",
+                                                            "numbers"};
+
+/// The family in front of the noun: "0L" of "0L languages"; empty where there is none.
+std::string family_of(const std::string& domain, std::string_view noun) {
+    if (std::ranges::count(plain_domains, domain) > 0 || !domain.ends_with(noun)) return {};
+    return domain.substr(0, domain.size() - noun.size());
+}
+
+bool is_morphism_domain(const std::string& of) {
+    return of.ends_with("morphisms") || of == "codings" || of.ends_with("substitutions");
+}
+
+}  // namespace
+
+Statement Reader::quantified(const Field& field) const {
+    auto said = std::make_shared<Quantified>();
+    said->universal = field.has("for all");
+    const std::string_view quantifier = said->universal ? "for all" : "for some";
+    field.only({quantifier, "different letters", "over", "with", "holds"});
+    BoundNames open;
+    for (const Field& each : field.at(quantifier).list()) {
+        each.only({"name", "of", "size", "length"});
+        Quantified::Name name{each.at("name").text(), each.at("of").text(), {}, {}};
+        if (each.has("size")) name.size = each.at("size").number();
+        if (each.has("length")) name.length = each.at("length").number();
+        if (name.of.ends_with("languages")) {
+            Tree tree;
+            tree.kind = Tree::Kind::variable;
+            tree.name = name.name;
+            open.languages[name.name] = std::make_shared<const Tree>(std::move(tree));
+        } else if (name.of.ends_with(" systems")) {
+            open.systems[name.name] = nullptr;
+        } else if (is_morphism_domain(name.of)) {
+            open.morphisms[name.name] = std::nullopt;
+        } else if (name.of == "words" || name.of == "letters") {
+            letter(each.at("name"));
+        } else {
+            each.at("of").fail("expected what a name ranges over, found '" + name.of + "'");
+        }
+        said->names.push_back(std::move(name));
+    }
+    if (said->names.empty()) field.at(quantifier).fail("expected a name");
+    if (field.has("different letters"))
+        said->different_letters = field.at("different letters").truth();
+    if (field.has("over")) said->over = letters(field.at("over"));
+    const Reader inner = with(open);
+    Statement read;
+    read.kind = Statement::Kind::quantified;
+    if (field.has("with")) said->conditions = field.at("with").list();
+    for (const Field& condition : said->conditions)
+        read.parts.push_back(inner.statement(condition));
+    said->body = {field.at("holds")};
+    read.parts.push_back(inner.statement(said->body.front()));
+    read.quantified = std::move(said);
+    return read;
+}
+
+namespace {
+
+/// The value of one name as the certificate has it, checked to be what the name ranges over.
+class Values {
+public:
+    Values(const Obligation& task, const Quantified& said)
+        : task_(task), said_(said), values_(task.proof.at("values")) {
+        std::vector<std::string_view> names;
+        for (const Quantified::Name& name : said.names) names.push_back(name.name);
+        values_.only(names);
+        for (const Quantified::Name& name : said.names) read(name, values_.at(name.name));
+        if (said.different_letters) check_different();
+    }
+
+    const BoundNames& names() const { return read_; }
+    /// The languages that have to be of a family, in the order of the names.
+    const std::vector<Statement>& members() const { return members_; }
+
+private:
+    void read(const Quantified::Name& name, const Field& field) {
+        here_.clear();
+        size_ = 0;
+        if (name.of.ends_with("languages"))
+            read_language(name, field);
+        else if (name.of.ends_with(" systems"))
+            read_system(name, field);
+        else if (is_morphism_domain(name.of))
+            read_morphism(name, field);
+        else
+            read_word(name, field);
+        if (name.size && size_ > *name.size)
+            field.refuse("the value is larger than the bound says");
+        if (said_.over)
+            for (const Symbol letter : here_)
+                if (std::ranges::count(*said_.over, letter) == 0)
+                    field.refuse("the value has a letter that it is not over");
+        if (!is_morphism_domain(name.of)) letters_.push_back(here_);
+    }
+
+    void add(const Word& word, const Quantified::Name& name, const Field& field) {
+        here_.insert(word.begin(), word.end());
+        size_ += word.size() + 1;
+        if (name.length && word.size() > *name.length)
+            field.refuse("a word of the value is longer than the bound says");
+    }
+
+    void read_language(const Quantified::Name& name, const Field& field) {
+        const Language language = task_.reader.language(field);
+        if (language->kind != Tree::Kind::words) field.refuse("expected a finite set of words");
+        for (const Word& word : language->words) add(word, name, field);
+        read_.languages[name.name] = language;
+        const std::string family = family_of(name.of, " languages");
+        if (family.empty()) return;
+        Statement member;
+        member.kind = Statement::Kind::family;
+        member.family = family;
+        member.languages = {language};
+        members_.push_back(std::move(member));
+    }
+
+    void read_system(const Quantified::Name& name, const Field& field) {
+        auto system = std::make_shared<const System>(task_.reader.system(field));
+        const auto why = beyond_form(*system, family_of(name.of, " systems"), false);
+        if (why) field.refuse("the value is no such system: " + *why);
+        for (const Symbol letter : accessible_letters(*system, system->axiom)) {
+            here_.insert(letter);
+            for (const System::Successors& table : system->tables)
+                for (const Word& successor : table[letter]) add(successor, name, field);
+        }
+        add(system->axiom, name, field);
+        size_ -= 1;  // of an axiom only the letters count
+        read_.systems[name.name] = std::move(system);
+    }
+
+    void read_morphism(const Quantified::Name& name, const Field& field) {
+        const bool several = name.of.ends_with("substitutions");
+        BoundNames::Images images = task_.reader.images(field, several);
+        const bool lengthens = name.of.find("non-erasing") != std::string::npos;
+        const bool codes = name.of == "codings" || name.of.starts_with("letter-to-letter");
+        for (const auto& [letter, all] : images)
+            for (const Word& image : all) {
+                if (lengthens && image.empty()) field.refuse("the value erases a letter");
+                if (codes && image.size() != 1)
+                    field.refuse("the image of a letter under the value is not a letter");
+                add(image, name, field);
+            }
+        read_.morphisms[name.name] = std::move(images);
+    }
+
+    void read_word(const Quantified::Name& name, const Field& field) {
+        const Word word = task_.reader.word(field);
+        if (name.of == "letters" && word.size() != 1) field.refuse("the value is not a letter");
+        add(word, name, field);
+        if (name.of == "letters") size_ = 1;
+        const auto letter = task_.alphabet().find(name.name);
+        read_.words[letter.value()] = word;
+    }
+
+    void check_different() const {
+        std::set<Symbol> seen;
+        for (const std::set<Symbol>& letters : letters_)
+            for (const Symbol letter : letters)
+                if (!seen.insert(letter).second)
+                    values_.refuse("two of the values have a letter in common");
+    }
+
+    const Obligation& task_;
+    const Quantified& said_;
+    Field values_;
+    BoundNames read_;
+    std::vector<Statement> members_;
+    std::vector<std::set<Symbol>> letters_;  // of each value but morphisms
+    std::set<Symbol> here_;                  // of one value
+    std::uint64_t size_ = 0;
+};
+
+/// Checks one proof for each statement.
+void check_each(const Obligation& task, const Reader& reader, std::string_view field,
+                const std::vector<Statement>& statements) {
+    if (statements.empty() && !task.proof.has(field)) return;
+    const std::vector<Field> proofs = task.proof.at(field).list();
+    if (proofs.size() != statements.size())
+        task.proof.at(field).refuse("expected " + std::to_string(statements.size()) +
+                                    " proofs, found " + std::to_string(proofs.size()));
+    for (std::size_t i = 0; i < proofs.size(); ++i)
+        check_proof({task.certificate, reader, task.budget, statements[i], !statements[i].negated,
+                     proofs[i]});
+}
+
+}  // namespace
+
+void check_instance(const Obligation& task) {
+    const Quantified& said = *task.statement.quantified;
+    if (said.universal == task.holds) task.wrong_kind();
+    const Values values(task, said);
+    const Reader reader = task.reader.with(values.names());
+    check_each(task, reader, "members", values.members());
+    std::vector<Statement> conditions;
+    for (const Field& condition : said.conditions)
+        conditions.push_back(reader.statement(condition));
+    check_each(task, reader, "with", conditions);
+    const Statement body = reader.statement(said.body.front());
+    check_proof({task.certificate, reader, task.budget, body, body.negated != task.holds,
+                 task.proof.at("proof")});
+}
+
+void check_all_instances(const Obligation& task) {
+    task.proof.at("instances").number();
+    throw BoundReached(Bound::method, "the instances are not enumerated and decided again");
+}
+
+void check_parts(const Obligation& task) {
+    std::vector<std::optional<bool>> known(task.statement.parts.size());
+    for (const Field& each : task.proof.at("parts").list()) {
+        each.only({"part", "holds", "proof"});
+        const std::uint64_t index = each.at("part").number();
+        if (index >= known.size()) each.at("part").refuse("there is no such part");
+        const Statement& part = task.statement.parts[index];
+        const bool holds = each.at("holds").truth();
+        check_proof(task.part(part, holds != part.negated, each.at("proof")));
+        known[index] = holds;
+    }
+    const std::string& joint = task.statement.family;
+    std::optional<bool> whole;  // as far as the parts that are known decide it
+    if (joint == "all of" || joint == "any of") {
+        const bool decisive = joint == "any of";
+        if (std::ranges::count(known, std::optional(decisive)) > 0)
+            whole = decisive;
+        else if (std::ranges::count(known, std::optional<bool>()) == 0)
+            whole = !decisive;
+    } else if (joint == "implies") {
+        if (known[0] == false || known[1] == true)
+            whole = true;
+        else if (known[0] && known[1])
+            whole = false;
+    } else if (known[0] && known[1]) {
+        whole = *known[0] == *known[1];
+    }
+    if (whole != task.holds) task.refuse("the parts that are shown do not decide the statement so");
+}
+
+}  // namespace algae::verify

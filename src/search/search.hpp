@@ -229,7 +229,7 @@ public:
     /// The system of this number, from 0, in the order of `visit`. Throws Error if there are not so many. A few additions for each
     /// letter of the text, behind a table for its number of letters.
     ///
-    /// Example: DeterministicSystems(4).at(4).text() == "a#b#ε"
+    /// Example: DeterministicSystems(4).at(3).text() == "a#b#ε"
     Instance at(const Integer& index) const;
 
     /// Visits those with the numbers from `first` up to `last`, that one not included. False if the visitor stopped it.

@@ -537,6 +537,11 @@ struct ProofWriter {
     Json operator()(const steps::ByCases& said) const {
         return {{"by", said.rule}, {"instances", said.instances}};
     }
+    Json operator()(const steps::ByLetters& said) const {
+        Json letters = Json::object();
+        for (const auto& [name, letter] : said.letters) letters[name] = alphabet.name(letter);
+        return {{"by", "letters"}, {"letters", std::move(letters)}, {"proof", of(said.proof)}};
+    }
     Json proofs(const std::vector<Answer>& all) const {
         Json result = Json::array();
         for (const Answer& one : all) result.push_back(certificate(one, alphabet));

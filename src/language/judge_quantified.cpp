@@ -557,6 +557,7 @@ private:
 
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
                         const SearchLimits& limits) {
+    if (auto found = judge_symbolic(said, claim, budget)) return *found;
     return QuantifiedJudge(said, claim, budget, limits).judge();
 }
 

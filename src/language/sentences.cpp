@@ -489,6 +489,18 @@ public:
     void operator()(const steps::ByCases& said) {
         say("Each of the " + number(said.instances) + " instances was decided.");
     }
+    void operator()(const steps::ByFamilyRules& said) { lines_ = said.lines; }
+    void operator()(const steps::ByLetters& said) {
+        say("It is true if " +
+            joined(said.letters, ", ",
+                   [&](const auto& one) {
+                       return marked(one.first + " = {" + alphabet_.name(one.second) + "}");
+                   }) +
+            ":");
+        indent(of(*said.proof));
+        say("Union, concatenation and star commute with putting any languages in the place of the "
+            "letters, so it is true of all languages.");
+    }
 
 private:
     static std::string kind_of(const steps::ByInstance& said) {

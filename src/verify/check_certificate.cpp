@@ -92,6 +92,8 @@ const std::vector<Method>& methods() {
          {"values", "members", "with", "proof"},
          check_instance},
         {"cases", {Kind::quantified}, either, {"instances"}, check_all_instances},
+        {"families", {Kind::quantified}, holds, {}, check_by_families},
+        {"letters", {Kind::quantified}, holds, {"letters", "proof"}, check_by_letters},
     };
     return all;
 }

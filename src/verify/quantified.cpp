@@ -336,6 +336,112 @@ void check_all_instances(const Obligation& task) {
     throw BoundReached(Bound::method, "the instances are not enumerated and decided again");
 }
 
+namespace {
+
+/// What the names of a universal statement range over.
+class Families {
+public:
+    explicit Families(const Quantified& said) {
+        for (const Quantified::Name& name : said.names) of_[name.name] = name.of;
+    }
+
+    /// Whether the language is of the family, by the form of systems, by finiteness and by reversal.
+    bool shows(const Language& language, const std::string& family) const {
+        if (language->kind == Tree::Kind::reversal)
+            return family != "IL" && shows(language->parts[0], family);
+        if (language->kind != Tree::Kind::variable) return false;
+        const auto found = of_.find(language->name);
+        if (found == of_.end()) return false;
+        static const std::set<std::string> have_all_finite{"E0L", "ET0L", "EDT0L", "REG", "CF"};
+        if (found->second == "finite languages") return have_all_finite.contains(family);
+        std::string from = family_of(found->second, " languages");
+        if (from == "regular") from = "REG";
+        if (from == "context-free") from = "CF";
+        return !from.empty() &&
+               (from == family || (from == "REG" && family == "CF") || is_narrower(from, family));
+    }
+
+private:
+    /// The letters in front of 0L: those that allow more may be added, those that forbid may be left out.
+    static bool is_narrower(const std::string& from, const std::string& to) {
+        if (!from.ends_with("0L") || !to.ends_with("0L")) return false;
+        const auto has = [](const std::string& name, char letter) {
+            return name.find(letter) != std::string::npos;
+        };
+        for (const char allows : {'E', 'T'})
+            if (has(from, allows) && !has(to, allows)) return false;
+        for (const char forbids : {'P', 'D'})
+            if (!has(from, forbids) && has(to, forbids)) return false;
+        return true;
+    }
+
+    std::map<std::string, std::string> of_;
+};
+
+/// A language with letters in the place of names; reversals are moved inwards, where they make names of their own.
+Language with_letters(const Language& language, bool reversed, const Reader& reader,
+                      const Field& letters, const std::set<std::string>& names) {
+    using Kind = Tree::Kind;
+    if (language->kind == Kind::reversal)
+        return with_letters(language->parts[0], !reversed, reader, letters, names);
+    if (language->kind == Kind::variable) {
+        if (!names.contains(language->name))
+            letters.refuse("a name is bound outside the statement");
+        return words_of({{reader.letter(letters.at(language->name + (reversed ? "^R" : "")))}});
+    }
+    if (language->kind == Kind::words) {
+        std::vector<Word> words = language->words;
+        if (reversed)
+            for (Word& word : words) std::reverse(word.begin(), word.end());
+        return words_of(std::move(words));
+    }
+    static constexpr std::array kept = {Kind::united, Kind::concatenation, Kind::star, Kind::plus};
+    if (std::find(kept.begin(), kept.end(), language->kind) == kept.end())
+        letters.refuse("a letter cannot stand for a language within this operation");
+    std::vector<Language> parts;
+    for (const Language& part : language->parts)
+        parts.push_back(with_letters(part, reversed, reader, letters, names));
+    if (reversed && language->kind == Kind::concatenation) std::reverse(parts.begin(), parts.end());
+    return combination(language->kind, std::move(parts));
+}
+
+void collect_letters(const Language& language, std::set<Symbol>& letters) {
+    for (const Word& word : language->words) letters.insert(word.begin(), word.end());
+    for (const Language& part : language->parts) collect_letters(part, letters);
+}
+
+}  // namespace
+
+void check_by_families(const Obligation& task) {
+    const Quantified& said = *task.statement.quantified;
+    if (!said.universal || !task.holds) task.wrong_kind();
+    const Statement& body = task.statement.parts.back();
+    if (body.kind != Statement::Kind::family || body.negated ||
+        !Families(said).shows(body.languages[0], body.family))
+        task.refuse("the families of the names do not show the statement");
+}
+
+void check_by_letters(const Obligation& task) {
+    const Quantified& said = *task.statement.quantified;
+    if (!said.universal || !task.holds) task.wrong_kind();
+    Statement body = task.statement.parts.back();
+    if ((body.kind != Statement::Kind::equal && body.kind != Statement::Kind::included) ||
+        body.negated)
+        task.wrong_kind();
+    std::set<std::string> names;
+    for (const Quantified::Name& name : said.names)
+        if (name.of.ends_with("languages")) names.insert(name.name);
+    const Field letters = task.proof.at("letters");
+    std::set<Symbol> used;
+    for (const Language& language : body.languages) collect_letters(language, used);
+    for (const auto& [name, letter] : letters.object())
+        if (!used.insert(task.reader.letter(letter)).second)
+            letter.refuse("the letter stands for something else already");
+    for (Language& language : body.languages)
+        language = with_letters(language, false, task.reader, letters, names);
+    check_proof(task.part(body, true, task.proof.at("proof")));
+}
+
 void check_parts(const Obligation& task) {
     std::vector<std::optional<bool>> known(task.statement.parts.size());
     for (const Field& each : task.proof.at("parts").list()) {

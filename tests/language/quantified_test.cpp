@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "exact/exact.hpp"
 #include "language/language.hpp"
@@ -26,7 +27,7 @@ std::string text(const std::vector<std::pair<std::string, std::string>>& values)
 }
 
 /// What is decided of a theorem, and what verify says of its certificate.
-Found found(const std::string& theorem, const SearchLimits& limits = {}) {
+Found judged(const std::string& theorem, const SearchLimits& limits = {}) {
     Found all{check(read_claim("claim T\ntheorem " + theorem, "x.claim", {}), {}, limits),
               {},
               {},
@@ -88,7 +89,7 @@ TEST_CASE("false claims have their least counterexamples, and verify checks thes
         CAPTURE(known.theorem);
         const SearchLimits limits{20'000, 8};
         const Found one =
-            found(known.theorem, known.size > 8 ? SearchLimits{20'000, known.size} : limits);
+            judged(known.theorem, known.size > 8 ? SearchLimits{20'000, known.size} : limits);
         CHECK(one.verdict == "refuted");
         CHECK(one.values == known.values);
         if (*known.other) CHECK(one.other == known.other);
@@ -104,16 +105,16 @@ TEST_CASE("false claims have their least counterexamples, and verify checks thes
 TEST_CASE(
     "a false claim stands as a theorem behind not, and a true one about some is proved by an "
     "example") {
-    CHECK(found("not for all 0L languages A, B: A | B is 0L").verdict == "proved");
-    const Found some = found("for some finite language A: A is T0L and A is not 0L");
+    CHECK(judged("not for all 0L languages A, B: A | B is 0L").verdict == "proved");
+    const Found some = judged("for some finite language A: A is T0L and A is not 0L");
     CHECK(some.verdict == "proved");
     CHECK(some.values == "A = {ε, aaa, abb}");
     CHECK(some.finding.outcome == verify::Finding::Outcome::checked);
-    CHECK(found("not for some finite language A: A is T0L and A is not 0L").verdict == "refuted");
+    CHECK(judged("not for some finite language A: A is T0L and A is not 0L").verdict == "refuted");
 }
 
 TEST_CASE("a true claim without bounds is not proved by a search, and says how far that went") {
-    const Found one = found("for all 0L languages A: A^R is 0L", {1000, 6});
+    const Found one = judged("for all 0L languages A: A | A is 0L", {1000, 6});
     CHECK(one.verdict == "undecided");
     CHECK(one.checked.verdict() == ClaimVerdict::undecided);
     CHECK(
@@ -122,25 +123,25 @@ TEST_CASE("a true claim without bounds is not proved by a search, and says how f
             "No counterexample is among the first 121 instances with finite languages, up to size "
             "6, of which 108 meet the conditions; each of them is decided."});
     CHECK(one.finding.outcome == verify::Finding::Outcome::undecided);
-    const Found few = found("for all 0L languages A: A^R is 0L", {50, 6});
+    const Found few = judged("for all 0L languages A: A | A is 0L", {50, 6});
     CHECK(few.checked.statements.at(0).answer.searched->visited == 50);
 }
 
 TEST_CASE("conditions that no instance meets make a claim vacuous, never proved") {
-    const Found one = found("for all finite languages A with A is infinite: A is 0L", {1000, 6});
+    const Found one = judged("for all finite languages A with A is infinite: A is 0L", {1000, 6});
     CHECK(one.verdict == "vacuous");
     CHECK(one.checked.verdict() == ClaimVerdict::vacuous);
     // Infinite languages may meet this one.
-    CHECK(found("for all 0L languages A with A is infinite: A is 0L", {1000, 6}).verdict ==
+    CHECK(judged("for all 0L languages A with A is infinite: A is 0L", {1000, 6}).verdict ==
           "undecided");
 }
 
 TEST_CASE("a claim whose bounds leave finitely many instances is decided by all of them") {
-    const Found one = found(
+    const Found one = judged(
         "for all finite languages A with words up to length 1 over {a, b}: A | {ab} is T0L implies "
         "A is 0L");
     CHECK(one.verdict == "refuted");
-    const Found two = found(
+    const Found two = judged(
         "for all finite languages A with words up to length 2 over {a}: A is D0L implies A is 0L");
     CHECK(two.verdict == "proved");
     CHECK(two.checked.statements.at(0).answer.searched->visited == 8);
@@ -148,28 +149,28 @@ TEST_CASE("a claim whose bounds leave finitely many instances is decided by all 
 }
 
 TEST_CASE("bound words stand in words") {
-    const Found one = found("for all 0L languages A and words w: {w} A is 0L");
+    const Found one = judged("for all 0L languages A and words w: {w} A is 0L");
     CHECK(one.verdict == "refuted");
     CHECK(one.values == "A = {ε, a}; w = a");
     CHECK(one.finding.outcome == verify::Finding::Outcome::checked);
-    CHECK(found("for all words v up to length 2 over {a}: v v in /(aa)*/").verdict == "proved");
+    CHECK(judged("for all words v up to length 2 over {a}: v v in /(aa)*/").verdict == "proved");
 }
 
 TEST_CASE("a statement that names letters is tried with instances over these letters too") {
     // No renaming of {b} contains a, so an instance with the letter a itself is needed.
-    const Found one = found("for all finite languages A with a in A: A is 0L", {5000, 6});
+    const Found one = judged("for all finite languages A with a in A: A is 0L", {5000, 6});
     CHECK(one.verdict == "refuted");
     CHECK(one.values == "A = {a, aa}");
 }
 
 TEST_CASE("an undecided part decides nothing, and another part may decide the whole") {
     // Whether /a*/ is 0L is not decided without a witness.
-    CHECK(found("{a} is 0L or /a*/ is 0L").verdict == "proved");
-    CHECK(found("{a, aa} is 0L and /a*/ is 0L").verdict == "refuted");
-    CHECK(found("{a} is 0L and /a*/ is 0L").verdict == "undecided");
-    CHECK(found("{a, aa} is 0L implies /a*/ is 0L").verdict == "proved");
-    CHECK(found("/a*/ is 0L implies {a} is 0L").verdict == "proved");
-    CHECK(found("/a*/ is 0L iff {a} is 0L").verdict == "undecided");
+    CHECK(judged("{a} is 0L or /a*/ is 0L").verdict == "proved");
+    CHECK(judged("{a, aa} is 0L and /a*/ is 0L").verdict == "refuted");
+    CHECK(judged("{a} is 0L and /a*/ is 0L").verdict == "undecided");
+    CHECK(judged("{a, aa} is 0L implies /a*/ is 0L").verdict == "proved");
+    CHECK(judged("/a*/ is 0L implies {a} is 0L").verdict == "proved");
+    CHECK(judged("/a*/ is 0L iff {a} is 0L").verdict == "undecided");
 }
 
 TEST_CASE("joined statements have the truth that their parts give, and verify agrees") {
@@ -209,7 +210,7 @@ TEST_CASE("joined statements have the truth that their parts give, and verify ag
             return {joint("iff"), and_of(forth, back)};
         };
         const Tree tree = make(3);
-        const Found one = found(tree.text);
+        const Found one = judged(tree.text);
         RC_ASSERT(one.verdict == to_string(tree.truth));
         using Outcome = verify::Finding::Outcome;
         RC_ASSERT(one.finding.outcome ==
@@ -240,12 +241,180 @@ TEST_CASE("the verdict over bounded languages is that of a plain loop over all o
                 holds = holds && (!member[left][bits] || member[right][bits]);
             const std::string over = " with words up to length 2 over {a, b}: A is ";
             const Found all =
-                found("for all finite languages A" + over + left + " implies A is " + right);
+                judged("for all finite languages A" + over + left + " implies A is " + right);
             CHECK(all.verdict == (holds ? "proved" : "refuted"));
             const Found some =
-                found("for some finite language A" + over + left + " and A is not " + right);
+                judged("for some finite language A" + over + left + " and A is not " + right);
             CHECK(some.verdict == (holds ? "refuted" : "proved"));
             ++compared;
         }
     CHECK(compared == 20);
+}
+
+TEST_CASE("identities are proved with letters for names, families by their forms and reversal") {
+    using Outcome = verify::Finding::Outcome;
+    for (const char* statement :
+         {"for all languages A, B: (A | B)* == (A* B*)*", "for all languages A: A* A* == A*",
+          "for all languages A, B: (A B)^R == B^R A^R", "for all languages A, B: A <= A | B",
+          "for all 0L languages A and languages B: A (B A)* == (A B)* A",
+          "for all languages A: {ab} (A^R)* == {ab} (A*)^R", "for all 0L languages A: A^R is 0L",
+          "for all PD0L languages A: A is 0L", "for all D0L languages A: A^R is ET0L",
+          "for all finite languages A: A is E0L",
+          "for all regular languages A: A^R is context-free"}) {
+        CAPTURE(statement);
+        const Found one = judged(statement, {200, 5});
+        CHECK(one.verdict == "proved");
+        CHECK(one.finding.outcome == Outcome::checked);
+        CHECK(one.checked.verdict() == ClaimVerdict::proved);
+    }
+    for (const char* statement :
+         {"for all languages A, B: A B == B A", "for all languages A, B: (A | B)* == A* | B*",
+          "for all languages A: A == A^R", "for all languages A, B: A | B <= A",
+          "for all 0L languages A: A is PD0L"})
+        CHECK_MESSAGE(judged(statement, {500, 6}).verdict == "refuted", statement);
+    // True, but not by these methods.
+    for (const char* statement :
+         {"for all languages A, B: A & B <= A", "for all 0L languages A: A is IL"})
+        CHECK_MESSAGE(judged(statement, {100, 4}).verdict == "undecided", statement);
+}
+
+TEST_CASE("identities over names hold or fail as they do for words of short languages") {
+    // Second route: the identity is tried on all pairs of sets of words up to length 1 over a, b, as sets of words.
+    using Words = std::set<std::string>;
+    const auto product = [](const Words& left, const Words& right) {
+        Words all;
+        for (const std::string& u : left)
+            for (const std::string& v : right)
+                if (u.size() + v.size() <= 6) all.insert(u + v);
+        return all;
+    };
+    std::size_t proved = 0, refuted = 0;
+    CHECK(rc::check([&] {
+        struct Tree {
+            std::string text;
+            std::function<Words(const Words&, const Words&)> value;
+        };
+        const std::function<Tree(int)> make = [&](int depth) -> Tree {
+            const int kind = *rc::gen::inRange(0, depth == 0 ? 2 : 6);
+            if (kind == 0) return {"A", [](const Words& a, const Words&) { return a; }};
+            if (kind == 1) return {"B", [](const Words&, const Words& b) { return b; }};
+            const Tree left = make(depth - 1);
+            if (kind == 2)
+                return {"(" + left.text + ")^R", [left](const Words& a, const Words& b) {
+                            Words all;
+                            for (const std::string& word : left.value(a, b))
+                                all.insert({word.rbegin(), word.rend()});
+                            return all;
+                        }};
+            const Tree right = make(depth - 1);
+            if (kind == 3)
+                return {"(" + left.text + " | " + right.text + ")",
+                        [left, right](const Words& a, const Words& b) {
+                            Words all = left.value(a, b);
+                            all.merge(right.value(a, b));
+                            return all;
+                        }};
+            return {"(" + left.text + " . " + right.text + ")",
+                    [left, right, product](const Words& a, const Words& b) {
+                        return product(left.value(a, b), right.value(a, b));
+                    }};
+        };
+        const Tree left = make(2), right = make(2);
+        const Found one =
+            judged("for all languages A, B: " + left.text + " == " + right.text, {300, 5});
+        const std::vector<std::string> words{"", "a", "b", "ab"};
+        bool holds = true;
+        for (unsigned a = 0; a < 16 && holds; ++a)
+            for (unsigned b = 0; b < 16 && holds; ++b) {
+                Words some, others;
+                for (std::size_t i = 0; i < words.size(); ++i) {
+                    if (a >> i & 1) some.insert(words[i]);
+                    if (b >> i & 1) others.insert(words[i]);
+                }
+                holds = left.value(some, others) == right.value(some, others);
+            }
+        if (one.verdict == "proved") {
+            ++proved;
+            RC_ASSERT(holds);
+        }
+        if (!holds) {
+            ++refuted;
+            RC_ASSERT(one.verdict != "proved");
+        }
+        RC_ASSERT(one.finding.outcome != verify::Finding::Outcome::wrong);
+    }));
+    CHECK(proved >= 5);
+    CHECK(refuted >= 20);
+}
+
+TEST_CASE("a certificate of an instance that was changed is wrong") {
+    using Outcome = verify::Finding::Outcome;
+    using nlohmann::ordered_json;
+    const auto outcome = [](const std::string& theorem,
+                            const std::function<void(ordered_json&)>& change) {
+        const Found one = judged(theorem, {20'000, 8});
+        ordered_json written = certificate(one.checked);
+        change(written["statements"][0]);
+        try {
+            return verify::check_certificate(*verify::read_certificate(written.dump(1), "x.json"),
+                                             {})
+                .at(0)
+                .outcome;
+        } catch (const Error&) {
+            return Outcome::wrong;  // not even well formed
+        }
+    };
+    const std::string both = "for all 0L languages A, B: A | B is 0L";
+    CHECK(outcome(both, [](ordered_json&) {}) == Outcome::checked);
+    CHECK(outcome(both, [](ordered_json& s) { s["proof"]["values"]["B"]["words"][0] = "b"; }) ==
+          Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["proof"]["values"].erase("B"); }) ==
+          Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["proof"]["members"].erase(1); }) == Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["proof"].erase("members"); }) == Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["verdict"] = "proved"; }) == Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["statement"]["different letters"] = true; }) ==
+          Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["statement"]["over"] = "b"; }) == Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["statement"]["for all"][1]["length"] = 1; }) ==
+          Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) { s["statement"]["for all"][1]["size"] = 2; }) ==
+          Outcome::wrong);
+    CHECK(outcome(both, [](ordered_json& s) {
+              s["statement"]["for all"][1]["of"] = "P0L systems";
+          }) == Outcome::wrong);
+    const std::string coded = "for all 0L languages A and codings h: h(A) is 0L";
+    CHECK(outcome(coded, [](ordered_json&) {}) == Outcome::undecided);  // needs size 9
+    const std::string mapped = "for all D0L languages A and morphisms h: h^-1(A) is D0L";
+    CHECK(outcome(mapped, [](ordered_json&) {}) == Outcome::checked);
+    CHECK(outcome(mapped, [](ordered_json& s) {
+              s["statement"]["for all"][1]["of"] = "non-erasing morphisms";
+          }) == Outcome::wrong);
+    const std::string identity = "for all languages A, B: A (B A)* == (A B)* A";
+    CHECK(outcome(identity, [](ordered_json&) {}) == Outcome::checked);
+    CHECK(outcome(identity, [](ordered_json& s) { s["proof"]["letters"]["B"] = "a"; }) ==
+          Outcome::wrong);
+    CHECK(outcome(identity, [](ordered_json& s) { s["proof"]["letters"].erase("B"); }) ==
+          Outcome::wrong);
+    CHECK(outcome(identity, [](ordered_json& s) {
+              s["statement"]["holds"]["equal"][1] =
+                  s["statement"]["holds"]["equal"][0]["concatenation"][0];
+          }) == Outcome::wrong);
+    const std::string reversed = "for all 0L languages A: A^R is 0L";
+    CHECK(outcome(reversed, [](ordered_json&) {}) == Outcome::checked);
+    for (const char* family : {"D0L", "P0L", "PD0L"})
+        CHECK(outcome(reversed, [&](ordered_json& s) { s["statement"]["holds"]["is"] = family; }) ==
+              Outcome::wrong);
+    CHECK(outcome(reversed, [&](ordered_json& s) {
+              s["statement"]["for all"][0]["of"] = "T0L languages";
+          }) == Outcome::wrong);
+    CHECK(outcome(reversed, [&](ordered_json& s) { s["verdict"] = "refuted"; }) == Outcome::wrong);
+    const std::string joint = "{a} is 0L and {a, aa} is not 0L";
+    CHECK(outcome(joint, [](ordered_json& s) { s["proof"]["parts"].erase(1); }) == Outcome::wrong);
+    CHECK(outcome(joint, [](ordered_json& s) { s["proof"]["parts"][1]["part"] = 0; }) ==
+          Outcome::wrong);
+    CHECK(outcome(joint, [](ordered_json& s) { s["proof"]["parts"][1]["part"] = 2; }) ==
+          Outcome::wrong);
+    CHECK(outcome(joint, [](ordered_json& s) { s["proof"]["parts"][0]["holds"] = false; }) ==
+          Outcome::wrong);
 }

@@ -172,6 +172,10 @@ Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget 
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
                         const SearchLimits& limits);
 
+/// The proof of a statement about all languages that needs no instance; nothing if none is known.
+std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
+                                     const Budget& budget);
+
 /// Several statements as one, in three-valued logic.
 Answer judge_joint(const Joint& said, const Claim& claim, const Budget& budget,
                    const SearchLimits& limits);

@@ -502,6 +502,19 @@ struct ByCases {
     std::uint64_t instances = 0;  // that meet the conditions
 };
 
+/// The family of a language follows from those of the names, by the form of systems and by reversal.
+struct ByFamilyRules {
+    static constexpr const char* rule = "families";
+    std::vector<std::string> lines;
+};
+
+/// The statement is true with different letters in the place of names, "A^R" being one of its own; so it is true of all
+/// languages.
+struct ByLetters {
+    std::map<std::string, Symbol> letters;
+    Part proof;
+};
+
 }  // namespace steps
 
 struct Proof {
@@ -519,7 +532,8 @@ struct Proof {
         steps::InfiniteTables, steps::Pumped, steps::InfinitePart, steps::InfiniteSize,
         steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations, steps::HasEmptyWord,
         steps::Sparse, steps::FiniteFamily, steps::GeneratedBy, steps::OfReversal,
-        steps::Constructed, steps::FromStatements, steps::ByInstance, steps::ByCases>
+        steps::Constructed, steps::FromStatements, steps::ByInstance, steps::ByCases,
+                 steps::ByFamilyRules, steps::ByLetters>
         step;
 };
 

@@ -199,6 +199,8 @@ void check_growth_class(const Obligation& task);
 void check_parts(const Obligation& task);
 void check_instance(const Obligation& task);
 void check_all_instances(const Obligation& task);
+void check_by_families(const Obligation& task);
+void check_by_letters(const Obligation& task);
 
 /// Checks that a language is infinite, by one of the kinds of proof that show only this.
 void check_infinite(const Obligation& task, const Language& language, const Field& proof);

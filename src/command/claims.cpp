@@ -442,7 +442,7 @@ int closure(const ClosureOptions& options) {
 using verify::Finding;
 
 struct VerifyOptions {
-    std::string file;
+    std::string file, claim, accept;
     bool json = false;
     Bounds bounds;
 };
@@ -476,24 +476,62 @@ Json as_json(const Finding& found) {
     return out;
 }
 
+/// What the claim says, as a certificate has it, with the proofs left out.
+nlohmann::ordered_json said_by(const Claim& claim) {
+    CheckedClaim nothing_known{claim, {}};
+    nothing_known.statements.resize(claim.statements.size());
+    return certificate(nothing_known);
+}
+
+/// Throws Error where the certificate is not of this claim: other letters, systems or statements.
+void check_against(const std::string& text, const std::string& name, const std::string& claim_file,
+                   const Budget& budget) {
+    const nlohmann::ordered_json given = nlohmann::ordered_json::parse(text);
+    const nlohmann::ordered_json claimed = said_by(open_claim(claim_file, budget));
+    const auto refuse = [&](const std::string& what) {
+        throw Error(name + ": the certificate is not of " + claim_file + ": " + what);
+    };
+    for (const char* part : {"claim", "alphabet", "systems", "empty axiom"})
+        if (given.value(part, nlohmann::ordered_json()) !=
+            claimed.value(part, nlohmann::ordered_json()))
+            refuse(std::string("its ") + (std::string(part) == "claim" ? "title" : part) +
+                   " differs");
+    const auto& statements = claimed["statements"];
+    if (given["statements"].size() != statements.size())
+        refuse("expected " + counted(statements.size(), "statement") + ", found " +
+               std::to_string(given["statements"].size()));
+    for (std::size_t i = 0; i < statements.size(); ++i)
+        if (given["statements"][i]["statement"] != statements[i]["statement"])
+            refuse("statement " + std::to_string(i + 1) + " differs, which the claim writes " +
+                   statements[i]["text"].get<std::string>());
+}
+
 int verify_certificate(const VerifyOptions& options) {
     const Budget budget = options.bounds.budget();
+    if (!options.accept.empty() && options.accept != "cited")
+        throw Error("--accept: expected 'cited', found " + algae::quoted(options.accept));
     const std::string name = options.file == "-" ? "standard input" : options.file;
-    const auto certificate = verify::read_certificate(file_text(options.file, budget), name);
-    const auto findings = verify::check_certificate(*certificate, budget);
+    const std::string text = file_text(options.file, budget);
+    const auto certificate = verify::read_certificate(text, name);
+    if (!options.claim.empty()) check_against(text, name, options.claim, budget);
+    if (!options.json)
+        for (const std::string& line : verify::definitions(*certificate)) print(line + '\n');
     std::map<Finding::Outcome, std::size_t> counts;
-    std::string text;
     Json list = Json::array();
-    for (const Finding& found : findings) {
+    verify::check_certificate(*certificate, budget, [&](const Finding& found) {
         ++counts[found.outcome];
-        text += line_of(found, name);
-        list.add(as_json(found));
-    }
+        if (options.json)
+            list.add(as_json(found));
+        else
+            print(line_of(found, name));
+    });
     print(options.json ? Json{{"claim", certificate->claim}, {"statements", list}}.text()
-                       : text + totals(counts));
-    return counts.contains(Finding::Outcome::wrong)         ? refuted
-           : counts.contains(Finding::Outcome::not_checked) ? undecided
-                                                            : success;
+                       : totals(counts));
+    if (counts.contains(Finding::Outcome::wrong)) return refuted;
+    const std::size_t checked =
+        counts[Finding::Outcome::checked] +
+        (options.accept.empty() ? 0 : counts[Finding::Outcome::cited]);
+    return checked > 0 && checked == certificate->entries.size() ? success : undecided;
 }
 
 }  // namespace
@@ -538,6 +576,10 @@ void add_verify(Verbs& verbs) {
         {"algae check my.claim --certificate my.json", "algae verify my.json"}, verify_certificate);
     verb.option("FILE", options.file, "FILE", "a certificate, or - for standard input").required =
         true;
+    verb.option("--against", options.claim, "FILE",
+                "the claim that the certificate must be of: the same systems and statements");
+    verb.option("--accept", options.accept, "cited",
+                "let statements that rest on a cited source count as checked");
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }

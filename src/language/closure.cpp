@@ -139,6 +139,8 @@ std::optional<Claim> closure_claim(const std::string& family, const std::string&
     for (char c = 'a'; c <= 'z'; ++c)
         (c < 'x' ? claim.instance_letters : claim.inverse_letters)
             .push_back(alphabet->symbol(std::string_view(&c, 1)));
+    claim.inverse_letters.insert(claim.inverse_letters.end(), claim.instance_letters.rbegin(),
+                                 claim.instance_letters.rend());
     claim.alphabet = std::move(alphabet);
     Statement whole;
     whole.text = "not " + text + ": " + body.text;

@@ -172,7 +172,8 @@ private:
         }
         next_ = static_cast<std::size_t>(at - words_.begin()) + 1;
         std::vector<std::string_view> before(words_.begin(), at);
-        if (before.size() == 1 && (before[0] == "a" || before[0] == "an")) before.clear();
+        if (!before.empty() && (before[0] == "a" || before[0] == "an"))
+            before.erase(before.begin());
         const std::string adjective = joined(before, " ");
         binding_.text = (adjective.empty() ? "" : adjective + " ");
         const Noun* plain = nullptr;
@@ -201,10 +202,16 @@ private:
         if (before.empty())
             throw unexpected("a family of systems (0L, D0L, PD0L, ...) before 'systems'",
                              noun.data());
-        throw unknown_word(known.empty()
-                               ? "no word before " + quoted(noun)
-                               : "one of " + joined(known, ", ") + " before " + quoted(noun),
-                           before[0], known);
+        const std::string expected =
+            known.empty() ? "no word before " + quoted(noun)
+                          : "one of " + joined(known, ", ") + " before " + quoted(noun);
+        std::string with_zero(before[0]);
+        std::replace(with_zero.begin(), with_zero.end(), 'O', '0');
+        if (with_zero != before[0] && language_family(with_zero))
+            throw SyntaxError{before[0].data(), "expected " + expected + ", found " +
+                                                    quoted(before[0]) + "; did you mean '" +
+                                                    with_zero + "', with a zero?"};
+        throw unknown_word(expected, before[0], known);
     }
 
     const Noun& with_text(const Noun& noun, const std::string& adjective) const {
@@ -444,7 +451,7 @@ public:
             std::vector<std::string_view> parts = split(text, word);
             if (parts.size() < 2) continue;
             if (kind == Joined::iff && parts.size() > 2)
-                throw SyntaxError{parts[2].data(),
+                throw SyntaxError{trimmed(parts[2]).data(),
                                   "expected one 'iff', found a second; use brackets"};
             if (kind == Joined::implies && parts.size() > 2)  // from right to left
                 parts = {parts[0], between(parts[1].data(), text.data() + text.size())};

@@ -347,12 +347,30 @@ bool is_regular(const Language& language) {
 
 namespace {
 
+/// A name must not change how what is printed looks: no control characters.
+void check_name(const Field& field, const std::string& name) {
+    const bool is_plain = std::all_of(name.begin(), name.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte >= 0x20 && byte != 0x7F;
+    });
+    // U+0080 to U+009F, and the marks that turn the direction of a text: U+200E, U+200F, U+202A to U+202E, U+2066 to U+2069.
+    const auto has = [&](const char* bytes) { return name.find(bytes) != std::string::npos; };
+    bool turns = false;
+    for (const char* mark : {"\u200E", "\u200F", "\u202A", "\u202B", "\u202C", "\u202D", "\u202E",
+                             "\u2066", "\u2067", "\u2068", "\u2069"})
+        turns = turns || has(mark);
+    for (std::size_t i = 0; i + 1 < name.size(); ++i)
+        turns = turns || (name[i] == '\xC2' && static_cast<unsigned char>(name[i + 1]) < 0xA0);
+    if (!is_plain || turns) field.fail("a name must not have control characters");
+}
+
 std::shared_ptr<const Alphabet> read_alphabet(const Field& field) {
     auto alphabet = std::make_shared<Alphabet>();
     for (const Field& each : field.list()) {
         const std::string& name = each.text();
         if (name.empty() || name.find(' ') != std::string::npos)
             each.fail("the name of a letter must not be empty and must not have a blank");
+        check_name(each, name);
         if (alphabet->find(name)) each.fail("the letter '" + name + "' stands here twice");
         alphabet->symbol(name);
     }
@@ -404,12 +422,14 @@ std::unique_ptr<const Certificate> read_certificate(const std::string& text,
     if (root.has("empty axiom")) read->empty_axiom = root.at("empty axiom").truth();
     read->alphabet = read_alphabet(root.at("alphabet"));
     const Reader reader(*read->alphabet, read->systems, read->rewritings);
-    for (const auto& [name, system] : root.at("systems").object())
+    for (const auto& [name, system] : root.at("systems").object()) {
+        check_name(system, name);
         if (system.has("modules"))
             read->rewritings.emplace(name,
                                      std::make_shared<const ModuleSystem>(module_system(system)));
         else
             read->systems.emplace(name, std::make_shared<const System>(reader.system(system)));
+    }
     for (const Field& each : root.at("statements").list())
         read->entries.push_back(read_entry(each, reader));
     return read;
@@ -593,6 +613,20 @@ namespace {
 
 constexpr std::size_t longest = 160;  // bytes of one expression
 
+/// A name as it is printed: in quotes if it is longer than one character, so that it is not read as several letters.
+std::string letter_text(const std::string& name) {
+    std::size_t characters = 0;
+    for (const char c : name) characters += (static_cast<unsigned char>(c) & 0xC0) != 0x80;
+    return characters > 1 ? "'" + name + "'" : name;
+}
+
+/// A word letter by letter; ε if it is empty.
+std::string word_text(const Alphabet& alphabet, const Word& word) {
+    std::string text;
+    for (const Symbol a : word) text += letter_text(alphabet.name(a));
+    return text.empty() ? "ε" : text;
+}
+
 /// The text with a gap in its middle if it is long, cut between characters.
 std::string shortened(const std::string& text) {
     if (text.size() <= longest) return text;
@@ -608,7 +642,8 @@ std::string shortened(const std::string& text) {
 std::string morphism_text(const std::map<Symbol, Word>& morphism, const Alphabet& alphabet) {
     std::string text;
     for (const auto& [a, image] : morphism)
-        text += (text.empty() ? "" : ", ") + alphabet.name(a) + " -> " + spell(alphabet, image);
+        text += (text.empty() ? "" : ", ") + letter_text(alphabet.name(a)) + " -> " +
+                word_text(alphabet, image);
     return "[" + text + "]";
 }
 
@@ -619,14 +654,14 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     if (language->kind == Tree::Kind::generated) return "L(" + language->name + ")";
     if (language->kind == Tree::Kind::words) {
         for (const Word& word : language->words)
-            text += (text.empty() ? "" : ", ") + spell(alphabet, word);
+            text += (text.empty() ? "" : ", ") + word_text(alphabet, word);
         return shortened("{" + text + "}");
     }
     const Operation& operation = *std::ranges::find(operations, language->kind, &Operation::kind);
     text = operation.before + part(0);
     if (*operation.between) text += operation.between + part(1);
     text += operation.after;
-    if (operation.with == "letters") text += spell(alphabet, language->letters);
+    if (operation.with == "letters") text += word_text(alphabet, language->letters);
     if (operation.with == "morphism")
         text +=
             language->name.empty() ? morphism_text(language->morphism, alphabet) : language->name;
@@ -679,7 +714,7 @@ std::string quantified_text(const Statement& statement, const Alphabet& alphabet
         if (name.length) text += " with words up to length " + std::to_string(*name.length);
     }
     if (said.different_letters) text += " over different letters";
-    if (said.over) text += " over the letters " + spell(alphabet, *said.over);
+    if (said.over) text += " over the letters " + word_text(alphabet, *said.over);
     for (std::size_t i = 0; i + 1 < statement.parts.size(); ++i)
         text += (i > 0 ? " and (" : " with (") +
                 plain_text(statement.parts[i], alphabet, statement.parts[i].negated) + ")";
@@ -705,7 +740,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         return language_text(statement.languages[i], alphabet);
     };
     const auto system = [&](std::size_t i) { return statement.systems[i].name; };
-    const std::string word = shortened(spell(alphabet, statement.word));
+    const std::string word = shortened(word_text(alphabet, statement.word));
     switch (statement.kind) {
         case Kind::family:
             return language(0) + " is " + no + statement.family;
@@ -724,7 +759,8 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    shortened(to_string(*statement.size)) + " words";
         case Kind::derives:
             return system(0) + (opposite ? " does not derive " : " derives ") + word +
-                   (statement.from ? " from " + shortened(spell(alphabet, *statement.from)) : "") +
+                   (statement.from ? " from " + shortened(word_text(alphabet, *statement.from))
+                                   : "") +
                    (statement.steps ? " in " + shortened(to_string(*statement.steps)) + " steps"
                                     : "");
         case Kind::rewrites:
@@ -746,7 +782,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
             return system(0) + " and " + system(1) + " have " + (opposite ? "different" : "equal") +
                    " lengths";
         case Kind::growth_formula:
-            return "the lengths of " + system(0) + " are " + no + "given by the formula";
+            return "the lengths of " + system(0) + " are " + no + statement.formula->text();
         case Kind::dimension:
         case Kind::boundary:
             return std::string("the ") +
@@ -768,6 +804,42 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
 
 std::string statement_text(const Statement& statement, bool refuted, const Alphabet& alphabet) {
     return plain_text(statement, alphabet, statement.negated != refuted);
+}
+
+namespace {
+
+std::string system_text(const System& system, const Alphabet& alphabet) {
+    std::string text = "axiom " + word_text(alphabet, system.axiom);
+    for (const System::Rule& rule : system.rules)
+        text += "; " + (rule.left.empty() ? "" : word_text(alphabet, rule.left) + " < ") +
+                letter_text(alphabet.name(rule.letter)) +
+                (rule.right.empty() ? "" : " > " + word_text(alphabet, rule.right)) + " -> " +
+                word_text(alphabet, rule.successor);
+    for (const System::Successors& table : system.tables) {
+        if (system.tables.size() > 1) text += "; table";
+        for (Symbol a = 0; a < table.size(); ++a) {
+            if (table[a] == std::vector<Word>{{a}}) continue;
+            text += "; " + letter_text(alphabet.name(a)) + " -> ";
+            for (std::size_t i = 0; i < table[a].size(); ++i)
+                text += (i > 0 ? " | " : "") + word_text(alphabet, table[a][i]);
+        }
+    }
+    return text;
+}
+
+}  // namespace
+
+std::vector<std::string> definitions(const Certificate& certificate) {
+    const Alphabet& alphabet = *certificate.alphabet;
+    std::string letters = "letters";
+    for (Symbol a = 0; a < alphabet.size(); ++a) letters += ' ' + letter_text(alphabet.name(a));
+    std::vector<std::string> lines{alphabet.size() == 0 ? "no letters" : letters};
+    for (const auto& [name, system] : certificate.systems)
+        lines.push_back(name + ": " + system_text(*system, alphabet));
+    for (const auto& [name, system] : certificate.rewritings)
+        lines.push_back(name + ": axiom " + modules_text(system->axiom) + "; " +
+                        std::to_string(system->rules.size()) + " rules of modules");
+    return lines;
 }
 
 }  // namespace algae::verify

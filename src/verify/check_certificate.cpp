@@ -198,9 +198,13 @@ Finding check(const Certificate& certificate, const Entry& entry, const Budget& 
 
 }  // namespace
 
-std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget) {
+std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget,
+                                       const std::function<void(const Finding&)>& on_finding) {
     std::vector<Finding> all;
-    for (const Entry& entry : certificate.entries) all.push_back(check(certificate, entry, budget));
+    for (const Entry& entry : certificate.entries) {
+        all.push_back(check(certificate, entry, budget));
+        if (on_finding) on_finding(all.back());
+    }
     return all;
 }
 

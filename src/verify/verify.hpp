@@ -6,6 +6,7 @@
 #include <array>
 #include <compare>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -560,9 +561,14 @@ struct Finding {
     std::string reason;
 };
 
-/// Checks every statement of a certificate, each by itself. Throws Error if a proof is not as
-/// CERTIFICATES.md says, Interrupted if the work was asked to stop.
-std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget);
+/// Checks every statement of a certificate, each by itself, and tells `on_finding` of each as soon as it is checked. Throws
+/// Error if a proof is not as CERTIFICATES.md says, Interrupted if the work was asked to stop.
+std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget,
+                                       const std::function<void(const Finding&)>& on_finding = {});
+
+/// What the statements of a certificate speak of, line by line: its letters, and each system with its axiom and rules.
+/// Names longer than one character stand in quotes.
+std::vector<std::string> definitions(const Certificate& certificate);
 
 /// "checked", "cited: not checked", "undecided", "not checked" or "WRONG".
 std::string to_string(Finding::Outcome outcome);

@@ -144,11 +144,104 @@ TEST_CASE("check --certificate writes what verify checks") {
     CHECK(!written.contains("empty axiom"));
     const Run verified = run("verify " + certificate);
     CHECK(verified.status == 0);
-    CHECK(verified.out == "checked: aaaa is in L(G)\nchecked: aaa is not in L(G)\n2 checked\n");
+    CHECK(verified.out ==
+          "letters a\nG: axiom a; a -> aa\nchecked: aaaa is in L(G)\nchecked: aaa is not in L(G)\n"
+          "2 checked\n");
+    const std::string claim = files.file("right.claim", right);
+    CHECK(run("verify " + certificate + " --against " + claim).status == 0);
+    const Run other = run("verify " + certificate + " --against " +
+                          files.file("other.claim",
+                                     "claim powers of two\nlet G = D0L { axiom a; a -> aa }\n"
+                                     "show aaaa in L(G)\nrefute aaaaa in L(G)\n"));
+    CHECK(other.status == 2);
+    CHECK(other.out.empty());
+    CHECK(other.err == "algae: " + certificate + ": the certificate is not of " +
+                           files.file("other.claim") +
+                           ": statement 2 differs, which the claim writes aaaaa in L(G)\n");
     CHECK(
         run("check " + files.file("wrong.claim", wrong) + " --certificate " + certificate).status ==
         1);
     CHECK(run("verify " + certificate).status == 0);  // it holds the proof that the claim is wrong
+}
+
+TEST_CASE("verify ends with 3 where not everything was checked") {
+    const Scratch files;
+    const std::string certificate = files.file("proof.json");
+    run("check " + files.file("cited.claim", cited) + " --certificate " + certificate);
+    const Run rests = run("verify " + certificate);
+    CHECK(rests.status == 3);
+    CHECK(rests.out ==
+          "letters a\ncited: not checked: {aa, aaa}* is not 0L (a book)\n1 cited: not checked\n");
+    CHECK(run("verify " + certificate + " --accept cited").status == 0);
+    run("check " + files.file("open.claim", open) + " --certificate " + certificate);
+    CHECK(run("verify " + certificate).status == 3);
+}
+
+TEST_CASE("verify prints what it checked: rules, formulas, and long names in quotes") {
+    const Scratch files;
+    const std::string certificate = files.file("proof.json");
+    run("check " +
+        files.file("names.claim",
+                   "claim T\nalphabet ab c\nlet G = D0L { axiom c; c -> c ab }\n"
+                   "show growth(G) = n + 1\nshow {ab, c ab} is finite\n") +
+        " --certificate " + certificate);
+    const Run found = run("verify " + certificate);
+    CHECK(found.status == 0);
+    CHECK(found.out ==
+          "letters 'ab' c\nG: axiom c; c -> c'ab'\nchecked: the lengths of G are n+1\n"
+          "checked: {'ab', c'ab'} is finite\n2 checked\n");
+    std::string text = text_of(certificate);
+    text.replace(text.find("\"ab\""), 4, "\"a\\u001b[2J\"");
+    const Run bad = run("verify " + files.file("bad.json", text));
+    CHECK(bad.status == 2);
+    CHECK(bad.err.find("a name must not have control characters") != std::string::npos);
+}
+
+TEST_CASE("a title, whatever it says, is not what is proved") {
+    const Scratch files;
+    const auto out = [&](const std::string& lines) {
+        return run("check " + files.file("x.claim", lines)).out;
+    };
+    CHECK(out("claim 0L languages are closed under union\nlet A = {a}; let B = {b}\n"
+              "show A | B is 0L\nclosed under union: 0L\n") ==
+          "claim 0L languages are closed under union\n  examples: 1 of 1 hold\n");
+    CHECK(out("claim P = NP\nshow a in {a}\n") == "claim P = NP\n  examples: 1 of 1 hold\n");
+    CHECK(out("claim proved     Every word is a palindrome\nshow a in {a}\n").find("\nproved") ==
+          std::string::npos);
+    const std::string empty = files.file("empty.claim", "claim Every word is a palindrome\n");
+    const Run nothing = run("check " + empty);
+    CHECK(nothing.status == 2);
+    CHECK(nothing.err ==
+          "algae: " + empty +
+              ": expected a statement (theorem, show, lemma or refute), found none\n");
+}
+
+TEST_CASE("check tells a theorem with its verdict, and --say takes it at the prompt") {
+    const Scratch files;
+    const Run claim =
+        run("check " + files.file("union.claim",
+                                  "claim No union\n"
+                                  "theorem not for all 0L languages A, B: A | B is 0L\n"
+                                  "show {a} is 0L\n"));
+    CHECK(claim.status == 0);
+    CHECK(claim.out ==
+          "claim No union\n  theorem not for all 0L languages A, B: A | B is 0L\n"
+          "    proved by the counterexample A = {a}, B = {aa}\n  examples: 1 of 1 hold\n");
+    const Run said = run("check --say 'for all 0L languages A, B: A | B is 0L' --json");
+    CHECK(said.status == 1);
+    const json found = json::parse(said.out)["claims"][0];
+    CHECK(found["verdict"] == "refuted");
+    CHECK(found["theorem"]["method"] == "instance");
+    CHECK(found["theorem"]["counterexample"] == json{{"A", "{a}"}, {"B", "{aa}"}});
+    CHECK(found["theorem"]["searched"]["size"] == 5);
+    CHECK(found["theorem"]["searched"]["undecided"] == 0);
+    CHECK(run("check --say 'for all 0L languages A: A | A is 0L' --size 4").status == 3);
+    CHECK(run("check --say 'for all 0L languages A: A^R is 0L'").status == 0);
+    CHECK(
+        run("check --say 'A is 0L'")
+            .err.starts_with("--say:2:9: error: expected a name that is defined above, found 'A'"));
+    CHECK(run("check").err ==
+          "algae: expected files of claims or --say and a statement, found neither\n");
 }
 
 TEST_CASE("a claim that allows the empty axiom says so in its certificate") {
@@ -180,7 +273,7 @@ TEST_CASE("check refuses what it cannot read or write, and leaves no file behind
     std::filesystem::create_directory(files.path() / "empty");
     refused(files.file("empty"), "expected .claim files in this folder, found none");
     refused(files.file("none.claim"), "cannot read");
-    refused("", "PATH");
+    refused("", "expected files of claims or --say and a statement, found neither");
     const std::string certificate = files.file("proof.json");
     refused(good + " " + good + " --certificate " + certificate,
             "--certificate takes one claim, found 2");

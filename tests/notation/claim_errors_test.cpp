@@ -31,11 +31,11 @@ TEST_CASE("titles and texts") {
     CHECK(said("claim") == "expected a text after 'claim', found the end of the line");
     CHECK(said("claim A\nclaim B") == "'claim' is given twice, first in line 1");
     CHECK(said("claim A\nsource B;source C") == "'source' is given twice, first in line 2");
-    CHECK(
-        said("claim A\nshwo A") ==
-        "expected claim, source, note, alphabet, allow, let, show, lemma, refute or closed, found "
-        "'shwo'; did you "
-        "mean 'show'?");
+    CHECK(said("claim A\nshwo A") ==
+          "expected claim, source, note, alphabet, allow, let, theorem, show, lemma, refute or "
+          "closed, found "
+          "'shwo'; did you "
+          "mean 'show'?");
     CHECK(said("claim A\nallow empty axioms") ==
           "expected 'allow empty axiom', found 'allow empty axioms'");
     CHECK(said("claim A\nallow") == "expected 'allow empty axiom', found 'allow'");

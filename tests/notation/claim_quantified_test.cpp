@@ -56,7 +56,7 @@ TEST_CASE("a morphism of which the inverse is used has letters of its own") {
     const Quantified said = quantified("for all D0L languages A and morphisms h: h^-1(A) is D0L");
     CHECK(said.bindings.at(1).domain.kind == Domain::Kind::inverse_morphism);
     CHECK(claim_messages("theorem for all finite languages A and morphisms h: h(h^-1(A)) == A") ==
-          "2:51: expected 'h' or its inverse, found both in one statement; bind a second name for "
+          "2:53: expected 'h' or its inverse, found both in one statement; bind a second name for "
           "the inverse");
 }
 
@@ -124,7 +124,7 @@ TEST_CASE("what is wrong with a quantified statement is told with its place") {
     CHECK(claim_messages("theorem for all OL languages A: A is 0L") ==
           "2:17: expected one of finite, 0L, P0L, D0L, PD0L, T0L, PT0L, DT0L, PDT0L, E0L, EP0L, "
           "ED0L, ET0L, EPT0L, EDT0L, EPDT0L, IL, DIL, PDIL, regular, context-free before "
-          "'languages', found 'OL'; did you mean '0L'?");
+          "'languages', found 'OL'; did you mean '0L', with a zero?");
     CHECK(claim_messages("theorem for all systems G: L(G) is finite") ==
           "2:17: expected a family of systems (0L, D0L, PD0L, ...) before 'systems', found "
           "'systems'");

@@ -70,8 +70,7 @@ const std::vector<Known> false_claims{
      "-> ε",
      8},
     {"for all PD0L systems G, H with L(G) == L(H): sequence(G) == sequence(H)",
-     "G = the PD0L system with axiom a; a -> b; b -> a; H = the PD0L system with axiom b; b -> a; "
-     "a -> b",
+     "G = the PD0L system with axiom a; a -> b; b -> a; H = the PD0L system with axiom a; a -> b",
      10},
     {"for all T0L languages A, B with A & B is not empty: A & B is T0L", "A = {ε, a}; B = {ε, b}",
      6},

@@ -260,12 +260,14 @@ public:
                                            const std::string& operation) const {
         return table_.cell(family, operation);
     }
-    /// The proof that a family is not closed, by a counterexample; nullptr if a search finds none.
-    const CheckedClaim* refutation(const std::string& family, const std::string& operation) {
-        const auto [entry, is_new] = refutations_.try_emplace({family, operation});
+    /// The proof that a family is closed, or that it is not, as a formal statement; nullptr if none is found. That it is
+    /// not is searched for among small finite languages.
+    const CheckedClaim* theorem(const std::string& family, const std::string& operation,
+                                bool closed) {
+        const auto [entry, is_new] = theorems_.try_emplace({family, operation});
         if (is_new)
-            if (std::optional<Claim> claim = closure_claim(family, operation)) {
-                constexpr SearchLimits limits{1'000, 9};
+            if (std::optional<Claim> claim = closure_claim(family, operation, closed)) {
+                const SearchLimits limits = closed ? SearchLimits{0, 0} : SearchLimits{1'000, 9};
                 CheckedClaim found = check(std::move(*claim), budget_, limits);
                 if (found.verdict() == ClaimVerdict::proved) entry->second = std::move(found);
             }
@@ -296,13 +298,13 @@ private:
     std::vector<Claim> claims_;
     ClosureTable table_;
     std::vector<std::optional<CheckedClaim>> checked_;
-    std::map<std::pair<std::string, std::string>, std::optional<CheckedClaim>> refutations_;
+    std::map<std::pair<std::string, std::string>, std::optional<CheckedClaim>> theorems_;
 };
 
 /// What is known of a cell: "refuted" by a counterexample, or what the claim comes to that is about it.
 std::string status_of(Theory& theory, const ClosureTable::Cell& cell, const std::string& family,
                       const std::string& operation) {
-    if (!cell.closed && theory.refutation(family, operation)) return "refuted";
+    if (theory.theorem(family, operation, cell.closed)) return cell.closed ? "proved" : "refuted";
     return std::string(to_string(theory.checked(cell.claim).verdict()));
 }
 
@@ -325,7 +327,7 @@ Json as_json(Theory& theory, const std::string& family, const std::string& opera
     entry.set("closed", status == "undecided" ? Json() : Json(cell->closed));
     entry.set("status", status);
     if (status == "refuted") {
-        const CheckedClaim& found = *theory.refutation(family, operation);
+        const CheckedClaim& found = *theory.theorem(family, operation, cell->closed);
         Json witness;
         for (const auto& [name, value] :
              witness_of(found.statements.at(0).answer, *found.claim.alphabet))
@@ -528,9 +530,8 @@ int verify_certificate(const VerifyOptions& options) {
     print(options.json ? Json{{"claim", certificate->claim}, {"statements", list}}.text()
                        : totals(counts));
     if (counts.contains(Finding::Outcome::wrong)) return refuted;
-    const std::size_t checked =
-        counts[Finding::Outcome::checked] +
-        (options.accept.empty() ? 0 : counts[Finding::Outcome::cited]);
+    const std::size_t checked = counts[Finding::Outcome::checked] +
+                                (options.accept.empty() ? 0 : counts[Finding::Outcome::cited]);
     return checked > 0 && checked == certificate->entries.size() ? success : undecided;
 }
 

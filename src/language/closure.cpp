@@ -64,6 +64,7 @@ const std::vector<OperationForm>& operation_forms() {
         {"concatenation", "A B", 2},
         {"star", "A*"},
         {"plus", "A+"},
+        {"reversal", "A^R"},
         {"intersection", "A & B", 2},
         {"intersection with regular", "A & B", 2, "REG"},
         {"homomorphism", "h(A)", 1, "", "morphisms", {.kind = K::morphism}},
@@ -88,32 +89,32 @@ Language bound_language(std::size_t number, const char* name) {
     return std::make_shared<const LanguageTree>(std::move(tree));
 }
 
-Language result_of(const OperationForm& form) {
+Language result_of(const OperationForm& form, std::size_t first) {
     const std::string name = form.name;
-    const Language a = bound_language(0, "A"), b = bound_language(1, "B");
+    const Language a = bound_language(first, "A"), b = bound_language(first + 1, "B");
     if (name == "union") return combined(Kind::united, {a, b});
     if (name == "concatenation") return combined(Kind::concatenated, {a, b});
     if (name == "star") return combined(Kind::star, {a});
     if (name == "plus") return combined(Kind::plus, {a});
+    if (name == "reversal") return combined(Kind::reversed, {a});
     if (name.starts_with("intersection")) return combined(Kind::intersected, {a, b});
     LanguageTree tree;
     tree.kind = name == "inverse homomorphism" ? Kind::inverse_image : Kind::image;
     tree.parts = {a};
-    tree.variable = BoundName{1, "h"};
+    tree.variable = BoundName{first + 1, "h"};
     return std::make_shared<const LanguageTree>(std::move(tree));
 }
 
 }  // namespace
 
-std::optional<Claim> closure_claim(const std::string& family, const std::string& operation) {
+std::optional<Statement> closure_statement(const std::string& family, const std::string& operation,
+                                           std::size_t first) {
     const auto& forms = operation_forms();
     const auto form = std::find_if(forms.begin(), forms.end(),
                                    [&](const OperationForm& one) { return one.name == operation; });
-    // Families that have all finite languages are closed under what keeps languages finite.
-    const auto system = system_form(family);
-    const bool is_searched = system && !system->extended && !system->interactive;
-    if (form == forms.end() || !is_searched) return std::nullopt;
+    if (form == forms.end()) return std::nullopt;
     Quantified said;
+    said.first = first;
     const auto bind = [&](const char* name, const std::string& of) {
         said.bindings.push_back({name, {}, of, {}, of + " languages"});
     };
@@ -130,11 +131,24 @@ std::optional<Claim> closure_claim(const std::string& family, const std::string&
         text += std::string(" and ") + form->mapping + " h";
     }
     Statement body;
-    body.says = InFamily{result_of(*form), family};
+    body.says = InFamily{result_of(*form, first), family};
     body.text = std::string(form->text) + " is " + family;
     said.body = {body};
+    Statement whole;
+    whole.text = text + ": " + body.text;
+    whole.says = std::move(said);
+    return whole;
+}
+
+std::optional<Claim> closure_claim(const std::string& family, const std::string& operation,
+                                   bool closed) {
+    // Families that have all finite languages are closed under what keeps languages finite.
+    const auto system = system_form(family);
+    auto statement = closure_statement(family, operation, 0);
+    const bool is_searched = system && !system->extended && !system->interactive;
+    if (!statement || (!closed && !is_searched)) return std::nullopt;
     Claim claim;
-    claim.title = family + " languages are not closed under " + operation;
+    claim.title = family + " languages are " + (closed ? "" : "not ") + "closed under " + operation;
     auto alphabet = std::make_shared<Alphabet>();
     for (char c = 'a'; c <= 'z'; ++c)
         (c < 'x' ? claim.instance_letters : claim.inverse_letters)
@@ -142,11 +156,9 @@ std::optional<Claim> closure_claim(const std::string& family, const std::string&
     claim.inverse_letters.insert(claim.inverse_letters.end(), claim.instance_letters.rbegin(),
                                  claim.instance_letters.rend());
     claim.alphabet = std::move(alphabet);
-    Statement whole;
-    whole.text = "not " + text + ": " + body.text;
-    whole.says = std::move(said);
-    whole.negated = true;
-    claim.statements.push_back({std::move(whole), ClaimedStatement::Purpose::theorem, {}});
+    if (!closed) statement->text = "not " + statement->text;
+    statement->negated = !closed;
+    claim.statements.push_back({std::move(*statement), ClaimedStatement::Purpose::theorem, {}});
     return claim;
 }
 

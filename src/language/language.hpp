@@ -849,12 +849,19 @@ const std::vector<std::string>& closure_operations();
 /// Example: closure_families().front() == "REG"
 const std::vector<std::string>& closure_families();
 
-/// The claim that a family is not closed under an operation, as a theorem that a search for a finite counterexample may
-/// prove: `not for all 0L languages A, B: A | B is 0L`. Nothing for other families than 0L, with P, D and T, and for
-/// operations whose results on finite languages are not decided.
+/// The statement that a family is closed under an operation: `for all 0L languages A, B: A | B is 0L`, whose names have
+/// numbers from `first` on. Nothing for complement, whose letters are those of no instance.
 ///
-/// Example: closure_claim("0L", "union")->statements.at(0).statement.negated
-std::optional<Claim> closure_claim(const std::string& family, const std::string& operation);
+/// Example: closure_statement("0L", "star", 0)->text == "for all 0L languages A: A* is 0L"
+std::optional<Statement> closure_statement(const std::string& family, const std::string& operation,
+                                           std::size_t first);
+
+/// The claim that a family is closed under an operation, or that it is not, with that statement as its theorem. That it is not
+/// may be proved by a finite counterexample: nothing for families that have all finite languages.
+///
+/// Example: closure_claim("0L", "union", false)->statements.at(0).statement.negated
+std::optional<Claim> closure_claim(const std::string& family, const std::string& operation,
+                                   bool closed);
 
 /// Which families of languages are closed under which operations, and which claim is about it.
 class ClosureTable {

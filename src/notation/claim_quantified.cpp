@@ -444,6 +444,7 @@ public:
             read.negated = denied;
             return placed(std::move(read), text);
         }
+        if (is_closure_fact(rest)) return placed(closed_under(denied, rest), text);
         using Joined = Joint::Kind;
         for (const auto& [word, kind] :
              {std::pair{"iff", Joined::iff}, std::pair{"implies", Joined::implies},
@@ -489,6 +490,30 @@ private:
             take_words(rest, {"there", "are"}))
             return false;
         return std::nullopt;
+    }
+
+    /// `closed under union: 0L P0L`: each of the families is, or with `not` none of them.
+    Statement closed_under(bool denied, std::string_view text) {
+        const ClosureFact fact = parse_closure_fact(text, reading_);
+        Joint joint{Joint::Kind::all, {}};
+        for (const std::string& family : fact.families) {
+            auto one = closure_statement(family, fact.operation, reading_.uses.size());
+            if (!one)
+                throw SyntaxError{text.data(), "expected another operation than " + fact.operation +
+                                                   ", of which no statement about all languages "
+                                                   "can be made"};
+            reading_.uses.resize(reading_.uses.size() +
+                                 std::get<Quantified>(one->says).bindings.size());
+            if (denied) one->text = "not " + one->text;
+            one->negated = denied;
+            one->place = reading_.source.place(text.data());
+            joint.parts.push_back(std::move(*one));
+        }
+        reading_.binds = true;
+        if (joint.parts.size() == 1) return joint.parts.front();
+        Statement made;
+        made.says = std::move(joint);
+        return made;
     }
 
     Statement placed(Statement statement, std::string_view text) const {

@@ -422,6 +422,8 @@ private:
             text = text.substr(0, by);
         }
         claimed.statement = parse_statement(trimmed(text), reading_);
+        if (theorem_ == clause.text.data() && is_closure_fact(trimmed(text)))
+            claim_.closure.push_back(parse_closure_fact(trimmed(text), reading_));
         claim_.statements.push_back(std::move(claimed));
     }
 

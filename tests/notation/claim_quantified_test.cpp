@@ -150,3 +150,23 @@ TEST_CASE("what is wrong with a quantified statement is told with its place") {
     CHECK(claim_messages("show {a} is 0L iff {b} is 0L iff {c} is 0L") ==
           "2:34: expected one 'iff', found a second; use brackets");
 }
+
+TEST_CASE("closed under an operation is a statement about all languages of a family") {
+    const Claim read = claim("theorem not closed under union: 0L P0L\n");
+    const Joint both = said_in<Joint>(read.statements.at(0).statement);
+    REQUIRE(both.parts.size() == 2);
+    CHECK(both.parts[0].text == "not for all 0L languages A, B: A | B is 0L");
+    CHECK(both.parts[1].negated);
+    CHECK(said_in<Quantified>(both.parts[1]).bindings.at(1).family == "P0L");
+    REQUIRE(read.closure.size() == 1);
+    CHECK(!read.closure[0].closed);
+    const Claim one = claim("theorem closed under reversal: IL by a book\n");
+    CHECK(
+        said_in<InFamily>(said_in<Quantified>(one.statements.at(0).statement).body.at(0)).family ==
+        "IL");
+    CHECK(one.statements.at(0).citation == "a book");
+    CHECK(one.closure.at(0).closed);
+    CHECK(claim_messages("theorem closed under complement: REG") ==
+          "2:9: expected another operation than complement, of which no statement about all "
+          "languages can be made");
+}

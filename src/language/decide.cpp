@@ -88,6 +88,17 @@ Answer decide(const Statement& statement, const Claim& claim, const Budget& budg
 }
 //< decide
 
+Answer decide_part(const Statement& statement, const Claim& claim, const Budget& budget,
+                   const SearchLimits& limits) {
+    try {
+        Answer found = std::visit(Judge{claim, budget, limits}, statement.says);
+        return statement.negated ? opposite(std::move(found)) : found;
+    } catch (const BoundReached& error) {
+        if (error.bound() == Bound::time) throw;
+        return undecided(error.what());
+    }
+}
+
 namespace {
 
 using Outcome = CheckedStatement::Outcome;

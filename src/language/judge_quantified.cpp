@@ -469,20 +469,20 @@ private:
             if (binding.family.empty()) continue;
             Statement member;
             member.says = InFamily{std::get<Language>(step.values[i].is), binding.family};
-            Answer found = decide(member, claim_, budget_, limits_);
+            Answer found = decide_part(member, claim_, budget_, limits_);
             if (found.truth == Truth::refuted) return true;
             open = open || found.truth == Truth::undecided;
             step.members.push_back(std::move(found));
         }
         for (const Statement& condition : said_.conditions) {
-            Answer found = decide(substitution(condition), claim_, budget_, limits_);
+            Answer found = decide_part(substitution(condition), claim_, budget_, limits_);
             if (found.truth == Truth::refuted) return true;
             open = open || found.truth == Truth::undecided;
             step.conditions.push_back(std::move(found));
         }
         if (!open) ++searched_.instances;
         step.statement = substitution(said_.body.front());
-        step.body = decide(step.statement, claim_, budget_, limits_);
+        step.body = decide_part(step.statement, claim_, budget_, limits_);
         const Truth sought = said_.universal ? Truth::refuted : Truth::proved;
         if (step.body.truth == opposite(sought)) return true;
         if (open || step.body.truth == Truth::undecided) {
@@ -555,6 +555,79 @@ private:
 
 }  // namespace
 
+// A census asks the same of every instance up to a size. Instances are gathered in their order and decided by all threads,
+// a batch at a time, and added up in their order, so the result does not depend on the threads.
+
+Census census(const Quantified& said, const std::vector<Statement>& properties, const Claim& claim,
+              const CensusOptions& options, const Budget& budget) {
+    Tuple tuple;
+    for (const QuantifiedName& name : said.bindings) tuple.values.push_back(name.domain);
+    tuple.disjoint = said.disjoint;
+    if (said.over) tuple.over = said.over->size();
+    const auto last = is_finite(tuple) ? greatest_size(tuple) : std::nullopt;
+    if (!last) throw Error("expected a bound of the census, such as 'up to size 8'");
+    const InstanceReader reader(said, claim);
+    const auto letters_for = [&](const Instance& instance) {
+        if (said.over) return *said.over;
+        if (instance.letters() > claim.instance_letters.size())
+            throw BoundReached(Bound::method, "an instance has more than " +
+                                                  std::to_string(claim.instance_letters.size()) +
+                                                  " letters");
+        return std::vector<Symbol>(
+            claim.instance_letters.begin(),
+            claim.instance_letters.begin() + static_cast<std::ptrdiff_t>(instance.letters()));
+    };
+    Census found;
+    found.first.resize(properties.size());
+    std::vector<Instance> batch;
+    std::vector<std::vector<Truth>> verdicts;
+    const auto decide_batch = [&](Census::Row& row) {
+        verdicts.assign(batch.size(), {});
+        const auto worker = [&]() -> PartWorker {
+            return [&](std::size_t i) {
+                const auto values = reader.values(batch[i], letters_for(batch[i]));
+                const Substitution substitution(values);
+                for (const Statement& property : properties)
+                    verdicts[i].push_back(
+                        decide_part(substitution(property), claim, budget, {}).truth);
+            };
+        };
+        each_part(batch.size(), options.threads, budget, worker);
+        for (std::size_t i = 0; i < batch.size(); ++i)
+            for (std::size_t p = 0; p < properties.size(); ++p) {
+                ++row.verdicts[p][static_cast<std::size_t>(verdicts[i][p])];
+                if (verdicts[i][p] == Truth::proved && found.first[p].size() < options.first)
+                    found.first[p].push_back(batch[i].text());
+            }
+        row.instances += Integer(std::uint64_t{batch.size()});
+        batch.clear();
+    };
+    const auto& only = said.bindings.front().domain;
+    const bool is_counted = properties.empty() && said.bindings.size() == 1 && !said.over &&
+                            only.kind == Domain::Kind::system && only.deterministic &&
+                            !only.tables && !only.max_word_length;
+    constexpr std::size_t batch_size = 4096;
+    for (std::uint64_t size = 1; size <= *last; ++size) {
+        Census::Row row{size, 0, std::vector<std::array<std::uint64_t, 3>>(properties.size())};
+        if (is_counted) {
+            row.instances = DeterministicSystems(size, only.propagating, {}, budget).count();
+        } else {
+            visit(
+                tuple, size,
+                [&](const Instance& instance) {
+                    batch.push_back(instance);
+                    if (batch.size() == batch_size) decide_batch(row);
+                    return true;
+                },
+                budget);
+            decide_batch(row);
+        }
+        if (options.on_row) options.on_row(row);
+        found.rows.push_back(std::move(row));
+    }
+    return found;
+}
+
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
                         const SearchLimits& limits) {
     if (auto found = judge_symbolic(said, claim, budget)) return *found;
@@ -569,7 +642,7 @@ Answer judge_joint(const Joint& said, const Claim& claim, const Budget& budget,
     std::vector<Truth> truths;
     // What decides the whole alone: a refuted part of `all`, a proved one of `any`, and so on.
     for (std::size_t i = 0; i < said.parts.size(); ++i) {
-        Answer found = decide(said.parts[i], claim, budget, limits);
+        Answer found = decide_part(said.parts[i], claim, budget, limits);
         const Truth truth = found.truth;
         truths.push_back(truth);
         if (truth == Truth::undecided) {

@@ -186,7 +186,7 @@ std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
     LettersForNames letters(said, claim);
     const auto closed = letters.closed(body);
     if (!closed) return std::nullopt;
-    const Answer found = decide(*closed, claim, budget);
+    const Answer found = decide_part(*closed, claim, budget, {});
     if (found.truth != Truth::proved) return std::nullopt;
     return proved(steps::ByLetters{letters.letters(), found.proof});
 }

@@ -4,6 +4,7 @@
 // about languages, systems and what they draw, each with its verdict, an argument in sentences and a proof that
 // the room verify checks again.
 
+#include <array>
 #include <compare>
 #include <cstddef>
 #include <cstdint>
@@ -752,6 +753,31 @@ Judgement in_sentences(const Answer& answer, const Alphabet& alphabet);
 /// which. Throws Interrupted if the work was asked to stop, Error where the statement cannot be about its systems.
 Answer decide(const Statement& statement, const Claim& claim, const Budget& budget = {},
               const SearchLimits& limits = {});
+
+/// How many instances of each size there are, and of how many each of some statements is true.
+struct Census {
+    struct Row {
+        std::uint64_t size = 0;
+        Integer instances = 0;
+        /// By statement: of how many it is proved, refuted, undecided.
+        std::vector<std::array<std::uint64_t, 3>> verdicts;
+    };
+    std::vector<Row> rows;  // sizes 1, 2, ...
+    std::vector<std::vector<std::string>>
+        first;  // by statement: the first instances of which it is proved
+};
+
+struct CensusOptions {
+    std::size_t first = 0;  // how many instances of each statement are kept, as texts of `Instance`
+    unsigned threads = 0;   // 0: as many as the machine has; the result is the same
+    std::function<void(const Census::Row&)> on_row = {};
+};
+
+/// The census of the bound names' values up to the size that bounds them. The properties are statements in which the
+/// names stand; without any, D0L and PD0L systems are counted and not visited. Throws Error if there is no bound of the
+/// size, and what budget.check throws. Memory does not depend on how many instances there are.
+Census census(const Quantified& said, const std::vector<Statement>& properties, const Claim& claim,
+              const CensusOptions& options = {}, const Budget& budget = {});
 
 /// What may be used besides the language itself.
 struct FamilyQuestion {

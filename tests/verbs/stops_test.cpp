@@ -80,7 +80,10 @@ const std::vector<Case>& cases() {
           "infinite /a+/"}},
         {"check",
          {"IN/all.claim", "IN/all.claim --json", "IN/all.claim --explain",
-          "IN/all.claim --certificate OUT.json", "IN/drawn.claim"}},
+          "IN/all.claim --certificate OUT.json", "IN/drawn.claim", "IN/quantified.claim"}},
+        {"census",
+         {"finite%languages%up%to%size%4 --by 0L,T0L --threads 1",
+          "D0L%systems%up%to%size%5 --by growth --threads 1 --format json"}},
         {"closure", {}, {"0L union", "0L union --json"}},
         {"verify", {"IN/all.json", "IN/all.json --json", "IN/drawn.json"}},
         {"draw",
@@ -177,6 +180,7 @@ public:
             for (const auto& [name, folder] : {std::pair("IN/", "in/"), {"OUT", "out/made"}})
                 if (const std::size_t at = word.find(name); at != std::string::npos)
                     word.replace(at, std::string(name).size(), (path_ / folder).string());
+            std::replace(word.begin(), word.end(), '%', ' ');  // blanks within a word
             all.push_back(word);
         }
         return all;
@@ -248,6 +252,10 @@ private:
              "claim Dimensions\nlet G = D0L gosper\nlet K = D0L koch\nshow dimension(G) = 2\n"
              "show boundary(G) = log 3 / log sqrt 7\nrefute dimension(K) = 3/2\nshow dimension(K) "
              "<= 2\n"},
+            {"quantified.claim",
+             "claim Names\ntheorem not for all 0L languages A, B: A | B is 0L\n"
+             "show for all D0L languages A with words up to length 1 over {a, b}: A is 0L\n"
+             "show {a} is 0L or {a, aa} is 0L\nshow for all languages A: A* A* == A*\n"},
             {"own.exercise",
              "exercise Twice two\ntask Find a system with the language of even powers.\n"
              "answer system\nshow answer is D0L\nshow aabb in L(answer)\nshow L(answer) is "

@@ -212,6 +212,7 @@ void add_is(Verbs& verbs);
 void add_check(Verbs& verbs);
 void add_closure(Verbs& verbs);
 void add_verify(Verbs& verbs);
+void add_census(Verbs& verbs);
 void add_draw(Verbs& verbs);
 void add_dimension(Verbs& verbs);
 void add_tree(Verbs& verbs);

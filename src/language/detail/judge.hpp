@@ -167,6 +167,11 @@ Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget 
 
 // --- Judges of statements made of others ---
 
+/// `decide` for a part of a statement, of an instance for example: it is undecided where a bound of steps or memory is
+/// reached, but where the time is over the whole is, so that no result depends on the speed of the machine.
+Answer decide_part(const Statement& statement, const Claim& claim, const Budget& budget,
+                   const SearchLimits& limits);
+
 /// Whether the statement holds for all values, or for some: by the first instance that decides it, or by all of them
 /// where the bounds leave finitely many. Throws what budget.check throws.
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,

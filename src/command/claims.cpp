@@ -215,7 +215,8 @@ int check_claims(const CheckOptions& options) {
     ProgressBar bar("check");
     for (std::size_t i = 0; i < claims.size(); ++i) {
         const CheckedClaim checked =
-            check(std::move(claims[i]), budget, {options.instances, options.size});
+            check(std::move(claims[i]), budget,
+                  {options.instances, options.size, 0, claims.size() == 1 ? &bar : nullptr});
         ++counts[checked.verdict()];
         worst = worse(worst, status_of(checked, !options.accept.empty()));
         if (!options.certificate.empty())
@@ -267,7 +268,8 @@ public:
         const auto [entry, is_new] = theorems_.try_emplace({family, operation});
         if (is_new)
             if (std::optional<Claim> claim = closure_claim(family, operation, closed)) {
-                const SearchLimits limits = closed ? SearchLimits{0, 0} : SearchLimits{1'000, 9};
+                const SearchLimits limits =
+                    closed ? SearchLimits{0, 0, 0, nullptr} : SearchLimits{1'000, 9, 0, nullptr};
                 CheckedClaim found = check(std::move(*claim), budget_, limits);
                 if (found.verdict() == ClaimVerdict::proved) entry->second = std::move(found);
             }

@@ -154,7 +154,11 @@ CheckedClaim check(Claim claim, const Budget& budget, const SearchLimits& limits
     CheckedClaim checked;
     for (const ClaimedStatement& claimed : claim.statements) {
         CheckedStatement found;
-        found.answer = decide(claimed.statement, claim, budget, limits);
+        try {
+            found.answer = decide(claimed.statement, claim, budget, limits);
+        } catch (const Error& error) {  // the other statements are decided all the same
+            found.answer = undecided(error.what());
+        }
         found.outcome = outcome(claimed, found.answer.truth);
         checked.statements.push_back(std::move(found));
     }

@@ -413,21 +413,21 @@ public:
                        name.text != "finite languages" && !name.domain.max_word_length;
             });
         searched_.all = is_bounded;
-        for (std::uint64_t size = 0; size <= last_size && !is_over_; ++size) {
-            searched_.size = size;
+        for (std::uint64_t size = 0; size <= last_size && !is_over_; ++size)
             visit(
-                tuple_, size, [&](const Instance& instance) { return look_at(instance); }, budget_);
-        }
+                tuple_, size, [&](const Instance& instance) { return gather(instance); }, budget_);
+        if (!is_over_) look_at_gathered();
         if (is_stopped_by_limit_) searched_.all = false;
         if (witness_) return answer_by(*witness_);
         const bool has_inverse = std::any_of(
-            said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& binding) {
-                return binding.domain.kind == Domain::Kind::inverse_morphism;
+            said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& name) {
+                return name.domain.kind == Domain::Kind::inverse_morphism;
             });
         // The letters of an inverse morphism's domain are called by new names only.
         const bool decided = searched_.instances > 0 && searched_.all && !searched_.finite_only &&
                              searched_.undecided == 0 && (fixed_.empty() || !has_inverse);
         if (!decided) {
+            if (!is_stopped_by_limit_) searched_.size = last_size;
             Answer open = undecided(text_of_search());
             open.searched = searched_;
             return open;
@@ -443,66 +443,127 @@ private:
         steps::ByInstance step;
         bool trivial = false;
     };
+    /// An instance with names for its letters; the first of its namings counts for all.
+    struct Named {
+        Instance instance;
+        std::vector<Symbol> letters;
+        bool is_first = true;
+    };
+    /// What is found of it: it does not meet the conditions, is as the statement says, is undecided, or decides the
+    /// statement.
+    struct Found {
+        enum class Kind { outside, as_said, undecided, witness } kind = Kind::outside;
+        bool meets = false;  // all conditions are proved
+        std::optional<Witness> witness;
+    };
 
-    bool look_at(const Instance& instance) {
-        if (searched_.visited == limits_.instances && !searched_.all) {
+    /// Adds an instance to those that are looked at together: few at first, so that an early witness is found early,
+    /// then many. False when the search is over.
+    bool gather(const Instance& instance) {
+        if (visited_ == limits_.instances && !searched_.all) {
+            look_at_gathered();
             is_over_ = is_stopped_by_limit_ = true;
             return false;
         }
-        budget_.check();
-        ++searched_.visited;
-        if (said_.over) return look_at(instance, *said_.over);
-        return each_naming(
-            instance.letters(), fixed_, fresh_,
-            [&](const std::vector<Symbol>& letters) { return look_at(instance, letters); });
+        ++visited_;
+        bool is_first = true;
+        const auto add = [&](const std::vector<Symbol>& letters) {
+            gathered_.push_back({instance, letters, std::exchange(is_first, false)});
+            return true;
+        };
+        if (said_.over)
+            add(*said_.over);
+        else
+            each_naming(instance.letters(), fixed_, fresh_, add);
+        if (gathered_.size() < batch_) return true;
+        look_at_gathered();
+        return !is_over_;
     }
 
-    /// False when the search is over.
-    bool look_at(const Instance& instance, const std::vector<Symbol>& letters) {
+    /// Decides the gathered instances by all threads, then goes through them in their order, up to the first that
+    /// ends the search: what is found does not depend on the threads.
+    void look_at_gathered() {
+        std::vector<Found> found(gathered_.size());
+        const auto worker = [&]() -> PartWorker {
+            return [&](std::size_t i) { found[i] = look_at(gathered_[i]); };
+        };
+        each_part(gathered_.size(), limits_.threads, budget_, worker);
+        for (std::size_t i = 0; i < found.size() && !is_over_; ++i) {
+            if (gathered_[i].is_first) ++searched_.visited;
+            searched_.size = gathered_[i].instance.size();
+            if (found[i].meets) ++searched_.instances;
+            if (found[i].kind == Found::Kind::undecided && !witness_) ++searched_.undecided;
+            if (found[i].kind == Found::Kind::witness)
+                is_over_ = keep(std::move(*found[i].witness));
+        }
+        gathered_.clear();
+        constexpr std::size_t most = 1024;
+        batch_ = std::min(2 * batch_, most);
+        if (limits_.progress)
+            limits_.progress->report(std::min(
+                1.0, static_cast<double>(visited_) /
+                         static_cast<double>(std::max<std::uint64_t>(limits_.instances, 1))));
+    }
+
+    Found look_at(const Named& named) const {
+        budget_.check();
         steps::ByInstance step;
-        step.values = reader_.values(instance, letters);
-        step.size = instance.size();
+        step.values = reader_.values(named.instance, named.letters);
+        step.size = named.instance.size();
         const Substitution substitution(step.values);
         bool open = false;
         for (std::size_t i = 0; i < said_.bindings.size(); ++i) {
-            const QuantifiedName& binding = said_.bindings[i];
-            if (binding.family.empty()) continue;
+            const QuantifiedName& name = said_.bindings[i];
+            if (name.family.empty()) continue;
             Statement member;
-            member.says = InFamily{std::get<Language>(step.values[i].is), binding.family};
-            Answer found = decide_part(member, claim_, budget_, limits_);
-            if (found.truth == Truth::refuted) return true;
+            member.says = InFamily{std::get<Language>(step.values[i].is), name.family};
+            Answer found = decide_part(member, claim_, budget_, inner());
+            if (found.truth == Truth::refuted) return {};
             open = open || found.truth == Truth::undecided;
             step.members.push_back(std::move(found));
         }
         for (const Statement& condition : said_.conditions) {
-            Answer found = decide_part(substitution(condition), claim_, budget_, limits_);
-            if (found.truth == Truth::refuted) return true;
+            Answer found = decide_part(substitution(condition), claim_, budget_, inner());
+            if (found.truth == Truth::refuted) return {};
             open = open || found.truth == Truth::undecided;
             step.conditions.push_back(std::move(found));
         }
-        if (!open) ++searched_.instances;
         step.statement = substitution(said_.body.front());
-        step.body = decide_part(step.statement, claim_, budget_, limits_);
+        step.body = decide_part(step.statement, claim_, budget_, inner());
         const Truth sought = said_.universal ? Truth::refuted : Truth::proved;
-        if (step.body.truth == opposite(sought)) return true;
-        if (open || step.body.truth == Truth::undecided) {
-            if (!witness_) ++searched_.undecided;
-            return true;
+        Found found;
+        found.meets = !open;
+        if (step.body.truth == opposite(sought)) {
+            found.kind = Found::Kind::as_said;
+        } else if (open || step.body.truth == Truth::undecided) {
+            found.kind = Found::Kind::undecided;
+        } else {
+            found.kind = Found::Kind::witness;
+            const bool trivial = is_trivial(step.statement);
+            found.witness = {std::move(step), trivial};
         }
-        const bool trivial = is_trivial(step.statement);
-        return keep({std::move(step), trivial});
+        return found;
     }
 
+    /// Of a quantifier within this one the instances are not spread over threads again.
+    SearchLimits inner() const {
+        SearchLimits limits = limits_;
+        limits.threads = 1;
+        limits.progress = nullptr;
+        return limits;
+    }
+
+    /// Whether the search is over: the witness, and another one where it is trivial, are found.
     bool keep(Witness found) {
         if (!witness_) {
             searched_.witness = true;
             witness_searched_ = searched_;
             witness_ = std::move(found);
-        } else if (!found.trivial) {
-            witness_->step.other = std::make_shared<const steps::ByInstance>(std::move(found.step));
-            return !(is_over_ = true);
+            return !witness_->trivial;
         }
-        return witness_->trivial || !(is_over_ = true);
+        if (found.trivial) return false;
+        witness_->step.other = std::make_shared<const steps::ByInstance>(std::move(found.step));
+        return true;
     }
 
     /// Whether the statement is `X is FAMILY` and X has no word but perhaps the empty one.
@@ -550,6 +611,9 @@ private:
     std::vector<Symbol> fixed_, fresh_;
     Searched searched_, witness_searched_;
     std::optional<Witness> witness_;
+    std::vector<Named> gathered_;
+    std::size_t batch_ = 1;
+    std::uint64_t visited_ = 0;
     bool is_over_ = false, is_stopped_by_limit_ = false;
 };
 

@@ -725,6 +725,8 @@ struct Answer {
 struct SearchLimits {
     std::uint64_t instances = 100'000;
     std::uint64_t size = 10;
+    unsigned threads = 0;          // 0: as many as the machine has; the answer is the same
+    Progress* progress = nullptr;  // told how many of the instances were looked at
 };
 
 /// The answer to the opposite statement, by the same proof.
@@ -840,7 +842,8 @@ struct CheckedClaim {
     CheckedStatement::Outcome worst() const;
 };
 
-/// Decides all statements of a claim. Throws what `decide` throws.
+/// Decides all statements of a claim. One that cannot be about its systems is undecided, and its answer says why. Throws
+/// what `decide` throws beside Error.
 CheckedClaim check(Claim claim, const Budget& budget = {}, const SearchLimits& limits = {});
 
 /// "proved", "refuted", "cited", "vacuous" or "undecided": what is known of the statement, whatever the claim says of it.

@@ -223,6 +223,16 @@ struct StatementWriter {
         if (said.degree) result["degree"] = to_string(*said.degree);
         return result;
     }
+    Json operator()(const IsIncreasing& said) const {
+        return {{"increasing", said.system->name}, {"strictly", said.strictly}};
+    }
+    Json operator()(const ComparesWords& said) const {
+        const auto word = [](const ComparesWords::Generation& one) {
+            return Json{{"system", one.system->name}, {"generation", one.number}};
+        };
+        return {{said.begins ? "begins with" : "equal words",
+                 Json::array({word(said.left), word(said.right)})}};
+    }
     Json operator()(const HasDimension& said) const {
         return dimension("dimension", said.name, said.dimension);
     }
@@ -515,6 +525,10 @@ struct ProofWriter {
         return {{"by", "reversal"}, {"proof", of(said.part)}};
     }
     Json operator()(const steps::Constructed& said) const { return construction_json(said.tables); }
+
+    Json operator()(const steps::Falls& said) const {
+        return {{"by", "generation"}, {"generation", said.generation}};
+    }
 
     Json operator()(const steps::FromStatements& said) const {
         Json parts = Json::array();

@@ -58,6 +58,10 @@ struct Judge {
         return judge_growth_formula(*said.system, said.formula, budget);
     }
     Answer operator()(const HasGrowthClass& said) const { return judge_growth_class(said, budget); }
+    Answer operator()(const IsIncreasing& said) const { return judge_increasing(said, budget); }
+    Answer operator()(const ComparesWords& said) const {
+        return judge_words(said, alphabet, budget);
+    }
     Answer operator()(const Rewrites& said) const { return judge_rewriting(said, budget); }
     Answer operator()(const HasChance& said) const { return judge_chance(said, budget); }
     Answer operator()(const HasDimension& said) const { return judge_dimension(said, budget); }

@@ -175,6 +175,11 @@ private:
     void put(EqualGrowth& said) const { said = {system(said.left), system(said.right)}; }
     void put(HasGrowthFormula& said) const { said.system = system(said.system); }
     void put(HasGrowthClass& said) const { said.system = system(said.system); }
+    void put(IsIncreasing& said) const { said.system = system(said.system); }
+    void put(ComparesWords& said) const {
+        said.left.system = system(said.left.system);
+        said.right.system = system(said.right.system);
+    }
     void put(Rewrites&) const {}
     void put(HasChance&) const {}
     void put(HasDimension&) const {}
@@ -253,6 +258,11 @@ private:
     void in(const EqualGrowth&) {}
     void in(const HasGrowthFormula&) {}
     void in(const HasGrowthClass&) {}
+    void in(const IsIncreasing&) {}
+    void in(const ComparesWords& said) {
+        in(said.left.system);
+        in(said.right.system);
+    }
     void in(const Rewrites&) {}
     void in(const HasChance&) {}
     void in(const HasDimension&) {}

@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <set>
 
 #include "growth/growth.hpp"
 #include "language/detail/judge.hpp"
@@ -320,6 +321,67 @@ Answer judge_growth_class(const HasGrowthClass& said, const Budget& budget) {
     return decided(to_string(order.kind) == said.growth &&
                        (!said.degree || Integer(order.degree) == *said.degree),
                    steps::Grows{said.system->name, order});
+}
+
+namespace {
+
+/// The letters that occur in the word of a generation, for generations 0, 1, ... until a set comes again.
+std::vector<std::set<Symbol>> letter_sets(const D0L& system, const Budget& budget) {
+    std::vector<std::set<Symbol>> sets;
+    std::set<std::set<Symbol>> seen;
+    std::set<Symbol> now(system.axiom.begin(), system.axiom.end());
+    while (seen.insert(now).second) {
+        budget.check();
+        sets.push_back(now);
+        std::set<Symbol> next;
+        for (const Symbol a : now) next.insert(system.rules[a].begin(), system.rules[a].end());
+        now = std::move(next);
+    }
+    return sets;
+}
+
+}  // namespace
+
+Answer judge_increasing(const IsIncreasing& said, const Budget& budget) {
+    const D0L system = as_d0l(*said.system);
+    const auto falls = [&](std::uint64_t generation, const Integer& before, const Integer& after) {
+        return refuted(steps::Falls{said.system->name, generation, before, after, said.strictly});
+    };
+    if (is_propagating(system)) {
+        if (!said.strictly) return proved(steps::Rises{said.system->name, false, 0});
+        const auto sets = letter_sets(system, budget);
+        for (std::size_t n = 0; n < sets.size(); ++n) {
+            const bool rises = std::any_of(sets[n].begin(), sets[n].end(),
+                                           [&](Symbol a) { return system.rules[a].size() > 1; });
+            if (!rises) return falls(n, length(system, n, budget), length(system, n + 1, budget));
+        }
+        return proved(steps::Rises{said.system->name, true, sets.size()});
+    }
+    constexpr std::uint64_t most = 1000;
+    Integer before = length(system, 0, budget);
+    for (std::uint64_t n = 0; n < most; ++n) {
+        budget.check();
+        const Integer after = length(system, n + 1, budget);
+        if (after < before || (said.strictly && after == before)) return falls(n, before, after);
+        before = after;
+    }
+    return undecided("the first " + std::to_string(most) +
+                     " lengths rise, and the system erases letters");
+}
+
+Answer judge_words(const ComparesWords& said, const Alphabet& alphabet, const Budget& budget) {
+    const auto word_of = [&](const ComparesWords::Generation& generation) {
+        return derive(as_d0l(*generation.system), generation.number, budget);
+    };
+    const Word left = word_of(said.left), right = word_of(said.right);
+    const bool holds = said.begins ? left.size() >= right.size() &&
+                                         std::equal(right.begin(), right.end(), left.begin())
+                                   : left == right;
+    const auto text = [&](const Word& word) {
+        constexpr std::size_t most = 60;
+        return word.size() <= most ? spell(alphabet, word) : counted(word.size(), "letter");
+    };
+    return decided(holds, steps::ComparedWords{said, text(left), text(right), holds});
 }
 
 }  // namespace algae

@@ -580,6 +580,22 @@ struct HasGrowthClass {
     std::optional<Integer> degree = {};
 };
 
+/// The lengths of a D0L system never fall; strictly: they rise from each generation to the next.
+struct IsIncreasing {
+    std::shared_ptr<const SourceSystem> system;
+    bool strictly = false;
+};
+
+/// Two generations of D0L systems are the same word, or the left one begins with the right one.
+struct ComparesWords {
+    struct Generation {
+        std::shared_ptr<const SourceSystem> system;
+        std::uint64_t number = 0;
+    };
+    Generation left, right;
+    bool begins = false;
+};
+
 /// A system whose words are derived module by module derives the word: from `from` or its axiom, in so many
 /// steps. The alphabet of the system has all letters of both words.
 struct Rewrites {
@@ -654,8 +670,8 @@ struct Quantified {
 /// lists the judges and readers that miss it.
 struct Statement {
     std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, Derives,
-                 EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, Rewrites, HasChance,
-                 HasDimension, BoundaryHasDimension, Joint, Quantified>
+                 EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, IsIncreasing, ComparesWords,
+                 Rewrites, HasChance, HasDimension, BoundaryHasDimension, Joint, Quantified>
         says;
     bool negated = false;
     std::string text = {};  // as written

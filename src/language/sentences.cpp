@@ -269,6 +269,26 @@ public:
                                                        : "") +
             ".");
     }
+    void operator()(const steps::Rises& said) {
+        say("No rule of " + marked(said.system) + " erases, so no length falls" +
+            (said.strictly ? ", and each of the " + number(said.sets) +
+                                 " sets of letters that occur together has a letter with a longer "
+                                 "successor."
+                           : "."));
+    }
+    void operator()(const steps::Falls& said) {
+        say("Generation " + number(said.generation) + " of " + marked(said.system) + " has " +
+            marked(to_string(said.before)) + " letters and the next one " +
+            marked(to_string(said.after)) + ".");
+    }
+    void operator()(const steps::ComparedWords& said) {
+        const auto generation = [&](const ComparesWords::Generation& one, const std::string& text) {
+            return "eneration " + number(one.number) + " of " + marked(one.system->name) + " is " +
+                   marked(text);
+        };
+        say("G" + generation(said.said.left, said.left) + ", g" +
+            generation(said.said.right, said.right) + ".");
+    }
     void operator()(const steps::LimitSet& said) {
         const ExactDimension& found = *said.found;
         for (const std::string& condition : found.conditions)

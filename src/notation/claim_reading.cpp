@@ -157,8 +157,8 @@ constexpr std::size_t most_suggested = 1000;  // to choose from more would take 
 
 /// The words that cannot be names of claims.
 const std::vector<std::string>& claim_keywords() {
-    static const std::vector<std::string> all{"is",     "in",       "not",       "by",
-                                              "growth", "sequence", "dimension", "boundary"};
+    static const std::vector<std::string> all{"is",       "in",        "not",      "by",  "growth",
+                                              "sequence", "dimension", "boundary", "word"};
     return all;
 }
 

@@ -351,6 +351,49 @@ public:
         return read(system_of("growth", equal.left) >> (is_equal | is_of_class | has_formula));
     }
 
+    /// `growth(G) is strictly increasing`.
+    bool increasing() {
+        const char* inside = text_.data();
+        const char* const end = inside + text_.size();
+        IsIncreasing said;
+        const auto ignore = [](std::string_view) {};
+        if (!grammar::read(inside, end,
+                           of_system("growth", "'(' after 'growth'", ignore) >> word("is")))
+            return false;
+        return read(system_of("growth", said.system) >> word("is") >>
+                    -word("not")[grammar::sets(statement_.negated, true)] >>
+                    -word("strictly")[grammar::sets(said.strictly, true)] >>
+                    wanted("'increasing' or 'strictly increasing'")[word("increasing")] >>
+                    says(said));
+    }
+
+    /// `word(G, 1) == word(H, 2)`, or `!=`, or `begins with`.
+    bool words() {
+        ComparesWords said;
+        const auto generation = [&](ComparesWords::Generation& to) {
+            return word("word") >> wanted("'('")['('] >>
+                   wanted("the name of a system")[grammar::claim_name[told(
+                       [this, &to](std::string_view name) {
+                           to.system = reading_.system(name);
+                       })]] >>
+                   wanted("',' and the number of a generation")[','] >>
+                   number("the number of a generation",
+                          [&to](const Integer& read) {
+                              constexpr std::uint64_t most = 1'000'000;
+                              to.number = read > Integer(most) ? most : read.to_uint64();
+                          }) >>
+                   wanted("')'")[')'];
+        };
+        return read(
+            generation(said.left) >>
+            wanted("'==', '!=' or 'begins with'")
+                [x3::lit("==") | unequal() |
+                 (word("begins") >>
+                  wanted("'with'")[word("with")[grammar::sets(said.begins, true)]])] >>
+            wanted("'word' and a system with a number between brackets")[generation(said.right)] >>
+            says(said));
+    }
+
     /// `dimension(G) = log 4 / log 3`, of the limit set that a system draws.
     bool dimension() { return dimension_of<HasDimension>("dimension", "'(' after 'dimension'"); }
 
@@ -396,7 +439,9 @@ constexpr StatementForm statement_forms[] = {
     {"G ==> w in 3 steps", &StatementReader::derivation},
     {"ab in A", &StatementReader::membership},
     {"sequence(G) == sequence(H)", &StatementReader::sequences},
+    {"growth(G) is strictly increasing", &StatementReader::increasing},
     {"growth(G) = 2^n + 1", &StatementReader::growth},
+    {"word(G, 1) begins with word(G, 0)", &StatementReader::words},
     {"dimension(G) = log 4 / log 3", &StatementReader::dimension},
     {"boundary(G) = log 2 / log sqrt 3", &StatementReader::boundary},
     {"|A| = 3", &StatementReader::size},

@@ -270,6 +270,26 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         return read;
     }
     if (field.has("dimension") || field.has("boundary")) return of_dimension(field, read);
+    if (field.has("increasing")) {
+        field.only({"increasing", "strictly"});
+        read.kind = Kind::increasing;
+        read.systems = {named_system(field.at("increasing"))};
+        read.strictly = field.at("strictly").truth();
+        return read;
+    }
+    for (const auto& [name, kind] :
+         {std::pair("equal words", Kind::equal_words), {"begins with", Kind::begins_with}}) {
+        if (!field.has(name)) continue;
+        field.only({name});
+        read.kind = kind;
+        const auto [left, right] = field.at(name).pair();
+        for (const Field& each : {left, right}) {
+            each.only({"system", "generation"});
+            read.systems.push_back(named_system(each.at("system")));
+            read.generations.push_back(each.at("generation").number());
+        }
+        return read;
+    }
     if (!field.has("growth")) field.fail("expected a statement");
     read.systems = {named_system(field.at("growth"))};
     if (field.has("equals")) {
@@ -783,6 +803,21 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    " lengths";
         case Kind::growth_formula:
             return "the lengths of " + system(0) + " are " + no + statement.formula->text();
+        case Kind::increasing:
+            return "the lengths of " + system(0) + " are " + no +
+                   (statement.strictly ? "strictly increasing" : "increasing");
+        case Kind::equal_words:
+        case Kind::begins_with: {
+            const auto generation = [&](std::size_t i) {
+                return "generation " + std::to_string(statement.generations[i]) + " of " +
+                       system(i);
+            };
+            const bool begins = statement.kind == Kind::begins_with;
+            return generation(0) +
+                   (begins ? (opposite ? " does not begin with " : " begins with ")
+                           : (opposite ? " is not " : " is ")) +
+                   generation(1);
+        }
         case Kind::dimension:
         case Kind::boundary:
             return std::string("the ") +

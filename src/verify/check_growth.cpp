@@ -436,4 +436,69 @@ void check_growth_class(const Obligation& task) {
             (found.name == "polynomial" ? " of degree " + std::to_string(found.degree) : ""));
 }
 
+// Lengths that never fall: no accessible letter is erased. That they always rise is checked on the sets of letters that
+// occur together, until a set comes again.
+
+void check_rises(const Obligation& task) {
+    must_be_d0l(task);
+    const System& system = task.system();
+    const System::Successors& table = system.tables[0];
+    for (const Symbol a : accessible_letters(system, system.axiom))
+        if (table[a][0].empty()) task.refuse("a letter is erased");
+    if (!task.statement.strictly) return;
+    std::set<std::set<Symbol>> seen;
+    std::set<Symbol> now(system.axiom.begin(), system.axiom.end());
+    while (seen.insert(now).second) {
+        task.budget.check();
+        bool rises = false;
+        std::set<Symbol> next;
+        for (const Symbol a : now) {
+            rises = rises || table[a][0].size() > 1;
+            next.insert(table[a][0].begin(), table[a][0].end());
+        }
+        if (!rises)
+            task.refuse("generation " + std::to_string(seen.size() - 1) +
+                        " is as long as the next one");
+        now = std::move(next);
+    }
+}
+
+void check_falls(const Obligation& task) {
+    must_be_d0l(task);
+    const Integer generation = task.proof.at("generation").integer();
+    const Integer before = length_of_generation(task.system(), generation, task.budget);
+    const Integer after = length_of_generation(task.system(), generation + 1, task.budget);
+    if (after > before || (after == before && !task.statement.strictly))
+        task.refuse("the next generation is not shorter");
+}
+
+void check_words(const Obligation& task) {
+    must_be_d0l(task);
+    constexpr std::size_t most = 10'000'000;  // letters
+    std::vector<Word> words;
+    for (std::size_t i = 0; i < 2; ++i) {
+        const System::Successors& table = task.system(i).tables[0];
+        Word word = task.system(i).axiom;
+        for (std::uint64_t n = 0; n < task.statement.generations[i]; ++n) {
+            task.budget.check();
+            Word next;
+            for (const Symbol a : word) {
+                next.insert(next.end(), table[a][0].begin(), table[a][0].end());
+                if (next.size() > most)
+                    throw BoundReached(Bound::letters, "a word has more than 10000000 letters");
+            }
+            if (next == word) break;  // and so for ever
+            word = std::move(next);
+        }
+        words.push_back(std::move(word));
+    }
+    const Word &left = words[0], &right = words[1];
+    const bool is_so =
+        task.statement.kind == Statement::Kind::equal_words
+            ? left == right
+            : left.size() >= right.size() && std::equal(right.begin(), right.end(), left.begin());
+    if (is_so != task.holds)
+        task.refuse(is_so ? "the words are as the statement says" : "the words are not so");
+}
+
 }  // namespace algae::verify

@@ -294,6 +294,9 @@ struct Statement {
         equal_growth,
         growth_formula,
         growth_class,
+        increasing,
+        equal_words,
+        begins_with,
         dimension,
         boundary,
         joint,
@@ -314,6 +317,8 @@ struct Statement {
     Modules modules;
     std::optional<Modules> modules_from;
     std::optional<Rational> probability;
+    bool strictly = false;                   // of increasing lengths
+    std::vector<std::uint64_t> generations;  // of the words that are compared, one for each system
     std::vector<Statement>
         parts;  // joined as `family` says; of a quantified statement, conditions and body as they stand
     std::shared_ptr<const Quantified> quantified;

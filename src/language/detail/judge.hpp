@@ -135,6 +135,14 @@ Answer judge_growth_formula(const SourceSystem& system, const Expression& formul
 /// Whether the growth of a D0L system is of this class: zero, bounded, polynomial (of this degree), exponential.
 Answer judge_growth_class(const HasGrowthClass& said, const Budget& budget = {});
 
+/// Whether the lengths of a D0L system never fall, or always rise. Decided where no letter is erased, by the sets of letters of
+/// the generations until one comes again; otherwise a fall is looked for among the first 1000 lengths.
+Answer judge_increasing(const IsIncreasing& said, const Budget& budget = {});
+
+/// Whether two generations of D0L systems are the same word, or one begins with the other. Throws BoundReached if they have
+/// more than budget.letters letters.
+Answer judge_words(const ComparesWords& said, const Alphabet& alphabet, const Budget& budget = {});
+
 /// The system as a D0L system. Throws Error that names it if it is not one.
 D0L as_d0l(const SourceSystem& system);
 

@@ -248,6 +248,29 @@ struct Grows {
     GrowthOrder order;
 };
 
+/// No letter is erased, so no length falls; strictly: each of so many sets of letters that occur together has one with a
+/// longer successor.
+struct Rises {
+    static constexpr const char* rule = "letters";
+    std::string system;
+    bool strictly = false;
+    std::size_t sets = 0;
+};
+
+struct Falls {
+    std::string system;
+    std::uint64_t generation = 0;
+    Integer before, after;
+    bool strictly = false;
+};
+
+struct ComparedWords {
+    static constexpr const char* rule = "words";
+    ComparesWords said;
+    std::string left, right;  // the words, or their lengths where they are long
+    bool holds = false;
+};
+
 /// How what the rules say of the dimension, or of that of the boundary, compares with the claimed number.
 struct LimitSet {
     std::string system;
@@ -524,16 +547,16 @@ struct Proof {
         steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives, steps::DerivesNot,
         steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely, steps::SameSequence,
         steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth, steps::FollowsFormula,
-        steps::LeavesFormula, steps::Grows, steps::LimitSet, steps::Identical, steps::SameValues,
-        steps::ValuesWithin, steps::OtherValues, steps::SameAutomata, steps::NothingOutside,
-        steps::Distinguished, steps::SameDeterministic, steps::WithinRegular, steps::ByInduction,
-        steps::BothInclusions, steps::Counted, steps::NoWord, steps::FiniteConstruction,
-        steps::FoundWord, steps::Disjoint, steps::NoTerminals, steps::InfiniteRound,
-        steps::InfiniteTables, steps::Pumped, steps::InfinitePart, steps::InfiniteSize,
-        steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations, steps::HasEmptyWord,
-        steps::Sparse, steps::FiniteFamily, steps::GeneratedBy, steps::OfReversal,
-        steps::Constructed, steps::FromStatements, steps::ByInstance, steps::ByCases,
-                 steps::ByFamilyRules, steps::ByLetters>
+        steps::LeavesFormula, steps::Grows, steps::Rises, steps::Falls, steps::ComparedWords,
+        steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
+        steps::OtherValues, steps::SameAutomata, steps::NothingOutside, steps::Distinguished,
+        steps::SameDeterministic, steps::WithinRegular, steps::ByInduction, steps::BothInclusions,
+        steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
+        steps::NoTerminals, steps::InfiniteRound, steps::InfiniteTables, steps::Pumped,
+        steps::InfinitePart, steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
+        steps::RegularOperations, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
+        steps::GeneratedBy, steps::OfReversal, steps::Constructed, steps::FromStatements,
+        steps::ByInstance, steps::ByCases, steps::ByFamilyRules, steps::ByLetters>
         step;
 };
 

@@ -195,6 +195,9 @@ void check_other_length(const Obligation& task);
 void check_formula_terms(const Obligation& task);
 void check_formula_fails(const Obligation& task);
 void check_growth_class(const Obligation& task);
+void check_rises(const Obligation& task);
+void check_falls(const Obligation& task);
+void check_words(const Obligation& task);
 /// Statements made of others, and quantified ones.
 void check_parts(const Obligation& task);
 void check_instance(const Obligation& task);

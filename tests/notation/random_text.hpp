@@ -147,13 +147,16 @@ inline std::string rules(const Options& options, const std::string& before = "")
         return before + left + arrow + successor(options, all) + '\n';
     };
     if (!options.longer && chance(20)) {
-        std::string alternatives;
-        for (int i = below(3); i >= 0; --i) {
+        const auto alternative = [&] {
             const std::string next = successor(options, all);
-            alternatives += " | " + (next.empty() ? "ε" : next);
+            // The turn alone would be one more separator.
+            return next.empty() ? std::string("ε") : next == "|" ? std::string("||") : next;
+        };
+        std::string alternatives = alternative();
+        for (int i = below(3); i >= 0; --i) {
+            alternatives += " | " + alternative();
         }
-        const std::string first = successor(options, all);
-        return before + left + " -> " + (first.empty() ? "ε" : first) + alternatives + '\n';
+        return before + left + " -> " + alternatives + '\n';
     }
     if (chance(70)) return rule(chance(50) ? " -> " : " →");  // the blank parts it from (x)
     return rule(" -(1/3)-> ") + rule(" -(2/3)→ ");

@@ -132,7 +132,14 @@ std::string Printer::rule(const Production& rule) const {
         out += " -(" + to_text(quantity(*rule.probability).expression) + ")-> ";
     else
         out += " -> ";
-    out += rule.shape ? shape(*rule.shape) : without_shape(word(rule.successor));
+    std::string successor = rule.shape ? shape(*rule.shape) : without_shape(word(rule.successor));
+    // `| _` would miss a successor before the bar; only among longer names are its blanks needed.
+    if (successor.starts_with("| ") &&
+        std::ranges::none_of(alphabet_.long_names(), [&](Symbol symbol) {
+            return is_declared_only(alphabet_.name(symbol));
+        }))
+        successor.erase(1, 1);
+    out += successor;
     return without_setting(std::move(out));
 }
 

@@ -66,21 +66,19 @@ const ByHand comment([](const char*& here, const char* end) {
 /// Reads the finite set `{a, ab, ε}` that stands next; comments may stand in its words.
 Language parse_set(const char*& here, const char* end, ClaimReading& reading) {
     std::vector<Word> words;
-    const char* begin = here;   // of the word
-    const char* bar = nullptr;  // behind letters of the word and a blank
+    const char* begin = here;  // of the word
     bool is_there = false;
     const auto on_begin = x3::no_skip[ByHand([&](const char*& first, const char*) {
         begin = first;
-        bar = nullptr;
         is_there = false;
         words.emplace_back();
     })];
     const auto on_piece = told([&](std::string_view text) {
-        if (bar && !reading.spaced())
-            throw SyntaxError{bar,
-                              "expected ',' between words, found '|'; as a letter it is written "
-                              "without blanks"};
-        if (text == "|" && is_there) bar = text.data();
+        if (!reading.spaced())
+            if (const auto parts = separate_successors(trimmed(text)); parts.size() > 1)
+                throw SyntaxError{std::find(parts[0].end(), text.end(), '|'),
+                                  "expected ',' between words, found '|'; as a letter it is "
+                                  "written without blanks"};
         const Word letters = parse_letters(text, reading);
         words.back().insert(words.back().end(), letters.begin(), letters.end());
         is_there = true;

@@ -49,6 +49,12 @@ std::string_view inside_braces(const char* here, const char* end) {
     return close ? between(here + 1, close) : std::string_view();
 }
 
+/// The word that is the whole of the text, or of a part of it between blanks.
+Word parse_letters(std::string_view text, ClaimReading& reading) {
+    refuse_slips(text, reading.lexicon);
+    return parse_symbols(text, reading.lexicon);
+}
+
 /// A comment in a set, up to the end of its line.
 const ByHand comment([](const char*& here, const char* end) {
     if (here == end || *here != '#' || !is_blank(static_cast<unsigned char>(here[-1])))
@@ -68,7 +74,12 @@ Language parse_set(const char*& here, const char* end, ClaimReading& reading) {
         words.emplace_back();
     })];
     const auto on_piece = told([&](std::string_view text) {
-        const Word letters = parse_symbols(text, reading.lexicon);
+        if (!reading.spaced())
+            if (const auto parts = separate_successors(trimmed(text)); parts.size() > 1)
+                throw SyntaxError{std::find(parts[0].end(), text.end(), '|'),
+                                  "expected ',' between words, found '|'; as a letter it is "
+                                  "written without blanks"};
+        const Word letters = parse_letters(text, reading);
         words.back().insert(words.back().end(), letters.begin(), letters.end());
         is_there = true;
     });
@@ -88,7 +99,7 @@ Language parse_set(const char*& here, const char* end, ClaimReading& reading) {
 Word parse_claimed_word(std::string_view text, ClaimReading& reading) {
     const std::string_view word = trimmed(text);
     if (word.empty()) throw unexpected("a word (the empty word is ε)", text.data());
-    return parse_symbols(word, reading.lexicon);
+    return parse_letters(word, reading);
 }
 
 bool is_morphism(const char* here, const char* end) {
@@ -107,7 +118,14 @@ Morphism parse_morphism(const char*& here, const char* end, ClaimReading& readin
         const std::size_t arrow_size = *clause.arrow == '-' ? 2 : std::string_view("→").size();
         const Word letter = parse_symbols(left, reading.lexicon);
         if (letter.size() != 1) throw unexpected("one letter before the arrow", clause.text.data());
-        Word image = parse_symbols(clause.text.substr(left_size + arrow_size), reading.lexicon);
+        const std::string_view right = clause.text.substr(left_size + arrow_size);
+        if (!reading.spaced())
+            if (const auto images = separate_successors(trimmed(right)); images.size() > 1)
+                throw SyntaxError{std::find(images[0].end(), right.end(), '|'),
+                                  "expected one word as the image of a letter, found '|'; as a "
+                                  "letter it is written without blanks"};
+        refuse_slips(right, reading.lexicon, true);
+        Word image = parse_symbols(right, reading.lexicon);
         if (!morphism.add(letter[0], std::move(image)))
             throw SyntaxError{clause.text.data(), "the letter " + quoted(left) + " has two images"};
     }

@@ -303,6 +303,11 @@ std::shared_ptr<const Model> ClaimReading::written(std::string_view name) const 
     return known.written;
 }
 
+bool ClaimReading::spaced() const {
+    return std::ranges::any_of(
+        declared, [&](Symbol symbol) { return is_declared_only(alphabet->name(symbol)); });
+}
+
 Symbol ClaimReading::declare(std::string_view name) {
     if (const std::optional<Symbol> known = alphabet->find(name)) return *known;
     if (undeclared_length(name) == name.size()) return alphabet->symbol(name);

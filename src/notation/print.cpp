@@ -12,9 +12,10 @@
 //
 // The canonical text has one statement a line, in the order of the table of settings, which knows how the value of
 // each is printed (settings.cpp); rules, and the tables among them, are laid out here. Blanks stand only where
-// two symbols would otherwise be read as one (`Spellings`). It reads back as the same system, and its own
-// canonical text is itself. Care is needed where a text would be read as something else: a word that begins
-// like a shape successor or a rule that begins like a setting gets `ε` in front.
+// two symbols would otherwise be read as one (`Spellings`), so none around a `|` that would then separate
+// successors. It reads back as the same system, and its own canonical text is itself. Care is needed where a
+// text would be read as something else: a word that begins like a shape successor gets a blank before its
+// bracket, a rule that begins like a setting gets `ε` in front.
 //
 // Formatting a file is more: comments stay with their statements. As statements move, a comment is kept by
 // its statement's keyword and how many statements of this keyword stand before it, in the file and in the
@@ -55,10 +56,17 @@ std::string print_size(const ShapeSuccessor::Size& size) {
     return is_plain ? text + 'r' : '(' + text + ")r";
 }
 
-/// The text of a word that is not taken for something else because of how it begins.
-std::string guarded(std::string text, std::initializer_list<const char*> beginnings) {
-    for (const char* beginning : beginnings)
-        if (text.starts_with(beginning)) return "ε " + text;
+/// The text of a word, `div (3)`, that is not taken for a shape successor.
+std::string without_shape(std::string text) {
+    for (const std::string_view shape : {"div(", "repeat(", "Split("})
+        if (text.starts_with(shape)) return text.insert(shape.size() - 1, " ");
+    return text;
+}
+
+/// The text of a rule that is not taken for a setting because of its left context.
+std::string without_setting(std::string text) {
+    for (const char* setting : {"title ", "source ", "interpret ", "system "})
+        if (text.starts_with(setting)) return "ε " + text;
     return text;
 }
 
@@ -124,10 +132,15 @@ std::string Printer::rule(const Production& rule) const {
         out += " -(" + to_text(quantity(*rule.probability).expression) + ")-> ";
     else
         out += " -> ";
-    out += rule.shape ? shape(*rule.shape)
-                      : guarded(word(rule.successor), {"div(", "repeat(", "Split("});
-    // A left context may spell a setting whose value may contain arrows.
-    return guarded(std::move(out), {"title ", "source ", "interpret ", "system "});
+    std::string successor = rule.shape ? shape(*rule.shape) : without_shape(word(rule.successor));
+    // `| _` would miss a successor before the bar; only among longer names are its blanks needed.
+    if (successor.starts_with("| ") &&
+        std::ranges::none_of(alphabet_.long_names(), [&](Symbol symbol) {
+            return is_declared_only(alphabet_.name(symbol));
+        }))
+        successor.erase(1, 1);
+    out += successor;
+    return without_setting(std::move(out));
 }
 
 std::string print_word(const Alphabet& alphabet, const ModuleWord& word) {
@@ -214,19 +227,23 @@ using Key = std::pair<std::string, std::size_t>;
 /// Hands out the keys of statements in order. All `id` and all `alphabet` become one line.
 class Keys {
 public:
-    Key next(const std::string& keyword) {
+    Key next(const std::string& keyword) { return next(keyword, 1); }
+    /// The key of the first of `lines` lines that a statement becomes.
+    Key next(const std::string& keyword, std::size_t lines) {
         if (keyword == "id" || keyword == "alphabet") return {keyword, 0};
-        return {keyword, count_[keyword]++};
+        return {keyword, std::exchange(count_[keyword], count_[keyword] + lines)};
     }
 
 private:
     std::map<std::string, std::size_t> count_;
 };
 
-/// The lines with the comments of a text, whose clauses say the same.
+/// The lines with the comments of a text, whose clauses say the same. In a `spaced` text `|` between
+/// blanks is a letter.
 class Formatter {
 public:
-    Formatter(std::string_view text, std::string indent) : indent_(std::move(indent)) {
+    Formatter(std::string_view text, std::string indent, bool spaced)
+        : indent_(std::move(indent)), spaced_(spaced) {
         gather(text);
     }
 
@@ -257,7 +274,9 @@ private:
             }
         };
         for (const Clause& clause : all) {
-            const Key key = keys.next(is_rule(clause) ? "->" : std::string(clause.keyword));
+            const bool has_rules = is_rule(clause) || clause.has_word("interpret");
+            const Key key = keys.next(is_rule(clause) ? "->" : std::string(clause.keyword),
+                                      has_rules ? successor_count(clause, spaced_) : 1);
             Comments& own = kept_[key];
             take_gap(clause.comments, clause.text.data(), before ? own.above : top_);
             std::size_t bytes = 0;
@@ -280,7 +299,8 @@ private:
         if (has_comments && !behind) add_lines(comments->second.behind);
         out_ += indent_ + line.text;
         if (const auto body = bodies_.find(key); body != bodies_.end())
-            out_ += '\n' + Formatter(body->second, indent_ + "    ").formatted(line.inside) +
+            out_ += '\n' +
+                    Formatter(body->second, indent_ + "    ", spaced_).formatted(line.inside) +
                     indent_ + '}';
         if (behind) (out_ += ' ') += comments->second.behind.front();
         out_ += '\n';
@@ -292,6 +312,7 @@ private:
     }
 
     std::string indent_, out_;
+    bool spaced_;
     std::vector<std::string_view> top_, end_;
     std::map<Key, Comments> kept_;
     std::map<Key, std::string_view> bodies_;  // of systems within
@@ -301,7 +322,10 @@ private:
 
 std::string format_lsystem(std::string_view text, const std::string& file_name) {
     const Model system = read_lsystem(text, file_name);
-    return Formatter(text, "").formatted(canonical_lines(system));
+    const bool spaced = std::ranges::any_of(system.declared, [&](Symbol symbol) {
+        return is_declared_only(system.alphabet.name(symbol));
+    });
+    return Formatter(text, "", spaced).formatted(canonical_lines(system));
 }
 
 }  // namespace algae

@@ -434,7 +434,10 @@ void read_inner(const Clause& clause, Reading& outer) {
                     {},
                     false};
     reading.is_inner = true;
+    reading.letters = outer.letters;
+    reading.spaced = outer.spaced;
     read_clauses(clauses(block->body), reading);
+    outer.slips.insert(outer.slips.end(), reading.slips.begin(), reading.slips.end());
     if (!reading.given.count("axiom"))
         outer.findings.add(block->body.data() + block->body.size(),
                            "expected an axiom in the system, found none");
@@ -454,13 +457,15 @@ void read_inner(const Clause& clause, Reading& outer) {
 }
 
 Model read_system(std::string_view text, const Source& source, Findings& findings,
-                  const std::string& name, const std::vector<std::string>& declared) {
+                  const std::string& name, const std::vector<std::string>& declared,
+                  const std::vector<std::string>& letters) {
     Model system;
     system.name = name;
     Lexicon lexicon(system.alphabet);
     for (const std::string& symbol : declared) lexicon.declare(symbol);
     Reading reading{source, findings, lexicon, system, system.drawing, system.expectations,
                     {},     {},       {},      {},     false};
+    for (const std::string& letter : letters) reading.declare(letter);
     const std::vector<Clause> all = clauses(text);
     name_systems(all, reading);
     read_clauses(all, reading);
@@ -473,12 +478,13 @@ Model read_system(std::string_view text, const Source& source, Findings& finding
     check_probabilities(system.rules, reading);
     check_probabilities(system.interpretation, reading);
     check_quotes(reading);
+    reading.check_slips();
     return system;
 }
 
 Model read_lsystem(std::string_view text, const std::string& file_name) {
     return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
-        Model system = read_system(text, source, findings, file_name, {});
+        Model system = read_system(text, source, findings, file_name, {}, {});
         findings.throw_if_any();
         return system;
     });
@@ -487,6 +493,7 @@ Model read_lsystem(std::string_view text, const std::string& file_name) {
 ModuleWord read_word(std::string_view text, Alphabet& alphabet) {
     return read_whole(text, "word", [&](const Source& source, Findings&) {
         Lexicon lexicon(alphabet);
+        refuse_slips(text, lexicon);
         return parse_word(text, lexicon, source);
     });
 }

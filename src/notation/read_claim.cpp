@@ -187,8 +187,10 @@ Model system_of(const ClaimDefinition& definition, std::string_view rest, ClaimR
     if (close + 1 != rest.data() + rest.size())
         throw unexpected("the end of the definition", close + 1);
     const std::size_t faults = reading.findings.count();
+    std::vector<std::string> letters;
+    for (const Symbol symbol : reading.declared) letters.push_back(reading.alphabet->name(symbol));
     Model system = read_system(rest.substr(1, rest.size() - 2), reading.source, reading.findings,
-                               name, reading.long_names);
+                               name, reading.long_names, letters);
     if (reading.findings.count() > faults) throw DependsOnError();
     return system;
 }

@@ -17,6 +17,11 @@
 // are expressions, or a shape successor. The probability stands in the arrow, `-(p)->`, and `-(a)` may also
 // be a module, so what stands before it decides.
 //
+// A `|` between blanks on the right separates successors, as in textbooks: `a -> a | aa` is two rules, which
+// share what stands left of the arrow. A `|` that has no blank on some side is the letter `|`, a turn, and so
+// is each in a file whose `alphabet` has longer names, as words are written with blanks there. The canonical
+// text has a rule for each successor, and `|` between blanks only in such files.
+//
 // The probabilities of all rules with the same left side must add up to 1. Two left sides are the same if
 // they have the same symbols and arities at the same places and the same condition up to the names of
 // parameters, which is compared as a text in which parameters are numbers (`LeftSide`).
@@ -89,6 +94,85 @@ Arrow split_at_arrow(std::string_view rule, const char* arrow) {
     out.probability = between(open + 1, arrow - 1);
     return out;
 }
+
+/// Where the bracket at `open`, an opening one, is closed; `end` if nowhere. Those in quotes do not count.
+const char* closing(const char* open, const char* end) {
+    std::size_t depth = 0;
+    bool quoted = false;
+    for (const char* here = open; here != end; ++here) {
+        if (*here == '"') quoted = !quoted;
+        if (quoted) continue;
+        if (*here == '(') ++depth;
+        if (*here == ')' && --depth == 0) return here;
+    }
+    return end;
+}
+
+/// Where a part of a successor that is no letter ends, a shape successor, arguments or a splice, which
+/// begins at `here`; `here` if none does. `begins`: only blanks stand before it.
+const char* behind_part(const char* here, const char* end, bool begins) {
+    const std::string_view rest = between(here, end);
+    if (begins)
+        for (const std::string_view shape : {"div(", "repeat(", "Split("})
+            if (rest.starts_with(shape)) {
+                const char* const close = closing(here + shape.size() - 1, end);
+                return std::find(close, end, '}');
+            }
+    if (*here == '(') return closing(here, end);
+    if (*here != '<') return here;
+    bool quoted = false;
+    while (++here != end && (quoted || *here != '>')) {
+        if (*here == '"') quoted = !quoted;
+        if (*here == '(' && !quoted) here = std::min(closing(here, end), end - 1);
+    }
+    return here;
+}
+
+}  // namespace
+
+std::vector<std::string_view> separate_successors(std::string_view text) {
+    std::vector<std::string_view> found;
+    if (text.find('|') == std::string_view::npos) return {text};
+    const char* const end = text.data() + text.size();
+    const char* begin = text.data();  // of this successor
+    bool begins = true, behind_blank = true;
+    std::size_t depth = 0;  // of brackets in the word
+    for (const char* here = begin; here != end;) {
+        if (const char* const behind = behind_part(here, end, begins); behind != here) {
+            here = behind == end ? end : behind + 1;
+            begins = behind_blank = false;
+            continue;
+        }
+        const Character next = first_character(between(here, end));
+        const bool blank = is_blank(next.code);
+        const bool is_bar =
+            next.code == '|' && behind_blank &&
+            (here + 1 == end || is_blank(first_character(between(here + 1, end)).code));
+        if (next.code == '[' || next.code == '{') ++depth;
+        if ((next.code == ']' || next.code == '}') && depth > 0) --depth;
+        if (is_bar && text.size() > 1) {
+            if (depth > 0)
+                throw SyntaxError{
+                    here,
+                    "expected '|' between successors outside brackets; as a letter it "
+                    "is written without blanks"};
+            found.push_back(trimmed(between(begin, here)));
+            begin = here + 1;
+        }
+        begins = is_bar || (begins && blank);
+        behind_blank = is_bar || blank;
+        here += next.bytes;
+    }
+    found.push_back(trimmed(between(begin, end)));
+    return found;
+}
+
+std::size_t successor_count(const Clause& clause, bool spaced) {
+    if (spaced || !clause.arrow) return 1;
+    return separate_successors(split_at_arrow(clause.text, clause.arrow).right_side).size();
+}
+
+namespace {
 
 /// What stands before the arrow: contexts, predecessor, context condition and condition, into a
 /// production. Throws `SyntaxError`.
@@ -242,12 +326,17 @@ void parse_successor(std::string_view text, Production& production, Reading& rea
     if ((production.shape = parse_shape(text, production, reading))) return;
     production.successor = parse_word(text, reading.lexicon, reading.source, true);
     check_brackets(production.successor, text, reading.lexicon, reading.source, reading.findings);
+    reading.gather_slips(text, true);
 }
 
-void check_all_names(const Production& production, Reading& reading) {
-    const std::vector<std::string> names = parameters(production);
+void check_names_in_condition(const Production& production, Reading& reading) {
     if (production.condition)
-        reading.check_names(*production.condition, names, production.shape.has_value());
+        reading.check_names(*production.condition, parameters(production),
+                            production.shape.has_value());
+}
+
+void check_names_in_successor(const Production& production, Reading& reading) {
+    const std::vector<std::string> names = parameters(production);
     for (const auto& [position, arguments] : production.successor.arguments)
         for (const Expression& argument : arguments) reading.check_names(argument, names);
     for (const auto& [position, words] : production.successor.splices)
@@ -257,31 +346,78 @@ void check_all_names(const Production& production, Reading& reading) {
             reading.check_names(size.value, names);
 }
 
-Production parse_production(std::string_view text, const char* arrow, Reading& reading) {
-    Production production;
-    production.place = reading.source.place(text.data());
+/// Throws unless several successors may share this left side.
+void check_may_share(const Arrow& split, const std::vector<std::string_view>& successors) {
+    const auto behind_first = [&] {
+        return std::find(successors[0].end(), split.right_side.end(), '|');
+    };
+    if (split.probability.data())
+        throw SyntaxError{behind_first(),
+                          "expected one successor behind an arrow with a probability; write a rule "
+                          "for each alternative"};
+    constexpr std::size_t most = 10'000'000;  // bytes of left sides if each were written
+    if (split.left_side.size() > most / successors.size())
+        throw SyntaxError{split.left_side.data(), "more than " + std::to_string(most) +
+                                                      " bytes in the left sides of rules that "
+                                                      "'|' separates"};
+}
+
+/// The rules that one text says, one for each successor. A fault in one of several becomes a finding.
+/// Throws `SyntaxError`.
+std::vector<Production> parse_productions(std::string_view text, const char* arrow,
+                                          Reading& reading) {
+    Production shared;
+    shared.place = reading.source.place(text.data());
     const Arrow split = split_at_arrow(text, arrow);
     if (split.left_side.empty()) throw unexpected("a symbol before the arrow", text.data());
-    parse_left_side(split.left_side, reading.lexicon, reading.source, production);
+    parse_left_side(split.left_side, reading.lexicon, reading.source, shared);
     if (split.probability.data())
-        production.probability = parse_probability(split.probability, reading);
-    parse_successor(split.right_side, production, reading);
-    check_all_names(production, reading);
-    return production;
+        shared.probability = parse_probability(split.probability, reading);
+    const std::vector<std::string_view> successors =
+        reading.spaced ? std::vector{split.right_side} : separate_successors(split.right_side);
+    if (successors.size() > 1) check_may_share(split, successors);
+    std::vector<Production> all;
+    const auto add = [&](std::string_view successor) {
+        Production production = shared;
+        parse_successor(successor, production, reading);
+        if (all.empty() || all.front().shape.has_value() != production.shape.has_value())
+            check_names_in_condition(production, reading);
+        check_names_in_successor(production, reading);
+        all.push_back(std::move(production));
+    };
+    if (successors.size() == 1) {
+        add(successors.front());
+        return all;
+    }
+    for (const std::string_view successor : successors) try {
+            if (successor.empty())
+                throw unexpected(
+                    "a successor (the empty word is ε; the letter '|' is written without blanks)",
+                    successor.data());
+            if (successor.data() != successors.front().data())
+                shared.place = reading.source.place(successor.data());
+            add(successor);
+        } catch (const SyntaxError& error) {
+            reading.findings.add(error);
+            reading.broken_rules = true;
+        }
+    return all;
 }
 
 }  // namespace
 
 void read_rule(const Clause& clause, Reading& reading) {
-    Production production = parse_production(clause.text, clause.arrow, reading);
-    if (!reading.system.tables.empty()) production.table = reading.system.tables.size() - 1;
-    reading.system.rules.push_back(std::move(production));
+    for (Production& production : parse_productions(clause.text, clause.arrow, reading)) {
+        if (!reading.system.tables.empty()) production.table = reading.system.tables.size() - 1;
+        reading.system.rules.push_back(std::move(production));
+    }
 }
 
 void read_interpretation(const Clause& clause, Reading& reading) {
     const std::string_view rule = clause.value();
     if (!clause.arrow) throw unexpected("a rule with '->'", rule.data() + rule.size());
-    reading.system.interpretation.push_back(parse_production(rule, clause.arrow, reading));
+    for (Production& production : parse_productions(rule, clause.arrow, reading))
+        reading.system.interpretation.push_back(std::move(production));
 }
 
 namespace {

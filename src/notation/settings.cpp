@@ -122,6 +122,7 @@ void read_alphabet(const Clause& clause, Reading& reading) {
                                                    " has a meaning in the notation"};
         check_symbol_name(name, name.front() == '?' && name.size() > 1 ? 1 : 0, "");
         const Symbol symbol = reading.lexicon.declare(name);
+        reading.declare(std::string(name));
         auto& declared = reading.system.declared;
         if (symbol == declared.size()) declared.push_back(symbol);  // else it is there already
     }
@@ -135,6 +136,7 @@ void read_axiom(const Clause& clause, Reading& reading) {
     system.axiom_place = reading.source.place(value.data());
     system.axiom = parse_word(value, reading.lexicon, reading.source, true);
     check_brackets(system.axiom, value, reading.lexicon, reading.source, reading.findings);
+    reading.gather_slips(value, false);
     for (const auto& [position, arguments] : system.axiom.arguments)
         for (const Expression& argument : arguments) reading.check_names(argument, {});
     for (const auto& [position, words] : system.axiom.splices)

@@ -124,8 +124,12 @@ const char* scan(std::string_view text, Lexicon& lexicon, OnSymbol on_symbol,
             on_symbol(*symbol, here);
             here = rest.data();
             may_open = true;
-        } else if (const Character next = first_character(rest);
-                   is_blank(next.code) || next.code == U'ε') {
+        } else if (const Character next = first_character(rest); is_blank(next.code)) {
+            here += next.bytes;
+        } else if (next.code == U'ε') {
+            const std::string_view word = quoted ? text.substr(0, text.find('"')) : text;
+            if (trimmed(word) != "ε")
+                throw SyntaxError{here, "ε is the empty word and stands alone"};
             here += next.bytes;
         } else if (byte == '(' && may_open) {
             here = on_arguments(here);

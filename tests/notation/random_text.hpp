@@ -45,6 +45,14 @@ inline std::string expression(const Strings& names, int depth = 3) {
     return operand() + one_of({"+", "-", "*", "/", "^", " + ", " & ", "|", " ^ -"}) + operand();
 }
 
+/// The word without blanks next to `|`, which would separate successors.
+inline std::string without_bars(std::string word) {
+    for (const char* const blank : {" |", "| "})
+        for (std::size_t at; (at = word.find(blank)) != std::string::npos;)
+            word.replace(at, 2, "|");
+    return word;
+}
+
 /// A symbol that needs no declaration, or a declared one if `longer`.
 inline std::string symbol(bool longer) {
     static const Strings plain{"F",    "f", "G", "+", "-", "&",   "^",   "\\",   "/",   "|",
@@ -85,7 +93,8 @@ inline std::string word(const Options& options, const Strings& names, bool param
             --open;
         }
     }
-    return out + std::string(static_cast<std::size_t>(open), ']');
+    out += std::string(static_cast<std::size_t>(open), ']');
+    return options.longer ? out : without_bars(std::move(out));
 }
 
 /// A word of modules with formal parameters, which are added to `names`.
@@ -137,6 +146,18 @@ inline std::string rules(const Options& options, const std::string& before = "")
     const auto rule = [&](const std::string& arrow) {
         return before + left + arrow + successor(options, all) + '\n';
     };
+    if (!options.longer && chance(20)) {
+        const auto alternative = [&] {
+            const std::string next = successor(options, all);
+            // The turn alone would be one more separator.
+            return next.empty() ? std::string("ε") : next == "|" ? std::string("||") : next;
+        };
+        std::string alternatives = alternative();
+        for (int i = below(3); i >= 0; --i) {
+            alternatives += " | " + alternative();
+        }
+        return before + left + " -> " + alternatives + '\n';
+    }
     if (chance(70)) return rule(chance(50) ? " -> " : " →");  // the blank parts it from (x)
     return rule(" -(1/3)-> ") + rule(" -(2/3)→ ");
 }
@@ -182,7 +203,8 @@ inline std::string system() {
         for (int i = 1 + below(6); i > 0; --i) out += ' ' + one_of(opened);
         out += '\n';
     }
-    out += "axiom ε" + word(options, options.constants, true) + '\n';
+    const std::string axiom = word(options, options.constants, true);
+    out += "axiom " + (axiom.empty() ? "ε" : axiom) + '\n';
     if (chance(20)) out += "ignore + - F_l " + symbol(options.longer) + '\n';
     if (chance(20)) out += "terminals a b " + symbol(options.longer) + '\n';
     if (chance(20)) out += rules(options, "interpret ");

@@ -84,6 +84,9 @@ public:
     /// The system of this name as it was written. Throws if it is a name of something else.
     std::shared_ptr<const Model> written(std::string_view name) const;
 
+    /// Whether `alphabet` declares longer names, so that blanks separate symbols and `|` is always one.
+    bool spaced() const;
+
     /// A symbol that counts as declared from now on if it has to.
     Symbol declare(std::string_view name);
     /// Adds a system, called `name` in text, over the common alphabet; `written` is what it was read from.

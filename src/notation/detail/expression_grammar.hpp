@@ -75,7 +75,7 @@ std::vector<Expression> parse_arguments(const char*& here, const char* end, cons
                                         Lexicon* lexicon = nullptr, std::size_t quotes = 0);
 
 /// The word that is the whole of `text`: symbols, some with arguments in brackets; white space
-/// separates, ε is nothing. Linear; a word without arguments takes four bytes a symbol.
+/// separates, ε alone is the empty word. Linear; a word without arguments takes four bytes a symbol.
 /// Where `splices` are allowed, `<w>` stands for the word that the expression w gives; a relation in
 /// it needs brackets. Throws `SyntaxError`.
 ModuleWord parse_word(std::string_view text, Lexicon& lexicon, const Source& source,

@@ -58,6 +58,13 @@ std::optional<SystemBlock> system_block(std::string_view text, std::size_t& byte
 /// Thrown instead of `SyntaxError` where a statement depends on a faulty one, of which a finding tells already.
 struct DependsOnError {};
 
+/// What a textbook writes in place of a word and a word here does not mean: `a^n`, `...`, or λ alone.
+struct Slip {
+    const char* where;
+    std::string message;
+    std::vector<std::string_view> signs;  // which would be letters: `^` and n
+};
+
 /// A system on its way from a text: what the readers of the single statements share.
 struct Reading {
     const Source& source;
@@ -74,6 +81,9 @@ struct Reading {
     bool broken_rules = false;                              // some rule could not be read
     bool is_inner = false;                                  // it is a system within another
     std::vector<Expression> distances = {};  // in conditions, until all symbols are known
+    std::vector<std::string> letters = {};   // that `alphabet` declares, here or around the system
+    bool spaced = false;  // some of them are longer, so blanks separate symbols and `|` is one
+    std::vector<Slip> slips = {};  // in words, until all symbols are known
 
     const Quantity* constant(const std::string& name) const;
 
@@ -91,7 +101,34 @@ struct Reading {
 
     /// Adds a finding for each distance to something that is no symbol of the system.
     void check_distances();
+
+    /// From now on `name` is a letter because `alphabet` declares it.
+    void declare(const std::string& name);
+
+    /// Keeps the slips of a word, of a rule's successor if `of_rule`, for `check_slips`.
+    void gather_slips(std::string_view word, bool of_rule);
+
+    /// Adds a finding for each slip of which no sign is a letter of the system otherwise.
+    void check_slips();
 };
+
+/// The slips in the text of a word that can be read; λ alone counts in rules only. Linear.
+std::vector<Slip> slips(std::string_view word, const Lexicon& lexicon, bool of_rule);
+
+/// Throws `SyntaxError` at the first slip in the text of a word of which the lexicon knows no sign; λ alone
+/// counts if `of_rule`.
+void refuse_slips(std::string_view word, const Lexicon& lexicon, bool of_rule = false);
+
+/// Whether a name is a symbol only if declared, and longer than one character: blanks separate symbols where
+/// there is one.
+bool is_declared_only(std::string_view name);
+
+/// The successors of a rule that `|` between blanks separates, without blanks at their ends; empty ones are
+/// faults. Throws `SyntaxError` at such a `|` in brackets.
+std::vector<std::string_view> separate_successors(std::string_view text);
+
+/// How many rules a rule or an interpretation stands for: its successors, but one in a `spaced` text.
+std::size_t successor_count(const Clause& clause, bool spaced);
 
 /// Reads a rule into the system. Throws `SyntaxError`.
 void read_rule(const Clause& clause, Reading& reading);
@@ -174,8 +211,10 @@ auto read_whole(std::string_view text, const std::string& name, Read read) {
 
 /// The system that a part of a source describes, in the notation of `.lsys` files, with findings at their
 /// places in the source. `declared` are names of more than one character that are symbols there without
-/// having been declared. The system is meaningless if findings were added.
+/// having been declared, `letters` those that an `alphabet` around it declares. The system is meaningless if
+/// findings were added.
 Model read_system(std::string_view text, const Source& source, Findings& findings,
-                  const std::string& name, const std::vector<std::string>& declared);
+                  const std::string& name, const std::vector<std::string>& declared,
+                  const std::vector<std::string>& letters);
 
 }  // namespace algae

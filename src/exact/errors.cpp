@@ -2,7 +2,10 @@
 
 #include <algorithm>
 #include <atomic>
+#include <cstddef>
+#include <cstdint>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 #include <utility>
@@ -70,9 +73,10 @@ void Budget::check() const {
 }
 
 void Budget::check_memory(std::uint64_t bytes, const char* what) const {
-    if (bytes > memory)
+    constexpr std::uint64_t addresses = std::numeric_limits<std::size_t>::max();
+    if (const std::uint64_t most = std::min(memory, addresses); bytes > most)
         throw BoundReached(Bound::memory, std::string(what) + " would take more than the " +
-                                              std::to_string(memory >> 20) + " MiB allowed" +
+                                              std::to_string(most >> 20) + " MiB allowed" +
                                               by(Bound::memory));
 }
 

@@ -148,7 +148,8 @@ public:
     /// Throws `Interrupted` if the work was asked to stop, `BoundReached` past the deadline.
     void check() const;
 
-    /// Throws `BoundReached` if `bytes` is more than `memory`; `what` names the table or set.
+    /// Throws `BoundReached` if `bytes` is more than `memory`, or more than a std::size_t holds; `what`
+    /// names the table or set.
     void check_memory(std::uint64_t bytes, const char* what) const;
 
     /// " by NAME" where whoever set the bound calls it so, to follow "allowed" or "set" in a message; nothing

@@ -208,14 +208,14 @@ Answer exact_steps(const std::string& name, const OL& rules, const Word& word, s
 }
 
 /// The system with a copy of each letter for each of so many steps; copies for the last are the terminals.
-ET0L counting(const ET0L& system, std::uint64_t steps) {
+ET0L counting(const ET0L& system, std::size_t steps) {
     const std::size_t letters = system.terminal.size();
-    const auto copies = [&](Word word, std::uint64_t n) {
+    const auto copies = [&](Word word, std::size_t n) {
         for (Symbol& a : word) a += static_cast<Symbol>(n * letters);
         return word;
     };
     Alphabet alphabet;
-    for (std::uint64_t n = 0; n <= steps; ++n)
+    for (std::size_t n = 0; n <= steps; ++n)
         for (Symbol a = 0; a < letters; ++a)
             alphabet.symbol(std::to_string(n) + " " + system.alphabet->name(a));
     ET0L counted{
@@ -223,7 +223,7 @@ ET0L counting(const ET0L& system, std::uint64_t steps) {
         std::vector<char>(letters * (steps + 1), 0),           system.table_names, system.name};
     for (const Table& table : system.tables) {
         Table& target = counted.tables.emplace_back();
-        for (std::uint64_t n = 0; n < steps; ++n)
+        for (std::size_t n = 0; n < steps; ++n)
             for (Symbol a = 0; a < letters; ++a) {
                 auto& choices = target.emplace_back();
                 for (const Word& successor : table[a]) choices.push_back(copies(successor, n + 1));
@@ -239,7 +239,7 @@ Answer exact_steps_of_tables(const std::string& name, const ET0L& system, const 
                              std::uint64_t steps, const Budget& budget) {
     const std::size_t letters = system.terminal.size();
     if (steps > 1000) return undecided("with several tables at most 1000 steps are followed");
-    const ET0L copies = counting(system, steps);
+    const ET0L copies = counting(system, static_cast<std::size_t>(steps));
     Word goal = word;
     for (Symbol& a : goal) a += static_cast<Symbol>(steps * letters);
     const Membership found = membership(copies, goal, budget);

@@ -62,7 +62,7 @@ public:
     }
 
     /// Works out generations 0 to size - 1. Throws BoundReached if they take more than budget.memory.
-    void extend(std::size_t size) {
+    void extend(std::uint64_t size) {
         while (counts_.size() < size) {
             budget_.check();
             LetterCounts counts(system_.alphabet->size());
@@ -82,8 +82,13 @@ public:
         }
     }
     std::size_t size() const { return counts_.size(); }
-    const LetterCounts& operator[](std::size_t generation) const { return counts_[generation]; }
-    const Integer& length(std::size_t generation) const { return lengths_[generation]; }
+    /// Of a generation below size().
+    const LetterCounts& operator[](std::uint64_t generation) const {
+        return counts_[static_cast<std::size_t>(generation)];
+    }
+    const Integer& length(std::uint64_t generation) const {
+        return lengths_[static_cast<std::size_t>(generation)];
+    }
 
     /// The generation with these counts, if it is one of those worked out.
     std::optional<std::uint64_t> generation_of(const LetterCounts& counts) const {

@@ -619,11 +619,12 @@ private:
     /// Why no generation has the word.
     std::string reason(const Word& word, const Membership& found) const {
         using enum Membership::Reason;
+        const auto met = [&] { return letter(word[static_cast<std::size_t>(found.position)]); };
         switch (found.reason) {
             case foreign:
-                return "the letter " + letter(word[found.position]) + " is in none of its words";
+                return "the letter " + met() + " is in none of its words";
             case nonterminal:
-                return letter(word[found.position]) + " is no terminal";
+                return met() + " is no terminal";
             case outgrown:
                 return found.step == 0
                            ? "all its words are longer"

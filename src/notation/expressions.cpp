@@ -290,7 +290,7 @@ const auto number = x3::lexeme[((digits >> -('.' >> digits)) | ('.' >> digits)) 
 /// A word in quotes, where there is a lexicon to read it by.
 struct QuotedWord : x3::parser<QuotedWord> {
     using attribute_type = Expression;
-    static constexpr bool has_attribute = true;
+    [[maybe_unused]] static constexpr bool has_attribute = true;
 
     template <class Context, class RuleContext, class Attribute>
     bool parse(const char*& first, const char* const& last, const Context& context, RuleContext&,
@@ -309,7 +309,7 @@ struct QuotedWord : x3::parser<QuotedWord> {
 /// White space and comments as another program's reader knows them.
 struct Between : x3::parser<Between> {
     using attribute_type = x3::unused_type;
-    static constexpr bool has_attribute = false;
+    [[maybe_unused]] static constexpr bool has_attribute = false;
 
     explicit Between(const ExpressionReader& of) : reader(&of) {}
 

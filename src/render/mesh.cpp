@@ -114,7 +114,7 @@ std::vector<Group> groups_of(const Mesh& mesh, bool by_paint, bool upright) {
         Group& group =
             groups[(i < mesh.closed ? 0 : paints) + (by_paint ? mesh.corners[a].paint : 0)];
         Mesh::Triangle triangle;
-        for (int k = 0; k < 3; ++k) {
+        for (std::size_t k = 0; k < 3; ++k) {
             std::uint32_t& corner = known[mesh.triangles[i][k]];
             if (corner == none) {
                 corner = static_cast<std::uint32_t>(group.corners.size());

@@ -145,7 +145,7 @@ private:
                                                           (i < mesh.closed ? 0 : paints));
             SceneGraph::Surface& surface = surfaces[which];
             Mesh::Triangle triangle;
-            for (int k = 0; k < 3; ++k) {
+            for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t point = mesh.corners[mesh.triangles[i][k]].point;
                 if (owner[point] != which) {
                     owner[point] = which;

@@ -93,7 +93,7 @@ std::vector<LikelyWord> distribution(const Rewriting& rewriting, const ModuleStr
         Likely next(budget);
         const std::size_t table = tables.empty()
                                       ? scheduled_table(*rewriting.rules().system, generation)
-                                      : tables.at(generation);
+                                      : tables.at(static_cast<std::size_t>(generation));
         for (const auto& [word, probability] : words.words()) {
             const Likely after = successors(rewriting, word, generation, table, budget);
             for (const auto& [longer, share] : after.words()) next.add(longer, probability * share);

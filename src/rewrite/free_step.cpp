@@ -147,8 +147,8 @@ ModuleString FreeStep::next() {
                                                std::to_string(budget_.letters) + " allowed" +
                                                budget_.by(Bound::letters));
     budget_.check_memory(letters * sizeof(ModuleKind) + values * sizeof(double), "a word");
-    out_.kinds.resize(letters);
-    out_.values.resize(values);
+    out_.kinds.resize(static_cast<std::size_t>(letters));
+    out_.values.resize(static_cast<std::size_t>(values));
     all(&FreeStep::write);
     return std::move(out_);
 }

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <charconv>
 #include <cmath>
 #include <cstdlib>
+#include <cstring>
 #include <new>
 #include <string>
 #include <utility>
@@ -64,29 +64,22 @@ namespace {
 
 void add_number(std::string& out, double value) {
     constexpr double most = 1e21;
-    std::array<char, 400> digits;
-    char* const begin = digits.data();
-    char* const end = begin + digits.size();
     if (value == 0) {
         out += '0';
     } else if (std::abs(value) < 9007199254740992.0 && value == std::trunc(value)) {
-        out.append(begin, std::to_chars(begin, end, static_cast<long long>(value)).ptr);
+        std::array<char, 20> digits;
+        char* const begin = digits.data();
+        out.append(begin,
+                   std::to_chars(begin, begin + digits.size(), static_cast<long long>(value)).ptr);
     } else if (std::abs(value) < most && value == std::trunc(value)) {
-        out.append(begin, std::to_chars(begin, end, value, std::chars_format::fixed).ptr);
+        out += rounded_decimal(value, 21);  // all of its digits
     } else {
-        char* last = std::to_chars(begin, end, value).ptr;
-        // 1e-07 is 1e-7, and 1e+21 is 1e21.
-        char* const exponent = std::find(begin, last, 'e');
-        if (exponent == last) {
-            out.append(begin, last);
-            return;
-        }
-        out.append(begin, exponent + 1);
-        char* from = exponent + 1;
-        if (*from == '-') out += '-';
-        ++from;
-        while (from + 1 < last && *from == '0') ++from;
-        out.append(from, last);
+        const std::string text = shortest_decimal(value);
+        const std::size_t exponent = text.find('e');
+        out.append(text, 0, exponent);
+        if (exponent == std::string::npos) return;
+        out += text[exponent + 1] == '-' ? "e-" : "e";  // 1e-07 is 1e-7, and 1e+21 is 1e21
+        out.append(text, text.find_first_not_of('0', exponent + 2));
     }
 }
 
@@ -170,19 +163,22 @@ std::uint64_t hash_of(const ModuleString& word) {
     std::uint64_t hash = word.kinds.size();
     for (const ModuleKind kind : word.kinds) hash = mixed(hash, kind);
     for (const double value : word.values)  // 0 and -0 are equal
-        hash = mixed(hash, std::bit_cast<std::uint64_t>(value == 0 ? 0.0 : value));
+        hash = mixed(hash, bits_of(value == 0 ? 0.0 : value));
     return hash;
 }
 
 }  // namespace
 
 const WordValues::Held& WordValues::held(double value) const {
-    return all_.at((std::bit_cast<std::uint64_t>(value) & place_bits) - 1);
+    return all_.at(static_cast<std::size_t>(bits_of(value) & place_bits) - 1);
 }
 
 double WordValues::value(ModuleString word, const Budget& budget) {
     const auto value_at = [](std::size_t place) {
-        return std::bit_cast<double>(quiet | (place + 1));
+        const std::uint64_t bits = quiet | (place + 1);
+        double value;
+        std::memcpy(&value, &bits, sizeof value);
+        return value;
     };
     const std::uint64_t hash = hash_of(word);
     const auto [first, last] = places_.equal_range(hash);

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstdint>
+#include <cstring>
 #include <deque>
 #include <functional>
 #include <map>
@@ -53,16 +53,23 @@ private:
     std::shared_ptr<WordValues> words_;
 };
 
+/// The bits of a parameter, in which a word is told from others (see WordValues).
+inline std::uint64_t bits_of(double value) {
+    std::uint64_t bits;  // std::bit_cast is younger than some libraries
+    static_assert(sizeof bits == sizeof value);
+    std::memcpy(&bits, &value, sizeof bits);
+    return bits;
+}
+
 /// Whether two parameters are equal: numbers, or the same word (see WordValues).
 inline bool same_value(double a, double b) {
-    return a == b ||
-           (a != a && b != b && std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b));
+    return a == b || (a != a && b != b && bits_of(a) == bits_of(b));
 }
 
 /// A total order of parameters: numbers before words.
 inline bool value_before(double a, double b) {
     if (a == a && b == b) return a < b;
-    if (a != a && b != b) return std::bit_cast<std::uint64_t>(a) < std::bit_cast<std::uint64_t>(b);
+    if (a != a && b != b) return bits_of(a) < bits_of(b);
     return a == a;
 }
 
@@ -396,8 +403,9 @@ public:
     /// bound * number / 2^64.
     ///
     /// Example: Draws::scaled(std::uint64_t{1} << 63, 6) == 3
-    static constexpr std::uint64_t scaled(std::uint64_t number, std::uint64_t bound) {
-        return ((number >> 32) * bound + (((number & 0xFFFFFFFF) * bound) >> 32)) >> 32;
+    static constexpr std::uint32_t scaled(std::uint64_t number, std::uint64_t bound) {
+        return static_cast<std::uint32_t>(
+            ((number >> 32) * bound + (((number & 0xFFFFFFFF) * bound) >> 32)) >> 32);
     }
 
 private:

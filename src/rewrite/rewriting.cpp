@@ -413,8 +413,8 @@ ModuleString derive(const Rewriting& rewriting, std::uint64_t n,
     ModuleString word = rewriting.axiom();
     for (std::uint64_t generation = 0; generation < n; ++generation) {
         budget.check();
-        const std::size_t table =
-            tables.empty() ? rewriting.own_table(generation) : tables.at(generation);
+        const std::size_t table = tables.empty() ? rewriting.own_table(generation)
+                                                 : tables.at(static_cast<std::size_t>(generation));
         word = rewriting.next(word, generation, table, budget);
     }
     return word;

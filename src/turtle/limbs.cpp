@@ -21,8 +21,7 @@ constexpr std::uint32_t none = Rod::none;
 class Joints {
 public:
     Joints(const Scene& scene, const Thickness& thickness, const Budget& budget)
-        : scene_(scene),
-          before_(scene.rods.size(), none),
+        : before_(scene.rods.size(), none),
           next_(scene.rods.size(), none),
           radius_(scene.rods.size()),
           role_(scene.rods.size()) {
@@ -80,7 +79,6 @@ private:
             }
     }
 
-    const Scene& scene_;
     std::vector<std::uint32_t> before_, next_;
     std::vector<double> radius_;
     std::vector<Role> role_;

@@ -24,8 +24,7 @@ double turn(Point a, Point b, Point c) {
 /// Corners that may lie in an ear, found by where they are.
 class Grid {
 public:
-    Grid(const std::vector<Point>& points, const std::vector<std::uint32_t>& members)
-        : points_(points) {
+    Grid(const std::vector<Point>& points, const std::vector<std::uint32_t>& members) {
         for (const Point& p : points) box_.add(p);
         members_ = members.size();
         side_ = std::max(1u, static_cast<unsigned>(std::sqrt(static_cast<double>(members.size()))));
@@ -57,7 +56,6 @@ private:
     unsigned column(double x) const { return cell(x - box_.low.x, box_.breadth()); }
     unsigned row(double y) const { return cell(y - box_.low.y, box_.height()); }
 
-    const std::vector<Point>& points_;
     Box box_;
     unsigned side_ = 1;
     std::size_t members_ = 0;

@@ -51,7 +51,7 @@ std::vector<Word> Reader::words(const Field& field) const {
 
 std::vector<Symbol> Reader::letters(const Field& field) const {
     Word all = word(field);
-    std::ranges::sort(all);
+    std::sort(all.begin(), all.end());
     if (std::adjacent_find(all.begin(), all.end()) != all.end())
         field.fail("a letter stands here twice");
     return all;
@@ -69,7 +69,7 @@ System::Successors Reader::table(const Field& field) const {
         auto& all = table[symbol(successors, name)];
         all = words(successors);
         if (all.empty()) successors.fail("a letter needs a successor");
-        std::ranges::sort(all);
+        std::sort(all.begin(), all.end());
         all.erase(std::unique(all.begin(), all.end()), all.end());
     }
     for (Symbol a = 0; a < table.size(); ++a)
@@ -194,7 +194,7 @@ bool Reader::of_languages(const Field& field, Statement& read) const {
         read.kind = read.family == "finite"  ? Kind::finite
                     : read.family == "empty" ? Kind::empty
                                              : Kind::family;
-        if (read.kind == Kind::family && !std::ranges::count(families, read.family))
+        if (read.kind == Kind::family && !std::count(families.begin(), families.end(), read.family))
             field.at("is").fail("there is no family '" + read.family + "'");
     } else if (field.has("member")) {
         field.only({"member", "language"});
@@ -303,7 +303,7 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
     const Field name = field.at("class");
     read.family = name.text();
     static constexpr std::array classes = {"zero", "bounded", "polynomial", "exponential"};
-    if (!std::ranges::count(classes, read.family))
+    if (!std::count(classes.begin(), classes.end(), read.family))
         name.fail("there is no class of growth '" + read.family + "'");
     if (field.has("degree")) {
         if (read.family != "polynomial")
@@ -329,7 +329,7 @@ Statement Reader::statement(const Field& field) const {
 }
 
 Language words_of(std::vector<Word> words) {
-    std::ranges::sort(words, shortlex_less);
+    std::sort(words.begin(), words.end(), shortlex_less);
     words.erase(std::unique(words.begin(), words.end()), words.end());
     Tree tree;
     tree.words = std::move(words);
@@ -357,12 +357,13 @@ bool same(const Language& left, const Language& right) {
     return std::tie(left->kind, left->words, left->letters, left->morphism) ==
                std::tie(right->kind, right->words, right->letters, right->morphism) &&
            (!left->system || *left->system == *right->system) &&
-           std::ranges::equal(left->parts, right->parts, same);
+           std::equal(left->parts.begin(), left->parts.end(), right->parts.begin(),
+                      right->parts.end(), same);
 }
 
 bool is_regular(const Language& language) {
     return language->kind != Tree::Kind::generated &&
-           std::ranges::all_of(language->parts, is_regular);
+           std::all_of(language->parts.begin(), language->parts.end(), is_regular);
 }
 
 namespace {
@@ -409,7 +410,8 @@ Entry read_entry(const Field& field, const Reader& reader) {
                                                     {"refuted", Verdict::refuted, "proof"},
                                                     {"cited", Verdict::cited, "citation"},
                                                     {"undecided", Verdict::undecided, "verdict"}}};
-    const auto found = std::ranges::find(known, given.text(), &Known::name);
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&](const Known& each) { return each.name == given.text(); });
     if (found == known.end())
         given.fail("expected proved, refuted, undecided or cited, found '" + given.text() + "'");
     Entry entry{field,
@@ -470,7 +472,9 @@ struct Ending {
     End end;
     std::vector<std::string_view> fields;
 
-    bool has(std::string_view field) const { return std::ranges::count(fields, field) > 0; }
+    bool has(std::string_view field) const {
+        return std::count(fields.begin(), fields.end(), field) > 0;
+    }
 };
 
 const std::vector<Ending>& endings() {
@@ -498,7 +502,9 @@ public:
             if (!excluded.images.empty()) each["images"] = words(excluded.images);
             written["excluded"].push_back(std::move(each));
         }
-        const Ending& ending = *std::ranges::find(endings(), part.end, &Ending::end);
+        const Ending& ending =
+            *std::find_if(endings().begin(), endings().end(),
+                          [&](const Ending& each) { return each.end == part.end; });
         written["end"] = ending.name;
         if (ending.has("letter")) written["letter"] = alphabet_.name(part.letter);
         if (ending.has("sources")) {
@@ -587,7 +593,8 @@ ObstructionCase read_case(const Reader& reader, const Field& field) {
     for (const Field& each : field.at("excluded").list())
         read.excluded.push_back(read_excluded(reader, each));
     const Field end = field.at("end");
-    const auto found = std::ranges::find(endings(), end.text(), &Ending::name);
+    const auto found = std::find_if(endings().begin(), endings().end(),
+                                    [&](const Ending& each) { return each.name == end.text(); });
     if (found == endings().end()) end.fail("no case ends with '" + end.text() + "'");
     read.end = found->end;
     std::vector<std::string_view> fields = found->fields;
@@ -677,7 +684,9 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
             text += (text.empty() ? "" : ", ") + word_text(alphabet, word);
         return shortened("{" + text + "}");
     }
-    const Operation& operation = *std::ranges::find(operations, language->kind, &Operation::kind);
+    const Operation& operation =
+        *std::find_if(operations.begin(), operations.end(),
+                      [&](const Operation& each) { return each.kind == language->kind; });
     text = operation.before + part(0);
     if (*operation.between) text += operation.between + part(1);
     text += operation.after;

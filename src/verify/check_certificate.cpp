@@ -122,7 +122,7 @@ void check_by(const std::vector<Method>& methods, const Obligation& task) {
         const auto& kinds = method.kinds;
         if (method.by != by ||
             method.shows == (task.holds ? Method::opposite : Method::statement) ||
-            (!kinds.empty() && !std::ranges::count(kinds, task.statement.kind)))
+            (!kinds.empty() && !std::count(kinds.begin(), kinds.end(), task.statement.kind)))
             continue;
         std::vector<std::string_view> fields = method.fields;
         fields.push_back("by");

@@ -373,10 +373,11 @@ public:
 
     /// A letter that becomes a word with itself in it twice or more.
     bool doubles() const {
-        return std::ranges::any_of(letters_, [&](Symbol a) {
+        return std::any_of(letters_.begin(), letters_.end(), [&](Symbol a) {
             const Word& image = table_[a].front();
-            return std::ranges::count_if(
-                       image, [&](Symbol b) { return reached_.at(b).contains(a) || b == a; }) > 1;
+            return std::count_if(image.begin(), image.end(), [&](Symbol b) {
+                       return reached_.at(b).contains(a) || b == a;
+                   }) > 1;
         });
     }
     /// The most cycles one after the other on a way through the letters, where no letter doubles.

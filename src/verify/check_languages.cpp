@@ -28,7 +28,7 @@ struct Step {
 using Course = std::vector<Step>;
 
 bool within(const Word& word, const Letters& letters) {
-    return std::ranges::all_of(word, [&](Symbol a) { return letters.contains(a); });
+    return std::all_of(word.begin(), word.end(), [&](Symbol a) { return letters.contains(a); });
 }
 
 class Courses {
@@ -55,7 +55,7 @@ public:
         if (!within(system_.axiom, finish_before.front()))
             proof_.at("before").refuse("a letter of the axiom cannot finish");
         const Symbol start = before.empty() ? again : before.front().letter;
-        if (!std::ranges::count(system_.axiom, start))
+        if (!std::count(system_.axiom.begin(), system_.axiom.end(), start))
             proof_.at("before").refuse("it does not begin in the axiom");
         follow("before", before, start, again, finish_before);
         follow("round", round, again, again, finish_round);
@@ -81,7 +81,7 @@ private:
             if (step.table >= system_.tables.size())
                 field.at("table").refuse("there is no such table");
             const auto& all = system_.tables[static_cast<std::size_t>(step.table)][step.letter];
-            if (!std::ranges::count(all, step.successor))
+            if (!std::count(all.begin(), all.end(), step.successor))
                 field.at("successor").refuse("the table has no such rule");
             if (step.place >= step.successor.size())
                 field.at("place").refuse("the successor is not so long");
@@ -102,7 +102,7 @@ private:
                     earlier.insert(a);
             all.push_back(std::move(earlier));
         }
-        std::ranges::reverse(all);
+        std::reverse(all.begin(), all.end());
         return all;
     }
 
@@ -119,7 +119,9 @@ private:
     }
 
     void same_tables(const char* name, const Course& steps, const Course& round) const {
-        if (!std::ranges::equal(steps, round, {}, &Step::table, &Step::table))
+        if (!std::equal(
+                steps.begin(), steps.end(), round.begin(), round.end(),
+                [](const Step& one, const Step& other) { return one.table == other.table; }))
             proof_.at(name).refuse("its tables are not those of the round");
     }
 
@@ -176,12 +178,13 @@ void check_endless_round(const Obligation& task) {
         const RoundRule rule{task.reader.letter(field.at("letter")),
                              task.reader.word(field.at("successor"))};
         const auto& all = table[rule.letter];
-        if (!std::ranges::count(all, rule.successor)) field.refuse("the system has no such rule");
+        if (!std::count(all.begin(), all.end(), rule.successor))
+            field.refuse("the system has no such rule");
         rules.push_back(rule);
     }
     if (rules.empty()) task.proof.at("rules").refuse("a round must have a rule");
     const auto letters = accessible_letters(system, system.axiom);
-    if (!std::ranges::count(letters, rules[0].letter))
+    if (!std::count(letters.begin(), letters.end(), rules[0].letter))
         task.proof.at("rules").refuse("the letter of the first rule occurs in no derived word");
     for (std::size_t i = 0; i < rules.size(); ++i) {
         const Symbol next = rules[(i + 1) % rules.size()].letter;
@@ -192,7 +195,7 @@ void check_endless_round(const Obligation& task) {
     const Symbol other = task.letter("other");
     const Symbol next = rules[1 % rules.size()].letter;
     const Word& first = rules[0].successor;
-    if (std::ranges::count(first, other) < (other == next ? 2 : 1))
+    if (std::count(first.begin(), first.end(), other) < (other == next ? 2 : 1))
         task.proof.at("other").refuse(
             "the first rule has no such letter besides that of the next rule");
     if (!lasting_letters(table).contains(other))
@@ -244,7 +247,8 @@ void check_part(const Obligation& task) {
     const Field field = task.proof.at("index");
     const std::uint64_t number = field.number();
     using enum Tree::Kind;
-    if (!std::ranges::count(std::array{united, concatenation, star, plus, reversal}, whole.kind))
+    constexpr std::array kinds = {united, concatenation, star, plus, reversal};
+    if (!std::count(kinds.begin(), kinds.end(), whole.kind))
         task.refuse("an infinite part does not make this infinite");
     if (number >= whole.parts.size()) field.refuse("there is no such part");
     const auto index = static_cast<std::size_t>(number);

@@ -91,7 +91,7 @@ void check_membership(const Obligation& task) {
         Language source = language;  // of a reversal, the derivation is that of the reversed word
         Word word = task.statement.word;
         for (; source->kind == Tree::Kind::reversal; source = source->parts[0])
-            std::ranges::reverse(word);
+            std::reverse(word.begin(), word.end());
         if (source->kind != Tree::Kind::generated)
             derivation.refuse("the language is not given by a system");
         if (!task.holds)
@@ -163,10 +163,12 @@ void check_equal_to_form(const Obligation& task) {
 void check_all_finite(const Obligation& task) {
     static constexpr std::array all = {"E0L", "ET0L", "EDT0L", "IL", "REG", "CF"};
     const std::string& family = task.statement.family;
-    if (!std::ranges::count(all, family)) task.refuse("not all finite languages are " + family);
+    if (!std::count(all.begin(), all.end(), family))
+        task.refuse("not all finite languages are " + family);
     const auto words = finite_words(task);
-    const bool has_axiom = std::ranges::any_of(
-        words, [&](const Word& word) { return task.certificate.empty_axiom || !word.empty(); });
+    const bool has_axiom = std::any_of(words.begin(), words.end(), [&](const Word& word) {
+        return task.certificate.empty_axiom || !word.empty();
+    });
     if (family == "IL" && !has_axiom) task.refuse("no word of the language can be the axiom");
 }
 
@@ -178,8 +180,8 @@ void check_regular_family(const Obligation& task) {
 void check_cases(const Obligation& task) {
     const auto& all = all_families();
     const std::string& family = task.statement.family;
-    const auto found =
-        std::ranges::find_if(all, [&](Family each) { return to_string(each) == family; });
+    const auto found = std::find_if(all.begin(), all.end(),
+                                    [&](Family each) { return to_string(each) == family; });
     if (found == all.end()) task.refuse("no proof by cases is known for " + family);
     const auto words = finite_words(task);
     FamilyObstruction obstruction = read_obstruction(task.reader, task.proof.at("obstruction"));
@@ -246,7 +248,7 @@ bool covers_all(const std::vector<Progression>& progressions) {
             throw BoundReached(Bound::method, "the sections repeat too late to be checked");
     }
     for (std::uint64_t n = 0; n < beyond + period; ++n)
-        if (std::ranges::none_of(progressions, [&](const Progression& each) {
+        if (std::none_of(progressions.begin(), progressions.end(), [&](const Progression& each) {
                 return n == each.first ||
                        (each.step > 0 && n > each.first && (n - each.first) % each.step == 0);
             }))
@@ -400,15 +402,13 @@ void check_balance(const Obligation& task) {
         }
         start.emplace(a, std::move(relation));
     }
-    const auto leaves = [&](const Relations& relations) {
-        return !relation_of(left.axiom, relations, refusal + 1).at(0, 0);
+    const auto leaves = [&, &axiom = left.axiom](const Relations& relations) {
+        return !relation_of(axiom, relations, refusal + 1).at(0, 0);
     };
     if (some_relations(left, start, refusal + 1, leaves, task.budget))
         task.proof.at("states").refuse(
             "a word of the sequence does not lead through these overflows back to the empty one");
 }
-
-namespace {}  // namespace
 
 void check_finite_sequences(const Obligation& task) {
     constexpr std::size_t most = 50'000'000;  // letters of the words together

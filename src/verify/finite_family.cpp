@@ -149,8 +149,8 @@ private:
         const bool rules_matter = proof_.family.deterministic || !proof_.impossible.empty();
         if (!rules_matter && !seen.emplace(position, done).second) return;
         for (const ImpossibleTable& table : proof_.impossible)
-            if (std::ranges::all_of(table.rules,
-                                    [&](const LetterRule& rule) { return used.contains(rule); }))
+            if (std::all_of(table.rules.begin(), table.rules.end(),
+                            [&](const LetterRule& rule) { return used.contains(rule); }))
                 return;
         if (position == from.size()) {
             if (done == to.size()) fail(spelled(from) + " may give " + spelled(to));
@@ -162,7 +162,7 @@ private:
                                        to.begin() + static_cast<std::ptrdiff_t>(end))};
             if (!possible.at(rule.letter).contains(rule.image)) continue;
             if (proof_.family.deterministic &&
-                std::ranges::any_of(used, [&](const LetterRule& other) {
+                std::any_of(used.begin(), used.end(), [&](const LetterRule& other) {
                     return other.letter == rule.letter && other.image != rule.image;
                 }))
                 continue;
@@ -209,7 +209,7 @@ bool FiniteLanguage::contains(const Word& word) const {
 
 FiniteLanguage make_finite_language(std::shared_ptr<const Alphabet> alphabet,
                                     std::vector<Word> words) {
-    std::ranges::sort(words, shortlex_less);
+    std::sort(words.begin(), words.end(), shortlex_less);
     words.erase(std::unique(words.begin(), words.end()), words.end());
     return {std::move(alphabet), std::move(words)};
 }
@@ -302,7 +302,8 @@ private:
                 fail(steps_.spelled(rule) + " is excluded but was not possible");
             steps_.must_be_word(excluded.word);
             if (excluded.images.empty()) {
-                if (std::ranges::find(excluded.word, rule.letter) == excluded.word.end())
+                if (std::find(excluded.word.begin(), excluded.word.end(), rule.letter) ==
+                    excluded.word.end())
                     fail(steps_.spelled(excluded.word) + " does not show the rule " +
                          steps_.spelled(rule));
                 if (steps_.lands(excluded.word, rule, possible))
@@ -320,7 +321,7 @@ private:
     void check_conflict(const ObstructionCase& part, Possible possible, Rules there,
                         bool generating) const {
         for (const LetterRule& used : steps_.leaving(part.word, part.images))
-            if (!there.contains(used) && !std::ranges::count(part.rules, used))
+            if (!there.contains(used) && !std::count(part.rules.begin(), part.rules.end(), used))
                 fail("the case without " + steps_.spelled(used) + " is not looked at");
         if (part.cases.size() != part.rules.size()) fail("there is not one case for each rule");
         for (std::size_t i = 0; i < part.rules.size(); ++i) {

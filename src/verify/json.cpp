@@ -172,18 +172,18 @@ void Field::expect(JsonValue::Kind kind, const char* what) const {
 void Field::only(const std::vector<std::string_view>& names) const {
     expect(JsonValue::Kind::object, "an object");
     for (std::size_t i = 0; i < value_->keys.size(); ++i)
-        if (!std::ranges::count(names, value_->keys[i]))
+        if (!std::count(names.begin(), names.end(), value_->keys[i]))
             inside(value_->items[i], "").fail("unexpected field '" + value_->keys[i] + "'");
 }
 
 bool Field::has(std::string_view name) const {
     expect(JsonValue::Kind::object, "an object");
-    return std::ranges::count(value_->keys, name) > 0;
+    return std::count(value_->keys.begin(), value_->keys.end(), name) > 0;
 }
 
 Field Field::at(std::string_view name) const {
     expect(JsonValue::Kind::object, "an object");
-    const auto key = std::ranges::find(value_->keys, name);
+    const auto key = std::find(value_->keys.begin(), value_->keys.end(), name);
     if (key == value_->keys.end()) fail("the field '" + std::string(name) + "' is missing");
     return inside(value_->items[static_cast<std::size_t>(key - value_->keys.begin())],
                   (path_.empty() ? "" : ".") + std::string(name));
@@ -232,7 +232,8 @@ Integer Field::integer(bool negative) const {
     expect(JsonValue::Kind::text, "a whole number or a string of digits");
     std::string_view digits = value_->text;
     if (negative && digits.starts_with('-')) digits.remove_prefix(1);
-    if (digits.empty() || !std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; }))
+    if (digits.empty() ||
+        !std::all_of(digits.begin(), digits.end(), [](char c) { return c >= '0' && c <= '9'; }))
         fail("expected digits");
     return Integer(value_->text);
 }

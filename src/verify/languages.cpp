@@ -85,7 +85,7 @@ Derivatives::Term Derivatives::convert(const Tree& tree, bool reversed) {
         case Tree::Kind::generated: {
             std::vector<Term> words;
             for (Word each : finite_values_of_leaf(tree, budget_)) {
-                if (reversed) std::ranges::reverse(each);
+                if (reversed) std::reverse(each.begin(), each.end());
                 words.push_back(word(each, empty_word_));
             }
             return any(std::move(words));
@@ -128,9 +128,9 @@ Derivatives::Term Derivatives::convert(const Tree& tree, bool reversed) {
 Derivatives::Term Derivatives::convert_morphism(const Tree& tree, bool reversed) {
     Morphism images = tree.morphism;
     if (reversed)
-        for (auto& [a, image] : images) std::ranges::reverse(image);
+        for (auto& [a, image] : images) std::reverse(image.begin(), image.end());
     const Term part = convert(*tree.parts.at(0), reversed);
-    const auto known = std::ranges::find(morphisms_, images);
+    const auto known = std::find(morphisms_.begin(), morphisms_.end(), images);
     const auto number = static_cast<std::size_t>(known - morphisms_.begin());
     if (known == morphisms_.end()) morphisms_.push_back(std::move(images));
     const Kind kind = tree.kind == Tree::Kind::image ? Kind::image : Kind::inverse_image;
@@ -167,9 +167,9 @@ bool Derivatives::find_nullable(Term term) {
             return true;
         case Kind::product:
         case Kind::all:
-            return std::ranges::all_of(node.parts, is_nullable);
+            return std::all_of(node.parts.begin(), node.parts.end(), is_nullable);
         case Kind::any:
-            return std::ranges::any_of(node.parts, is_nullable);
+            return std::any_of(node.parts.begin(), node.parts.end(), is_nullable);
         case Kind::complement:
             return !nullable(node.parts[0]);
         case Kind::inverse_image:
@@ -178,7 +178,7 @@ bool Derivatives::find_nullable(Term term) {
             break;
     }
     const auto erased = after_erased(node.parts[0], node.number);
-    return std::ranges::any_of(erased, is_nullable);
+    return std::any_of(erased.begin(), erased.end(), is_nullable);
 }
 
 Derivatives::Term Derivatives::derivative(Term term, Symbol letter) {
@@ -293,7 +293,8 @@ void must_be_short(const Word& word) {
 using Images = std::map<Symbol, Word>;
 
 bool erases(const Images& images) {
-    return std::ranges::any_of(images, [](const auto& each) { return each.second.empty(); });
+    return std::any_of(images.begin(), images.end(),
+                       [](const auto& each) { return each.second.empty(); });
 }
 
 /// For each letter, between which positions of the word its image stands.
@@ -372,7 +373,8 @@ private:
     bool find(const Tree& tree, const Word& word) {
         switch (tree.kind) {
             case Tree::Kind::words:
-                return std::ranges::binary_search(tree.words, word, shortlex_less);
+                return std::binary_search(tree.words.begin(), tree.words.end(), word,
+                                          shortlex_less);
             case Tree::Kind::generated:
                 return generated(*tree.system, word);
             case Tree::Kind::united:
@@ -390,11 +392,11 @@ private:
             case Tree::Kind::reversal:
                 return in(tree.parts[0], Word(word.rbegin(), word.rend()));
             case Tree::Kind::complement:
-                return std::ranges::all_of(word,
-                                           [&](Symbol a) {
-                                               return std::binary_search(tree.letters.begin(),
-                                                                         tree.letters.end(), a);
-                                           }) &&
+                return std::all_of(word.begin(), word.end(),
+                                   [&](Symbol a) {
+                                       return std::binary_search(tree.letters.begin(),
+                                                                 tree.letters.end(), a);
+                                   }) &&
                        !in(tree.parts[0], word);
             case Tree::Kind::inverse_image: {
                 const auto image = image_of(word, tree.morphism, budget_);
@@ -443,7 +445,7 @@ private:
         const Tree& part = *tree.parts[0];
         switch (part.kind) {
             case Tree::Kind::words:
-                return std::ranges::any_of(part.words, [&](const Word& each) {
+                return std::any_of(part.words.begin(), part.words.end(), [&](const Word& each) {
                     return image_of(each, tree.morphism, budget_) == word;
                 });
             case Tree::Kind::generated:
@@ -537,7 +539,7 @@ private:
 }  // namespace
 
 bool is_terminal(const System& system, const Word& word) {
-    return std::ranges::all_of(word, [&](Symbol a) { return system.terminal[a]; });
+    return std::all_of(word.begin(), word.end(), [&](Symbol a) { return system.terminal[a]; });
 }
 
 bool contains(const Language& language, const Word& word, const Alphabet& alphabet,
@@ -775,7 +777,9 @@ public:
             case Tree::Kind::star:
             case Tree::Kind::plus: {
                 auto part = of(tree.parts[0]);
-                if (!part || !std::ranges::all_of(*part, &Word::empty)) return std::nullopt;
+                if (!part || !std::all_of(part->begin(), part->end(),
+                                          [](const Word& each) { return each.empty(); }))
+                    return std::nullopt;
                 if (tree.kind == Tree::Kind::star) part->insert(Word{});
                 return part;
             }

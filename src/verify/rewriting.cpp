@@ -193,8 +193,8 @@ Rational probability(const Field& field) {
     const std::string& text = field.text();
     const std::size_t slash = std::min(text.find('/'), text.size());
     const auto is_number = [](std::string_view digits) {
-        return !digits.empty() &&
-               std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+        return !digits.empty() && std::all_of(digits.begin(), digits.end(),
+                                              [](char c) { return c >= '0' && c <= '9'; });
     };
     const std::string below = slash == text.size() ? "1" : text.substr(slash + 1);
     if (!is_number(text.substr(0, slash)) || !is_number(below) || Integer(below) == 0)
@@ -228,7 +228,7 @@ Rational chance(const ModuleSystem& system, const Modules& from, const Modules& 
     if (steps > Integer(most))
         throw BoundReached(Bound::method,
                            "only derivations of at most 1000 steps are worked out again");
-    if (std::ranges::any_of(system.rules, [](const ModuleSystem::Rule& rule) {
+    if (std::any_of(system.rules.begin(), system.rules.end(), [](const ModuleSystem::Rule& rule) {
             return !rule.left.empty() || !rule.right.empty() || !rule.elsewhere.empty();
         }))
         return walked(system, from, to, steps.to_uint64(), proof, budget);
@@ -351,9 +351,11 @@ std::size_t size_around(const ModuleSystem::Rule& rule) {
 }
 
 bool same_kinds(const std::vector<Pattern>& some, const std::vector<Pattern>& others) {
-    return std::ranges::equal(some, others, [](const Pattern& one, const Pattern& other) {
-        return one.letter == other.letter && one.parameters.size() == other.parameters.size();
-    });
+    return std::equal(some.begin(), some.end(), others.begin(), others.end(),
+                      [](const Pattern& one, const Pattern& other) {
+                          return one.letter == other.letter &&
+                                 one.parameters.size() == other.parameters.size();
+                      });
 }
 
 bool same_around(const ModuleSystem::Rule& one, const ModuleSystem::Rule& other) {

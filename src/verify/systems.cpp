@@ -41,8 +41,9 @@ namespace {
 template <class Property>
 bool each_successors(const System& system, Property is_so) {
     const auto letters = accessible_letters(system, system.axiom);
-    return std::ranges::all_of(system.tables, [&](const auto& table) {
-        return std::ranges::all_of(letters, [&](Symbol a) { return is_so(table[a]); });
+    return std::all_of(system.tables.begin(), system.tables.end(), [&](const auto& table) {
+        return std::all_of(letters.begin(), letters.end(),
+                           [&](Symbol a) { return is_so(table[a]); });
     });
 }
 
@@ -51,8 +52,8 @@ bool is_deterministic(const System& system) {
 }
 
 bool is_propagating(const System& system) {
-    return each_successors(system,
-                           [](const auto& all) { return !std::ranges::count(all, Word{}); });
+    return each_successors(
+        system, [](const auto& all) { return !std::count(all.begin(), all.end(), Word{}); });
 }
 
 }  // namespace
@@ -69,8 +70,9 @@ std::set<Symbol> lasting_letters(const System::Successors& table) {
         before = letters.size();
         const std::set<Symbol> known = letters;
         for (const Symbol a : known)
-            if (std::ranges::none_of(table[a], [&](const Word& word) {
-                    return std::ranges::any_of(word, [&](Symbol b) { return known.contains(b); });
+            if (std::none_of(table[a].begin(), table[a].end(), [&](const Word& word) {
+                    return std::any_of(word.begin(), word.end(),
+                                       [&](Symbol b) { return known.contains(b); });
                 }))
                 letters.erase(a);
     }
@@ -89,7 +91,7 @@ bool is_endless(const System& system) {
                     beside = beside || (at != i && lasting.contains(successor[at]));
                 if (!beside) continue;
                 const auto derived = accessible_letters(system, {successor[i]});
-                if (std::ranges::count(derived, a) > 0) return true;
+                if (std::count(derived.begin(), derived.end(), a) > 0) return true;
             }
     return false;
 }
@@ -167,8 +169,8 @@ bool may_give(const System::Successors& table, const Word& from, const Word& to)
 
 bool never_shrinks(const System& system) {
     if (system.context)
-        return std::ranges::none_of(
-            system.rules, [](const System::Rule& rule) { return rule.successor.empty(); });
+        return std::none_of(system.rules.begin(), system.rules.end(),
+                            [](const System::Rule& rule) { return rule.successor.empty(); });
     return is_propagating(system);
 }
 
@@ -284,7 +286,8 @@ bool some_relations_after(const System& system, const Relations& start, std::siz
 
 Lengths::Lengths(const System& system)
     : system_(system), symbols_(accessible_letters(system, system.axiom)) {
-    for (const Symbol a : symbols_) counts_.emplace_back(std::ranges::count(system.axiom, a));
+    for (const Symbol a : symbols_)
+        counts_.emplace_back(std::count(system.axiom.begin(), system.axiom.end(), a));
 }
 
 Integer Lengths::length() const {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <nlohmann/json.hpp>
 
 #include "dimension/dimension.hpp"
 #include "nature/detail/aggregates.hpp"

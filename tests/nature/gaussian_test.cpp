@@ -4,15 +4,16 @@
 #include <rapidcheck.h>
 
 #include <cmath>
+#include <cstdint>
 #include <vector>
 
 using namespace algae;
 
 TEST_CASE("Gaussian numbers have the moments of the normal distribution") {
     const Gaussians numbers(7, 3);
-    const int count = 400'000;
+    const std::uint32_t count = 400'000;
     double sum = 0, squares = 0, fourths = 0, products = 0;
-    for (int i = 0; i < count; ++i) {
+    for (std::uint32_t i = 0; i < count; ++i) {
         const double x = numbers.at(i);
         sum += x;
         squares += x * x;
@@ -29,10 +30,10 @@ TEST_CASE("Gaussian numbers have the moments of the normal distribution") {
 
 TEST_CASE("shares of Gaussian numbers below a bound are those of the error function") {
     const Gaussians numbers(1, 0);
-    const int count = 200'000;
+    const std::uint32_t count = 200'000;
     for (const double bound : {-2.5, -1.0, -0.3, 0.0, 0.5, 1.5, 3.0}) {
         int below = 0;
-        for (int i = 0; i < count; ++i) below += numbers.at(i) < bound;
+        for (std::uint32_t i = 0; i < count; ++i) below += numbers.at(i) < bound;
         const double share = std::erfc(-bound / std::sqrt(2)) / 2;
         CAPTURE(bound);
         CHECK(std::abs(static_cast<double>(below) / count - share) <

@@ -11,7 +11,7 @@ using namespace algae;
 
 TEST_CASE("the mean square of the end of a walk grows as steps times dimensions") {
     for (const int dimensions : {1, 2, 3})
-        for (const std::uint64_t steps : {1, 100}) {
+        for (const std::uint64_t steps : {1u, 100u}) {
             double sum = 0;
             const int walks = 4000;
             for (int seed = 0; seed < walks; ++seed) {
@@ -30,7 +30,7 @@ TEST_CASE("the mean square of the end of a walk grows as steps times dimensions"
 TEST_CASE("a shorter walk is the beginning of a longer one") {
     CHECK(rc::check([](std::uint64_t seed) {
         const int dimensions = *rc::gen::inRange(1, 4);
-        const std::uint64_t steps = *rc::gen::inRange(0, 200);
+        const std::uint64_t steps = *rc::gen::inRange(0u, 200u);
         const auto all = random_walk({dimensions, 200, 1, seed}, Budget());
         const auto part = random_walk({dimensions, steps, 1, seed}, Budget());
         RC_ASSERT(part.size() == steps + 1);

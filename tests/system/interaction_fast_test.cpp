@@ -112,7 +112,7 @@ TEST_CASE("tables of windows give the words that the definition gives") {
 }
 
 TEST_CASE("tables for up to seven bits a letter") {
-    for (const unsigned letters : {9, 17, 33, 65, 100}) {
+    for (const unsigned letters : {9u, 17u, 33u, 65u, 100u}) {
         std::string text = "axiom X_0";
         for (unsigned i = 1; i < letters; ++i) text += " X_" + std::to_string(i);
         for (unsigned i = 0; i < letters; ++i)

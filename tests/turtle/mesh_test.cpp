@@ -58,7 +58,7 @@ std::string fault(const Mesh& mesh) {
         double six_volumes = 0;
         for (const std::size_t i : triangles) {
             const auto& t = mesh.triangles[i];
-            for (int k = 0; k < 3; ++k) {
+            for (std::size_t k = 0; k < 3; ++k) {
                 const std::uint32_t from = mesh.corners[t[k]].point,
                                     to = mesh.corners[t[(k + 1) % 3]].point;
                 if (++edges[{from, to}] > 1) return "a directed edge twice";

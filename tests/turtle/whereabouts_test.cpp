@@ -67,7 +67,7 @@ TEST_CASE(
     "sides") {
     CHECK(rc::check([] {
         const auto number = [] { return static_cast<double>(*rc::gen::inRange(-4, 5)); };
-        const std::size_t dimension = *rc::gen::element(2, 3);
+        const auto dimension = *rc::gen::element<std::size_t>(2, 3);
         Numbers low, high, corners, place;
         for (std::size_t i = 0; i < dimension; ++i) {
             low.push_back(number());

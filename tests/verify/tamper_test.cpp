@@ -246,7 +246,7 @@ std::optional<bool> truth(const Json& statement, const Json& systems) {
                                                 : "polynomial";
         const bool degree =
             !statement.contains("degree") || statement["degree"] == 1 || statement["degree"] == "1";
-        return found == statement["class"] && degree;
+        return found == statement["class"].get<std::string>() && degree;
     }
     if (statement["is"] == "empty") return of(statement["language"]).empty();
     if (statement["is"] == "finite")

@@ -261,19 +261,32 @@ public:
                                            const std::string& operation) const {
         return table_.cell(family, operation);
     }
-    /// The proof that a family is closed, or that it is not, as a formal statement; nullptr if none is found. That it is
-    /// not is searched for among small finite languages.
-    const CheckedClaim* theorem(const std::string& family, const std::string& operation,
-                                bool closed) {
-        const auto [entry, is_new] = theorems_.try_emplace({family, operation});
+    /// What a search finds of the formal statement that a family is closed, or that it is not; nullptr where there is no
+    /// such statement. That it is not is searched for among small finite languages.
+    const CheckedClaim* searched(const std::string& family, const std::string& operation,
+                                 bool closed) {
+        const auto [entry, is_new] = searched_.try_emplace({family, operation});
         if (is_new)
             if (std::optional<Claim> claim = closure_claim(family, operation, closed)) {
                 const SearchLimits limits =
                     closed ? SearchLimits{0, 0, 0, nullptr} : SearchLimits{1'000, 9, 0, nullptr};
-                CheckedClaim found = check(std::move(*claim), budget_, limits);
-                if (found.verdict() == ClaimVerdict::proved) entry->second = std::move(found);
+                entry->second = check(std::move(*claim), budget_, limits);
+                is_stopped_ = is_stopped_ || is_stopped(*entry->second);
             }
         return entry->second ? &*entry->second : nullptr;
+    }
+    /// Whether the search came to no end, as a bound was reached.
+    static bool is_stopped(const CheckedClaim& search) {
+        const Answer& answer = search.statements.at(0).answer;
+        return !answer.proof && !answer.searched;
+    }
+    /// The proof of the statement, or why the search for it was stopped; nullptr where neither is there.
+    const CheckedClaim* theorem(const std::string& family, const std::string& operation,
+                                bool closed) {
+        const CheckedClaim* search = searched(family, operation, closed);
+        const bool tells =
+            search && (search->verdict() == ClaimVerdict::proved || is_stopped(*search));
+        return tells ? search : nullptr;
     }
     const CheckedClaim& checked(std::size_t claim) {
         if (!checked_[claim]) checked_[claim] = check(claims_[claim], budget_);
@@ -281,7 +294,7 @@ public:
     }
     /// Whether every claim that was asked for is decided, and no bound was reached before.
     bool is_decided() const {
-        return std::ranges::none_of(checked_, [](const auto& checked) {
+        return !is_stopped_ && std::ranges::none_of(checked_, [](const auto& checked) {
             return checked && checked->worst() == Outcome::undecided;
         });
     }
@@ -300,13 +313,17 @@ private:
     std::vector<Claim> claims_;
     ClosureTable table_;
     std::vector<std::optional<CheckedClaim>> checked_;
-    std::map<std::pair<std::string, std::string>, std::optional<CheckedClaim>> theorems_;
+    std::map<std::pair<std::string, std::string>, std::optional<CheckedClaim>> searched_;
+    bool is_stopped_ = false;
 };
 
 /// What is known of a cell: "refuted" by a counterexample, or what the claim comes to that is about it.
 std::string status_of(Theory& theory, const ClosureTable::Cell& cell, const std::string& family,
                       const std::string& operation) {
-    if (theory.theorem(family, operation, cell.closed)) return cell.closed ? "proved" : "refuted";
+    if (const CheckedClaim* theorem = theory.theorem(family, operation, cell.closed)) {
+        if (Theory::is_stopped(*theorem)) return "undecided";
+        return cell.closed ? "proved" : "refuted";
+    }
     return std::string(to_string(theory.checked(cell.claim).verdict()));
 }
 
@@ -371,8 +388,10 @@ std::string cell_text(Theory& theory, const std::string& family, const std::stri
     const std::string name =
         !is_known ? "Whether " + family + " languages are " + under + " is undecided"
                   : family + " languages are " + (cell->closed ? "" : "not ") + under;
-    return name + " (" + checked.claim.name + ", " + std::string(to_string(checked.verdict())) +
-           ").\n\n" +
+    std::string text = name + " (" + checked.claim.name + ", " + status + ").\n\n";
+    if (const CheckedClaim* theorem = theory.theorem(family, operation, cell->closed))
+        text += explanation(*theorem) + '\n';
+    return text +
            explanation(checked, is_known ? family : "");  // the reason may be at another family
 }
 
@@ -411,6 +430,11 @@ int closure(const ClosureOptions& options) {
         Json proof = Json::array();
         if (cell) {
             const CheckedClaim& checked = theory.checked(cell->claim);
+            if (const CheckedClaim* theorem =
+                    theory.theorem(families[0], operations[0], cell->closed))
+                for (const std::string& line :
+                     sentences(theorem->statements.at(0).answer, *theorem->claim.alphabet))
+                    proof.add(line);
             for (const CheckedStatement& statement : checked.statements)
                 for (const std::string& line : sentences(statement.answer, *checked.claim.alphabet))
                     proof.add(line);

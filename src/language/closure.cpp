@@ -53,10 +53,12 @@ struct OperationForm {
     const char* second = "";   // the family of the second language, if it is another one
     const char* mapping = "";  // the noun of h
     Domain domain = {};        // of h
+    bool is_special = false;   // a special case of the operation, which can only refute
 };
 
-/// The operations that the search knows. That a family is not closed under one that includes another one (a homomorphism
-/// is a gsm mapping, a finite substitution a substitution) follows from the other one.
+/// The operations that the search knows. That a family is not closed under one of which another one is a special case
+/// follows from that: a homomorphism is a gsm mapping; one that erases nothing is a substitution by languages of the
+/// family, as every family has the languages of one word that is not empty.
 const std::vector<OperationForm>& operation_forms() {
     using K = Domain::Kind;
     static const std::vector<OperationForm> all{
@@ -68,7 +70,7 @@ const std::vector<OperationForm>& operation_forms() {
         {"intersection", "A & B", 2},
         {"intersection with regular", "A & B", 2, "REG"},
         {"homomorphism", "h(A)", 1, "", "morphisms", {.kind = K::morphism}},
-        {"gsm mapping", "h(A)", 1, "", "morphisms", {.kind = K::morphism}},
+        {"gsm mapping", "h(A)", 1, "", "morphisms", {.kind = K::morphism}, true},
         {"non-erasing homomorphism",
          "h(A)",
          1,
@@ -77,7 +79,13 @@ const std::vector<OperationForm>& operation_forms() {
          {.kind = K::morphism, .nonerasing = true}},
         {"inverse homomorphism", "h^-1(A)", 1, "", "morphisms", {.kind = K::inverse_morphism}},
         {"finite substitution", "h(A)", 1, "", "finite substitutions", {.kind = K::substitution}},
-        {"substitution", "h(A)", 1, "", "finite substitutions", {.kind = K::substitution}},
+        {"substitution",
+         "h(A)",
+         1,
+         "",
+         "non-erasing morphisms",
+         {.kind = K::morphism, .nonerasing = true},
+         true},
     };
     return all;
 }
@@ -108,11 +116,11 @@ Language result_of(const OperationForm& form, std::size_t first) {
 }  // namespace
 
 std::optional<Statement> closure_statement(const std::string& family, const std::string& operation,
-                                           std::size_t first) {
+                                           bool closed, std::size_t first) {
     const auto& forms = operation_forms();
     const auto form = std::find_if(forms.begin(), forms.end(),
                                    [&](const OperationForm& one) { return one.name == operation; });
-    if (form == forms.end()) return std::nullopt;
+    if (form == forms.end() || (closed && form->is_special)) return std::nullopt;
     Quantified said;
     said.first = first;
     const auto bind = [&](const char* name, const std::string& of) {
@@ -144,7 +152,7 @@ std::optional<Claim> closure_claim(const std::string& family, const std::string&
                                    bool closed) {
     // Families that have all finite languages are closed under what keeps languages finite.
     const auto system = system_form(family);
-    auto statement = closure_statement(family, operation, 0);
+    auto statement = closure_statement(family, operation, closed, 0);
     const bool is_searched = system && !system->extended && !system->interactive;
     if (!statement || (!closed && !is_searched)) return std::nullopt;
     Claim claim;

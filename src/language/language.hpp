@@ -670,8 +670,9 @@ struct Quantified {
 /// lists the judges and readers that miss it.
 struct Statement {
     std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, Derives,
-                 EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, IsIncreasing, ComparesWords,
-                 Rewrites, HasChance, HasDimension, BoundaryHasDimension, Joint, Quantified>
+                 EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, IsIncreasing,
+                 ComparesWords, Rewrites, HasChance, HasDimension, BoundaryHasDimension, Joint,
+                 Quantified>
         says;
     bool negated = false;
     std::string text = {};  // as written
@@ -895,11 +896,14 @@ const std::vector<std::string>& closure_operations();
 const std::vector<std::string>& closure_families();
 
 /// The statement that a family is closed under an operation: `for all 0L languages A, B: A | B is 0L`, whose names have
-/// numbers from `first` on. Nothing for complement, whose letters are those of no instance.
+/// numbers from `first` on. Where that it is not `closed` is to be shown, it may be about a special case: homomorphisms for gsm
+/// mappings. Nothing for complement, whose letters are those of no instance, and for operations of which only a special
+/// case can be said.
 ///
-/// Example: closure_statement("0L", "star", 0)->text == "for all 0L languages A: A* is 0L"
+/// Example: closure_statement("0L", "star", true, 0)->text == "for all 0L languages A: A* is 0L"
+/// Example: !closure_statement("0L", "gsm mapping", true, 0)
 std::optional<Statement> closure_statement(const std::string& family, const std::string& operation,
-                                           std::size_t first);
+                                           bool closed, std::size_t first);
 
 /// The claim that a family is closed under an operation, or that it is not, with that statement as its theorem. That it is not
 /// may be proved by a finite counterexample: nothing for families that have all finite languages.

@@ -497,7 +497,7 @@ private:
         const ClosureFact fact = parse_closure_fact(text, reading_);
         Joint joint{Joint::Kind::all, {}};
         for (const std::string& family : fact.families) {
-            auto one = closure_statement(family, fact.operation, reading_.uses.size());
+            auto one = closure_statement(family, fact.operation, !denied, reading_.uses.size());
             if (!one)
                 throw SyntaxError{text.data(), "expected another operation than " + fact.operation +
                                                    ", of which no statement about all languages "

@@ -43,11 +43,29 @@ TEST_CASE("census prints a table, CSV and a b-file, the same for every number of
     const std::string asked = "census 'finite languages up to size 5' --by 0L,D0L --first 2";
     const Run table = run(asked);
     CHECK(table.status == 0);
-    CHECK(table.out == "");
+    CHECK(table.out ==
+          "size  all  0L  D0L\n"
+          "   1    1   0    0\n"
+          "   2    1   1    1\n"
+          "   3    3   3    3\n"
+          "   4    8   8    8\n"
+          "   5   26  25   25\n"
+          "first 0L: a   ε,a\n"
+          "first D0L: a   ε,a\n");
     CHECK(run(asked + " --threads 1").out == table.out);
     CHECK(run(asked + " --threads 3").out == table.out);
-    CHECK(run("census 'finite languages up to size 3' --by 0L --format csv").out == "");
-    CHECK(run("census 'D0L systems up to size 5' --format bfile").out == "");
+    CHECK(run("census 'finite languages up to size 3' --by 0L --format csv").out ==
+          "size,all,0L,0L undecided\n"
+          "1,1,0,0\n"
+          "2,1,1,0\n"
+          "3,3,3,0\n");
+    CHECK(run("census 'D0L systems up to size 5' --format bfile").out ==
+          "# D0L systems up to size 5, by size\n"
+          "1 0\n"
+          "2 1\n"
+          "3 2\n"
+          "4 5\n"
+          "5 17\n");
     CHECK(run("census 'D0L systems up to size 5' --by 'L(X) is infinite' --format bfile").out ==
           "");
 }

@@ -134,7 +134,8 @@ Json theorem_json(const CheckedStatement& found, const ClaimedStatement& claimed
     if (const auto values = witness_of(found.answer, alphabet); !values.empty()) {
         Json witness;
         for (const auto& [name, value] : values) witness.set(name, value);
-        out.set("counterexample", std::move(witness));
+        const bool example = found.answer.truth == Truth::proved && !claimed.statement.negated;
+        out.set(example ? "example" : "counterexample", std::move(witness));
     }
     if (const auto& searched = found.answer.searched)
         out.set("searched", {{"instances", searched->visited},
@@ -182,7 +183,7 @@ std::vector<Claim> asked_claims(const CheckOptions& options, const Budget& budge
         throw Error("expected files of claims or --say and a statement, found " +
                     std::string(options.paths.empty() ? "neither" : "both"));
     if (!options.statement.empty()) {
-        const std::string text = "claim " + options.statement + "\ntheorem " + options.statement;
+        const std::string text = "theorem " + options.statement + "\nclaim " + options.statement;
         return {read_claim(text, "--say", systems_from({"."}, budget))};
     }
     std::vector<std::string> files;

@@ -96,6 +96,7 @@ Answer decide_part(const Statement& statement, const Claim& claim, const Budget&
                    const SearchLimits& limits) {
     try {
         Answer found = std::visit(Judge{claim, budget, limits}, statement.says);
+        if (found.out_of_time) throw BoundReached(Bound::time, found.tried.at(0));
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
         if (error.bound() == Bound::time) throw;

@@ -773,6 +773,7 @@ FamilyAnswer decide_family(const FiniteLanguage& language, Family family,
         }
     } catch (const BoundReached& bound) {
         answer.tried = "Rules were ruled out case by case, but " + std::string(bound.what()) + ".";
+        answer.out_of_time = bound.bound() == Bound::time;
     }
     return answer;
 }

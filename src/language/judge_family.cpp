@@ -95,7 +95,11 @@ private:
         options.empty_axiom = question_.empty_axiom;
         auto answer =
             std::make_shared<const FamilyAnswer>(decide_family(words, *family, options, budget_));
-        if (answer->truth == Truth::undecided) return undecided(answer->tried);
+        if (answer->truth == Truth::undecided) {
+            Answer open = undecided(answer->tried);
+            open.out_of_time = answer->out_of_time;
+            return open;
+        }
         return decided(answer->truth == Truth::proved, steps::FiniteFamily{known.known, answer});
     }
 

@@ -735,6 +735,7 @@ struct Answer {
     std::shared_ptr<const Proof> proof;
     std::vector<std::string> tried;         // where it is undecided
     std::optional<Searched> searched = {};  // of a quantified statement
+    bool out_of_time = false;               // undecided because the time was over
 };
 
 /// How far instances are searched where a quantifier has no bounds: up to a number of them and a size, whichever

@@ -13,7 +13,8 @@ TEST_CASE("census counts systems and languages up to renaming") {
             run("census '" + of + "' --format json" + (by.empty() ? "" : " --by " + by));
         CHECK(found.status == 0);
         std::vector<int> counts;
-        for (const auto& row : json::parse(found.out)["rows"])
+        const json census = json::parse(found.out);
+        for (const json& row : census["rows"])
             counts.push_back(name.empty() ? row["all"].get<int>() : row[name]["proved"].get<int>());
         return counts;
     };
@@ -32,7 +33,8 @@ TEST_CASE("census counts systems and languages up to renaming") {
 
 TEST_CASE("every D0L system has one class of growth") {
     const Run found = run("census 'D0L systems up to size 7' --by growth --format json");
-    for (const auto& row : json::parse(found.out)["rows"])
+    const json census = json::parse(found.out);
+    for (const json& row : census["rows"])
         CHECK(row["zero"]["proved"].get<int>() + row["bounded"]["proved"].get<int>() +
                   row["polynomial"]["proved"].get<int>() +
                   row["exponential"]["proved"].get<int>() ==

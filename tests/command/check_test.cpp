@@ -235,11 +235,13 @@ TEST_CASE("check tells a theorem with its verdict, and --say takes it at the pro
     CHECK(found["theorem"]["counterexample"] == json{{"A", "{a}"}, {"B", "{aa}"}});
     CHECK(found["theorem"]["searched"]["size"] == 5);
     CHECK(found["theorem"]["searched"]["undecided"] == 0);
+    const Run some = run("check --say 'for some finite language A: A is not 0L' --json");
+    CHECK(json::parse(some.out)["claims"][0]["theorem"]["example"] == json{{"A", "{}"}});
     CHECK(run("check --say 'for all 0L languages A: A | A is 0L' --size 4").status == 3);
     CHECK(run("check --say 'for all 0L languages A: A^R is 0L'").status == 0);
     CHECK(
         run("check --say 'A is 0L'")
-            .err.starts_with("--say:2:9: error: expected a name that is defined above, found 'A'"));
+            .err.starts_with("--say:1:9: error: expected a name that is defined above, found 'A'"));
     CHECK(run("check").err ==
           "algae: expected files of claims or --say and a statement, found neither\n");
 }

@@ -64,7 +64,8 @@ TEST_CASE("the factors of random systems are those seen in their words") {
         const auto exact = texts(system, factors(system, length));
         const auto seen = factors_of(words, length);
         RC_ASSERT(std::includes(exact.begin(), exact.end(), seen.begin(), seen.end()));
-        RC_ASSERT(exact == seen);
+        // A factor may come late: then longer words have it.
+        RC_ASSERT(exact == seen || exact == factors_of(expanded(written, 3'000'000, 200), length));
         const auto complexity = counts(system, length);
         for (std::size_t k = 0; k <= length; ++k)
             RC_ASSERT(complexity[k] == texts(system, factors(system, k)).size());

@@ -61,16 +61,21 @@ std::string any_modules(const std::string& number, const std::string& word) {
             default:
                 out += any({"F", "G", "A(" + number + "+1)", "B(" + word + ")"});
         }
+    return out;
+}
+
+std::string any_successor(const std::string& number, const std::string& word) {
+    const std::string out = any_modules(number, word);
     return out.empty() ? "ε" : out;
 }
 
 std::string any_rules() {
     std::string out;
     const std::string condition = any({"", " : n < 3", " : n > 0", " : n = 1 | n > 2"});
-    if (below(5)) out += "A(n)" + condition + " -> " + any_modules("n", "\"G\"") + "\n";
+    if (below(5)) out += "A(n)" + condition + " -> " + any_successor("n", "\"G\"") + "\n";
     if (below(4) == 0) out += "A(n) : n < 2 & n > 0 -> A(n+1)G\n";
-    if (below(5)) out += "B(w) -> " + any_modules("1", "w") + "\n";
-    if (below(3) == 0) out += "G : length(q(0)) > 1 -> " + any_modules("2", "\"F\"") + "\n";
+    if (below(5)) out += "B(w) -> " + any_successor("1", "w") + "\n";
+    if (below(3) == 0) out += "G : length(q(0)) > 1 -> " + any_successor("2", "\"F\"") + "\n";
     return out;
 }
 

@@ -81,7 +81,8 @@ TEST_CASE("any walk in space is that of matrices and recursion") {
                         std::to_string(static_cast<double>(truth.susceptibility)) + '\n';
         }
         truth.all(word);
-        const Model system = read_lsystem("axiom ε" + slow_walk::text(word) + settings, "");
+        const Model system = read_lsystem(
+            "axiom " + (word.empty() ? std::string("ε") : slow_walk::text(word)) + settings, "");
         const SpaceDerivation found = scene(system, 0, {});
         RC_ASSERT(found.scene.rods.size() == truth.strokes.size());
         for (std::size_t i = 0; i < truth.strokes.size(); ++i) {

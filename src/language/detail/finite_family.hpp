@@ -49,6 +49,7 @@ struct FamilyAnswer {
     std::optional<FiniteWitness> witness;          // proved
     std::optional<FamilyObstruction> obstruction;  // refuted
     std::string tried;                             // undecided
+    bool out_of_time = false;                      // undecided because the time was over
 };
 
 /// Decides whether some system of the family generates exactly this finite language. Undecided only where a

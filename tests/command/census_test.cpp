@@ -69,7 +69,7 @@ TEST_CASE("census prints a table, CSV and a b-file, the same for every number of
           "4 5\n"
           "5 17\n");
     CHECK(run("census 'D0L systems up to size 5' --by 'L(X) is infinite' --format bfile").out ==
-          "");
+          "# D0L systems up to size 5, by size; L(X) is infinite\n1 0\n2 0\n3 0\n4 1\n5 2\n");
 }
 
 TEST_CASE("census says what is wrong with the question") {

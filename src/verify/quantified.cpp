@@ -72,7 +72,7 @@ Language substituted(const Language& language, const BoundNames::Images& images,
         return words_of(std::move(all));
     }
     static constexpr std::array kept = {Kind::united, Kind::concatenation, Kind::star, Kind::plus};
-    if (std::ranges::count(kept, language->kind) == 0)
+    if (std::count(kept.begin(), kept.end(), language->kind) == 0)
         where.fail("a substitution of this operation is not known");
     std::vector<Language> parts;
     for (const Language& part : language->parts) parts.push_back(substituted(part, images, where));
@@ -95,8 +95,8 @@ Language Reader::bound_image(Tree::Kind kind, const Field& field) const {
         tree.name = name;
         return std::make_shared<const Tree>(std::move(tree));
     }
-    const bool several =
-        std::ranges::any_of(*bound->second, [](const auto& one) { return one.second.size() > 1; });
+    const bool several = std::any_of(bound->second->begin(), bound->second->end(),
+                                     [](const auto& one) { return one.second.size() > 1; });
     if (several && inverse) field.fail("a substitution has no inverse here");
     if (several) return substituted(of, *bound->second, field);
     for (const auto& [letter, images] : *bound->second) tree.morphism[letter] = images.front();
@@ -132,7 +132,9 @@ constexpr std::array<std::string_view, 11> plain_domains = {"languages",
 
 /// The family in front of the noun: "0L" of "0L languages"; empty where there is none.
 std::string family_of(const std::string& domain, std::string_view noun) {
-    if (std::ranges::count(plain_domains, domain) > 0 || !domain.ends_with(noun)) return {};
+    if (std::count(plain_domains.begin(), plain_domains.end(), domain) > 0 ||
+        !domain.ends_with(noun))
+        return {};
     return domain.substr(0, domain.size() - noun.size());
 }
 
@@ -219,7 +221,7 @@ private:
             field.refuse("the value is larger than the bound says");
         if (said_.over)
             for (const Symbol letter : here_)
-                if (std::ranges::count(*said_.over, letter) == 0)
+                if (std::count(said_.over->begin(), said_.over->end(), letter) == 0)
                     field.refuse("the value has a letter that it is not over");
         if (!is_morphism_domain(name.of)) letters_.push_back(here_);
     }
@@ -446,8 +448,9 @@ void check_parts(const Obligation& task) {
     std::vector<std::optional<bool>> known(task.statement.parts.size());
     for (const Field& each : task.proof.at("parts").list()) {
         each.only({"part", "holds", "proof"});
-        const std::uint64_t index = each.at("part").number();
-        if (index >= known.size()) each.at("part").refuse("there is no such part");
+        const std::uint64_t number = each.at("part").number();
+        if (number >= known.size()) each.at("part").refuse("there is no such part");
+        const auto index = static_cast<std::size_t>(number);
         const Statement& part = task.statement.parts[index];
         const bool holds = each.at("holds").truth();
         check_proof(task.part(part, holds != part.negated, each.at("proof")));
@@ -457,9 +460,9 @@ void check_parts(const Obligation& task) {
     std::optional<bool> whole;  // as far as the parts that are known decide it
     if (joint == "all of" || joint == "any of") {
         const bool decisive = joint == "any of";
-        if (std::ranges::count(known, std::optional(decisive)) > 0)
+        if (std::count(known.begin(), known.end(), std::optional(decisive)) > 0)
             whole = decisive;
-        else if (std::ranges::count(known, std::optional<bool>()) == 0)
+        else if (std::count(known.begin(), known.end(), std::optional<bool>()) == 0)
             whole = !decisive;
     } else if (joint == "implies") {
         if (known[0] == false || known[1] == true)

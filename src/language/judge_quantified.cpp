@@ -37,6 +37,9 @@ using Images = std::vector<std::pair<Symbol, std::vector<Word>>>;
 
 // --- Putting values in the place of bound names ---
 
+/// Thrown where a bound morphism has no image for a letter of the language that it is applied to: this is no instance.
+struct NoImage {};
+
 /// Replaces the bound names of a statement by values.
 class Substitution {
 public:
@@ -70,6 +73,9 @@ public:
                 return substituted(closed.parts[0], std::get<Images>(value->is));
             if (value) {
                 closed.morphism = std::get<Morphism>(value->is);
+                if (tree.kind == Kind::image)
+                    for (const Symbol a : letters_of(closed.parts[0]))
+                        if (!closed.morphism.maps(a)) throw NoImage();
                 closed.variable.reset();
             } else if (!tree.variable) {
                 closed.morphism = replaced(tree.morphism);
@@ -145,7 +151,7 @@ private:
     static const std::vector<Word>& images_of(Symbol letter, const Images& images) {
         const auto found = std::find_if(images.begin(), images.end(),
                                         [&](const auto& one) { return one.first == letter; });
-        if (found == images.end()) throw Error("a letter has no image under the substitution");
+        if (found == images.end()) throw NoImage();
         return found->second;
     }
     static std::vector<Word> products(const std::vector<Word>& left,
@@ -427,7 +433,7 @@ public:
             visit(
                 tuple_, size, [&](const Instance& instance) { return gather(instance); }, budget_);
         if (!is_over_) look_at_gathered();
-        if (is_stopped_by_limit_) searched_.all = false;
+        if (is_stopped_by_limit_ || is_partial_) searched_.all = false;
         if (witness_) return answer_by(*witness_);
         const bool has_inverse = std::any_of(
             said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& name) {
@@ -462,7 +468,7 @@ private:
     /// What is found of it: it does not meet the conditions, is as the statement says, is undecided, or decides the
     /// statement.
     struct Found {
-        enum class Kind { outside, as_said, undecided, witness } kind = Kind::outside;
+        enum class Kind { outside, as_said, undecided, witness, none } kind = Kind::outside;
         bool meets = false;  // all conditions are proved
         std::optional<Witness> witness;
     };
@@ -501,6 +507,7 @@ private:
         for (std::size_t i = 0; i < found.size() && !is_over_; ++i) {
             if (gathered_[i].is_first) ++searched_.visited;
             searched_.size = gathered_[i].instance.size();
+            if (found[i].kind == Found::Kind::none) is_partial_ = true;  // others have more images
             if (found[i].meets) ++searched_.instances;
             if (found[i].kind == Found::Kind::undecided && !witness_) ++searched_.undecided;
             if (found[i].kind == Found::Kind::witness)
@@ -516,6 +523,14 @@ private:
     }
 
     Found look_at(const Named& named) const {
+        try {
+            return decided(named);
+        } catch (const NoImage&) {
+            return {Found::Kind::none, false, {}};
+        }
+    }
+
+    Found decided(const Named& named) const {
         budget_.check();
         steps::ByInstance step;
         step.values = reader_.values(named.instance, named.letters);
@@ -625,6 +640,7 @@ private:
     std::size_t batch_ = 1;
     std::uint64_t visited_ = 0;
     bool is_over_ = false, is_stopped_by_limit_ = false;
+    bool is_partial_ = false;  // some morphisms were not tried
 };
 
 }  // namespace

@@ -559,9 +559,27 @@ private:
             for (const std::string_view part : split(conditions, "and"))
                 said.conditions.push_back(read(part, depth + 1));
         said.body.push_back(read(text.substr(colon + 1), depth + 1));
-        for (std::size_t i = 0; i < said.bindings.size(); ++i)
-            if (reading_.uses[said.first + i].inverse)
-                said.bindings[i].domain.kind = Domain::Kind::inverse_morphism;
+        const auto is_mapping = [](const QuantifiedName& name) {
+            using Kind = Domain::Kind;
+            return name.domain.kind == Kind::morphism || name.domain.kind == Kind::substitution;
+        };
+        for (std::size_t i = 0; i < said.bindings.size(); ++i) {
+            QuantifiedName& name = said.bindings[i];
+            if (!is_mapping(name)) continue;
+            if (i + 1 < said.bindings.size() && !is_mapping(said.bindings[i + 1]))
+                throw SyntaxError{text.data(),
+                                  "expected the languages before the morphism that is applied to "
+                                  "them, found " +
+                                      quoted(said.bindings[i + 1].name) + " behind " +
+                                      quoted(name.name)};
+            if (!reading_.uses[said.first + i].inverse) continue;
+            if (name.domain.kind == Domain::Kind::substitution)
+                throw SyntaxError{text.data(),
+                                  "expected a morphism where an inverse is used, found "
+                                  "the finite substitution " +
+                                      quoted(name.name)};
+            name.domain.kind = Domain::Kind::inverse_morphism;
+        }
         --alternations_;
         Statement made;
         made.says = std::move(said);

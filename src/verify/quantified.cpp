@@ -81,6 +81,39 @@ Language substituted(const Language& language, const BoundNames::Images& images,
 
 }  // namespace
 
+namespace {
+
+/// Whether a morphism has an image for every letter that may occur in words of the language.
+bool maps_all(const BoundNames::Images& images, const Language& language) {
+    using Kind = Tree::Kind;
+    const auto has = [&](Symbol letter) { return images.count(letter) > 0; };
+    const auto has_all = [&](const auto& letters) {
+        return std::all_of(letters.begin(), letters.end(), has);
+    };
+    switch (language->kind) {
+        case Kind::words:
+            return std::all_of(language->words.begin(), language->words.end(), has_all);
+        case Kind::generated:
+            return language->system &&
+                   has_all(accessible_letters(*language->system, language->system->axiom));
+        case Kind::complement:
+            return has_all(language->letters);
+        case Kind::image:
+            return std::all_of(language->morphism.begin(), language->morphism.end(),
+                               [&](const auto& one) { return has_all(one.second); });
+        case Kind::inverse_image:
+            return std::all_of(language->morphism.begin(), language->morphism.end(),
+                               [&](const auto& one) { return has(one.first); });
+        case Kind::variable:
+            return false;
+        default:
+            return std::all_of(language->parts.begin(), language->parts.end(),
+                               [&](const Language& part) { return maps_all(images, part); });
+    }
+}
+
+}  // namespace
+
 Language Reader::bound_image(Tree::Kind kind, const Field& field) const {
     const std::string& name = field.at("morphism").text();
     const auto bound = bound_.morphisms.find(name);
@@ -95,6 +128,8 @@ Language Reader::bound_image(Tree::Kind kind, const Field& field) const {
         tree.name = name;
         return std::make_shared<const Tree>(std::move(tree));
     }
+    if (!inverse && !maps_all(*bound->second, of))
+        field.refuse("the value of '" + name + "' has no image for a letter of the language");
     const bool several = std::any_of(bound->second->begin(), bound->second->end(),
                                      [](const auto& one) { return one.second.size() > 1; });
     if (several && inverse) field.fail("a substitution has no inverse here");

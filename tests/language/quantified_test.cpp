@@ -147,6 +147,19 @@ TEST_CASE("a claim whose bounds leave finitely many instances is decided by all 
     CHECK(two.finding.outcome == verify::Finding::Outcome::not_checked);
 }
 
+TEST_CASE("a morphism without an image for a letter of the language is no instance") {
+    const Found named = judged("for all morphisms h: h({a}) is 0L", {500, 4});
+    CHECK(named.verdict == "undecided");
+    CHECK(named.finding.outcome == verify::Finding::Outcome::undecided);
+    nlohmann::ordered_json written = certificate(
+        judged("for all D0L languages A and non-erasing morphisms h: h(A) is D0L", {20'000, 9})
+            .checked);
+    written["statements"][0]["proof"]["values"]["h"].erase("b");
+    CHECK(verify::check_certificate(*verify::read_certificate(written.dump(1), "x.json"), {})
+              .at(0)
+              .outcome == verify::Finding::Outcome::wrong);
+}
+
 TEST_CASE("bound words stand in words") {
     const Found one = judged("for all 0L languages A and words w: {w} A is 0L");
     CHECK(one.verdict == "refuted");

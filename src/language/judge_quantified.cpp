@@ -423,7 +423,7 @@ public:
         const auto greatest = greatest_size(tuple_);
         const std::uint64_t last_size =
             is_bounded ? *greatest : std::min(limits_.size, greatest.value_or(limits_.size));
-        searched_.partial = std::any_of(
+        searched_.finite_only = std::any_of(
             said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& name) {
                 return name.domain.kind == Domain::Kind::language &&
                        name.text != "finite languages" && !name.domain.max_word_length;
@@ -434,14 +434,14 @@ public:
                 tuple_, size, [&](const Instance& instance) { return gather(instance); }, budget_);
         if (!is_over_) look_at_gathered();
         if (is_stopped_by_limit_ || is_partial_) searched_.all = false;
-        searched_.partial = searched_.partial || is_partial_;
+        searched_.finite_only = searched_.finite_only || is_partial_;
         if (witness_) return answer_by(*witness_);
         const bool has_inverse = std::any_of(
             said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& name) {
                 return name.domain.kind == Domain::Kind::inverse_morphism;
             });
         // The letters of an inverse morphism's domain are called by new names only.
-        const bool decided = searched_.instances > 0 && searched_.all && !searched_.partial &&
+        const bool decided = searched_.instances > 0 && searched_.all && !searched_.finite_only &&
                              searched_.undecided == 0 && (fixed_.empty() || !has_inverse);
         if (!decided) {
             if (!is_stopped_by_limit_) searched_.size = last_size;
@@ -612,9 +612,9 @@ private:
 
     std::string text_of_search() const {
         const std::string what = said_.universal ? "counterexample" : "example";
-        const std::string languages = is_partial_         ? " with morphisms on their letters"
-                                      : searched_.partial ? " with finite languages"
-                                                          : "";
+        const std::string languages = is_partial_             ? " with morphisms on their letters"
+                                      : searched_.finite_only ? " with finite languages"
+                                                              : "";
         if (searched_.instances == 0 && searched_.undecided == 0)
             return "No instance meets the conditions, of " +
                    counted(searched_.visited, "instance") + languages + " up to size " +

@@ -148,11 +148,11 @@ TEST_CASE("what is wrong with a quantified statement is told with its place") {
     CHECK(claim_messages("theorem for all finite languages A up to size x: A is 0L") ==
           "2:47: expected a number, found 'x'");
     CHECK(claim_messages("theorem for all morphisms h and 0L languages A: h(A) is 0L") ==
-          "2:16: expected the languages before the morphism that is applied to them, found 'A' "
+          "2:17: expected the languages before the morphism that is applied to them, found 'A' "
           "behind 'h'");
     CHECK(claim_messages("theorem for all finite languages A and finite substitutions s: "
                          "s^-1(A) is 0L") ==
-          "2:16: expected a morphism where an inverse is used, found the finite substitution 's'");
+          "2:17: expected a morphism where an inverse is used, found the finite substitution 's'");
     CHECK(claim_messages("show {a} is 0L iff {b} is 0L iff {c} is 0L") ==
           "2:34: expected one 'iff', found a second; use brackets");
 }

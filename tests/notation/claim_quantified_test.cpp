@@ -32,8 +32,8 @@ TEST_CASE("for all and for some bind names that range over something") {
 TEST_CASE("what names range over") {
     using Kind = Domain::Kind;
     const auto domain = [](const std::string& noun) {
-        return quantified("for all " + noun + " X and finite languages A: A is finite")
-            .bindings.at(0)
+        return quantified("for all finite languages A and " + noun + " X: A is finite")
+            .bindings.at(1)
             .domain;
     };
     CHECK(domain("languages") == Domain{});

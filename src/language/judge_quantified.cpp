@@ -38,7 +38,10 @@ using Images = std::vector<std::pair<Symbol, std::vector<Word>>>;
 // --- Putting values in the place of bound names ---
 
 /// Thrown where a bound morphism has no image for a letter of the language that it is applied to: this is no instance.
-struct NoImage {};
+struct NoImage : Error {
+    NoImage()
+        : Error("a morphism has no image for a letter of the language that it is applied to") {}
+};
 
 /// Replaces the bound names of a statement by values.
 class Substitution {

@@ -180,7 +180,7 @@ private:
         for (const Noun& noun : nouns()) {
             if (*at != noun.singular && *at != noun.plural) continue;
             binding_.text += noun.plural;
-            if (noun.adjective == adjective) return with_text(noun, adjective);
+            if (noun.adjective == adjective) return plain_noun(noun);
             if (noun.adjective.empty()) plain = &noun;
             binding_.text.resize(binding_.text.size() - noun.plural.size());
         }
@@ -214,9 +214,8 @@ private:
         throw unknown_word(expected, before[0], known);
     }
 
-    const Noun& with_text(const Noun& noun, const std::string& adjective) const {
+    const Noun& plain_noun(const Noun& noun) const {
         if (noun.domain.kind == Domain::Kind::system) refuse({}, words_[next_ - 1]);
-        (void)adjective;
         return noun;
     }
 

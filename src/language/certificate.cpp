@@ -215,9 +215,6 @@ struct StatementWriter {
     Json operator()(const EqualGrowth& said) const {
         return {{"equal growth", Json::array({said.left->name, said.right->name})}};
     }
-    Json operator()(const HasGrowthFormula& said) const {
-        return {{"growth", said.system->name}, {"equals", to_text(said.formula)}};
-    }
     Json operator()(const HasGrowthClass& said) const {
         Json result{{"growth", said.system->name}, {"class", said.growth}};
         if (said.degree) result["degree"] = to_string(*said.degree);
@@ -226,12 +223,28 @@ struct StatementWriter {
     Json operator()(const IsIncreasing& said) const {
         return {{"increasing", said.system->name}, {"strictly", said.strictly}};
     }
+    Json operator()(const ComparesNumbers& said) const {
+        return {{"numbers", Json::array({to_text(said.left), to_string(said.comparison),
+                                         to_text(said.right)})}};
+    }
     Json operator()(const ComparesWords& said) const {
-        const auto word = [](const ComparesWords::Generation& one) {
-            return Json{{"system", one.system->name}, {"generation", one.number}};
+        const auto side = [&](const std::vector<WordFactor>& factors) {
+            Json all = Json::array();
+            for (const WordFactor& factor : factors) {
+                Json one = Json::object();
+                if (factor.system)
+                    one = {{"system", factor.system->name},
+                           {"generation", to_text(factor.generation)}};
+                else
+                    one = {{"word", certificate_text(alphabet, factor.word)}};
+                for (const Morphism& image : factor.images)
+                    one["images"].push_back(morphism_json(image, alphabet));
+                if (factor.reversed) one["reversed"] = true;
+                all.push_back(std::move(one));
+            }
+            return all;
         };
-        return {{said.begins ? "begins with" : "equal words",
-                 Json::array({word(said.left), word(said.right)})}};
+        return {{"words", Json::array({side(said.left), to_string(said.kind), side(said.right)})}};
     }
     Json operator()(const HasDimension& said) const {
         return dimension("dimension", said.name, said.dimension);
@@ -249,6 +262,7 @@ struct StatementWriter {
             const Domain& domain = name.domain;
             if (domain.max_size) one["size"] = *domain.max_size;
             if (domain.max_word_length) one["length"] = *domain.max_word_length;
+            if (domain.max_number) one["up to"] = *domain.max_number;
             names.push_back(std::move(one));
         }
         Json result{{said.universal ? "for all" : "for some", std::move(names)}};
@@ -447,17 +461,25 @@ struct ProofWriter {
     Json operator()(const steps::OtherGrowth& said) const {
         return {{"by", "generation"}, {"generation", said.difference.generation}};
     }
-    Json operator()(const steps::FollowsFormula& said) const {
-        Json powers = Json::array();
-        for (const auto& [base, coefficients] : said.function.terms)
-            for (std::size_t k = 0; k < coefficients.size(); ++k)
-                powers.push_back({{"coefficient", to_string(coefficients[k])},
-                                  {"power", k},
-                                  {"base", to_string(base)}});
-        return {{"by", "terms"}, {"terms", powers}};
+    Json operator()(const steps::ByRecurrences& said) const {
+        Json orders = Json::object();
+        for (const auto& [name, order] : said.orders) orders[name] = order;
+        return {{"by", "recurrences"}, {"orders", std::move(orders)}};
     }
-    Json operator()(const steps::LeavesFormula& said) const {
-        return {{"by", "generation"}, {"generation", said.generation}};
+    Json operator()(const steps::StaysPositive& said) const {
+        const auto texts = [](const std::vector<Rational>& numbers) {
+            Json all = Json::array();
+            for (const Rational& number : numbers) all.push_back(to_string(number));
+            return all;
+        };
+        return {{"by", "positive"},
+                {"larger", said.left_is_larger ? "left" : "right"},
+                {"from", said.from},
+                {"roots", texts(said.roots)},
+                {"recurrence", texts(said.recurrence)}};
+    }
+    Json operator()(const steps::ByMorphism& said) const {
+        return {{"by", "morphism"}, {"morphism", morphism_json(said.step, alphabet)}};
     }
     Json operator()(const steps::LimitSet& said) const {
         return {{"by", "dimension"}, {"conditions", said.found->conditions}};

@@ -54,11 +54,9 @@ struct Judge {
     Answer operator()(const EqualGrowth& said) const {
         return judge_growth(*said.left, *said.right, budget);
     }
-    Answer operator()(const HasGrowthFormula& said) const {
-        return judge_growth_formula(*said.system, said.formula, budget);
-    }
     Answer operator()(const HasGrowthClass& said) const { return judge_growth_class(said, budget); }
     Answer operator()(const IsIncreasing& said) const { return judge_increasing(said, budget); }
+    Answer operator()(const ComparesNumbers& said) const { return judge_numbers(said, budget); }
     Answer operator()(const ComparesWords& said) const {
         return judge_words(said, alphabet, budget);
     }

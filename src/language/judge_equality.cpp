@@ -27,10 +27,10 @@ constexpr std::size_t longest_short = 30;  // letters of these
 constexpr std::size_t longest_tried = 60;  // letters of a word of a generation that is looked at
 constexpr std::uint64_t most_generations = 12;
 
-class Comparison {
+class LanguageComparison {
 public:
-    Comparison(const Language& left, const Language& right, const Alphabet& alphabet,
-               const Budget& budget)
+    LanguageComparison(const Language& left, const Language& right, const Alphabet& alphabet,
+                       const Budget& budget)
         : left_(left), right_(right), alphabet_(alphabet), budget_(budget) {}
 
     /// Whether left <= right.
@@ -75,7 +75,7 @@ public:
         if (auto found = difference(short_words(first_tried), false)) return *found;
         const auto there = decided_inclusion();
         if (there && there->truth == Truth::refuted) return *there;
-        const auto back = Comparison(right_, left_, alphabet_, budget_).decided_inclusion();
+        const auto back = LanguageComparison(right_, left_, alphabet_, budget_).decided_inclusion();
         if (back && back->truth == Truth::refuted) return *back;
         if (there && back && there->truth == Truth::proved && back->truth == Truth::proved)
             return proved(steps::BothInclusions{there->proof, back->proof});
@@ -230,12 +230,12 @@ Repeated repeated(const Meeting& meeting, const ET0L& system) {
 
 Answer judge_inclusion(const Language& inner, const Language& outer, const Alphabet& alphabet,
                        const Budget& budget) {
-    return Comparison(inner, outer, alphabet, budget).included();
+    return LanguageComparison(inner, outer, alphabet, budget).included();
 }
 
 Answer judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
                       const Budget& budget) {
-    return Comparison(left, right, alphabet, budget).equal();
+    return LanguageComparison(left, right, alphabet, budget).equal();
 }
 
 }  // namespace algae

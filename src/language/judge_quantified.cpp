@@ -182,12 +182,34 @@ private:
     }
     void put(EqualSequences& said) const { said = {system(said.left), system(said.right)}; }
     void put(EqualGrowth& said) const { said = {system(said.left), system(said.right)}; }
-    void put(HasGrowthFormula& said) const { said.system = system(said.system); }
     void put(HasGrowthClass& said) const { said.system = system(said.system); }
     void put(IsIncreasing& said) const { said.system = system(said.system); }
+    void put(ComparesNumbers& said) const {
+        for (auto& one : said.systems) one = system(one);
+        put_numbers(said.left, said.numbers);
+        put_numbers(said.right, said.numbers);
+        std::erase_if(said.numbers, [&](const BoundName& name) { return find(name.number); });
+    }
     void put(ComparesWords& said) const {
-        said.left.system = system(said.left.system);
-        said.right.system = system(said.right.system);
+        for (auto* side : {&said.left, &said.right})
+            for (WordFactor& factor : *side) {
+                if (factor.system) factor.system = system(factor.system);
+                factor.word = replaced(factor.word);
+                for (Morphism& image : factor.images) image = replaced(image);
+                put_numbers(factor.generation, said.numbers);
+            }
+        std::erase_if(said.numbers, [&](const BoundName& name) { return find(name.number); });
+    }
+    /// Numbers in the place of their names.
+    void put_numbers(Expression& term, const std::vector<BoundName>& names) const {
+        for (Expression& operand : term.operands) put_numbers(operand, names);
+        if (term.kind != Expression::Kind::name) return;
+        for (const BoundName& name : names) {
+            const BoundValue* value = name.name == term.name ? find(name.number) : nullptr;
+            if (!value) continue;
+            term.kind = Expression::Kind::number;
+            term.value = Rational(std::get<Integer>(value->is));
+        }
     }
     void put(Rewrites&) const {}
     void put(HasChance&) const {}
@@ -265,12 +287,22 @@ private:
         in(said.right);
     }
     void in(const EqualGrowth&) {}
-    void in(const HasGrowthFormula&) {}
     void in(const HasGrowthClass&) {}
     void in(const IsIncreasing&) {}
+    void in(const ComparesNumbers& said) {
+        for (const auto& system : said.systems) in(system);
+    }
     void in(const ComparesWords& said) {
-        in(said.left.system);
-        in(said.right.system);
+        for (const auto* side : {&said.left, &said.right})
+            for (const WordFactor& factor : *side) {
+                if (factor.system) in(factor.system);
+                in(factor.word);
+                for (const Morphism& image : factor.images)
+                    for (const Symbol a : image.domain()) {
+                        found_.insert(a);
+                        in(image[a]);
+                    }
+            }
     }
     void in(const Rewrites&) {}
     void in(const HasChance&) {}
@@ -424,8 +456,15 @@ public:
     Answer judge() {
         const bool is_bounded = is_finite(tuple_);
         const auto greatest = greatest_size(tuple_);
+        const bool is_about_numbers = std::all_of(
+            said_.bindings.begin(), said_.bindings.end(),
+            [](const QuantifiedName& name) { return name.domain.kind == Domain::Kind::number; });
+        constexpr std::uint64_t largest_number =
+            100;  // where only numbers are bound, without bounds
+        const std::uint64_t size_limit =
+            is_about_numbers ? std::max(limits_.size, largest_number) : limits_.size;
         const std::uint64_t last_size =
-            is_bounded ? *greatest : std::min(limits_.size, greatest.value_or(limits_.size));
+            is_bounded ? *greatest : std::min(size_limit, greatest.value_or(size_limit));
         searched_.finite_only = std::any_of(
             said_.bindings.begin(), said_.bindings.end(), [](const QuantifiedName& name) {
                 return name.domain.kind == Domain::Kind::language &&
@@ -724,9 +763,14 @@ Census census(const Quantified& said, const std::vector<Statement>& properties, 
     return found;
 }
 
+Statement with_values(const Statement& statement, const std::vector<BoundValue>& values) {
+    return Substitution(values)(statement);
+}
+
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
                         const SearchLimits& limits) {
-    if (auto found = judge_symbolic(said, claim, budget)) return *found;
+    for (const auto& method : {judge_all_numbers, judge_all_words, judge_symbolic})
+        if (auto found = method(said, claim, budget)) return *found;
     return QuantifiedJudge(said, claim, budget, limits).judge();
 }
 

@@ -567,12 +567,6 @@ struct EqualGrowth {
     std::shared_ptr<const SourceSystem> left, right;
 };
 
-/// The length of generation n is `formula`, an expression in n.
-struct HasGrowthFormula {
-    std::shared_ptr<const SourceSystem> system;
-    Expression formula;
-};
-
 /// The growth is zero, bounded, polynomial (of this degree, if one is given) or exponential.
 struct HasGrowthClass {
     std::shared_ptr<const SourceSystem> system;
@@ -586,15 +580,41 @@ struct IsIncreasing {
     bool strictly = false;
 };
 
-/// Two generations of D0L systems are the same word, or the left one begins with the right one.
-struct ComparesWords {
-    struct Generation {
-        std::shared_ptr<const SourceSystem> system;
-        std::uint64_t number = 0;
-    };
-    Generation left, right;
-    bool begins = false;
+/// How two numbers are compared.
+enum class Comparison { equal, unequal, less, at_most, greater, at_least };
+/// "=", "!=", "<", "<=", ">", ">=".
+std::string to_string(Comparison comparison);
+
+/// Two numbers are compared that depend on bound numbers: `length(G, n + 2) = length(G, n + 1) + length(G, n)`. The terms
+/// are made by + - * / ^ and `sqrt` from numbers, names of bound numbers, and of D0L systems `length(G, E)`, the number of
+/// letters of generation E, and `count(G, a, E)`, how many of them are the letter.
+struct ComparesNumbers {
+    Expression left, right;
+    Comparison comparison = Comparison::equal;
+    std::vector<std::shared_ptr<const SourceSystem>> systems = {};  // that the terms name
+    std::vector<BoundName> numbers = {};                            // likewise
 };
+
+/// A factor of a word that depends on bound numbers: a generation of a D0L system or a fixed word, then its images under
+/// morphisms, the first one first, and in the end perhaps written backwards.
+struct WordFactor {
+    std::shared_ptr<const SourceSystem> system;  // null: the fixed word
+    Expression generation = {};
+    Word word = {};
+    std::vector<Morphism> images = {};
+    bool reversed = false;
+};
+
+/// Two words that depend on bound numbers, each a product of factors, are the same or different, or the left one begins or
+/// ends with the right one: `word(F, n + 2) == word(F, n + 1) word(F, n)`.
+struct ComparesWords {
+    enum class Kind { equal, unequal, begins, ends };
+    std::vector<WordFactor> left, right;
+    Kind kind = Kind::equal;
+    std::vector<BoundName> numbers = {};
+};
+/// "==", "!=", "begins with", "ends with".
+std::string to_string(ComparesWords::Kind kind);
 
 /// A system whose words are derived module by module derives the word: from `from` or its axiom, in so many
 /// steps. The alphabet of the system has all letters of both words.
@@ -670,7 +690,7 @@ struct Quantified {
 /// lists the judges and readers that miss it.
 struct Statement {
     std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, Derives,
-                 EqualSequences, EqualGrowth, HasGrowthFormula, HasGrowthClass, IsIncreasing,
+                 EqualSequences, EqualGrowth, HasGrowthClass, IsIncreasing, ComparesNumbers,
                  ComparesWords, Rewrites, HasChance, HasDimension, BoundaryHasDimension, Joint,
                  Quantified>
         says;

@@ -251,16 +251,66 @@ public:
             marked(to_string(said.difference.left)) + " and " +
             marked(to_string(said.difference.right)) + ".");
     }
-    void operator()(const steps::FollowsFormula& said) {
-        say("The lengths obey a recurrence of order " + number(said.letters) +
-            " at most (as many as there are letters), the formula one of order " +
-            number(said.function.order()) + "; generations " + number(0) + " to " +
-            number(said.terms == 0 ? 0 : said.terms - 1) + " agree, so all do.");
+    void operator()(const steps::ComparedNumbers& said) {
+        const auto side = [](const Expression& term, const std::string& value) {
+            return marked(to_text(term)) + (to_text(term) == value ? "" : " is " + marked(value));
+        };
+        const std::string left = side(said.said.left, said.left),
+                          right = side(said.said.right, said.right);
+        const bool is_plain = to_text(said.said.right) == said.right;
+        say(is_plain ? left + "." : left + ", " + right + ".");
     }
-    void operator()(const steps::LeavesFormula& said) {
-        say("In generation " + number(said.generation) + " the length is " +
-            marked(to_string(said.length)) + ", and the formula gives " +
-            marked(to_string(said.value)) + ".");
+    void operator()(const steps::ByRecurrences& said) {
+        say("The difference of both sides obeys a linear recurrence of order " +
+            joined(said.orders, " and ",
+                   [](const auto& one) {
+                       return number(one.second) + " at most in " + marked(one.first);
+                   }) +
+            "; it is 0 " +
+            (said.orders.size() == 1
+                 ? "for the first " + number(said.points) + " numbers, so it always is."
+                 : "at the first " + number(said.points) + " points, so it is 0 everywhere."));
+    }
+    void operator()(const steps::StaysPositive& said) {
+        const char* const larger = said.left_is_larger ? "left" : "right";
+        const char* const smaller = said.left_is_larger ? "right" : "left";
+        say("Let " + marked("u(n)") + " be the " + larger + " side minus the " + smaller +
+            " one, n from the least number on; it obeys a linear recurrence of order " +
+            number(said.order) + " at most. " +
+            (said.from == 0 ? ""
+                            : "For the first " + several(said.from, "number") +
+                                  " this was worked "
+                                  "out; let " +
+                                  marked("u(0)") + " be the value behind them."));
+        std::string last = "u";
+        const auto sign = [&](bool strictly) { return strictly ? "positive" : "not negative"; };
+        for (const Rational& root : said.roots) {
+            const std::string next = last == "u" ? "v" : last + "'";
+            const std::string factor = root == Rational(1) ? "" : to_string(root) + " ";
+            say("Let " +
+                marked(next + "(n) = " + last + "(n+1)" +
+                       (root.is_zero() ? "" : " - " + factor + last + "(n)")) +
+                ". If it is not negative, " + marked(last + "(n)") + " is " +
+                sign(said.strictly && last == "u") + ", as " + marked(last + "(0)") + " is.");
+            last = next;
+        }
+        std::string recurrence;
+        const std::size_t length = said.recurrence.size();
+        for (std::size_t i = length; i-- > 0;) {
+            const Rational& times = said.recurrence[i];
+            if (times.is_zero()) continue;
+            recurrence += (recurrence.empty() ? "" : " + ") +
+                          (times == Rational(1) ? "" : to_string(times) + " ") + last + "(n" +
+                          (i == 0 ? "" : "+" + std::to_string(i)) + ")";
+        }
+        say(marked(last + "(n" + (length == 0 ? "" : "+" + std::to_string(length)) +
+                   ") = " + (recurrence.empty() ? "0" : recurrence)) +
+            " has no negative coefficient" +
+            (length == 0
+                 ? ""
+                 : ", and the first " + several(length, "term") + (length == 1 ? " is " : " are ") +
+                       sign(said.strictly && last == "u")) +
+            ", so all are.");
     }
     void operator()(const steps::Grows& said) {
         say("The length of generation n of " + marked(said.system) + " grows like " +
@@ -282,12 +332,14 @@ public:
             marked(to_string(said.after)) + ".");
     }
     void operator()(const steps::ComparedWords& said) {
-        const auto generation = [&](const ComparesWords::Generation& one, const std::string& text) {
-            return "eneration " + number(one.number) + " of " + marked(one.system->name) + " is " +
-                   marked(text);
-        };
-        say("G" + generation(said.said.left, said.left) + ", g" +
-            generation(said.said.right, said.right) + ".");
+        say(said.left == said.right
+                ? "Both words are " + marked(said.left) + "."
+                : "The words are " + marked(said.left) + " and " + marked(said.right) + ".");
+    }
+    void operator()(const steps::ByMorphism& said) {
+        say("It is true for " + number(said.first) + ". The morphism " +
+            marked(algae::to_string(said.step, alphabet_)) +
+            " takes both sides to those for the next number, so it is true for all.");
     }
     void operator()(const steps::LimitSet& said) {
         const ExactDimension& found = *said.found;

@@ -436,7 +436,8 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
                               "expected a language, found " + quoted(text) +
                                   (known.kind == ClaimName::Kind::word
                                        ? ", a word; its language is {" + std::string(text) + "}"
-                                       : ", which is none")};
+                                   : known.kind == ClaimName::Kind::number ? ", a number"
+                                                                           : ", which is none")};
         stack.operand(known.language);
     });
     const auto on_system = told([&](std::string_view text) { name = text; });

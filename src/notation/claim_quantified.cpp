@@ -150,10 +150,12 @@ public:
         const Noun& noun = read_noun();
         binding_.domain = noun.domain;
         while (next_ < words_.size())
-            if (!read_bound()) read_names();
+            if (!read_bound() && !read_compared()) read_names();
         if (names_.empty())
             throw unexpected("a name behind " + quoted(words_.back()), text_.data() + text_.size());
         for (const std::string_view name : names_) bind(name);
+        for (const std::string_view condition : conditions_)
+            said_.conditions.push_back(parse_statement(condition, reading_));
     }
 
 private:
@@ -164,6 +166,10 @@ private:
             });
         };
         const auto at = std::find_if(words_.begin(), words_.end(), is_noun);
+        if (at == words_.end() && is_number_list()) {
+            binding_.text = "numbers";
+            return nouns().back();
+        }
         if (at == words_.end()) {
             std::vector<std::string> known;
             for (const Noun& noun : nouns()) known.emplace_back(noun.plural);
@@ -189,6 +195,25 @@ private:
         const bool is_system = plain && plain->domain.kind == Domain::Kind::system;
         if (!family || (!is_language && !is_system)) refuse(before, *at);
         return is_language ? languages_of(*plain, *family) : systems_of(*plain, *family, before[0]);
+    }
+
+    /// `n`, `n >= 1`, `k, n`: names without a noun are numbers, as textbooks write.
+    bool is_number_list() const {
+        const auto is_sign = [](char c) {
+            return c == '<' || c == '>' || c == '=' || c == ',' ||
+                   is_digit(static_cast<unsigned char>(c)) ||
+                   is_blank(static_cast<unsigned char>(c));
+        };
+        std::size_t names = 0, signs = 0;
+        for (const std::string_view word : words_) {
+            names += is_claim_name(word.substr(0, 1)) ? 1 : 0;
+            signs += std::count_if(word.begin(), word.end(), is_sign) > 0 ? 1 : 0;
+            const bool is_plain = std::all_of(word.begin(), word.end(), [&](char c) {
+                return is_sign(c) || (c >= 'a' && c <= 'z');
+            });
+            if (!is_plain) return false;
+        }
+        return names == 1 || (names > 1 && signs > 0);
     }
 
     [[noreturn]] void refuse(const std::vector<std::string_view>& before,
@@ -332,6 +357,31 @@ private:
         ++next_;
     }
 
+    /// `k < n`, `n >= 1`: numbers with conditions on them, up to the next bound.
+    bool read_compared() {
+        if (binding_.domain.kind != Domain::Kind::number || !names_.empty()) return false;
+        std::string_view rest = between(words_[next_].data(), text_.data() + text_.size());
+        if (rest.find_first_of("<>") == std::string_view::npos) return false;
+        next_ = words_.size();
+        while (!rest.empty()) {
+            const std::size_t comma = std::min(rest.find(','), rest.size());
+            const std::string_view piece = trimmed(rest.substr(0, comma));
+            rest.remove_prefix(std::min(comma + 1, rest.size()));
+            for (std::size_t i = 0; i < piece.size(); ++i) {
+                if (!is_claim_name(piece.substr(i, 1))) continue;
+                const std::size_t begin = i;
+                while (i + 1 < piece.size() && is_claim_name(piece.substr(begin, i + 2 - begin)))
+                    ++i;
+                const std::string_view name = piece.substr(begin, i + 1 - begin);
+                if (std::find(names_.begin(), names_.end(), name) == names_.end())
+                    names_.push_back(name);
+            }
+            if (piece.empty()) throw unexpected("a name", piece.data());
+            if (!is_claim_name(piece)) conditions_.push_back(piece);
+        }
+        return true;
+    }
+
     /// `A, B`.
     void read_names() {
         if (!names_.empty())
@@ -359,7 +409,7 @@ private:
         for (const QuantifiedName& other : said_.bindings)
             if (other.name == name)
                 throw SyntaxError{name.data(), "the name " + quoted(name) + " is bound twice"};
-        ClaimName& bound = reading_.bind(name);
+        ClaimName& bound = reading_.bind(name, binding_.domain.kind != Domain::Kind::number);
         QuantifiedName made = binding_;
         made.name = name;
         using Kind = Domain::Kind;
@@ -386,10 +436,10 @@ private:
                 bound.kind = ClaimName::Kind::word;
                 break;
             case Kind::number:
-                throw SyntaxError{
-                    name.data(),
-                    "expected a language, a system, a word, a letter or a morphism: no "
-                    "statement speaks of a number yet"};
+                bound.kind = ClaimName::Kind::number;
+                // Conditions between the names use them where they are bound.
+                bound.where = bound.end = text_.data() - 1;
+                break;
             default:
                 bound.kind = ClaimName::Kind::morphism;
         }
@@ -416,6 +466,7 @@ private:
     QuantifiedName binding_;
     Noun own_;
     std::vector<std::string_view> names_;
+    std::vector<std::string_view> conditions_;  // on numbers, between their names
 };
 
 // --- Statements made of others ---

@@ -213,7 +213,7 @@ ClaimName& ClaimReading::define(std::string_view name) {
     return entry->second;
 }
 
-ClaimName& ClaimReading::bind(std::string_view name) {
+ClaimName& ClaimReading::bind(std::string_view name, bool has_letters) {
     check_name(name);
     const auto [entry, is_new] = names_.try_emplace(std::string(name));
     hidden_.push_back(
@@ -223,7 +223,7 @@ ClaimName& ClaimReading::bind(std::string_view name) {
     entry->second.end = name.data() + name.size();
     entry->second.variable = uses.size();
     uses.emplace_back();
-    binds = true;
+    binds = binds || has_letters;
     return entry->second;
 }
 

@@ -57,15 +57,6 @@ const char* place_of(const Expression& expression, const ClaimReading& reading) 
     return reading.source.text().data() + reading.source.offset(expression.place);
 }
 
-/// Throws if the formula has names other than n.
-void check_names(const Expression& formula, const ClaimReading& reading) {
-    if (formula.kind == Expression::Kind::name && formula.name != "n")
-        throw SyntaxError{
-            place_of(formula, reading),
-            "expected n, the number of the generation, found " + algae::quoted(formula.name)};
-    for (const Expression& operand : formula.operands) check_names(operand, reading);
-}
-
 /// Throws where the expression has no value or a value that is no number from the constants.
 void check_value(const Expression& expression, const LSystem& system, const ClaimReading& reading) {
     try {
@@ -318,7 +309,6 @@ public:
 
     /// `growth(G) = 2^n`, `growth(G) ~ exponential`, `growth(G) == growth(H)`.
     bool growth() {
-        HasGrowthFormula by_formula;
         HasGrowthClass by_class;
         EqualGrowth equal;
         const auto on_class = told([&](std::string_view found) {
@@ -333,8 +323,8 @@ public:
             throw SyntaxError{at.data(), "expected '==' before another growth, found '='"};
         });
         const auto formula = ByHand([&](const char*& here, const char* end) {
-            by_formula = {equal.left, parse_rest(here, end, "an expression in n", reading_)};
-            check_names(by_formula.formula, reading_);
+            parse_growth_formula(equal.left, between(here, end), statement_, reading_);
+            here = end;
         });
         const auto is_equal =
             ("==" | unequal()) >>
@@ -346,8 +336,8 @@ public:
             '~' >>
             wanted("zero, bounded, polynomial or exponential")[grammar::claim_name[on_class]] >>
             -degree >> says(by_class);
-        const auto has_formula = wanted("'=', '==', '!=' or '~'")['='] >>
-                                 -x3::raw[word("growth")][refuse] >> formula >> says(by_formula);
+        const auto has_formula =
+            wanted("'=', '==', '!=' or '~'")['='] >> -x3::raw[word("growth")][refuse] >> formula;
         return read(system_of("growth", equal.left) >> (is_equal | is_of_class | has_formula));
     }
 
@@ -367,32 +357,11 @@ public:
                     says(said));
     }
 
-    /// `word(G, 1) == word(H, 2)`, or `!=`, or `begins with`.
-    bool words() {
-        ComparesWords said;
-        const auto generation = [&](ComparesWords::Generation& to) {
-            return word("word") >> wanted("'('")['('] >>
-                   wanted("the name of a system")[grammar::claim_name[told(
-                       [this, &to](std::string_view name) {
-                           to.system = reading_.system(name);
-                       })]] >>
-                   wanted("',' and the number of a generation")[','] >>
-                   number("the number of a generation",
-                          [&to](const Integer& read) {
-                              constexpr std::uint64_t most = 1'000'000;
-                              to.number = read > Integer(most) ? most : read.to_uint64();
-                          }) >>
-                   wanted("')'")[')'];
-        };
-        return read(
-            generation(said.left) >>
-            wanted("'==', '!=' or 'begins with'")
-                [x3::lit("==") | unequal() |
-                 (word("begins") >>
-                  wanted("'with'")[word("with")[grammar::sets(said.begins, true)]])] >>
-            wanted("'word' and a system with a number between brackets")[generation(said.right)] >>
-            says(said));
-    }
+    /// `length(G, n + 1) = 2*length(G, n)`.
+    bool numbers() { return parse_numbers(text_, statement_, reading_); }
+
+    /// `word(F, n + 2) == word(F, n + 1) word(F, n)`.
+    bool words() { return parse_words(text_, statement_, reading_); }
 
     /// `dimension(G) = log 4 / log 3`, of the limit set that a system draws.
     bool dimension() { return dimension_of<HasDimension>("dimension", "'(' after 'dimension'"); }
@@ -437,11 +406,12 @@ struct StatementForm {
 constexpr StatementForm statement_forms[] = {
     {"P(G ==> w in 3 steps) = 1/9", &StatementReader::chance},
     {"G ==> w in 3 steps", &StatementReader::derivation},
+    {"word(F, n + 2) == word(F, n + 1) word(F, n)", &StatementReader::words},
     {"ab in A", &StatementReader::membership},
     {"sequence(G) == sequence(H)", &StatementReader::sequences},
     {"growth(G) is strictly increasing", &StatementReader::increasing},
     {"growth(G) = 2^n + 1", &StatementReader::growth},
-    {"word(G, 1) begins with word(G, 0)", &StatementReader::words},
+    {"length(G, n + 1) = 2*length(G, n)", &StatementReader::numbers},
     {"dimension(G) = log 4 / log 3", &StatementReader::dimension},
     {"boundary(G) = log 2 / log sqrt 3", &StatementReader::boundary},
     {"|A| = 3", &StatementReader::size},

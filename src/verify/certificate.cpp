@@ -112,10 +112,14 @@ System Reader::system(const Field& field) const {
 }
 
 NamedSystem Reader::named_system(const Field& field) const {
-    if (const auto bound = bound_.systems.find(field.text()); bound != bound_.systems.end())
+    return named_system(field, field.text());
+}
+
+NamedSystem Reader::named_system(const Field& field, const std::string& name) const {
+    if (const auto bound = bound_.systems.find(name); bound != bound_.systems.end())
         return {bound->first, bound->second};
-    const auto found = systems_.find(field.text());
-    if (found == systems_.end()) field.fail("no system is called '" + field.text() + "'");
+    const auto found = systems_.find(name);
+    if (found == systems_.end()) field.fail("no system is called '" + name + "'");
     return {found->first, found->second};
 }
 
@@ -277,27 +281,8 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         read.strictly = field.at("strictly").truth();
         return read;
     }
-    for (const auto& [name, kind] :
-         {std::pair("equal words", Kind::equal_words), {"begins with", Kind::begins_with}}) {
-        if (!field.has(name)) continue;
-        field.only({name});
-        read.kind = kind;
-        const auto [left, right] = field.at(name).pair();
-        for (const Field& each : {left, right}) {
-            each.only({"system", "generation"});
-            read.systems.push_back(named_system(each.at("system")));
-            read.generations.push_back(each.at("generation").number());
-        }
-        return read;
-    }
     if (!field.has("growth")) field.fail("expected a statement");
     read.systems = {named_system(field.at("growth"))};
-    if (field.has("equals")) {
-        field.only({"growth", "equals"});
-        read.kind = Kind::growth_formula;
-        read.formula = field.at("equals");
-        return read;
-    }
     field.only({"growth", "class", "degree"});
     read.kind = Kind::growth_class;
     const Field name = field.at("class");
@@ -324,7 +309,7 @@ Statement Reader::statement(const Field& field) const {
     for (const std::string_view kind : {"all of", "any of", "implies", "iff"})
         if (field.has(kind)) return joint(field, kind);
     if (field.has("for all") || field.has("for some")) return quantified(field);
-    if (of_languages(field, read) || of_pairs(field, read)) return read;
+    if (of_languages(field, read) || of_pairs(field, read) || of_numbers(field, read)) return read;
     return of_systems(field, std::move(read));
 }
 
@@ -730,6 +715,20 @@ std::string modules_text(const Modules& word) {
     return text.empty() ? "ε" : shortened(text);
 }
 
+/// "[a -> ab](word(G, n)) b".
+std::string side_text(const std::vector<WordFactor>& side, const Alphabet& alphabet) {
+    std::string text;
+    for (const WordFactor& factor : side) {
+        std::string one = factor.generation ? "word(" + factor.system.name + ", " +
+                                                  factor.generation->text() + ")"
+                                            : word_text(alphabet, factor.word);
+        for (const auto& image : factor.images)
+            one = morphism_text(image, alphabet) + "(" + one + ")";
+        text += (text.empty() ? "" : " ") + (factor.reversed ? "reversal of " + one : one);
+    }
+    return text.empty() ? "ε" : shortened(text);
+}
+
 std::string plain_text(const Statement& statement, const Alphabet& alphabet, bool opposite);
 
 /// "for all 0L languages A, B with (A = B): (A | B) is 0L".
@@ -741,6 +740,7 @@ std::string quantified_text(const Statement& statement, const Alphabet& alphabet
         text += (i > 0 ? " and " : "") + name.of + " " + name.name;
         if (name.size) text += " up to size " + std::to_string(*name.size);
         if (name.length) text += " with words up to length " + std::to_string(*name.length);
+        if (name.most) text += " up to " + std::to_string(*name.most);
     }
     if (said.different_letters) text += " over different letters";
     if (said.over) text += " over the letters " + word_text(alphabet, *said.over);
@@ -810,23 +810,15 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::equal_growth:
             return system(0) + " and " + system(1) + " have " + (opposite ? "different" : "equal") +
                    " lengths";
-        case Kind::growth_formula:
-            return "the lengths of " + system(0) + " are " + no + statement.formula->text();
         case Kind::increasing:
             return "the lengths of " + system(0) + " are " + no +
                    (statement.strictly ? "strictly increasing" : "increasing");
-        case Kind::equal_words:
-        case Kind::begins_with: {
-            const auto generation = [&](std::size_t i) {
-                return "generation " + std::to_string(statement.generations[i]) + " of " +
-                       system(i);
-            };
-            const bool begins = statement.kind == Kind::begins_with;
-            return generation(0) +
-                   (begins ? (opposite ? " does not begin with " : " begins with ")
-                           : (opposite ? " is not " : " is ")) +
-                   generation(1);
-        }
+        case Kind::numbers:
+            return (opposite ? "not " : "") + shortened(statement.terms[0].text()) + " " +
+                   statement.family + " " + shortened(statement.terms[1].text());
+        case Kind::words:
+            return (opposite ? "not " : "") + side_text(statement.sides[0], alphabet) + " " +
+                   statement.family + " " + side_text(statement.sides[1], alphabet);
         case Kind::dimension:
         case Kind::boundary:
             return std::string("the ") +

@@ -27,6 +27,8 @@ Reader Reader::with(const BoundNames& names) const {
     for (const auto& [name, morphism] : names.morphisms)
         more.bound_.morphisms.insert_or_assign(name, morphism);
     for (const auto& [letter, word] : names.words) more.bound_.words.insert_or_assign(letter, word);
+    for (const auto& [name, number] : names.numbers)
+        more.bound_.numbers.insert_or_assign(name, number);
     return more;
 }
 
@@ -186,10 +188,11 @@ Statement Reader::quantified(const Field& field) const {
     field.only({quantifier, "different letters", "over", "with", "holds"});
     BoundNames open;
     for (const Field& each : field.at(quantifier).list()) {
-        each.only({"name", "of", "size", "length"});
+        each.only({"name", "of", "size", "length", "up to"});
         Quantified::Name name{each.at("name").text(), each.at("of").text(), {}, {}};
         if (each.has("size")) name.size = each.at("size").number();
         if (each.has("length")) name.length = each.at("length").number();
+        if (each.has("up to")) name.most = each.at("up to").number();
         if (name.of.ends_with("languages")) {
             Tree tree;
             tree.kind = Tree::Kind::variable;
@@ -199,6 +202,8 @@ Statement Reader::quantified(const Field& field) const {
             open.systems[name.name] = nullptr;
         } else if (is_morphism_domain(name.of)) {
             open.morphisms[name.name] = std::nullopt;
+        } else if (name.of == "numbers") {
+            open.numbers[name.name] = std::nullopt;
         } else if (name.of == "words" || name.of == "letters") {
             letter(each.at("name"));
         } else {
@@ -250,6 +255,8 @@ private:
             read_system(name, field);
         else if (is_morphism_domain(name.of))
             read_morphism(name, field);
+        else if (name.of == "numbers")
+            read_number(name, field);
         else
             read_word(name, field);
         if (name.size && size_ > *name.size)
@@ -309,6 +316,14 @@ private:
                 add(image, name, field);
             }
         read_.morphisms[name.name] = std::move(images);
+    }
+
+    void read_number(const Quantified::Name& name, const Field& field) {
+        const Integer number = field.integer();
+        if (name.most && number > Integer(*name.most))
+            field.refuse("the value is larger than the bound says");
+        if (number.fits_uint64()) size_ = number.to_uint64();
+        read_.numbers[name.name] = number;
     }
 
     void read_word(const Quantified::Name& name, const Field& field) {

@@ -268,6 +268,7 @@ struct Quantified {
     struct Name {
         std::string name, of;                       // what it ranges over: "0L languages"
         std::optional<std::uint64_t> size, length;  // at most: of the value, of each word
+        std::optional<std::uint64_t> most = {};     // of a number
     };
     bool universal = true;
     std::vector<Name> names;
@@ -275,6 +276,16 @@ struct Quantified {
     std::optional<std::vector<Symbol>> over;
     std::vector<Field> conditions;
     std::vector<Field> body;  // one
+};
+
+/// A factor of a word that depends on bound numbers: a generation of a system, or a fixed word; then its images, the first one
+/// first; in the end perhaps written backwards.
+struct WordFactor {
+    NamedSystem system;               // of a generation
+    std::optional<Field> generation;  // a term
+    Word word;
+    std::vector<std::map<Symbol, Word>> images;
+    bool reversed = false;
 };
 
 /// A statement, without any "not" in front of it.
@@ -292,11 +303,10 @@ struct Statement {
         chance,
         equal_sequences,
         equal_growth,
-        growth_formula,
         growth_class,
         increasing,
-        equal_words,
-        begins_with,
+        numbers,
+        words,
         dimension,
         boundary,
         joint,
@@ -304,21 +314,23 @@ struct Statement {
     };
     Kind kind = Kind::family;
     bool negated = false;
-    std::string family;  // or class of growth; of a dimension, the system
+    std::string
+        family;  // or class of growth; how numbers or words are compared; of a dimension, the system
     std::vector<Language> languages;
     std::vector<NamedSystem> systems;
     Word word;
     std::optional<Word> from;
     std::optional<Integer> steps;
     std::optional<Integer> size;   // or degree of growth
-    std::optional<Field> formula;  // or the value of a dimension, equal or `at_most`
+    std::optional<Field> formula;  // the value of a dimension, equal or `at_most`
     bool at_most = false;
     std::shared_ptr<const ModuleSystem> rewriting;  // called `family`
     Modules modules;
     std::optional<Modules> modules_from;
     std::optional<Rational> probability;
-    bool strictly = false;                   // of increasing lengths
-    std::vector<std::uint64_t> generations;  // of the words that are compared, one for each system
+    bool strictly = false;                       // of increasing lengths
+    std::vector<Field> terms;                    // two numbers that are compared
+    std::vector<std::vector<WordFactor>> sides;  // two words that are compared
     std::vector<Statement>
         parts;  // joined as `family` says; of a quantified statement, conditions and body as they stand
     std::shared_ptr<const Quantified> quantified;
@@ -359,6 +371,7 @@ struct BoundNames {
     std::map<std::string, std::shared_ptr<const System>> systems;
     std::map<std::string, std::optional<Images>> morphisms;
     std::map<Symbol, Word> words;  // by the letter that a bound word is in texts
+    std::map<std::string, std::optional<Integer>> numbers;
 };
 
 /// Reads the parts of a certificate. All functions throw Error if the text is not as CERTIFICATES.md says.
@@ -373,12 +386,15 @@ public:
         : alphabet_(alphabet), systems_(systems), rewritings_(rewritings) {}
 
     const Alphabet& alphabet() const { return alphabet_; }
+    const BoundNames& bound() const { return bound_; }
 
     Symbol letter(const Field& field) const;
     Word word(const Field& field) const;
     std::vector<Word> words(const Field& field) const;
     System system(const Field& field) const;
     NamedSystem named_system(const Field& field) const;
+    /// The system of a name within the text of the field.
+    NamedSystem named_system(const Field& field, const std::string& name) const;
     Language language(const Field& field) const;
     Statement statement(const Field& field) const;
     /// The images of letters, as a certificate has those of a morphism or a substitution.
@@ -399,6 +415,8 @@ private:
     Statement of_modules(const Field& field, Statement read) const;
     Statement of_dimension(const Field& field, Statement read) const;
     Statement of_systems(const Field& field, Statement read) const;
+    bool of_numbers(const Field& field, Statement& read) const;
+    std::vector<WordFactor> word_factors(const Field& field) const;
     Statement joint(const Field& field, std::string_view kind) const;
     Statement quantified(const Field& field) const;
     Language bound_image(Tree::Kind kind, const Field& field) const;

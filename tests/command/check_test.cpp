@@ -188,7 +188,7 @@ TEST_CASE("verify prints what it checked: rules, formulas, and long names in quo
     const Run found = run("verify " + certificate);
     CHECK(found.status == 0);
     CHECK(found.out ==
-          "letters 'ab' c\nG: axiom c; c -> c'ab'\nchecked: the lengths of G are n+1\n"
+          "letters 'ab' c\nG: axiom c; c -> c'ab'\nchecked: for all numbers n: length(G,n) = n+1\n"
           "checked: {'ab', c'ab'} is finite\n2 checked\n");
     std::string text = text_of(certificate);
     text.replace(text.find("\"ab\""), 4, "\"a\\u001b[2J\"");

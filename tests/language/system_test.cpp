@@ -74,6 +74,24 @@ std::string any_formula(int depth) {
     }
 }
 
+Expression number(Rational value) {
+    Expression made;
+    made.value = std::move(value);
+    return made;
+}
+
+Quantified for_all_n(ComparesNumbers says) {
+    Quantified all;
+    QuantifiedName n;
+    n.name = "n";
+    n.domain.kind = Domain::Kind::number;
+    n.text = "numbers";
+    all.bindings = {n};
+    all.body.emplace_back();
+    all.body[0].says = std::move(says);
+    return all;
+}
+
 template <typename Form>
 random::Certified decided(const Form& says,
                           std::vector<std::shared_ptr<const SourceSystem>> systems) {
@@ -100,24 +118,34 @@ TEST_CASE("formulas in n have the values that they say") {
         const std::string text =
             *rc::gen::exec([] { return any_formula(*rc::gen::inRange(0, 4)); });
         const Expression formula = parsed(text);
-        const ExponentialPolynomial function = exponential_polynomial(formula);
         RC_LOG() << text << '\n';
-        for (long n = 0; n < 6; ++n)
-            RC_ASSERT(function(static_cast<std::uint64_t>(n)) == value(formula, n));
+        for (long n = 0; n < 6; ++n) {
+            Statement statement;
+            statement.says = ComparesNumbers{
+                formula, number(value(formula, n)), Comparison::equal, {}, {{0, "n"}}};
+            const Statement closed = with_values(statement, {{0, "n", {}, Integer(n)}});
+            RC_ASSERT(judge_numbers(std::get<ComparesNumbers>(closed.says)).truth == Truth::proved);
+        }
     }));
 }
 
 TEST_CASE("formulas that are no sums of polynomials times powers are refused") {
+    const auto judge = [](const char* text) {
+        return judge_all_numbers(
+            for_all_n({parsed(text), number(0), Comparison::equal, {}, {{0, "n"}}}), {}, {});
+    };
     for (const char* text : {"1/n", "n^n", "2^(n^2)", "sqrt(n)", "m", "n<3", "0^n", "n^(1/2)",
                              "2^(n/2)", "n^1001", "(n+1)^1000"}) {
         CAPTURE(text);
-        CHECK_THROWS_AS(exponential_polynomial(parsed(text)), Error);
+        CHECK_THROWS_AS(judge(text), Error);
     }
-    CHECK_THROWS_WITH_AS(exponential_polynomial(parsed("2*m")),
-                         doctest::Contains("expected n, found m"), Error);
-    CHECK(exponential_polynomial(parsed("2^n+n"))(3) == Rational(11));
-    CHECK(exponential_polynomial(parsed("n-n")).order() == 0);
-    CHECK(exponential_polynomial(parsed("2^n*n^2+1")).order() == 4);
+    CHECK_THROWS_WITH_AS(judge("2*m"),
+                         doctest::Contains("expected a number that is bound, found m"), Error);
+    CHECK(judge("2^n-2^n")->truth == Truth::proved);
+    CHECK(judge("2^n*n^2+1")->truth == Truth::refuted);
+    const auto orders =
+        std::get<steps::ByRecurrences>(judge("2^n*n^2-n*2^n*n")->proof->step).orders;
+    CHECK(orders == std::vector<std::pair<std::string, std::uint64_t>>{{"n", 7}});
 }
 
 TEST_CASE("what a system derives in so many steps is what all choices and tables give") {
@@ -202,12 +230,18 @@ TEST_CASE("a formula is the growth of a system if the first lengths are its valu
                            : *rc::gen::elementOf(std::vector<std::string>{
                                  "1", "2", "2^n", "n+1", "2^(n+1)", "2*n+1", "n+2", "3"});
             }));
-        const HasGrowthFormula statement{system, parsed(text)};
+        const Expression formula = parsed(text);
+        Expression length;
+        length.kind = Expression::Kind::call;
+        length.name = "length";
+        length.operands = {parsed("G"), parsed("n")};
+        const Quantified statement =
+            for_all_n({length, formula, Comparison::equal, {system}, {{0, "n"}}});
         bool same = true;
         const auto found = rewritten_lengths(as_d0l(*system), 10);
         for (std::size_t n = 0; n < found.size(); ++n)
-            same = same && value(statement.formula, static_cast<long>(n)) ==
-                               Rational(static_cast<long>(found[n]));
+            same = same &&
+                   value(formula, static_cast<long>(n)) == Rational(static_cast<long>(found[n]));
         RC_LOG() << text << '\n';
         RC_ASSERT(decided(statement, {system}).judgement.truth ==
                   (same ? Truth::proved : Truth::refuted));

@@ -140,9 +140,8 @@ TEST_CASE("what is wrong with a quantified statement is told with its place") {
           "2:33: expected a name behind 'languages', found ':'");
     CHECK(claim_messages("let A = {w}\ntheorem for all words w: w in A") ==
           "3:23: expected a name that is not a letter of the claim, found 'w'");
-    CHECK(claim_messages("theorem for all numbers n: {a} is 0L") ==
-          "2:25: expected a language, a system, a word, a letter or a morphism: no statement "
-          "speaks of a number yet");
+    CHECK(claim_messages("theorem for all numbers n: n is 0L") ==
+          "2:28: expected a language, found 'n', a number");
     CHECK(claim_messages("theorem for all words w: w is 0L") ==
           "2:26: expected a language, found 'w', a word; its language is {w}");
     CHECK(claim_messages("theorem for all finite languages A up to size x: A is 0L") ==

@@ -128,10 +128,6 @@ Answer judge_sequences(const SourceSystem& left, const SourceSystem& right,
 /// Whether two D0L systems have words of the same length in every generation.
 Answer judge_growth(const SourceSystem& left, const SourceSystem& right, const Budget& budget = {});
 
-/// Whether the length of generation n of a D0L system is this expression in n.
-Answer judge_growth_formula(const SourceSystem& system, const Expression& formula,
-                            const Budget& budget = {});
-
 /// Whether the growth of a D0L system is of this class: zero, bounded, polynomial (of this degree), exponential.
 Answer judge_growth_class(const HasGrowthClass& said, const Budget& budget = {});
 
@@ -139,18 +135,33 @@ Answer judge_growth_class(const HasGrowthClass& said, const Budget& budget = {})
 /// the generations until one comes again; otherwise a fall is looked for among the first 1000 lengths.
 Answer judge_increasing(const IsIncreasing& said, const Budget& budget = {});
 
-/// Whether two generations of D0L systems are the same word, or one begins with the other. Throws BoundReached if they have
-/// more than budget.letters letters.
+/// Whether a comparison of numbers holds, in which no number is bound; exactly.
+Answer judge_numbers(const ComparesNumbers& said, const Budget& budget = {});
+
+/// Whether a comparison of words holds, in which no number is bound. Throws BoundReached if they have more than budget.letters
+/// letters.
 Answer judge_words(const ComparesWords& said, const Alphabet& alphabet, const Budget& budget = {});
+
+/// Whether a comparison of numbers, or of words, holds for all values of bound numbers, or for some; nothing if no method
+/// decides it, or it is another statement. Equations of numbers are always decided.
+std::optional<Answer> judge_all_numbers(const Quantified& said, const Claim& claim,
+                                        const Budget& budget);
+std::optional<Answer> judge_all_words(const Quantified& said, const Claim& claim,
+                                      const Budget& budget);
+
+/// The answer by these values of the bound numbers, by name, of which the opposite of a statement for all numbers is true.
+Answer by_values(const Quantified& said, const std::map<std::string, Integer>& point,
+                 const Claim& claim, const Budget& budget);
+
+/// a and b, if the term is a n + b, n being `name`.
+std::optional<std::pair<Rational, Rational>> slope_and_start(const Expression& term,
+                                                             const std::string& name);
+
+/// The least value of the only bound number, if its conditions say no more than that.
+std::optional<std::uint64_t> least_value(const Quantified& said);
 
 /// The system as a D0L system. Throws Error that names it if it is not one.
 D0L as_d0l(const SourceSystem& system);
-
-/// The function that an expression in n says: made by + - *, division by constants and powers with a number
-/// as exponent or with a number as base and an exponent like 2n+1. Throws Error for anything else.
-///
-/// Example: exponential_polynomial(parsed("2^n+n"))(3) == Rational(11)
-ExponentialPolynomial exponential_polynomial(const Expression& expression);
 
 /// Whether a system with parameters, probabilities or contexts of trees derives a word of modules in so
 /// many steps: by deriving; where there are probabilities, whether the word has one above 0. Parameters
@@ -188,6 +199,9 @@ Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget
 /// The proof of a statement about all languages that needs no instance; nothing if none is known.
 std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
                                      const Budget& budget);
+
+/// The statement with values in the place of bound names.
+Statement with_values(const Statement& statement, const std::vector<BoundValue>& values);
 
 /// Several statements as one, in three-valued logic.
 Answer judge_joint(const Joint& said, const Claim& claim, const Budget& budget,

@@ -37,15 +37,6 @@ struct TableValue {
     std::vector<std::string> operations;
 };
 
-/// A function of n that is a sum of terms c n^k r^n with rational c and r.
-struct ExponentialPolynomial {
-    std::map<Rational, std::vector<Rational>> terms;  // by r: the coefficients of n^0, n^1, ...
-
-    Rational operator()(std::uint64_t n) const;
-    /// The order of a linear recurrence that it satisfies.
-    std::size_t order() const;
-};
-
 /// What the letters derive in `step` steps is what they derive in `earlier` steps; by several tables, in
 /// fewer.
 struct Repeated {
@@ -230,16 +221,26 @@ struct OtherGrowth {
 };
 
 /// The first `terms` lengths are the values of the function, and no recurrence of either is longer.
-struct FollowsFormula {
-    std::size_t letters = 0;
-    ExponentialPolynomial function;
-    std::size_t terms = 0;
+/// Both sides of a comparison of numbers, worked out.
+struct ComparedNumbers {
+    static constexpr const char* rule = "values";
+    ComparesNumbers said;
+    std::string left, right;  // the numbers
 };
 
-struct LeavesFormula {
-    std::size_t generation = 0;
-    Integer length;
-    Rational value;
+/// The difference of both sides has these orders in the bound numbers, and is 0 at so many points that it is 0 everywhere.
+struct ByRecurrences {
+    std::vector<std::pair<std::string, std::uint64_t>> orders;
+    std::uint64_t points = 0;
+};
+
+/// The difference u of both sides, from the least value of the number on, is never negative, or always positive: of its first
+/// `from` terms that was looked up; behind them it is true of the last of the sequences u_i(n) = u_{i-1}(n+1) - c_i
+/// u_{i-1}(n), c_i being the roots, by a recurrence without negative coefficients, and of the first term of each.
+struct StaysPositive {
+    std::uint64_t order = 0, from = 0;
+    bool left_is_larger = false, strictly = false;
+    std::vector<Rational> roots, recurrence;
 };
 
 struct Grows {
@@ -266,9 +267,13 @@ struct Falls {
 
 struct ComparedWords {
     static constexpr const char* rule = "words";
-    ComparesWords said;
     std::string left, right;  // the words, or their lengths where they are long
-    bool holds = false;
+};
+
+/// The morphism takes both sides of a comparison of words to the next ones, and it is true for the first number.
+struct ByMorphism {
+    Morphism step;
+    std::uint64_t first = 0;
 };
 
 /// How what the rules say of the dimension, or of that of the boundary, compares with the claimed number.
@@ -541,22 +546,23 @@ struct ByLetters {
 }  // namespace steps
 
 struct Proof {
-    std::variant<
-        steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
-        steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
-        steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives, steps::DerivesNot,
-        steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely, steps::SameSequence,
-        steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth, steps::FollowsFormula,
-        steps::LeavesFormula, steps::Grows, steps::Rises, steps::Falls, steps::ComparedWords,
-        steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
-        steps::OtherValues, steps::SameAutomata, steps::NothingOutside, steps::Distinguished,
-        steps::SameDeterministic, steps::WithinRegular, steps::ByInduction, steps::BothInclusions,
-        steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
-        steps::NoTerminals, steps::InfiniteRound, steps::InfiniteTables, steps::Pumped,
-        steps::InfinitePart, steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
-        steps::RegularOperations, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
-        steps::GeneratedBy, steps::OfReversal, steps::Constructed, steps::FromStatements,
-        steps::ByInstance, steps::ByCases, steps::ByFamilyRules, steps::ByLetters>
+    std::variant<steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
+                 steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
+                 steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives,
+                 steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops,
+                 steps::Likely, steps::SameSequence, steps::OtherSequence, steps::SameGrowth,
+                 steps::OtherGrowth, steps::ComparedNumbers, steps::ByRecurrences,
+                 steps::StaysPositive, steps::Grows, steps::Rises, steps::Falls,
+                 steps::ComparedWords, steps::ByMorphism, steps::LimitSet, steps::Identical,
+                 steps::SameValues, steps::ValuesWithin, steps::OtherValues, steps::SameAutomata,
+                 steps::NothingOutside, steps::Distinguished, steps::SameDeterministic,
+                 steps::WithinRegular, steps::ByInduction, steps::BothInclusions, steps::Counted,
+                 steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
+                 steps::NoTerminals, steps::InfiniteRound, steps::InfiniteTables, steps::Pumped,
+                 steps::InfinitePart, steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
+                 steps::RegularOperations, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
+                 steps::GeneratedBy, steps::OfReversal, steps::Constructed, steps::FromStatements,
+                 steps::ByInstance, steps::ByCases, steps::ByFamilyRules, steps::ByLetters>
         step;
 };
 

@@ -61,13 +61,13 @@ public:
     bool opens_systems = false;     // `L(NAME)` of a name that is not defined opens a system
     std::vector<MorphismUse> uses;  // of bound names, by their numbers
     std::vector<Symbol> bound_letters;  // by which bound words and letters stand in texts
-    bool binds = false;                 // some statement binds names
+    bool binds = false;                 // some statement binds names whose values have letters
 
     /// Makes a name known before its definition is read. Throws if it is known or cannot be a name.
     ClaimName& define(std::string_view name);
-    /// Makes a name known that a quantifier binds, with the next number; it hides a definition of this name. Throws if
-    /// it cannot be a name.
-    ClaimName& bind(std::string_view name);
+    /// Makes a name known that a quantifier binds, with the next number; it hides a definition of this name. Its values
+    /// have letters, or are numbers. Throws if it cannot be a name.
+    ClaimName& bind(std::string_view name, bool has_letters = true);
     /// How many names are bound here; at the end of a statement those behind that number are forgotten.
     std::size_t bound() const { return hidden_.size(); }
     void release(std::size_t bound);
@@ -152,6 +152,17 @@ Statement parse_statement(std::string_view text, ClaimReading& reading);
 /// The single statement that is the whole of the text: `A is not 0L`, `A == B`, `a in A`, `|A| = 3`,
 /// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
 Statement parse_single_statement(std::string_view text, ClaimReading& reading);
+
+// Statements about numbers and words that may depend on numbers. A name of a number that nothing binds makes the statement one
+// about all numbers. All throw `SyntaxError` or `DependsOnError`.
+
+/// Reads `length(G, n + 1) = 2*length(G, n)`, `n < 2^n` where n is bound, ...; false if the text is no comparison of numbers.
+bool parse_numbers(std::string_view text, Statement& statement, ClaimReading& reading);
+/// Reads `word(F, n + 2) == word(F, n + 1) word(F, n)`, ...; false if no `word(` stands in the text.
+bool parse_words(std::string_view text, Statement& statement, ClaimReading& reading);
+/// Reads `2^n + 1` behind `growth(G) =`: length(G, n) is that for all n.
+void parse_growth_formula(const std::shared_ptr<const SourceSystem>& system,
+                          std::string_view formula, Statement& statement, ClaimReading& reading);
 
 /// An example of each form of statements, as NOTATION.md has them, in the order in which the forms are tried.
 std::vector<std::string> written_statements();

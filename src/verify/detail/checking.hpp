@@ -192,12 +192,15 @@ void check_finite_sequences(const Obligation& task);
 void check_difference(const Obligation& task);
 void check_equal_terms(const Obligation& task);
 void check_other_length(const Obligation& task);
-void check_formula_terms(const Obligation& task);
-void check_formula_fails(const Obligation& task);
+// Of numbers and words that may depend on numbers:
+void check_numbers(const Obligation& task);
+void check_recurrences(const Obligation& task);
+void check_positive(const Obligation& task);
+void check_words(const Obligation& task);
+void check_step_of_words(const Obligation& task);
 void check_growth_class(const Obligation& task);
 void check_rises(const Obligation& task);
 void check_falls(const Obligation& task);
-void check_words(const Obligation& task);
 /// Statements made of others, and quantified ones.
 void check_parts(const Obligation& task);
 void check_instance(const Obligation& task);

@@ -1,0 +1,249 @@
+#include <algorithm>
+#include <array>
+#include <map>
+
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
+#include "word/word.hpp"
+
+// Statements about words that hold for all n: `word(F, n + 2) == word(F, n + 1) word(F, n)`, `h(word(G, n)) == word(H, n)`,
+// `word(G, n + 1) begins with word(G, n)`.
+//
+// Closed statements are worked out: the words are derived and compared.
+//
+// For all n. Each side is a product of factors f(w_n), where w_n is generation a n + b of a D0L system with rules g, or a fixed
+// word, and f are its images and perhaps its reversal. Theorem: let k be a morphism such that on both sides
+// k(f(x)) = f(g^a(x)) for every letter x that occurs in the words w_n (for a fixed word g is the identity; written
+// backwards if f reverses). Then k takes both sides for n to both sides for n + 1, so if they are equal for n = 0, or one
+// begins or ends with the other, so it is for all n. This is the induction of textbooks: with one system and no images k is g
+// itself. Where f maps letters to letters k is given by these equations; the others are then tested.
+//
+// A counterexample is looked for first, among generations that are not too long.
+
+namespace algae {
+
+namespace {
+
+constexpr std::uint64_t latest_generation = 100'000;
+
+Word reversed(Word word) {
+    std::reverse(word.begin(), word.end());
+    return word;
+}
+
+/// A factor with its generation as a n + b.
+struct LinearFactor {
+    const WordFactor* written = nullptr;
+    D0L system;  // of a generation
+    std::uint64_t slope = 0, start = 0;
+
+    /// Its images of a word of the system, or of the fixed word.
+    Word image(Word word, const Budget& budget) const {
+        for (const Morphism& morphism : written->images) {
+            Word next;
+            for (const Symbol a : word) {
+                if (!morphism.maps(a))
+                    throw Error(
+                        "a morphism has no image for a letter of the word that it is applied to");
+                const Word& image = morphism[a];
+                next.insert(next.end(), image.begin(), image.end());
+                if (next.size() > budget.letters)
+                    throw BoundReached(Bound::letters, "a word has more letters than allowed");
+            }
+            word = std::move(next);
+        }
+        return written->reversed ? reversed(std::move(word)) : word;
+    }
+};
+
+std::uint64_t natural(const Rational& number, const Expression& part) {
+    if (!number.is_integer() || number < 0)
+        throw Error(to_string(part.place) +
+                    ": expected a generation from 0 on for all numbers, such as "
+                    "n or 2*n+1, found " +
+                    to_text(part));
+    if (number > Rational(latest_generation))
+        throw BoundReached(Bound::method, "words are worked out up to generation " +
+                                              std::to_string(latest_generation));
+    return number.numerator().to_uint64();
+}
+
+/// The factors of a side in one number `name`, of which `from` is the least value.
+std::vector<LinearFactor> factors_of(const std::vector<WordFactor>& side, const std::string& name,
+                                     const Rational& from) {
+    std::vector<LinearFactor> all;
+    for (const WordFactor& factor : side) {
+        LinearFactor made{&factor, {}, 0, 0};
+        if (factor.system) {
+            made.system = as_d0l(*factor.system);
+            const auto found = slope_and_start(factor.generation, name);
+            if (!found)
+                throw Error(to_string(factor.generation.place) +
+                            ": expected a generation like n, n + 1 or 2*n, found " +
+                            to_text(factor.generation));
+            made.slope = natural(found->first, factor.generation);
+            made.start = natural(found->second + found->first * from, factor.generation);
+        }
+        all.push_back(std::move(made));
+    }
+    return all;
+}
+
+/// The word of a side for a value of the number that is so much above the least.
+Word word_of(const std::vector<LinearFactor>& side, std::uint64_t n, const Budget& budget) {
+    Word all;
+    for (const LinearFactor& factor : side) {
+        Word word = factor.written->word;
+        if (factor.written->system)
+            word = derive(factor.system, factor.start + n * factor.slope, budget);
+        word = factor.image(std::move(word), budget);
+        all.insert(all.end(), word.begin(), word.end());
+        if (all.size() > budget.letters)
+            throw BoundReached(Bound::letters, "a word has more letters than allowed");
+    }
+    return all;
+}
+
+bool is_so(ComparesWords::Kind kind, const Word& left, const Word& right) {
+    using enum ComparesWords::Kind;
+    switch (kind) {
+        case equal:
+            return left == right;
+        case unequal:
+            return left != right;
+        case begins:
+            return left.size() >= right.size() &&
+                   std::equal(right.begin(), right.end(), left.begin());
+        case ends:
+            return left.size() >= right.size() &&
+                   std::equal(right.rbegin(), right.rend(), left.rbegin());
+    }
+    return false;
+}
+
+/// The equations k(f(x)) = f(g^a(x)), and a morphism k that fulfils them.
+class CommonStep {
+public:
+    explicit CommonStep(const Budget& budget) : budget_(budget) {}
+
+    void add(const std::vector<LinearFactor>& side) {
+        for (const LinearFactor& factor : side) {
+            if (factor.written->system)
+                add_generation(factor);
+            else
+                for (const Symbol x : factor.written->word) add_letter(factor, x, {x});
+        }
+    }
+
+    /// The images of letters, if one letter's equation gives each and all are fulfilled.
+    std::optional<Morphism> solved() const {
+        Morphism step;
+        for (const auto& [from, to] : equations_)
+            if (from.size() == 1 && !step.maps(from[0])) step.add(from[0], to);
+        for (const auto& [from, to] : equations_) {
+            Word image;
+            for (const Symbol a : from) {
+                if (!step.maps(a)) return std::nullopt;
+                const Word& part = step[a];
+                image.insert(image.end(), part.begin(), part.end());
+            }
+            if (image != to) return std::nullopt;
+        }
+        return step;
+    }
+
+private:
+    void add_generation(const LinearFactor& factor) {
+        // The rules of a steps; the letters of the generations from `start` on, each step adding those of the images.
+        const D0L& system = factor.system;
+        std::map<Symbol, Word> images;
+        std::vector<Symbol> open;
+        Word first = derive(system, factor.start, budget_);
+        const auto meet = [&](const Word& word) {
+            for (const Symbol x : word)
+                if (images.try_emplace(x).second) open.push_back(x);
+        };
+        meet(first);
+        while (!open.empty()) {
+            const Symbol x = open.back();
+            open.pop_back();
+            D0L of = system;
+            of.axiom = {x};
+            Word image = derive(of, factor.slope, budget_);
+            meet(image);
+            images[x] = std::move(image);
+        }
+        for (const auto& [x, image] : images) add_letter(factor, x, image);
+    }
+
+    void add_letter(const LinearFactor& factor, Symbol x, const Word& image) {
+        budget_.check();
+        equations_.emplace_back(factor.image({x}, budget_), factor.image(image, budget_));
+    }
+
+    const Budget& budget_;
+    std::vector<std::pair<Word, Word>> equations_;
+};
+
+}  // namespace
+
+std::string to_string(ComparesWords::Kind kind) {
+    static constexpr std::array texts = {"==", "!=", "begins with", "ends with"};
+    return texts.at(static_cast<std::size_t>(kind));
+}
+
+Answer judge_words(const ComparesWords& said, const Alphabet& alphabet, const Budget& budget) {
+    if (!said.numbers.empty()) return undecided("it speaks of numbers that are not bound");
+    const Word left = word_of(factors_of(said.left, "", 0), 0, budget),
+               right = word_of(factors_of(said.right, "", 0), 0, budget);
+    const auto text = [&](const Word& word) {
+        constexpr std::size_t most = 60;
+        return word.size() <= most ? spell(alphabet, word) : counted(word.size(), "letter");
+    };
+    return decided(is_so(said.kind, left, right), steps::ComparedWords{text(left), text(right)});
+}
+
+std::optional<Answer> judge_all_words(const Quantified& said, const Claim& claim,
+                                      const Budget& budget) {
+    const Statement& body = said.body.front();
+    const auto* compared = std::get_if<ComparesWords>(&body.says);
+    if (!compared || said.bindings.size() != 1) return std::nullopt;
+    const QuantifiedName& name = said.bindings.front();
+    if (name.domain.kind != Domain::Kind::number || name.domain.max_number || name.domain.max_size)
+        return std::nullopt;
+    for (const BoundName& number : compared->numbers)
+        if (number.number < said.first) return std::nullopt;
+    const auto from = least_value(said);
+    if (!from) return std::nullopt;
+    const auto left = factors_of(compared->left, name.name, Rational(*from)),
+               right = factors_of(compared->right, name.name, Rational(*from));
+    // What would refute `for all`, or prove `for some`.
+    const bool witness_is = said.universal ? body.negated : !body.negated;
+    constexpr std::uint64_t most_tried = 200;
+    Budget small = budget;
+    small.letters = std::min<std::uint64_t>(budget.letters, 200'000);
+    std::uint64_t tried = 0;
+    try {
+        for (; tried < most_tried; ++tried) {
+            budget.check();
+            const bool holds =
+                is_so(compared->kind, word_of(left, tried, small), word_of(right, tried, small));
+            if (holds == witness_is)
+                return by_values(said, {{name.name, Integer(*from + tried)}}, claim, budget);
+        }
+    } catch (const BoundReached& reached) {
+        if (reached.bound() == Bound::time) throw;
+    }
+    const bool has_method =
+        said.universal && !body.negated && compared->kind != ComparesWords::Kind::unequal;
+    if (has_method && tried > 0) {
+        CommonStep step(budget);
+        step.add(left);
+        step.add(right);
+        if (auto found = step.solved()) return proved(steps::ByMorphism{std::move(*found), *from});
+    }
+    return undecided("Nothing else is found for the first " + counted(tried, "number") +
+                     (has_method ? "; no morphism takes both sides to the next ones." : "."));
+}
+
+}  // namespace algae

@@ -550,6 +550,15 @@ public:
         }
     }
     void operator()(const steps::ByInstance& said) {
+        const bool is_of_numbers = std::all_of(
+            said.values.begin(), said.values.end(),
+            [](const BoundValue& value) { return std::holds_alternative<Integer>(value.is); });
+        if (is_of_numbers) {
+            say(std::string(said.universal ? "It is false for " : "It is true for ") +
+                values(said) + ":");
+            argue(said);
+            return;
+        }
         say("The " + std::string(said.searched.undecided == 0 ? "least " : "") + kind_of(said) +
             " is " + values(said) + ", of size " + number(said.size) + before(said.searched) + ".");
         argue(said);

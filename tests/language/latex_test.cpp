@@ -73,8 +73,8 @@ TEST_CASE("words, systems and numbers are mathematics") {
     CHECK(argument("let G = D0L { axiom ab; a -> aab }; show aabb in L(G)") ==
           "$\\mathit{aabb}$ is in $L(G)$: $\\mathit{ab}$ $\\Rightarrow$ $\\mathit{aabb}$.\n");
     CHECK(argument("let G = D0L { axiom a; a -> aa }; show growth(G) = 2^n") ==
-          "The lengths obey a recurrence of order $1$ at most (as many as there are letters), the "
-          "formula one of order $1$; generations $0$ to $1$ agree, so all do.\n");
+          "The difference of both sides obeys a linear recurrence of order $2$ at most in $n$; "
+          "it is 0 for the first $2$ numbers, so it always is.\n");
     CHECK(argument("let A = {ε, b}; let B = {b}; show |A & B| = 1").find("$A \\cap B = \\{b\\}$") !=
           std::string::npos);
 }

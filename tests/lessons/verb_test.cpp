@@ -99,7 +99,8 @@ TEST_CASE(
     CHECK(wrong.out ==
           "wrong: exercise 3.2, The squares and one\n"
           "  asked  growth(answer) = n^2 + 1\n"
-          "  found  In generation 2 the length is 4, and the formula gives 5.\n"
+          "  found  It is false for n = 2:\n"
+          "           length(answer,2) is 4, 2^2+1 is 5.\n"
           "  hint   The differences are 1, 3, 5, 7, ... A letter that leaves one b behind in every "
           "step, and a b "
           "that leaves two letters behind in every step.\n");

@@ -478,6 +478,11 @@ struct ProofWriter {
                 {"roots", texts(said.roots)},
                 {"recurrence", texts(said.recurrence)}};
     }
+    Json operator()(const steps::ByEach& said) const {
+        Json proofs = Json::array();
+        for (const Part& part : said.proofs) proofs.push_back(of(part));
+        return {{"by", "each"}, {"proofs", std::move(proofs)}};
+    }
     Json operator()(const steps::ByMorphism& said) const {
         return {{"by", "morphism"}, {"morphism", morphism_json(said.step, alphabet)}};
     }

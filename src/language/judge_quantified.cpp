@@ -769,7 +769,7 @@ Statement with_values(const Statement& statement, const std::vector<BoundValue>&
 
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
                         const SearchLimits& limits) {
-    for (const auto& method : {judge_all_numbers, judge_all_words, judge_symbolic})
+    for (const auto& method : {judge_all_numbers, judge_all_words, judge_symbolic, judge_each})
         if (auto found = method(said, claim, budget)) return *found;
     return QuantifiedJudge(said, claim, budget, limits).judge();
 }

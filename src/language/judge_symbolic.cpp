@@ -17,7 +17,9 @@
 // form of F, or over finite languages where F has all of these; or X is the reversal of such a language, since the axiom
 // and the successors written backwards generate the words backwards.
 //
-// What neither proves is left to the search for a counterexample.
+// A body of several statements joined by `and` is proved statement by statement.
+//
+// What none of this proves is left to the search for a counterexample.
 
 namespace algae {
 
@@ -189,6 +191,32 @@ std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
     const Answer found = decide_part(*closed, claim, budget, {});
     if (found.truth != Truth::proved) return std::nullopt;
     return proved(steps::ByLetters{letters.letters(), found.proof});
+}
+
+std::optional<Answer> judge_each(const Quantified& said, const Claim& claim, const Budget& budget) {
+    const Statement& body = said.body.front();
+    const auto* joint = std::get_if<Joint>(&body.says);
+    if (!said.universal || body.negated || !joint || joint->kind != Joint::Kind::all)
+        return std::nullopt;
+    steps::ByEach each;
+    for (const Statement& part : joint->parts) {
+        Quantified one = said;
+        one.body = {part};
+        std::optional<Answer> found;
+        for (const auto& method : {judge_all_numbers, judge_all_words, judge_symbolic, judge_each})
+            if (!found) found = method(one, claim, budget);
+        if (!found || found->truth == Truth::undecided) return found;
+        if (found->truth == Truth::refuted) {
+            // By values of numbers, which refute the whole as well.
+            std::map<std::string, Integer> point;
+            for (const BoundValue& value : std::get<steps::ByInstance>(found->proof->step).values)
+                point[value.name] = std::get<Integer>(value.is);
+            return by_values(said, point, claim, budget);
+        }
+        each.texts.push_back(part.text);
+        each.proofs.push_back(found->proof);
+    }
+    return proved(std::move(each));
 }
 
 }  // namespace algae

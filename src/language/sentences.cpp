@@ -571,6 +571,12 @@ public:
         say("Each of the " + number(said.instances) + " instances was decided.");
     }
     void operator()(const steps::ByFamilyRules& said) { lines_ = said.lines; }
+    void operator()(const steps::ByEach& said) {
+        for (std::size_t i = 0; i < said.proofs.size(); ++i) {
+            say(marked(said.texts[i]) + ":");
+            indent(of(*said.proofs[i]));
+        }
+    }
     void operator()(const steps::ByLetters& said) {
         say("It is true if " +
             joined(said.letters, ", ",

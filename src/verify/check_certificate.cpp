@@ -103,6 +103,7 @@ const std::vector<Method>& methods() {
         {"cases", {Kind::quantified}, either, {"instances"}, check_all_instances},
         {"families", {Kind::quantified}, holds, {}, check_by_families},
         {"letters", {Kind::quantified}, holds, {"letters", "proof"}, check_by_letters},
+        {"each", {Kind::quantified}, holds, {"proofs"}, check_by_each},
     };
     return all;
 }

@@ -494,6 +494,27 @@ void check_by_letters(const Obligation& task) {
     check_proof(task.part(body, true, task.proof.at("proof")));
 }
 
+void check_by_each(const Obligation& task) {
+    const Quantified& said = *task.statement.quantified;
+    const Statement& body = task.statement.parts.back();
+    if (!said.universal || !task.holds || body.kind != Statement::Kind::joint || body.negated ||
+        body.family != "all of")
+        task.wrong_kind();
+    const std::vector<Field> parts = said.body.front().at("all of").list();
+    const std::vector<Field> proofs = task.proof.at("proofs").list();
+    if (proofs.size() != parts.size())
+        task.proof.at("proofs").refuse("expected a proof for each of the " +
+                                       std::to_string(parts.size()) + " statements");
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        Quantified one = said;
+        one.body = {parts[i]};
+        Statement statement = task.statement;
+        statement.parts.back() = body.parts[i];
+        statement.quantified = std::make_shared<const Quantified>(std::move(one));
+        check_proof(task.part(statement, true, proofs[i]));
+    }
+}
+
 void check_parts(const Obligation& task) {
     std::vector<std::optional<bool>> known(task.statement.parts.size());
     for (const Field& each : task.proof.at("parts").list()) {

@@ -342,6 +342,9 @@ TEST_CASE("sentences of textbooks about all n") {
     CHECK(verdict("word(T, n + 1) == word(T, n) h(word(T, n))") == "proved by morphism");
     CHECK(verdict("word(T, 2*n) == word(T, 2*n)^R") == "proved by morphism");
     CHECK(verdict("word(T, n) == word(T, n)^R") == "refuted by instance");
+    CHECK(verdict("for all n: length(D, n) = 2^n and word(D, n + 1) == word(D, n)^2") ==
+          "proved by each");
+    CHECK(verdict("for all n: length(D, n) = 2^n and length(D, n) < 8") == "refuted by instance");
     CHECK(verdict("word(F, 4) == abaababa") == "proved by words");
     CHECK(verdict("length(F, 4) = 8") == "proved by values");
     CHECK(verdict("for all numbers n up to 10: length(D, n) <= 1024").starts_with("proved"));
@@ -386,6 +389,8 @@ TEST_CASE("certificates of numbers with something changed are found wrong") {
     };
     CHECK(outcome("length(D, n) = 2^n", "\"2^n\"", "\"3^n\"") == "WRONG");
     CHECK(outcome("length(D, n) = 2^n", "\"=\"", "\"<\"") == "WRONG");
+    CHECK(outcome("for all n: length(D, n) = 2^n and length(D, n) > n", "\"n\"\n", "\"n^2\"\n") ==
+          "WRONG");
     CHECK(outcome("length(D, n) > n", "\"from\": 0", "\"from\": 1") == "checked");  // is true too
     CHECK(outcome("length(D, n) > n", "\"2\"", "\"3\"") == "WRONG");
     CHECK(outcome("length(D, n) > n", "\"left\"", "\"right\"") == "WRONG");

@@ -200,6 +200,10 @@ Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget
 std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
                                      const Budget& budget);
 
+/// Whether a statement is true of all values whose body is several joined by `and`, each on its own by a method that needs no
+/// instances; nothing if one of them is not decided so.
+std::optional<Answer> judge_each(const Quantified& said, const Claim& claim, const Budget& budget);
+
 /// The statement with values in the place of bound names.
 Statement with_values(const Statement& statement, const std::vector<BoundValue>& values);
 

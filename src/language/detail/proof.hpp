@@ -530,6 +530,12 @@ struct ByCases {
     std::uint64_t instances = 0;  // that meet the conditions
 };
 
+/// The body is several statements joined by `and`, and each of them is true of all values.
+struct ByEach {
+    std::vector<std::string> texts;
+    std::vector<Part> proofs;
+};
+
 /// The family of a language follows from those of the names, by the form of systems and by reversal.
 struct ByFamilyRules {
     static constexpr const char* rule = "families";
@@ -546,23 +552,23 @@ struct ByLetters {
 }  // namespace steps
 
 struct Proof {
-    std::variant<steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
-                 steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
-                 steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives,
-                 steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops,
-                 steps::Likely, steps::SameSequence, steps::OtherSequence, steps::SameGrowth,
-                 steps::OtherGrowth, steps::ComparedNumbers, steps::ByRecurrences,
-                 steps::StaysPositive, steps::Grows, steps::Rises, steps::Falls,
-                 steps::ComparedWords, steps::ByMorphism, steps::LimitSet, steps::Identical,
-                 steps::SameValues, steps::ValuesWithin, steps::OtherValues, steps::SameAutomata,
-                 steps::NothingOutside, steps::Distinguished, steps::SameDeterministic,
-                 steps::WithinRegular, steps::ByInduction, steps::BothInclusions, steps::Counted,
-                 steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
-                 steps::NoTerminals, steps::InfiniteRound, steps::InfiniteTables, steps::Pumped,
-                 steps::InfinitePart, steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
-                 steps::RegularOperations, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
-                 steps::GeneratedBy, steps::OfReversal, steps::Constructed, steps::FromStatements,
-                 steps::ByInstance, steps::ByCases, steps::ByFamilyRules, steps::ByLetters>
+    std::variant<
+        steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
+        steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
+        steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives, steps::DerivesNot,
+        steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely, steps::SameSequence,
+        steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth, steps::ComparedNumbers,
+        steps::ByRecurrences, steps::StaysPositive, steps::Grows, steps::Rises, steps::Falls,
+        steps::ComparedWords, steps::ByMorphism, steps::LimitSet, steps::Identical,
+        steps::SameValues, steps::ValuesWithin, steps::OtherValues, steps::SameAutomata,
+        steps::NothingOutside, steps::Distinguished, steps::SameDeterministic, steps::WithinRegular,
+        steps::ByInduction, steps::BothInclusions, steps::Counted, steps::NoWord,
+        steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
+        steps::InfiniteRound, steps::InfiniteTables, steps::Pumped, steps::InfinitePart,
+        steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
+        steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily, steps::GeneratedBy,
+        steps::OfReversal, steps::Constructed, steps::FromStatements, steps::ByInstance,
+        steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach>
         step;
 };
 

@@ -207,6 +207,7 @@ void check_instance(const Obligation& task);
 void check_all_instances(const Obligation& task);
 void check_by_families(const Obligation& task);
 void check_by_letters(const Obligation& task);
+void check_by_each(const Obligation& task);
 
 /// Checks that a language is infinite, by one of the kinds of proof that show only this.
 void check_infinite(const Obligation& task, const Language& language, const Field& proof);

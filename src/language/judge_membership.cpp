@@ -46,7 +46,7 @@ Answer judge_interactive(const SourceSystem& system, const Word& word, const Alp
             return refuted(steps::NotGenerated{
                 system.name, word, {false, Reason::periodic, n, before->second}});
         seen.emplace(current, n);
-        if (seen.size() * (current.size() + 1) > budget.letters / 100) break;
+        if (seen.size() * (current.size() + 1) > budget.letters / 1000) break;
         walk.words.push_back(next_word(*system.interactive, current));
     }
     return undecided("the first " + std::to_string(walk.words.size()) + " words of L(" +

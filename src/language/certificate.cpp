@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <map>
 #include <nlohmann/json.hpp>
 
@@ -195,6 +196,7 @@ struct StatementWriter {
                     {"system", said.system->name}};
         if (said.from) result["from"] = certificate_text(alphabet, *said.from);
         if (said.steps) result["steps"] = *said.steps;
+        if (said.bound_steps) result["steps"] = to_text(*said.bound_steps);
         return result;
     }
     Json operator()(const Rewrites& said) const {
@@ -477,6 +479,31 @@ struct ProofWriter {
                 {"from", said.from},
                 {"roots", texts(said.roots)},
                 {"recurrence", texts(said.recurrence)}};
+    }
+    Json rule_json(const steps::DerivationRule& rule) const {
+        static constexpr std::array names = {"given", "part",    "identity",
+                                             "empty", "product", "chain"};
+        using RuleKind = steps::DerivationRule::Kind;
+        Json result{{"rule", names.at(static_cast<std::size_t>(rule.kind))}};
+        if (rule.kind == RuleKind::given || rule.kind == RuleKind::part)
+            result["index"] = rule.index;
+        if (rule.kind == RuleKind::identity) result["word"] = text(rule.word);
+        if (rule.kind == RuleKind::empty)
+            for (const auto& [name, times] : rule.steps) result["steps"][name] = times;
+        for (const auto& part : rule.parts) result["parts"].push_back(rule_json(part));
+        return result;
+    }
+    Json operator()(const steps::ByDerivations& said) const {
+        Json cases = Json::array();
+        for (const auto& trees : said.cases) {
+            Json one = Json::array();
+            for (const auto& tree : trees) one.push_back(rule_json(tree));
+            cases.push_back(std::move(one));
+        }
+        Json result{{"by", "derivations"}};
+        if (said.split) result["split"] = *said.split;
+        result["cases"] = std::move(cases);
+        return result;
     }
     Json operator()(const steps::ByEach& said) const {
         Json proofs = Json::array();

@@ -178,6 +178,22 @@ std::optional<std::pair<Rational, Rational>> slope_and_start(const Expression& t
     return std::pair(slope, found->constant);
 }
 
+std::optional<std::map<std::string, std::int64_t>> integral_slopes(const Expression& term) {
+    const auto found = linear(term);
+    if (!found) return std::nullopt;
+    std::map<std::string, std::int64_t> made;
+    const auto add = [&](const std::string& name, const Rational& times) {
+        constexpr long most = 1'000'000;
+        if (!times.is_integer() || abs(times) > Rational(most)) return false;
+        if (!times.is_zero()) made[name] = times.numerator().to_int64();
+        return true;
+    };
+    if (!add("1", found->constant)) return std::nullopt;
+    for (const auto& [name, slope] : found->slopes)
+        if (!add(name, slope)) return std::nullopt;
+    return made;
+}
+
 namespace {
 
 // --- Terms ---
@@ -418,6 +434,7 @@ private:
     }
 
     Integer counted(const Expression& call, const Point& point) {
+        if (call.operands.size() < 2) fail(call, "the length of a word that has a value");
         const Expression& written = call.operands.back();
         const QuadraticNumber found = value(written, point);
         if (!is_rational(found) || !found.rational.is_integer() || found.rational < 0)

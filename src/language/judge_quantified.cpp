@@ -179,6 +179,16 @@ private:
         said.system = system(said.system);
         said.word = replaced(said.word);
         if (said.from) said.from = replaced(*said.from);
+        if (!said.bound_steps) return;
+        put_numbers(*said.bound_steps, said.numbers);
+        std::erase_if(said.numbers, [&](const BoundName& name) { return find(name.number); });
+        if (!said.numbers.empty()) return;
+        const auto found = slope_and_start(*said.bound_steps, "");
+        if (!found || !found->second.is_integer() || !found->second.numerator().fits_uint64())
+            throw Error("expected a number of steps from 0 to 2^64, found " +
+                        to_text(*said.bound_steps));
+        said.steps = found->second.numerator().to_uint64();
+        said.bound_steps.reset();
     }
     void put(EqualSequences& said) const { said = {system(said.left), system(said.right)}; }
     void put(EqualGrowth& said) const { said = {system(said.left), system(said.right)}; }
@@ -202,6 +212,15 @@ private:
     }
     /// Numbers in the place of their names.
     void put_numbers(Expression& term, const std::vector<BoundName>& names) const {
+        if (term.kind == Expression::Kind::call && term.operands.size() == 1)
+            for (const BoundValue& value : values_)
+                if (value.letter && value.name == term.operands[0].name &&
+                    term.operands[0].kind == Expression::Kind::name) {
+                    term.kind = Expression::Kind::number;
+                    term.value = Rational(Integer(std::uint64_t{std::get<Word>(value.is).size()}));
+                    term.operands.clear();
+                    return;
+                }
         for (Expression& operand : term.operands) put_numbers(operand, names);
         if (term.kind != Expression::Kind::name) return;
         for (const BoundName& name : names) {
@@ -769,7 +788,8 @@ Statement with_values(const Statement& statement, const std::vector<BoundValue>&
 
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,
                         const SearchLimits& limits) {
-    for (const auto& method : {judge_all_numbers, judge_all_words, judge_symbolic, judge_each})
+    for (const auto& method :
+         {judge_all_numbers, judge_all_words, judge_symbolic, judge_derivations, judge_each})
         if (auto found = method(said, claim, budget)) return *found;
     return QuantifiedJudge(said, claim, budget, limits).judge();
 }

@@ -203,7 +203,8 @@ std::optional<Answer> judge_each(const Quantified& said, const Claim& claim, con
         Quantified one = said;
         one.body = {part};
         std::optional<Answer> found;
-        for (const auto& method : {judge_all_numbers, judge_all_words, judge_symbolic, judge_each})
+        for (const auto& method :
+             {judge_all_numbers, judge_all_words, judge_symbolic, judge_derivations, judge_each})
             if (!found) found = method(one, claim, budget);
         if (!found || found->truth == Truth::undecided) return found;
         if (found->truth == Truth::refuted) {

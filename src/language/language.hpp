@@ -555,6 +555,9 @@ struct Derives {
     Word word;
     std::optional<Word> from = {};
     std::optional<std::uint64_t> steps = {};
+    /// Instead of `steps` where the number of steps depends on bound numbers: n + m.
+    std::optional<Expression> bound_steps = {};
+    std::vector<BoundName> numbers = {};  // in it
 };
 
 /// Two D0L systems have the same word in every generation.
@@ -587,7 +590,7 @@ std::string to_string(Comparison comparison);
 
 /// Two numbers are compared that depend on bound numbers: `length(G, n + 2) = length(G, n + 1) + length(G, n)`. The terms
 /// are made by + - * / ^ and `sqrt` from numbers, names of bound numbers, and of D0L systems `length(G, E)`, the number of
-/// letters of generation E, and `count(G, a, E)`, how many of them are the letter.
+/// letters of generation E, and `count(G, a, E)`, how many of them are the letter; `length(w)` is the length of a bound word.
 struct ComparesNumbers {
     Expression left, right;
     Comparison comparison = Comparison::equal;

@@ -571,6 +571,39 @@ public:
         say("Each of the " + number(said.instances) + " instances was decided.");
     }
     void operator()(const steps::ByFamilyRules& said) { lines_ = said.lines; }
+    void operator()(const steps::ByDerivations& said) {
+        using RuleKind = steps::DerivationRule::Kind;
+        const auto uses = [](const auto& self, const steps::DerivationRule& rule,
+                             RuleKind kind) -> bool {
+            return rule.kind == kind ||
+                   std::any_of(rule.parts.begin(), rule.parts.end(),
+                               [&](const auto& part) { return self(self, part, kind); });
+        };
+        const auto used = [&](RuleKind kind) {
+            return std::any_of(said.cases.begin(), said.cases.end(), [&](const auto& trees) {
+                return std::any_of(trees.begin(), trees.end(),
+                                   [&](const auto& tree) { return uses(uses, tree, kind); });
+            });
+        };
+        if (said.split)
+            say("By " + marked(said.conditions.at(*said.split)) +
+                " its letters become words that make up the word derived: " +
+                several(said.cases.size(), "case") + ".");
+        if (used(RuleKind::product))
+            say("Two words derive in as many steps words that together are derived from both, as "
+                "letters "
+                "are replaced independently of their neighbours.");
+        if (used(RuleKind::chain))
+            say("What derives a word that derives another one derives that, in as many steps as "
+                "both.");
+        if (said.shows == steps::ByDerivations::Shows::length)
+            say("No letter is erased, so no word becomes shorter.");
+        if (said.shows == steps::ByDerivations::Shows::uniqueness)
+            say("Every letter has one successor, so in as many steps a word derives one word "
+                "only.");
+        say("So the statement follows from its conditions" +
+            std::string(said.split ? ", in each case." : "."));
+    }
     void operator()(const steps::ByEach& said) {
         for (std::size_t i = 0; i < said.proofs.size(); ++i) {
             say(marked(said.texts[i]) + ":");

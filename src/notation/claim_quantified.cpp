@@ -533,6 +533,15 @@ private:
         return outside == 0;
     }
 
+    /// Whether the colon at an offset is that of a condition `G : x ==> y`: behind `with` or `and` and a name.
+    static bool is_of_derivation(std::string_view text, std::size_t colon) {
+        const std::vector<std::string_view> before = words_of(text.substr(0, colon));
+        const std::string_view behind = text.substr(colon + 1);
+        return before.size() > 1 && is_claim_name(before.back()) &&
+               (before[before.size() - 2] == "with" || before[before.size() - 2] == "and") &&
+               behind.substr(0, behind.find(':')).find("==>") != std::string_view::npos;
+    }
+
     static std::optional<bool> quantifier(std::string_view& rest) {
         for (const char* word : {"all", "every", "each"})
             if (take_words(rest, {"for", word})) return true;
@@ -576,7 +585,7 @@ private:
     Statement quantified(bool universal, std::string_view text, std::size_t depth) {
         std::size_t colon = std::string_view::npos;
         outside_brackets(text, [&](std::size_t i) {
-            if (text[i] == ':') colon = i;
+            if (text[i] == ':' && !is_of_derivation(text, i)) colon = i;
             return colon == std::string_view::npos;
         });
         if (colon == std::string_view::npos)

@@ -129,13 +129,23 @@ std::variant<Derives, Rewrites> parse_derivation(std::string_view text, ClaimRea
     if (colon != std::string_view::npos) from = left.substr(colon + 1);
     std::string_view word = text.substr(arrow + 3);
     std::optional<std::uint64_t> steps;
+    std::optional<Expression> bound_steps;
+    std::vector<BoundName> numbers;
     if (const std::size_t in = find_word(word, "in"); in != std::string_view::npos) {
-        steps = parse_steps(word.substr(in + 2));
+        const std::string_view count = word.substr(in + 2);
+        const std::size_t last = find_word(count, "steps");
+        const bool is_term =
+            last != std::string_view::npos &&
+            before(count, last).find_first_not_of("0123456789 \t") != std::string_view::npos;
+        if (is_term && trimmed(count).ends_with("steps"))
+            bound_steps = parse_number_term(before(count, last), numbers, reading);
+        else
+            steps = parse_steps(count);
         word = before(word, in);
     }
     if (const auto rewriting = reading.rewriting(name))
         return parse_rewriting(rewriting, reading.written(name), from, word, steps, reading);
-    Derives said{reading.system(name), {}, {}, steps};
+    Derives said{reading.system(name), {}, {}, steps, std::move(bound_steps), std::move(numbers)};
     if (from) said.from = parse_claimed_word(*from, reading);
     said.word = parse_claimed_word(word, reading);
     return said;

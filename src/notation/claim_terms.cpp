@@ -120,6 +120,8 @@ public:
 
     const std::vector<std::shared_ptr<const SourceSystem>>& systems() const { return systems_; }
     const std::vector<BoundName>& numbers() const { return numbers_; }
+    /// The names of those that nothing binds.
+    const std::vector<std::string>& bare() const { return bare_; }
 
     /// The statement, about all values of the numbers that nothing binds.
     void finish(Statement& statement, std::size_t first) const {
@@ -230,6 +232,11 @@ private:
                 "expected one of length(G, n), count(G, a, n), segments(G, n), sqrt(2), found " +
                     quoted(name) + did_you_mean(name, known)};
         const char* where = here;
+        if (name == "length")
+            if (auto word = bound_word(here, end)) {
+                expect(')', "')' behind the word", here, end);
+                return made(Expression::Kind::call, "length", {std::move(*word)}, place);
+            }
         const auto of = system(here, end);
         Expression system =
             made(Expression::Kind::name, of->name, {}, reading_.source.place(where));
@@ -256,6 +263,17 @@ private:
         if (letter) operands.push_back(std::move(*letter));
         operands.push_back(std::move(generation));
         return made(Expression::Kind::call, std::string(name), std::move(operands), place);
+    }
+
+    /// The name of a bound word or letter that stands next; nothing if another name does.
+    std::optional<Expression> bound_word(const char*& here, const char* end) const {
+        const char* at = here;
+        const std::string_view name = piece(at, end, "a system or a bound word");
+        const ClaimName* known = is_claim_name(name) ? reading_.find(name) : nullptr;
+        if (!known || known->kind != ClaimName::Kind::word) return std::nullopt;
+        here = at;
+        return made(Expression::Kind::name, std::string(name), {},
+                    reading_.source.place(name.data()));
     }
 
     /// How many segments a generation draws: a sum of how often the letters that draw occur.
@@ -457,6 +475,17 @@ Found comparison_of(std::string_view text) {
 }
 
 }  // namespace
+
+Expression parse_number_term(std::string_view text, std::vector<BoundName>& numbers,
+                             ClaimReading& reading) {
+    TermReader terms(reading);
+    Expression read = terms.whole(trimmed(text));
+    if (!terms.bare().empty())
+        throw SyntaxError{text.data(), "expected numbers that 'for all numbers ...' binds, found " +
+                                           quoted(terms.bare().front())};
+    numbers = terms.numbers();
+    return read;
+}
 
 bool parse_numbers(std::string_view text, Statement& statement, ClaimReading& reading) {
     const bool is_call = calls(text, "length", reading) || calls(text, "count", reading) ||

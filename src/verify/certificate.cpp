@@ -270,7 +270,7 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         read.word = word(field.at("derives"));
         read.systems = {named_system(field.at("system"))};
         if (field.has("from")) read.from = word(field.at("from"));
-        if (field.has("steps")) read.steps = field.at("steps").integer();
+        if (field.has("steps")) steps_of(field.at("steps"), read);
         return read;
     }
     if (field.has("dimension") || field.has("boundary")) return of_dimension(field, read);
@@ -715,6 +715,16 @@ std::string modules_text(const Modules& word) {
     return text.empty() ? "ε" : shortened(text);
 }
 
+/// "n + 2*m + 1".
+std::string steps_text(const std::map<std::string, Integer>& steps) {
+    std::string text;
+    for (const auto& [name, times] : steps)
+        text +=
+            (text.empty() ? "" : " + ") +
+            (name == "1" ? to_string(times) : (times == 1 ? "" : to_string(times) + "*") + name);
+    return text.empty() ? "0" : text;
+}
+
 /// "[a -> ab](word(G, n)) b".
 std::string side_text(const std::vector<WordFactor>& side, const Alphabet& alphabet) {
     std::string text;
@@ -791,7 +801,8 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    (statement.from ? " from " + shortened(word_text(alphabet, *statement.from))
                                    : "") +
                    (statement.steps ? " in " + shortened(to_string(*statement.steps)) + " steps"
-                                    : "");
+                    : statement.bound_steps ? " in " + steps_text(*statement.bound_steps) + " steps"
+                                            : "");
         case Kind::rewrites:
         case Kind::chance: {
             const bool is_chance = statement.kind == Kind::chance;

@@ -104,6 +104,7 @@ const std::vector<Method>& methods() {
         {"families", {Kind::quantified}, holds, {}, check_by_families},
         {"letters", {Kind::quantified}, holds, {"letters", "proof"}, check_by_letters},
         {"each", {Kind::quantified}, holds, {"proofs"}, check_by_each},
+        {"derivations", {Kind::quantified}, holds, {"split", "cases"}, check_derivations},
     };
     return all;
 }

@@ -122,7 +122,8 @@ struct NumberTerm {
         power,
         negative,
         root,
-        count
+        count,
+        word  // the length of a bound word without a value
     };
     Kind kind = Kind::constant;
     Rational value;
@@ -252,6 +253,18 @@ private:
         NumberTerm read;
         if (name == "sqrt") {
             read = made(Kind::root, {sum()});
+        } else if (name == "length" && rest_.find(')') < rest_.find(',')) {
+            const std::string word(rest_.substr(0, rest_.find(')')));
+            rest_.remove_prefix(word.size());
+            const auto letter = reader_.alphabet().find(word);
+            if (!letter) field_.fail("no word is called '" + word + "'");
+            const auto bound = reader_.bound().words.find(*letter);
+            if (bound != reader_.bound().words.end()) {
+                read.value = Rational(Integer(std::uint64_t{bound->second.size()}));
+            } else {
+                read.kind = Kind::word;
+                read.letter = letter;
+            }
         } else if (name == "length" || name == "count") {
             read.kind = Kind::count;
             read.system = reader_.named_system(field_, piece()).system.get();
@@ -316,7 +329,8 @@ struct Affine {
 std::optional<Affine> affine(const NumberTerm& term) {
     using Kind = NumberTerm::Kind;
     std::vector<Affine> parts;
-    if (term.kind == Kind::count || term.kind == Kind::root || term.kind == Kind::power)
+    if (term.kind == Kind::count || term.kind == Kind::root || term.kind == Kind::power ||
+        term.kind == Kind::word)
         return std::nullopt;
     for (const NumberTerm& part : term.parts) {
         auto one = affine(part);
@@ -345,6 +359,28 @@ std::optional<Affine> affine(const NumberTerm& term) {
             return std::nullopt;
     }
 }
+
+}  // namespace
+
+void Reader::steps_of(const Field& field, Statement& read) const {
+    if (field.kind() != JsonValue::Kind::text ||
+        field.text().find_first_not_of("0123456789") == std::string::npos) {
+        read.steps = field.integer();
+        return;
+    }
+    const auto found = affine(TermReader(field, *this).whole());
+    if (!found || !found->is_natural()) field.fail("expected a number of steps");
+    if (found->is_constant()) {
+        read.steps = found->constant.numerator();
+        return;
+    }
+    read.bound_steps.emplace();
+    if (!found->constant.is_zero()) read.bound_steps->emplace("1", found->constant.numerator());
+    for (const auto& [name, slope] : found->slopes)
+        if (!slope.is_zero()) read.bound_steps->emplace(name, slope.numerator());
+}
+
+namespace {
 
 using Point = std::map<std::string, Integer>;
 
@@ -386,6 +422,8 @@ public:
                 return root(part(0), where);
             case Kind::count:
                 return {Rational(count(term, part(0), where)), {}, 1};
+            case Kind::word:
+                too_hard("the length of a word without a value is not known");
         }
         return {};
     }
@@ -402,6 +440,8 @@ public:
         switch (term.kind) {
             case Kind::constant:
                 return 1;
+            case Kind::word:
+                too_hard("the length of a word without a value is not known");
             case Kind::root:
                 if (!is_constant(term)) too_hard("such a root is not checked");
                 return 1;
@@ -458,7 +498,7 @@ private:
         return free;
     }
     static bool is_constant(const NumberTerm& term) {
-        return term.kind != NumberTerm::Kind::name &&
+        return term.kind != NumberTerm::Kind::name && term.kind != NumberTerm::Kind::word &&
                std::all_of(term.parts.begin(), term.parts.end(), is_constant);
     }
     /// Whether the inverse is a multiple of a power c^n.
@@ -538,6 +578,15 @@ private:
     std::map<const System*, Counts> counts_;
     std::uint64_t kept_ = 0;
 };
+
+}  // namespace
+
+std::optional<Symbol> word_measured(const Field& field, const Reader& reader) {
+    const NumberTerm term = TermReader(field, reader).whole();
+    return term.kind == NumberTerm::Kind::word ? term.letter : std::nullopt;
+}
+
+namespace {
 
 bool compares(const std::string& comparison, int sign_of_difference) {
     if (comparison == "=") return sign_of_difference == 0;

@@ -321,6 +321,8 @@ struct Statement {
     Word word;
     std::optional<Word> from;
     std::optional<Integer> steps;
+    /// Instead of `steps` where their number depends on bound numbers: how often each is taken; the constant goes by "1".
+    std::optional<std::map<std::string, Integer>> bound_steps = {};
     std::optional<Integer> size;   // or degree of growth
     std::optional<Field> formula;  // the value of a dimension, equal or `at_most`
     bool at_most = false;
@@ -416,6 +418,7 @@ private:
     Statement of_dimension(const Field& field, Statement read) const;
     Statement of_systems(const Field& field, Statement read) const;
     bool of_numbers(const Field& field, Statement& read) const;
+    void steps_of(const Field& field, Statement& read) const;
     std::vector<WordFactor> word_factors(const Field& field) const;
     Statement joint(const Field& field, std::string_view kind) const;
     Statement quantified(const Field& field) const;

@@ -157,6 +157,9 @@ Answer by_values(const Quantified& said, const std::map<std::string, Integer>& p
 std::optional<std::pair<Rational, Rational>> slope_and_start(const Expression& term,
                                                              const std::string& name);
 
+/// By name how often each bound number is taken in a term that is a sum of whole multiples of them; the constant goes by "1".
+std::optional<std::map<std::string, std::int64_t>> integral_slopes(const Expression& term);
+
 /// The least value of the only bound number, if its conditions say no more than that.
 std::optional<std::uint64_t> least_value(const Quantified& said);
 
@@ -199,6 +202,11 @@ Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget
 /// The proof of a statement about all languages that needs no instance; nothing if none is known.
 std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
                                      const Budget& budget);
+
+/// What follows of given derivations of one system without tables: that another derivation is one, that a word is not longer
+/// than what it derives, or that it derives one word only; nothing if no proof by a few rules is found.
+std::optional<Answer> judge_derivations(const Quantified& said, const Claim& claim,
+                                        const Budget& budget);
 
 /// Whether a statement is true of all values whose body is several joined by `and`, each on its own by a method that needs no
 /// instances; nothing if one of them is not decided so.

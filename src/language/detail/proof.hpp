@@ -536,6 +536,35 @@ struct ByEach {
     std::vector<Part> proofs;
 };
 
+/// What follows of derivations that are given: a tree of rules, each of which makes one derivation `from` ==> `to` of
+/// those of its parts. Steps are sums of multiples of names: bound numbers, "1", and "#i" for those of condition i where it
+/// does not say how many.
+struct DerivationRule {
+    enum class Kind {
+        given,     // condition `index`
+        part,      // what symbol `index` of the condition that is split becomes
+        identity,  // `word` derives itself in no step
+        empty,     // the empty word derives itself in `steps` steps
+        product,   // x derives y and u derives v in as many steps, so xu derives yv
+        chain      // x derives y and y derives z, so x derives z in as many steps as both
+    } kind = Kind::given;
+    std::size_t index = 0;
+    Word word = {};
+    std::map<std::string, std::int64_t> steps = {};
+    std::vector<DerivationRule> parts = {};
+};
+
+/// The conditions are derivations of one system without tables, and the statement follows from them: it is a derivation
+/// (one tree); or a word that derives another one without erasing is not longer (one tree, of the derivation); or a deterministic
+/// system derives one word only (two trees). If `split` is a condition, each way in which its word can be cut into what the
+/// symbols become is a case with trees of its own.
+struct ByDerivations {
+    std::vector<std::string> conditions;  // as written
+    std::optional<std::size_t> split;
+    std::vector<std::vector<DerivationRule>> cases;
+    enum class Shows { derivation, length, uniqueness } shows = Shows::derivation;
+};
+
 /// The family of a language follows from those of the names, by the form of systems and by reversal.
 struct ByFamilyRules {
     static constexpr const char* rule = "families";
@@ -568,7 +597,7 @@ struct Proof {
         steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
         steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily, steps::GeneratedBy,
         steps::OfReversal, steps::Constructed, steps::FromStatements, steps::ByInstance,
-        steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach>
+        steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
         step;
 };
 

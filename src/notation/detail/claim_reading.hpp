@@ -160,6 +160,9 @@ Statement parse_single_statement(std::string_view text, ClaimReading& reading);
 bool parse_numbers(std::string_view text, Statement& statement, ClaimReading& reading);
 /// Reads `word(F, n + 2) == word(F, n + 1) word(F, n)`, ...; false if no `word(` stands in the text.
 bool parse_words(std::string_view text, Statement& statement, ClaimReading& reading);
+/// The term that is the whole of the text, in which numbers are bound, and which they are.
+Expression parse_number_term(std::string_view text, std::vector<BoundName>& numbers,
+                             ClaimReading& reading);
 /// Reads `2^n + 1` behind `growth(G) =`: length(G, n) is that for all n.
 void parse_growth_formula(const std::shared_ptr<const SourceSystem>& system,
                           std::string_view formula, Statement& statement, ClaimReading& reading);

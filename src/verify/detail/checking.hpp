@@ -198,6 +198,8 @@ void check_recurrences(const Obligation& task);
 void check_positive(const Obligation& task);
 void check_words(const Obligation& task);
 void check_step_of_words(const Obligation& task);
+/// The bound word of which the term is the length; nothing if it is another term.
+std::optional<Symbol> word_measured(const Field& field, const Reader& reader);
 void check_growth_class(const Obligation& task);
 void check_rises(const Obligation& task);
 void check_falls(const Obligation& task);
@@ -208,6 +210,7 @@ void check_all_instances(const Obligation& task);
 void check_by_families(const Obligation& task);
 void check_by_letters(const Obligation& task);
 void check_by_each(const Obligation& task);
+void check_derivations(const Obligation& task);
 
 /// Checks that a language is infinite, by one of the kinds of proof that show only this.
 void check_infinite(const Obligation& task, const Language& language, const Field& proof);

@@ -335,9 +335,12 @@ Json to_json(const Language& language, const Alphabet& alphabet) {
             return {{"plus", to_json(tree.parts[0], alphabet)}};
         case Kind::reversed:
             return {{"reversal", to_json(tree.parts[0], alphabet)}};
-        case Kind::complement:
-            return {{"complement", to_json(tree.parts[0], alphabet)},
-                    {"letters", certificate_text(alphabet, tree.letters)}};
+        case Kind::complement: {
+            Json result{{"complement", to_json(tree.parts[0], alphabet)}};
+            // Those of a bound name are known when its value is.
+            if (!tree.letters.empty()) result["letters"] = certificate_text(alphabet, tree.letters);
+            return result;
+        }
         case Kind::image:
             return {{"image", to_json(tree.parts[0], alphabet)},
                     {"morphism", morphism_json(tree, alphabet)}};
@@ -539,22 +542,33 @@ struct ProofWriter {
         return {{"by", "parts"}, {"parts", std::move(parts)}};
     }
     Json operator()(const steps::ByInstance& said) const {
-        Json values = Json::object();
-        for (const BoundValue& value : said.values)
-            values[value.name] = std::visit(ValueWriter{alphabet}, value.is);
-        Json result{{"by", "instance"}, {"values", std::move(values)}};
+        Json result{{"by", "instance"}, {"values", values(said.values)}};
         if (!said.members.empty()) result["members"] = proofs(said.members);
         if (!said.conditions.empty()) result["with"] = proofs(said.conditions);
         result["proof"] = certificate(said.body, alphabet);
         return result;
     }
     Json operator()(const steps::ByCases& said) const {
-        return {{"by", said.rule}, {"instances", said.instances}};
+        if (said.cases.empty()) return {{"by", said.rule}, {"instances", said.instances}};
+        Json cases = Json::array();
+        for (const steps::ByCases::Case& each : said.cases) {
+            Json& one = cases.emplace_back(Json{{"values", values(each.values)}});
+            if (each.member) one["member"] = each.values[*each.member].name;
+            if (each.condition) one["condition"] = *each.condition;
+            one["proof"] = certificate(each.answer, alphabet);
+        }
+        return {{"by", said.rule}, {"cases", std::move(cases)}};
     }
     Json operator()(const steps::ByLetters& said) const {
         Json letters = Json::object();
         for (const auto& [name, letter] : said.letters) letters[name] = alphabet.name(letter);
         return {{"by", "letters"}, {"letters", std::move(letters)}, {"proof", of(said.proof)}};
+    }
+    Json values(const std::vector<BoundValue>& all) const {
+        Json result = Json::object();
+        for (const BoundValue& value : all)
+            result[value.name] = std::visit(ValueWriter{alphabet}, value.is);
+        return result;
     }
     Json proofs(const std::vector<Answer>& all) const {
         Json result = Json::array();
@@ -570,6 +584,8 @@ Json certificate(const Answer& answer, const Alphabet& alphabet) {
 }
 
 std::string method_of(const Answer& answer, const Alphabet& alphabet) {
+    if (answer.proof && std::holds_alternative<steps::ByCases>(answer.proof->step))
+        return steps::ByCases::rule;  // which may have thousands of them
     const Json written = certificate(answer, alphabet);
     return written.is_object() ? written.value("by", std::string()) : std::string();
 }

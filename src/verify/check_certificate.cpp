@@ -94,7 +94,7 @@ const std::vector<Method>& methods() {
          either,
          {"values", "members", "with", "proof"},
          check_instance},
-        {"cases", {Kind::quantified}, either, {"instances"}, check_all_instances},
+        {"cases", {Kind::quantified}, either, {"instances", "cases"}, check_all_instances},
         {"families", {Kind::quantified}, holds, {}, check_by_families},
         {"letters", {Kind::quantified}, holds, {"letters", "proof"}, check_by_letters},
     };

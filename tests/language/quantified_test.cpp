@@ -258,6 +258,8 @@ TEST_CASE("the verdict over bounded languages is that of a plain loop over all o
             const Found some =
                 judged("for some finite language A" + over + left + " and A is not " + right);
             CHECK(some.verdict == (holds ? "refuted" : "proved"));
+            CHECK(all.finding.outcome == verify::Finding::Outcome::checked);
+            CHECK(some.finding.outcome == verify::Finding::Outcome::checked);
             ++compared;
         }
     CHECK(compared == 20);

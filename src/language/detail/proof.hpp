@@ -521,8 +521,17 @@ struct ByInstance {
 /// Every instance was decided.
 struct ByCases {
     static constexpr const char* rule = "cases";
+    static constexpr std::uint64_t most_kept =
+        10'000;  // cases with their proofs, those within cases too
+    /// A tuple of values: the body is as the statement says, or a value is not of its family, or a condition does not hold.
+    struct Case {
+        std::vector<BoundValue> values;
+        std::optional<std::size_t> member, condition;  // the one that fails, by its number
+        Answer answer;
+    };
     Quantified statement;
-    std::uint64_t instances = 0;  // that meet the conditions
+    std::uint64_t instances = 0;   // that meet the conditions
+    std::vector<Case> cases = {};  // none where there are more than are kept
 };
 
 /// The family of a language follows from those of the names, by the form of systems and by reversal.

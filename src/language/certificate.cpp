@@ -472,16 +472,12 @@ struct ProofWriter {
     Json operator()(const steps::SameDeterministic& said) const {
         return language_certificate(said.equality, alphabet);
     }
-    Json operator()(const steps::WithinRegular& said) const {
-        return said.constructed ? construction_json(*said.constructed) : Json{{"by", "relations"}};
-    }
     Json operator()(const steps::ByInduction& said) const {
         return {{"by", "induction"}, {"base", words_json(said.base, alphabet)}};
     }
     Json operator()(const steps::BothInclusions& said) const {
         return {{"by", "both"}, {"proofs", Json::array({of(said.there), of(said.back)})}};
     }
-    Json operator()(const steps::NoTerminals& said) const { return construction_json(said.tables); }
     Json operator()(const steps::InfiniteRound& said) const {
         Json rules = Json::array();
         for (const auto& [letter, successor] : said.rules)
@@ -527,7 +523,6 @@ struct ProofWriter {
     Json operator()(const steps::OfReversal& said) const {
         return {{"by", "reversal"}, {"proof", of(said.part)}};
     }
-    Json operator()(const steps::Constructed& said) const { return construction_json(said.tables); }
 
     Json operator()(const steps::Falls& said) const {
         return {{"by", "generation"}, {"generation", said.generation}};

@@ -412,7 +412,7 @@ bool same(const Language& left, const Language& right) {
 }
 
 bool is_regular(const Language& language) {
-    return language->kind != Tree::Kind::generated &&
+    return language->kind != Tree::Kind::generated && language->kind != Tree::Kind::variable &&
            std::all_of(language->parts.begin(), language->parts.end(), is_regular);
 }
 

@@ -59,6 +59,7 @@ const std::vector<Method>& methods() {
         {"equal", family, holds, {"system", "proof"}, check_equal_to_form},
         {"finite", family, holds, {}, check_all_finite},
         {"regular", family, holds, {}, check_regular_family},
+        {"closed", family, holds, {}, check_closed},
         {"values", {Kind::finite, Kind::empty, Kind::size}, either, {}, check_size_of_values},
         {"relations", empty, holds, {}, check_no_word},
         {"word", empty, fails, {"word"}, check_a_word},

@@ -330,6 +330,7 @@ struct SameDeterministic {
 
 /// No generation of a system for the left side leaves the regular right side.
 struct WithinRegular {
+    static constexpr const char* rule = "relations";
     Language left, right;
     Repeated letters;
     std::shared_ptr<const TableValue>
@@ -388,6 +389,7 @@ struct Disjoint {
 
 /// Nothing makes terminals of all letters of the axiom.
 struct NoTerminals {
+    static constexpr const char* rule = "relations";
     TableValue tables;
 };
 
@@ -487,6 +489,7 @@ struct OfReversal {
 
 /// A constructed system is of the family.
 struct Constructed {
+    static constexpr const char* rule = "closed";
     TableValue tables;
 };
 

@@ -89,12 +89,13 @@ private:
     }
     static std::vector<Place> places_of(const Json& certificate) {
         std::vector<Place> places;
-        // The statement comes first and again, as it is small beside its proof.
-        for (int i = 0; i < 3; ++i)
-            note(certificate["statements"][0]["statement"], Place("/statements/0/statement"),
-                 places);
-        note(certificate["statements"], Place("/statements"), places);
         note(certificate["systems"], Place("/systems"), places);
+        if (certificate["statements"].empty()) return places;
+        // The statement comes first and again, as it is small beside its proof.
+        const Place statement("/statements/0/statement");
+        for (int i = 0; i < 3 && certificate.contains(statement); ++i)
+            note(certificate[statement], statement, places);
+        note(certificate["statements"], Place("/statements"), places);
         return places;
     }
 

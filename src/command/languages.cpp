@@ -5,8 +5,12 @@
 // `equal` proves a difference by a word or a length, and equality of sequences by a bound on how far one
 // morphism may be ahead of the other, with the automaton of what is ahead; an undecided comparison is an
 // answer in JSON too. `is` takes a language as claims write it, which may name systems as L(NAME).
+//
+// With `--certificate` the answer is written as the certificate of a claim whose theorem is the question. The claim is
+// decided like any other, so a certificate has the proof that the rooms of claims find, and `verify` checks it as such.
 
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
@@ -14,6 +18,7 @@
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
 #include "language/language.hpp"
+#include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "report/report.hpp"
 
@@ -21,17 +26,64 @@ namespace algae::command {
 
 namespace {
 
+// Certificates
+
+/// A claim about systems, which are called A, B, ... there, and about words with these letters.
+Claim claim_about(const std::vector<const Model*>& systems, const std::string& family,
+                  const std::set<std::string>& letters = {}) {
+    std::string text = "claim T\n";
+    if (!letters.empty()) text += "alphabet " + joined(letters, " ") + '\n';
+    std::string name = "A";
+    for (std::size_t i = 0; i < systems.size(); ++i, ++name[0])
+        text += "let " + name + " = " + family + ' ' + name + '\n';
+    return read_claim(text, "the certificate", [&](const std::string& called) {
+        return *systems.at(static_cast<std::size_t>(called[0] - 'A'));
+    });
+}
+
+/// Writes the certificate of the claim with this theorem, which is decided if its answer is not known.
+void write_certificate(const std::string& file, Claim claim, Statement statement, std::string text,
+                       const Budget& budget, std::optional<Answer> known = std::nullopt) {
+    if (file.empty()) return;
+    claim.title = text;
+    statement.text = std::move(text);
+    claim.statements.push_back({std::move(statement), ClaimedStatement::Purpose::theorem, {}});
+    CheckedClaim checked;
+    if (known)
+        checked = {std::move(claim), {{CheckedStatement::Outcome::holds, std::move(*known)}}};
+    else
+        checked = check(std::move(claim), budget);
+    write_file(file, Json(certificate(checked)).text(1));
+}
+
+void add_certificate_option(Verb& verb, std::string& file) {
+    verb.option("--certificate", file, "FILE", "write what algae verify checks again");
+}
+
 // member
 
 struct MemberOptions {
-    std::string file, word;
+    std::string file, word, certificate;
     bool brief = false, json = false;
     Bounds bounds;
 };
 
+/// Writes that the word is in L(A), or not, for a system A.
+void certify_member(const MemberOptions& options, const Model& system, const Word& word,
+                    const Alphabet& alphabet, const Budget& budget) {
+    if (options.certificate.empty()) return;
+    std::set<std::string> letters;
+    for (const Symbol a : word) letters.insert(alphabet.name(a));
+    Claim claim = claim_about({&system}, "ET0L", letters);
+    HasWord said{generated_language(claim.systems.front()), {}};
+    for (const Symbol a : word) said.word.push_back(claim.alphabet->find(alphabet.name(a)).value());
+    write_certificate(options.certificate, std::move(claim), {std::move(said)},
+                      spell(alphabet, word) + " in L(A)", budget);
+}
+
 int member(const MemberOptions& options) {
     const Budget budget = options.bounds.budget();
-    const LSystem written = open_system(options.file, budget);
+    const Model written = open_model(options.file, budget);
     const View<ET0L> system = as_et0l(written);
     Alphabet alphabet = *system->alphabet;
     const ModuleWord read = read_word(options.word, alphabet);
@@ -41,6 +93,7 @@ int member(const MemberOptions& options) {
     const Membership found = membership(*system, word, budget);
     std::optional<Derivation> witness;
     if (found.member && !options.brief) witness = derivation(*system, word, found, budget);
+    certify_member(options, written, word, alphabet, budget);
     const std::string text = spell(alphabet, word);
     if (options.json) {
         Json out{{"member", found.member}};
@@ -60,7 +113,7 @@ int member(const MemberOptions& options) {
 // finite
 
 struct FiniteOptions {
-    std::string file;
+    std::string file, certificate;
     bool json = false;
     Bounds bounds;
 };
@@ -101,7 +154,14 @@ int finite_of_0l(const FiniteOptions& options, const OL& system, const Budget& b
 
 int finite(const FiniteOptions& options) {
     const Budget budget = options.bounds.budget();
-    const View<ET0L> system = as_et0l(open_system(options.file, budget));
+    const Model written = open_model(options.file, budget);
+    const View<ET0L> system = as_et0l(written);
+    if (!options.certificate.empty()) {
+        Claim claim = claim_about({&written}, "ET0L");
+        Statement said{IsFinite{generated_language(claim.systems.front())}};
+        write_certificate(options.certificate, std::move(claim), std::move(said), "L(A) is finite",
+                          budget);
+    }
     if (system->tables.size() == 1 && has_only_terminals(*system))
         return finite_of_0l(options, without_terminals(*system), budget);
     const TablesFiniteness found = finiteness(*system, budget);
@@ -120,7 +180,7 @@ int finite(const FiniteOptions& options) {
 enum class As { language, sequence, growth };
 
 struct EqualOptions {
-    std::string left, right;
+    std::string left, right, certificate;
     As as = As::language;
     bool json = false;
     Bounds bounds;
@@ -171,11 +231,31 @@ Comparison language_answer(const D0L& left, const D0L& right, const Budget& budg
     return {false, std::move(witness), to_text(found, *alphabet)};
 }
 
+/// Writes that the languages, sequences or growth of two systems A and B are equal, or not.
+void certify_equal(const EqualOptions& options, const Model& left, const Model& right,
+                   const Budget& budget) {
+    if (options.certificate.empty()) return;
+    Claim claim = claim_about({&left, &right}, "D0L");
+    const auto &a = claim.systems.at(0), &b = claim.systems.at(1);
+    Statement said{EqualGrowth{a, b}};
+    std::string text = "growth(A) == growth(B)";
+    if (options.as == As::sequence) {
+        said.says = EqualSequences{a, b};
+        text = "sequence(A) == sequence(B)";
+    } else if (options.as == As::language) {
+        said.says = EqualLanguages{generated_language(a), generated_language(b)};
+        text = "L(A) == L(B)";
+    }
+    write_certificate(options.certificate, std::move(claim), std::move(said), text, budget);
+}
+
 int equal(const EqualOptions& options) {
     const Budget budget = options.bounds.budget();
-    const View<D0L> left = as_d0l(open_system(options.left, budget));
-    const View<D0L> right = as_d0l(open_system(options.right, budget));
+    const Model left_model = open_model(options.left, budget),
+                right_model = open_model(options.right, budget);
+    const View<D0L> left = as_d0l(left_model), right = as_d0l(right_model);
     try {
+        certify_equal(options, left_model, right_model, budget);
         const auto answer_of = options.as == As::growth     ? growth_answer
                                : options.as == As::sequence ? sequence_answer
                                                             : language_answer;
@@ -194,10 +274,16 @@ int equal(const EqualOptions& options) {
 // is
 
 struct IsOptions {
-    std::string family, expression;
+    std::string family, expression, certificate;
     bool empty_axiom = false, json = false;
     Bounds bounds;
 };
+
+std::string family_of(const IsOptions& options) {
+    return options.family == "regular"        ? "REG"
+           : options.family == "context-free" ? "CF"
+                                              : options.family;
+}
 
 Answer judged(const IsOptions& options, const WrittenLanguage& written, const Budget& budget) {
     if (options.family == "finite")
@@ -205,17 +291,39 @@ Answer judged(const IsOptions& options, const WrittenLanguage& written, const Bu
     if (options.family == "infinite")
         return opposite(judge_finite(written.language, *written.alphabet, budget));
     if (options.family == "empty") return judge_empty(written.language, *written.alphabet, budget);
-    const std::string family = options.family == "regular"        ? "REG"
-                               : options.family == "context-free" ? "CF"
-                                                                  : options.family;
-    return judge_family(written.language, {family, options.empty_axiom, {}}, *written.alphabet,
-                        budget);
+    return judge_family(written.language, {family_of(options), options.empty_axiom, {}},
+                        *written.alphabet, budget);
+}
+
+/// The systems that occur in an expression, each once.
+void add_systems(const Language& language,
+                 std::vector<std::shared_ptr<const SourceSystem>>& systems) {
+    const auto is_known = [&](const auto& known) { return known->name == language->system->name; };
+    if (language->system && std::none_of(systems.begin(), systems.end(), is_known))
+        systems.push_back(language->system);
+    for (const Language& part : language->parts) add_systems(part, systems);
+}
+
+void certify_is(const IsOptions& options, const WrittenLanguage& written, const Answer& found,
+                const Budget& budget) {
+    Claim claim;
+    claim.alphabet = written.alphabet;
+    claim.empty_axiom = options.empty_axiom;
+    add_systems(written.language, claim.systems);
+    Statement said{InFamily{written.language, family_of(options)}};
+    if (options.family == "finite" || options.family == "infinite")
+        said.says = IsFinite{written.language};
+    if (options.family == "empty") said.says = IsEmpty{written.language};
+    said.negated = options.family == "infinite";
+    write_certificate(options.certificate, std::move(claim), std::move(said),
+                      options.expression + " is " + options.family, budget, found);
 }
 
 int is(const IsOptions& options) {
     const Budget budget = options.bounds.budget();
     const WrittenLanguage written = read_language(options.expression, systems_from({"."}, budget));
     const Answer found = judged(options, written, budget);
+    certify_is(options, written, found, budget);
     std::string text = found.truth == Truth::proved    ? "yes"
                        : found.truth == Truth::refuted ? "no"
                                                        : "undecided";
@@ -238,10 +346,13 @@ int is(const IsOptions& options) {
 void add_member(Verbs& verbs) {
     auto [verb, options] =
         verbs.add("member", "Whether a word is in the language, with its derivation",
-                  {"algae member fibonacci abaab", "algae member my.lsys ε --json"}, member);
+                  {"algae member fibonacci abaab", "algae member my.lsys ε --json",
+                   "algae member fibonacci abaab --certificate my.json"},
+                  member);
     verb.option("FILE", options.file, file_type, file_help).required = true;
     verb.option("WORD", options.word, "TEXT", "the word; ε is the empty word").required = true;
     verb.flag("--brief", options.brief, "leave the derivation out");
+    add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }
@@ -249,8 +360,11 @@ void add_member(Verbs& verbs) {
 void add_finite(Verbs& verbs) {
     auto [verb, options] =
         verbs.add("finite", "Whether the language is finite, and how many words it has",
-                  {"algae finite koch", "algae finite my.lsys --json"}, finite);
+                  {"algae finite koch", "algae finite my.lsys --json",
+                   "algae finite koch --certificate my.json"},
+                  finite);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }
@@ -258,7 +372,9 @@ void add_finite(Verbs& verbs) {
 void add_equal(Verbs& verbs) {
     auto [verb, options] = verbs.add(
         "equal", "Whether two D0L systems have the same language, sequence of words, or growth",
-        {"algae equal koch my.lsys", "algae equal a.lsys b.lsys --as sequence --json"}, equal);
+        {"algae equal koch my.lsys", "algae equal a.lsys b.lsys --as sequence --json",
+         "algae equal koch my.lsys --certificate my.json"},
+        equal);
     verb.option("A", options.left, file_type, file_help).required = true;
     verb.option("B", options.right, file_type, file_help).required = true;
     verb.choice("--as", options.as,
@@ -266,6 +382,7 @@ void add_equal(Verbs& verbs) {
                 "language|sequence|growth",
                 "what is compared: language, the set of words; sequence, the word of every "
                 "generation; growth, its length");
+    add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }
@@ -273,7 +390,9 @@ void add_equal(Verbs& verbs) {
 void add_is(Verbs& verbs) {
     auto [verb, options] =
         verbs.add("is", "Whether a language is of a family, with the system or the proof",
-                  {"algae is 0L '{a, aa}'", "algae is PD0L 'L(fibonacci)' --json"}, is);
+                  {"algae is 0L '{a, aa}'", "algae is PD0L 'L(fibonacci)' --json",
+                   "algae is 0L '{a, aa}' --certificate my.json"},
+                  is);
     verb.option("CLASS", options.family,
                 "0L|P0L|D0L|PD0L|T0L|PT0L|DT0L|PDT0L|E0L|ET0L|EDT0L|IL|regular|context-free|"
                 "finite|infinite|empty",
@@ -284,6 +403,7 @@ void add_is(Verbs& verbs) {
         .required = true;
     verb.flag("--allow-empty-axiom", options.empty_axiom,
               "systems may have the empty word as axiom");
+    add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }

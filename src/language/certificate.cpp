@@ -351,9 +351,12 @@ Json to_json(const Language& language, const Alphabet& alphabet) {
             return {{"plus", to_json(tree.parts[0], alphabet)}};
         case Kind::reversed:
             return {{"reversal", to_json(tree.parts[0], alphabet)}};
-        case Kind::complement:
-            return {{"complement", to_json(tree.parts[0], alphabet)},
-                    {"letters", certificate_text(alphabet, tree.letters)}};
+        case Kind::complement: {
+            Json result{{"complement", to_json(tree.parts[0], alphabet)}};
+            // Those of a bound name are known when its value is.
+            if (!tree.letters.empty()) result["letters"] = certificate_text(alphabet, tree.letters);
+            return result;
+        }
         case Kind::image:
             return {{"image", to_json(tree.parts[0], alphabet)},
                     {"morphism", morphism_json(tree, alphabet)}};
@@ -523,16 +526,12 @@ struct ProofWriter {
     Json operator()(const steps::SameDeterministic& said) const {
         return language_certificate(said.equality, alphabet);
     }
-    Json operator()(const steps::WithinRegular& said) const {
-        return said.constructed ? construction_json(*said.constructed) : Json{{"by", "relations"}};
-    }
     Json operator()(const steps::ByInduction& said) const {
         return {{"by", "induction"}, {"base", words_json(said.base, alphabet)}};
     }
     Json operator()(const steps::BothInclusions& said) const {
         return {{"by", "both"}, {"proofs", Json::array({of(said.there), of(said.back)})}};
     }
-    Json operator()(const steps::NoTerminals& said) const { return construction_json(said.tables); }
     Json operator()(const steps::InfiniteRound& said) const {
         Json rules = Json::array();
         for (const auto& [letter, successor] : said.rules)
@@ -578,7 +577,6 @@ struct ProofWriter {
     Json operator()(const steps::OfReversal& said) const {
         return {{"by", "reversal"}, {"proof", of(said.part)}};
     }
-    Json operator()(const steps::Constructed& said) const { return construction_json(said.tables); }
 
     Json operator()(const steps::Falls& said) const {
         return {{"by", "generation"}, {"generation", said.generation}};
@@ -593,22 +591,33 @@ struct ProofWriter {
         return {{"by", "parts"}, {"parts", std::move(parts)}};
     }
     Json operator()(const steps::ByInstance& said) const {
-        Json values = Json::object();
-        for (const BoundValue& value : said.values)
-            values[value.name] = std::visit(ValueWriter{alphabet}, value.is);
-        Json result{{"by", "instance"}, {"values", std::move(values)}};
+        Json result{{"by", "instance"}, {"values", values(said.values)}};
         if (!said.members.empty()) result["members"] = proofs(said.members);
         if (!said.conditions.empty()) result["with"] = proofs(said.conditions);
         result["proof"] = certificate(said.body, alphabet);
         return result;
     }
     Json operator()(const steps::ByCases& said) const {
-        return {{"by", said.rule}, {"instances", said.instances}};
+        if (said.cases.empty()) return {{"by", said.rule}, {"instances", said.instances}};
+        Json cases = Json::array();
+        for (const steps::ByCases::Case& each : said.cases) {
+            Json& one = cases.emplace_back(Json{{"values", values(each.values)}});
+            if (each.member) one["member"] = each.values[*each.member].name;
+            if (each.condition) one["condition"] = *each.condition;
+            one["proof"] = certificate(each.answer, alphabet);
+        }
+        return {{"by", said.rule}, {"cases", std::move(cases)}};
     }
     Json operator()(const steps::ByLetters& said) const {
         Json letters = Json::object();
         for (const auto& [name, letter] : said.letters) letters[name] = alphabet.name(letter);
         return {{"by", "letters"}, {"letters", std::move(letters)}, {"proof", of(said.proof)}};
+    }
+    Json values(const std::vector<BoundValue>& all) const {
+        Json result = Json::object();
+        for (const BoundValue& value : all)
+            result[value.name] = std::visit(ValueWriter{alphabet}, value.is);
+        return result;
     }
     Json proofs(const std::vector<Answer>& all) const {
         Json result = Json::array();
@@ -624,6 +633,8 @@ Json certificate(const Answer& answer, const Alphabet& alphabet) {
 }
 
 std::string method_of(const Answer& answer, const Alphabet& alphabet) {
+    if (answer.proof && std::holds_alternative<steps::ByCases>(answer.proof->step))
+        return steps::ByCases::rule;  // which may have thousands of them
     const Json written = certificate(answer, alphabet);
     return written.is_object() ? written.value("by", std::string()) : std::string();
 }

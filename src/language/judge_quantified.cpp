@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <set>
 #include <utility>
@@ -331,6 +332,7 @@ private:
         for (const Statement& part : said.parts) of(part);
     }
     void in(const Quantified& said) {
+        if (said.over) in(*said.over);
         for (const QuantifiedName& binding : said.bindings)
             if (binding.letter) bound_.insert(*binding.letter);
         for (const Statement& part : said.conditions) of(part);
@@ -455,6 +457,21 @@ bool each_naming(std::size_t count, const std::vector<Symbol>& fixed,
 
 // --- The search ---
 
+/// How many cases with their proofs the answer holds.
+std::uint64_t kept_cases(const Answer& answer) {
+    if (!answer.proof) return 0;
+    std::uint64_t count = 0;
+    if (const auto* cases = std::get_if<steps::ByCases>(&answer.proof->step)) {
+        for (const auto& each : cases->cases) count += 1 + kept_cases(each.answer);
+    } else if (const auto* joint = std::get_if<steps::FromStatements>(&answer.proof->step)) {
+        for (const auto& part : joint->parts) count += kept_cases(part.answer);
+    } else if (const auto* one = std::get_if<steps::ByInstance>(&answer.proof->step)) {
+        for (const Answer& condition : one->conditions) count += kept_cases(condition);
+        count += kept_cases(one->body);
+    }
+    return count;
+}
+
 class QuantifiedJudge {
 public:
     QuantifiedJudge(const Quantified& said, const Claim& claim, const Budget& budget,
@@ -473,7 +490,13 @@ public:
     }
 
     Answer judge() {
-        const bool is_bounded = is_finite(tuple_);
+        // Systems with the empty word as axiom are no instances.
+        const bool is_complete =
+            !claim_.empty_axiom || std::none_of(said_.bindings.begin(), said_.bindings.end(),
+                                                [](const QuantifiedName& name) {
+                                                    return name.domain.kind == Domain::Kind::system;
+                                                });
+        const bool is_bounded = is_complete && is_finite(tuple_);
         const auto greatest = greatest_size(tuple_);
         const bool is_about_numbers = std::all_of(
             said_.bindings.begin(), said_.bindings.end(),
@@ -489,7 +512,7 @@ public:
                 return name.domain.kind == Domain::Kind::language &&
                        name.text != "finite languages" && !name.domain.max_word_length;
             });
-        searched_.all = is_bounded;
+        searched_.all = keeps_cases_ = is_bounded;
         for (std::uint64_t size = 0; size <= last_size && !is_over_; ++size)
             visit(
                 tuple_, size, [&](const Instance& instance) { return gather(instance); }, budget_);
@@ -510,8 +533,9 @@ public:
             open.searched = searched_;
             return open;
         }
-        Answer by_cases =
-            algae::decided(said_.universal, steps::ByCases{said_, searched_.instances});
+        if (kept_ > steps::ByCases::most_kept) cases_.clear();
+        Answer by_cases = algae::decided(
+            said_.universal, steps::ByCases{said_, searched_.instances, std::move(cases_)});
         by_cases.searched = searched_;
         return by_cases;
     }
@@ -532,7 +556,9 @@ private:
     struct Found {
         enum class Kind { outside, as_said, undecided, witness, none } kind = Kind::outside;
         bool meets = false;  // all conditions are proved
-        std::optional<Witness> witness;
+        std::optional<Witness> witness = {};
+        std::optional<steps::ByCases::Case> known =
+            {};  // of an instance that is decided and no witness
     };
 
     /// Adds an instance to those that are looked at together: few at first, so that an early witness is found early,
@@ -574,6 +600,7 @@ private:
             if (found[i].kind == Found::Kind::undecided && !witness_) ++searched_.undecided;
             if (found[i].kind == Found::Kind::witness)
                 is_over_ = keep(std::move(*found[i].witness));
+            if (found[i].known) cases_.push_back(std::move(*found[i].known));
         }
         gathered_.clear();
         constexpr std::size_t most = 1024;
@@ -588,8 +615,20 @@ private:
         try {
             return decided(named);
         } catch (const NoImage&) {
-            return {Found::Kind::none, false, {}};
+            return {.kind = Found::Kind::none};
         }
+    }
+
+    /// What is kept of an instance that decides nothing alone, as long as there are few.
+    std::optional<steps::ByCases::Case> kept(std::vector<BoundValue> values,
+                                             std::optional<std::size_t> member,
+                                             std::optional<std::size_t> condition,
+                                             Answer answer) const {
+        constexpr std::uint64_t most = steps::ByCases::most_kept;
+        if (!keeps_cases_ || kept_ > most) return std::nullopt;
+        const std::uint64_t count = 1 + kept_cases(answer);
+        if ((kept_ += count) > most) return std::nullopt;
+        return steps::ByCases::Case{std::move(values), member, condition, std::move(answer)};
     }
 
     Found decided(const Named& named) const {
@@ -605,13 +644,15 @@ private:
             Statement member;
             member.says = InFamily{std::get<Language>(step.values[i].is), name.family};
             Answer found = decide_part(member, claim_, budget_, inner());
-            if (found.truth == Truth::refuted) return {};
+            if (found.truth == Truth::refuted)
+                return {.known = kept(std::move(step.values), i, std::nullopt, std::move(found))};
             open = open || found.truth == Truth::undecided;
             step.members.push_back(std::move(found));
         }
-        for (const Statement& condition : said_.conditions) {
-            Answer found = decide_part(substitution(condition), claim_, budget_, inner());
-            if (found.truth == Truth::refuted) return {};
+        for (std::size_t i = 0; i < said_.conditions.size(); ++i) {
+            Answer found = decide_part(substitution(said_.conditions[i]), claim_, budget_, inner());
+            if (found.truth == Truth::refuted)
+                return {.known = kept(std::move(step.values), std::nullopt, i, std::move(found))};
             open = open || found.truth == Truth::undecided;
             step.conditions.push_back(std::move(found));
         }
@@ -622,6 +663,8 @@ private:
         found.meets = !open;
         if (step.body.truth == opposite(sought)) {
             found.kind = Found::Kind::as_said;
+            found.known =
+                kept(std::move(step.values), std::nullopt, std::nullopt, std::move(step.body));
         } else if (open || step.body.truth == Truth::undecided) {
             found.kind = Found::Kind::undecided;
         } else {
@@ -701,6 +744,9 @@ private:
     Searched searched_, witness_searched_;
     std::optional<Witness> witness_;
     std::vector<Named> gathered_;
+    std::vector<steps::ByCases::Case> cases_;
+    bool keeps_cases_ = false;
+    mutable std::atomic<std::uint64_t> kept_ = 0;  // cases, and cases within their proofs
     std::size_t batch_ = 1;
     std::uint64_t visited_ = 0;
     bool is_over_ = false, is_stopped_by_limit_ = false;

@@ -8,6 +8,7 @@
 #include <array>
 #include <charconv>
 #include <map>
+#include <set>
 #include <string>
 
 #include "verify/verify.hpp"
@@ -149,6 +150,49 @@ constexpr std::array<Operation, 10> operations = {{
 
 }  // namespace
 
+namespace {
+
+/// The letters that words of a language may have, as far as its expression tells.
+std::set<Symbol> letters_of(const Language& language) {
+    using Kind = Tree::Kind;
+    std::set<Symbol> letters;
+    switch (language->kind) {
+        case Kind::words:
+            for (const Word& word : language->words) letters.insert(word.begin(), word.end());
+            return letters;
+        case Kind::generated:
+            if (language->system)
+                for (const Symbol a :
+                     accessible_letters(*language->system, language->system->axiom))
+                    if (language->system->terminal[a]) letters.insert(a);
+            return letters;
+        case Kind::complement:
+            return {language->letters.begin(), language->letters.end()};
+        case Kind::image:
+            for (const Symbol a : letters_of(language->parts[0]))
+                if (const auto image = language->morphism.find(a);
+                    image != language->morphism.end())
+                    letters.insert(image->second.begin(), image->second.end());
+            return letters;
+        case Kind::inverse_image:
+            for (const auto& [letter, image] : language->morphism) letters.insert(letter);
+            return letters;
+        case Kind::difference:
+            return letters_of(language->parts[0]);
+        case Kind::intersection: {
+            const std::set<Symbol> right = letters_of(language->parts[1]);
+            for (const Symbol a : letters_of(language->parts[0]))
+                if (right.count(a) > 0) letters.insert(a);
+            return letters;
+        }
+        default:
+            for (const Language& part : language->parts) letters.merge(letters_of(part));
+            return letters;
+    }
+}
+
+}  // namespace
+
 Language Reader::language(const Field& field) const {
     if (field.has("words")) {
         field.only({"words"});
@@ -181,7 +225,13 @@ Language Reader::language(const Field& field) const {
         } else {
             tree.parts = {language(field.at(each.name))};
         }
-        if (each.with == "letters") tree.letters = letters(field.at(each.with));
+        if (each.with == "letters" && field.has(each.with)) {
+            tree.letters = letters(field.at(each.with));
+        } else if (each.with == "letters") {
+            const std::set<Symbol> own = letters_of(tree.parts[0]);
+            tree.letters = {own.begin(), own.end()};
+            tree.name = "its letters";
+        }
         if (each.with == "morphism") tree.morphism = morphism(field.at(each.with));
         return std::make_shared<const Tree>(std::move(tree));
     }
@@ -347,7 +397,7 @@ bool same(const Language& left, const Language& right) {
 }
 
 bool is_regular(const Language& language) {
-    return language->kind != Tree::Kind::generated &&
+    return language->kind != Tree::Kind::generated && language->kind != Tree::Kind::variable &&
            std::all_of(language->parts.begin(), language->parts.end(), is_regular);
 }
 
@@ -675,7 +725,8 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     text = operation.before + part(0);
     if (*operation.between) text += operation.between + part(1);
     text += operation.after;
-    if (operation.with == "letters") text += word_text(alphabet, language->letters);
+    if (operation.with == "letters")
+        text += language->name.empty() ? word_text(alphabet, language->letters) : language->name;
     if (operation.with == "morphism")
         text +=
             language->name.empty() ? morphism_text(language->morphism, alphabet) : language->name;

@@ -235,7 +235,7 @@ void check_within(const Obligation& task, const Language& left, const Language& 
     try {
         if (within_regular(left, right, task.alphabet(), task.budget)) return;
     } catch (const Error& error) {
-        task.refuse(error.what());
+        throw BoundReached(Bound::method, error.what());
     }
     task.refuse(otherwise);
 }
@@ -278,7 +278,9 @@ void check_a_word(const Obligation& task) {
         task.proof.at("word").refuse("the word is not in the language");
 }
 
-void check_values(const Obligation& task) {
+namespace {
+
+void compare_values(const Obligation& task) {
     const auto left = task.values(task.language());
     if (task.statement.kind == Kind::included && task.holds) {
         if (!left) task.refuse("the left language is infinite");
@@ -295,6 +297,39 @@ void check_values(const Obligation& task) {
             : std::includes(right->begin(), right->end(), left->begin(), left->end());
     if (found != task.holds)
         task.refuse(found ? "every word is in both languages" : "a word is in one language only");
+}
+
+/// Whether a language lies within a finite one, as far as its expression tells: an intersection does if one of its parts does.
+bool is_within(const Obligation& task, const Language& language, const Language& finite) {
+    try {
+        return within_regular(language, finite, task.alphabet(), task.budget);
+    } catch (const Error& error) {
+        if (language->kind != Tree::Kind::intersection)
+            throw BoundReached(Bound::method, error.what());
+        return is_within(task, language->parts[0], finite) ||
+               is_within(task, language->parts[1], finite);
+    }
+}
+
+}  // namespace
+
+void check_values(const Obligation& task) {
+    try {
+        return compare_values(task);
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::time || task.statement.kind != Kind::equal || !task.holds)
+            throw;
+    }
+    // A part of one side may have words without end: then the words of the other side are in it, and it lies within them.
+    const bool is_left_finite = task.language()->kind == Tree::Kind::words;
+    const Language& finite = task.language(is_left_finite ? 0 : 1);
+    const Language& other = task.language(is_left_finite ? 1 : 0);
+    const auto words = task.values(finite);
+    if (!words) task.refuse("one of the languages is infinite");
+    for (const Word& word : *words)
+        if (!task.contains(other, word)) task.refuse("a word is in one language only");
+    if (!is_within(task, other, words_of({words->begin(), words->end()})))
+        throw BoundReached(Bound::method, "whether there are other words is not worked out");
 }
 
 void check_derivatives(const Obligation& task) {

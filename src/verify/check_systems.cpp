@@ -177,6 +177,53 @@ void check_regular_family(const Obligation& task) {
     check_regular(task, task.language());
 }
 
+namespace {
+
+/// Throws Flaw unless the expression is made by operations under which an extended family is closed (Rozenberg and Salomaa
+/// 1980, chapters II and V) from languages of systems that have its form and from regular languages, which are all of the family.
+void must_be_closed(const Obligation& task, const Language& language) {
+    using Kind = Tree::Kind;
+    const std::string& family = task.statement.family;
+    if (is_regular(language)) return;
+    switch (language->kind) {
+        case Kind::generated:
+            if (const auto why =
+                    beyond_form(*language->system, family, task.certificate.empty_axiom))
+                task.refuse("the system " + language->name + " is not of the family: " + *why);
+            return;
+        case Kind::united:
+        case Kind::concatenation:
+        case Kind::star:
+        case Kind::plus:
+        case Kind::reversal:
+        case Kind::image:
+            for (const Language& part : language->parts) must_be_closed(task, part);
+            return;
+        case Kind::intersection:
+            for (const std::size_t i : {0u, 1u})
+                if (is_regular(language->parts[i]))
+                    return must_be_closed(task, language->parts[1 - i]);
+            break;
+        case Kind::difference:
+            if (is_regular(language->parts[1])) return must_be_closed(task, language->parts[0]);
+            break;
+        case Kind::inverse_image:
+            if (family == "ET0L") return must_be_closed(task, language->parts[0]);
+            break;
+        default:
+            break;
+    }
+    task.refuse("the family is not known to be closed under an operation of the expression");
+}
+
+}  // namespace
+
+void check_closed(const Obligation& task) {
+    static constexpr std::array extended = {"E0L", "ET0L", "EDT0L"};
+    if (!std::count(extended.begin(), extended.end(), task.statement.family)) task.wrong_kind();
+    must_be_closed(task, task.language());
+}
+
 void check_cases(const Obligation& task) {
     const auto& all = all_families();
     const std::string& family = task.statement.family;

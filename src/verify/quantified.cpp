@@ -5,7 +5,7 @@
 
 #include "exact/exact.hpp"
 #include "verify/detail/checking.hpp"
-#include "verify/detail/languages.hpp"
+#include "verify/detail/instances.hpp"
 #include "verify/verify.hpp"
 
 // Statements made of others: how they are read, and proofs of them.
@@ -167,7 +167,8 @@ constexpr std::array<std::string_view, 11> plain_domains = {"languages",
                                                             "non-erasing finite substitutions",
                                                             "numbers"};
 
-/// The family in front of the noun: "0L" of "0L languages"; empty where there is none.
+}  // namespace
+
 std::string family_of(const std::string& domain, std::string_view noun) {
     if (std::count(plain_domains.begin(), plain_domains.end(), domain) > 0 ||
         !domain.ends_with(noun))
@@ -178,8 +179,6 @@ std::string family_of(const std::string& domain, std::string_view noun) {
 bool is_morphism_domain(const std::string& of) {
     return of.ends_with("morphisms") || of == "codings" || of.ends_with("substitutions");
 }
-
-}  // namespace
 
 Statement Reader::quantified(const Field& field) const {
     auto said = std::make_shared<Quantified>();
@@ -227,131 +226,115 @@ Statement Reader::quantified(const Field& field) const {
     return read;
 }
 
-namespace {
+Values::Values(const Obligation& task, const Quantified& said, const Field& values)
+    : task_(task), said_(said), values_(values) {
+    std::vector<std::string_view> names;
+    for (const Quantified::Name& name : said.names) names.push_back(name.name);
+    values_.only(names);
+    for (const Quantified::Name& name : said.names) read(name, values_.at(name.name));
+    if (said.different_letters) check_different();
+}
 
-/// The value of one name as the certificate has it, checked to be what the name ranges over.
-class Values {
-public:
-    Values(const Obligation& task, const Quantified& said)
-        : task_(task), said_(said), values_(task.proof.at("values")) {
-        std::vector<std::string_view> names;
-        for (const Quantified::Name& name : said.names) names.push_back(name.name);
-        values_.only(names);
-        for (const Quantified::Name& name : said.names) read(name, values_.at(name.name));
-        if (said.different_letters) check_different();
+void Values::read(const Quantified::Name& name, const Field& field) {
+    here_.clear();
+    size_ = 0;
+    if (name.of.ends_with("languages"))
+        read_language(name, field);
+    else if (name.of.ends_with(" systems"))
+        read_system(name, field);
+    else if (is_morphism_domain(name.of))
+        read_morphism(name, field);
+    else if (name.of == "numbers")
+        read_number(name, field);
+    else
+        read_word(name, field);
+    if (name.size && size_ > *name.size) field.refuse("the value is larger than the bound says");
+    if (said_.over)
+        for (const Symbol letter : here_)
+            if (std::count(said_.over->begin(), said_.over->end(), letter) == 0)
+                field.refuse("the value has a letter that it is not over");
+    if (!is_morphism_domain(name.of)) letters_.push_back(here_);
+}
+
+void Values::add(const Word& word, const Quantified::Name& name, const Field& field) {
+    here_.insert(word.begin(), word.end());
+    size_ += word.size() + 1;
+    if (name.length && word.size() > *name.length)
+        field.refuse("a word of the value is longer than the bound says");
+}
+
+void Values::read_language(const Quantified::Name& name, const Field& field) {
+    const Language language = task_.reader.language(field);
+    if (language->kind != Tree::Kind::words) field.refuse("expected a finite set of words");
+    for (const Word& word : language->words) add(word, name, field);
+    read_.languages[name.name] = language;
+}
+
+std::optional<Statement> Values::membership(const Quantified::Name& name) const {
+    const std::string family = family_of(name.of, " languages");
+    if (family.empty()) return std::nullopt;
+    Statement member;
+    member.kind = Statement::Kind::family;
+    member.family = family;
+    member.languages = {read_.languages.at(name.name)};
+    return member;
+}
+
+void Values::read_system(const Quantified::Name& name, const Field& field) {
+    auto system = std::make_shared<const System>(task_.reader.system(field));
+    const auto why = beyond_form(*system, family_of(name.of, " systems"), false);
+    if (why) field.refuse("the value is no such system: " + *why);
+    for (const Symbol letter : accessible_letters(*system, system->axiom)) {
+        here_.insert(letter);
+        for (const System::Successors& table : system->tables)
+            for (const Word& successor : table[letter]) add(successor, name, field);
     }
+    add(system->axiom, name, field);
+    size_ -= 1;  // of an axiom only the letters count
+    read_.systems[name.name] = std::move(system);
+}
 
-    const BoundNames& names() const { return read_; }
-    /// The languages that have to be of a family, in the order of the names.
-    const std::vector<Statement>& members() const { return members_; }
-
-private:
-    void read(const Quantified::Name& name, const Field& field) {
-        here_.clear();
-        size_ = 0;
-        if (name.of.ends_with("languages"))
-            read_language(name, field);
-        else if (name.of.ends_with(" systems"))
-            read_system(name, field);
-        else if (is_morphism_domain(name.of))
-            read_morphism(name, field);
-        else if (name.of == "numbers")
-            read_number(name, field);
-        else
-            read_word(name, field);
-        if (name.size && size_ > *name.size)
-            field.refuse("the value is larger than the bound says");
-        if (said_.over)
-            for (const Symbol letter : here_)
-                if (std::count(said_.over->begin(), said_.over->end(), letter) == 0)
-                    field.refuse("the value has a letter that it is not over");
-        if (!is_morphism_domain(name.of)) letters_.push_back(here_);
-    }
-
-    void add(const Word& word, const Quantified::Name& name, const Field& field) {
-        here_.insert(word.begin(), word.end());
-        size_ += word.size() + 1;
-        if (name.length && word.size() > *name.length)
-            field.refuse("a word of the value is longer than the bound says");
-    }
-
-    void read_language(const Quantified::Name& name, const Field& field) {
-        const Language language = task_.reader.language(field);
-        if (language->kind != Tree::Kind::words) field.refuse("expected a finite set of words");
-        for (const Word& word : language->words) add(word, name, field);
-        read_.languages[name.name] = language;
-        const std::string family = family_of(name.of, " languages");
-        if (family.empty()) return;
-        Statement member;
-        member.kind = Statement::Kind::family;
-        member.family = family;
-        member.languages = {language};
-        members_.push_back(std::move(member));
-    }
-
-    void read_system(const Quantified::Name& name, const Field& field) {
-        auto system = std::make_shared<const System>(task_.reader.system(field));
-        const auto why = beyond_form(*system, family_of(name.of, " systems"), false);
-        if (why) field.refuse("the value is no such system: " + *why);
-        for (const Symbol letter : accessible_letters(*system, system->axiom)) {
-            here_.insert(letter);
-            for (const System::Successors& table : system->tables)
-                for (const Word& successor : table[letter]) add(successor, name, field);
+void Values::read_morphism(const Quantified::Name& name, const Field& field) {
+    const bool several = name.of.ends_with("substitutions");
+    BoundNames::Images images = task_.reader.images(field, several);
+    const bool lengthens = name.of.find("non-erasing") != std::string::npos;
+    const bool codes = name.of == "codings" || name.of.starts_with("letter-to-letter");
+    for (const auto& [letter, all] : images)
+        for (const Word& image : all) {
+            if (lengthens && image.empty()) field.refuse("the value erases a letter");
+            if (codes && image.size() != 1)
+                field.refuse("the image of a letter under the value is not a letter");
+            add(image, name, field);
         }
-        add(system->axiom, name, field);
-        size_ -= 1;  // of an axiom only the letters count
-        read_.systems[name.name] = std::move(system);
-    }
+    read_.morphisms[name.name] = std::move(images);
+}
 
-    void read_morphism(const Quantified::Name& name, const Field& field) {
-        const bool several = name.of.ends_with("substitutions");
-        BoundNames::Images images = task_.reader.images(field, several);
-        const bool lengthens = name.of.find("non-erasing") != std::string::npos;
-        const bool codes = name.of == "codings" || name.of.starts_with("letter-to-letter");
-        for (const auto& [letter, all] : images)
-            for (const Word& image : all) {
-                if (lengthens && image.empty()) field.refuse("the value erases a letter");
-                if (codes && image.size() != 1)
-                    field.refuse("the image of a letter under the value is not a letter");
-                add(image, name, field);
-            }
-        read_.morphisms[name.name] = std::move(images);
-    }
+void Values::read_number(const Quantified::Name& name, const Field& field) {
+    const Integer number = field.integer();
+    if (name.most && number > Integer(*name.most))
+        field.refuse("the value is larger than the bound says");
+    if (number.fits_uint64()) size_ = number.to_uint64();
+    read_.numbers[name.name] = number;
+}
 
-    void read_number(const Quantified::Name& name, const Field& field) {
-        const Integer number = field.integer();
-        if (name.most && number > Integer(*name.most))
-            field.refuse("the value is larger than the bound says");
-        if (number.fits_uint64()) size_ = number.to_uint64();
-        read_.numbers[name.name] = number;
-    }
+void Values::read_word(const Quantified::Name& name, const Field& field) {
+    const Word word = task_.reader.word(field);
+    if (name.of == "letters" && word.size() != 1) field.refuse("the value is not a letter");
+    add(word, name, field);
+    if (name.of == "letters") size_ = 1;
+    const auto letter = task_.alphabet().find(name.name);
+    read_.words[letter.value()] = word;
+}
 
-    void read_word(const Quantified::Name& name, const Field& field) {
-        const Word word = task_.reader.word(field);
-        if (name.of == "letters" && word.size() != 1) field.refuse("the value is not a letter");
-        add(word, name, field);
-        if (name.of == "letters") size_ = 1;
-        const auto letter = task_.alphabet().find(name.name);
-        read_.words[letter.value()] = word;
-    }
+void Values::check_different() const {
+    std::set<Symbol> seen;
+    for (const std::set<Symbol>& letters : letters_)
+        for (const Symbol letter : letters)
+            if (!seen.insert(letter).second)
+                values_.refuse("two of the values have a letter in common");
+}
 
-    void check_different() const {
-        std::set<Symbol> seen;
-        for (const std::set<Symbol>& letters : letters_)
-            for (const Symbol letter : letters)
-                if (!seen.insert(letter).second)
-                    values_.refuse("two of the values have a letter in common");
-    }
-
-    const Obligation& task_;
-    const Quantified& said_;
-    Field values_;
-    BoundNames read_;
-    std::vector<Statement> members_;
-    std::vector<std::set<Symbol>> letters_;  // of each value but morphisms
-    std::set<Symbol> here_;                  // of one value
-    std::uint64_t size_ = 0;
-};
+namespace {
 
 /// Checks one proof for each statement.
 void check_each(const Obligation& task, const Reader& reader, std::string_view field,
@@ -371,21 +354,18 @@ void check_each(const Obligation& task, const Reader& reader, std::string_view f
 void check_instance(const Obligation& task) {
     const Quantified& said = *task.statement.quantified;
     if (said.universal == task.holds) task.wrong_kind();
-    const Values values(task, said);
+    const Values values(task, said, task.proof.at("values"));
     const Reader reader = task.reader.with(values.names());
-    check_each(task, reader, "members", values.members());
-    std::vector<Statement> conditions;
+    std::vector<Statement> members, conditions;
+    for (const Quantified::Name& name : said.names)
+        if (auto member = values.membership(name)) members.push_back(std::move(*member));
+    check_each(task, reader, "members", members);
     for (const Field& condition : said.conditions)
         conditions.push_back(reader.statement(condition));
     check_each(task, reader, "with", conditions);
     const Statement body = reader.statement(said.body.front());
     check_proof({task.certificate, reader, task.budget, body, body.negated != task.holds,
                  task.proof.at("proof")});
-}
-
-void check_all_instances(const Obligation& task) {
-    task.proof.at("instances").number();
-    throw BoundReached(Bound::method, "the instances are not enumerated and decided again");
 }
 
 namespace {

@@ -64,6 +64,32 @@ TEST_CASE("cited and undecided statements are told apart, constructions are not 
     CHECK(found[2].outcome == Outcome::undecided);
 }
 
+TEST_CASE("a family is shown by its operations only where it is closed under them") {
+    const auto outcome = [](const char* family, const char* language) {
+        const auto found =
+            check(certificate(Json{{"is", family}, {"language", Json::parse(language)}}, "proved",
+                              Json{{"by", "closed"}}));
+        return found[0].outcome;
+    };
+    const char *star = R"({"star": {"generated": "G"}})",
+               *before = R"({"inverse image": {"generated": "E"}, "morphism": {"a": "a a"}})",
+               *meeting = R"({"intersection": [{"generated": "G"}, {"generated": "W"}]})";
+    for (const char* family : {"E0L", "ET0L"}) CHECK(outcome(family, star) == Outcome::checked);
+    CHECK(outcome("EDT0L", star) == Outcome::wrong);  // G has a letter with two successors
+    for (const char* family : {"0L", "T0L", "D0L", "IL", "REG", "CF"})
+        CHECK(outcome(family, star) == Outcome::wrong);
+    CHECK(outcome("ET0L", before) == Outcome::checked);
+    for (const char* family : {"E0L", "EDT0L"}) CHECK(outcome(family, before) == Outcome::wrong);
+    CHECK(outcome("ET0L", meeting) == Outcome::wrong);
+    CHECK(outcome("E0L", R"({"plus": {"generated": "T"}})") == Outcome::wrong);  // two tables
+    CHECK(outcome("ET0L", R"({"plus": {"generated": "T"}})") == Outcome::checked);
+    CHECK(outcome("ET0L", R"({"plus": {"generated": "C"}})") == Outcome::wrong);  // contexts
+    CHECK(outcome("E0L", R"({"difference": [{"generated": "G"}, {"star": {"words": ["a a"]}}]})") ==
+          Outcome::checked);
+    CHECK(outcome("E0L", R"({"difference": [{"star": {"words": ["a"]}}, {"generated": "G"}]})") ==
+          Outcome::wrong);
+}
+
 TEST_CASE("what is no certificate is refused with the place") {
     const Json good = certificate(sound()[0]);
     const auto error = [](const Json& bad) -> std::string {

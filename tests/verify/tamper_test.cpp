@@ -2,6 +2,7 @@
 // same as before, or a slow second route that shares no code with the checker confirms it.
 
 #include <doctest/doctest.h>
+#include <rapidcheck.h>
 
 #include <algorithm>
 #include <functional>
@@ -148,7 +149,12 @@ Words words(const Json& language, const Json& systems, std::size_t most) {
             all.emplace(word.rbegin(), word.rend());
     } else if (language.contains("complement")) {
         const Words part = of(language["complement"], most);
-        for (const std::string& word : all_words(plain(language["letters"]), most))
+        std::string letters;  // its own, where none are named
+        for (const std::string& word : part)
+            for (const char letter : word)
+                if (letters.find(letter) == std::string::npos) letters += letter;
+        if (language.contains("letters")) letters = plain(language["letters"]);
+        for (const std::string& word : all_words(letters, most))
             if (!part.contains(word)) all.insert(word);
     } else {
         const bool forward = language.contains("image");
@@ -590,6 +596,57 @@ TEST_CASE("no changed certificate passes for something false") {
     }
     CHECK(changed > 10'000);
     CHECK(passed < changed / 4);
+}
+
+TEST_CASE("an expression over systems is found within a regular one only if its short words are") {
+    const Json all_systems = systems();
+    const std::vector<Json> rights{
+        Json::parse(R"({"star": {"words": ["a", "b"]}})"),
+        Json::parse(R"({"star": {"words": ["a"]}})"),
+        Json::parse(R"({"plus": {"words": ["a", "a b", "b b"]}})"),
+        Json::parse(R"({"complement": {"words": ["", "a a", "b"]}, "letters": "a b"})"),
+        Json::parse(R"({"concatenation": [{"star": {"words": ["a", "b"]}}, {"words": ["a"]}]})")};
+    const std::vector<Json> filters{Json::parse(R"({"star": {"words": ["a b", "a a"]}})"),
+                                    Json::parse(R"({"star": {"words": ["a", "b b"]}})")};
+    std::size_t within = 0, beyond = 0, longer = 0;
+    CHECK(rc::check([&] {
+        const std::function<Json(int)> any = [&](int depth) -> Json {
+            const auto one = [&](const char* kind) {
+                return Json::object({{kind, any(depth - 1)}});
+            };
+            const auto two = [&](const char* kind) {
+                return Json::object({{kind, Json::array({any(depth - 1), any(depth - 1)})}});
+            };
+            const int way = depth > 0 ? *rc::gen::inRange(0, 9) : 8;
+            if (way < 2) return two(way == 0 ? "union" : "concatenation");
+            if (way < 5) return one(way == 2 ? "star" : way == 3 ? "plus" : "reversal");
+            if (way == 5) {
+                Json image = one("image");
+                image["morphism"] = Json::parse(R"({"a": "b", "b": "a b"})");
+                return image;
+            }
+            if (way < 8)
+                return Json::object({{way == 6 ? "intersection" : "difference",
+                                      Json::array({any(depth - 1), filters[way == 6 ? 0 : 1]})}});
+            return Json::object(
+                {{"generated", *rc::gen::element<std::string>("F", "G", "E", "T", "P", "S", "W")}});
+        };
+        const Json left = any(*rc::gen::inRange(0, 3)), right = *rc::gen::elementOf(rights);
+        const Json statement = Json::object({{"included", Json::array({left, right})}});
+        const auto found =
+            check(certificate(statement, "proved", Json::object({{"by", "relations"}})))[0];
+        RC_PRE(found.outcome != Outcome::not_checked);
+        const Words shorts = words(left, all_systems, longest),
+                    others = words(right, all_systems, longest);
+        const bool is_within =
+            std::includes(others.begin(), others.end(), shorts.begin(), shorts.end());
+        const bool is_checked = found.outcome == Outcome::checked;
+        RC_ASSERT(!is_checked || is_within);
+        (is_checked ? within : is_within ? longer : beyond) += 1;
+    }));
+    CHECK(within > 10);
+    CHECK(beyond > 20);
+    CHECK(longer < 20);  // where only longer words are beyond
 }
 
 TEST_CASE("only formulas that give the lengths pass") {

@@ -335,6 +335,7 @@ struct SameDeterministic {
 
 /// No generation of a system for the left side leaves the regular right side.
 struct WithinRegular {
+    static constexpr const char* rule = "relations";
     Language left, right;
     Repeated letters;
     std::shared_ptr<const TableValue>
@@ -393,6 +394,7 @@ struct Disjoint {
 
 /// Nothing makes terminals of all letters of the axiom.
 struct NoTerminals {
+    static constexpr const char* rule = "relations";
     TableValue tables;
 };
 
@@ -492,6 +494,7 @@ struct OfReversal {
 
 /// A constructed system is of the family.
 struct Constructed {
+    static constexpr const char* rule = "closed";
     TableValue tables;
 };
 
@@ -526,8 +529,17 @@ struct ByInstance {
 /// Every instance was decided.
 struct ByCases {
     static constexpr const char* rule = "cases";
+    static constexpr std::uint64_t most_kept =
+        10'000;  // cases with their proofs, those within cases too
+    /// A tuple of values: the body is as the statement says, or a value is not of its family, or a condition does not hold.
+    struct Case {
+        std::vector<BoundValue> values;
+        std::optional<std::size_t> member, condition;  // the one that fails, by its number
+        Answer answer;
+    };
     Quantified statement;
-    std::uint64_t instances = 0;  // that meet the conditions
+    std::uint64_t instances = 0;   // that meet the conditions
+    std::vector<Case> cases = {};  // none where there are more than are kept
 };
 
 /// The body is several statements joined by `and`, and each of them is true of all values.

@@ -162,6 +162,7 @@ void check_form(const Obligation& task);
 void check_equal_to_form(const Obligation& task);
 void check_all_finite(const Obligation& task);
 void check_regular_family(const Obligation& task);
+void check_closed(const Obligation& task);
 // Of the size of a language:
 void check_size_of_values(const Obligation& task);
 void check_no_word(const Obligation& task);

@@ -108,10 +108,9 @@ bool is_terminal(const System& system, const Word& word);
 bool derives(const System& system, const Word& from, const Word& to,
              const std::optional<Integer>& steps, const Budget& budget);
 
-/// Whether every word of the left language is in the right one, a regular expression. The left language is an L(G),
-/// for which is computed how the words derived from letters act on the derivatives of the right one, until this repeats;
-/// or it is made of such languages by union, image, reversal, and intersection and difference with regular
-/// expressions. Throws Error if it is something else.
+/// Whether every word of the left language is in the right one, a regular expression. The left language is made of
+/// languages of systems and regular expressions by union, concatenation, star, plus, image, reversal, and intersection and difference
+/// with regular expressions. Throws Error if it is something else, BoundReached if systems in the right one are not finite.
 bool within_regular(const Language& left, const Language& right, const Alphabet& alphabet,
                     const Budget& budget);
 

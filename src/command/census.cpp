@@ -2,10 +2,25 @@
 //
 // What is counted and the properties are said in the words of claims: the verb makes the statement `for all DOMAIN X:
 // PROPERTY and PROPERTY ...` of them, so every mistake in them is told as in a claim.
+//
+// A long census is written down while it is taken. The library cuts it into chunks that depend on the question only; a checkpoint is
+// a file with a header, which says what is asked, and a line for each chunk that is done, in any order. So an interrupted
+// census goes on from its file, and parts that were taken apart are put together by `cat`. A line is written at once, by one
+// call, so a killed process leaves at most one torn line, the last one, which is dropped. `algae-census` (census_mpi.cpp)
+// has several processes take the chunks; the first of them writes the file.
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <limits>
+#include <nlohmann/json.hpp>
 #include <variant>
 
+#include "command/detail/census.hpp"
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -15,16 +30,151 @@
 
 namespace algae::command {
 
+CensusRanks* census_ranks = nullptr;
+
 namespace {
 
 enum class Format { table, json, csv, bfile };
+enum class Distinct { systems, languages };
+
+/// Numbers of chunks, both ends included.
+struct Chunks {
+    std::uint64_t first = 0, last = std::numeric_limits<std::uint64_t>::max();
+};
+
+Chunks chunks(const std::string& option, const std::string& text) {
+    const auto dots = text.find("..");
+    if (dots == std::string::npos || dots == 0 || dots + 2 == text.size())
+        refuse(option, "a range of chunks such as 0..99", text);
+    const Chunks found{natural(option, text.substr(0, dots)),
+                       natural(option, text.substr(dots + 2))};
+    if (found.first > found.last) refuse(option, "a range that goes up, such as 0..99", text);
+    return found;
+}
+
+/// A natural number that is not 0.
+std::uint64_t positive_count(const std::string& option, const std::string& text) {
+    const std::uint64_t count = natural(option, text);
+    if (count == 0) refuse(option, "a whole number from 1 on", text);
+    return count;
+}
 
 struct Options {
     std::string of;
     std::vector<std::string> by;
-    std::uint64_t first = 0, threads = 0;
+    std::uint64_t first = 0, threads = 0, chunk_size = CensusOptions().chunk, seed = 1;
     Format format = Format::table;
+    Distinct distinct = Distinct::systems;
+    std::string checkpoint, resume, certificate;
+    std::optional<Chunks> chunks;
+    std::optional<std::uint64_t> sample;
     Bounds bounds;
+};
+
+// --- The checkpoint ---
+
+/// What is asked, as the first line of a checkpoint: chunks of other questions are other chunks.
+std::string header_line(const Options& options, const std::vector<std::string>& properties) {
+    constexpr int order = 1;  // of instances and chunks; another order gets another number
+    Json header{{"format", "algae census 1"},
+                {"of", options.of},
+                {"by", properties},
+                {"order", order},
+                {"chunk", options.chunk_size},
+                {"first", options.first},
+                {"languages", options.distinct == Distinct::languages}};
+    std::string line = header.text(-1);
+    while (!line.empty() && line.back() == '\n') line.pop_back();
+    return line;
+}
+
+/// A file that chunks are added to, a line each.
+class Checkpoint {
+public:
+    Checkpoint() = default;
+    Checkpoint(const Checkpoint&) = delete;
+    Checkpoint& operator=(const Checkpoint&) = delete;
+    ~Checkpoint() {
+        if (file_ >= 0) ::close(file_);
+    }
+
+    /// A new file with the header.
+    void begin(const std::string& path, const std::string& header) {
+        path_ = path;
+        file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
+        if (file_ < 0 && errno == EEXIST)
+            throw Error("--checkpoint: " + path + " is there already; --resume " + path +
+                        " goes on from it");
+        expect(file_ >= 0, "be made");
+        lock();
+        write(header);
+    }
+
+    /// Reads a file's chunks into `totals`; `is_writer` says whether chunks will be added.
+    void go_on(const std::string& path, const std::string& header, CensusTotals& totals,
+               bool is_writer, const Budget& budget) {
+        path_ = path;
+        if (is_writer) {
+            file_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
+            expect(file_ >= 0, "be opened");
+            lock();
+        }
+        const std::string text = file_text(path, budget);
+        std::size_t from = 0;
+        for (std::size_t line = 1; from < text.size(); ++line) {
+            const std::size_t end = text.find('\n', from);
+            if (end == std::string::npos) break;  // torn
+            const std::string read = text.substr(from, end - from);
+            if (!take(read, header, line, totals)) {
+                if (end + 1 == text.size()) break;
+                throw Error(path + ":" + std::to_string(line) +
+                            ": expected a chunk of a census, found \"" + read.substr(0, 60) + '"');
+            }
+            from = end + 1;
+        }
+        if (!is_writer) return;
+        expect(::ftruncate(file_, static_cast<off_t>(from)) == 0,
+               "be cut behind its last whole line");
+        if (from == 0) write(header);
+    }
+
+    bool is_open() const { return file_ >= 0; }
+
+    void write(const std::string& line) {
+        const std::string whole = line + '\n';
+        for (std::size_t done = 0; done < whole.size();) {
+            const ssize_t written = ::write(file_, whole.data() + done, whole.size() - done);
+            if (written < 0 && errno == EINTR) continue;
+            expect(written >= 0, "be written");
+            done += static_cast<std::size_t>(written);
+        }
+    }
+
+private:
+    /// Whether the line is the header or a chunk. Throws Error if the header is another one.
+    bool take(const std::string& line, const std::string& header, std::size_t number,
+              CensusTotals& totals) {
+        if (line == header) return true;
+        if (number == 1 || line.find("\"algae census") != std::string::npos)
+            throw Error(path_ + ":" + std::to_string(number) +
+                        ": the checkpoint is of another census; expected " + header + ", found " +
+                        line.substr(0, 400));
+        const auto chunk = census_chunk(line);
+        if (chunk) totals.add(*chunk);
+        return chunk.has_value();
+    }
+
+    void lock() const {
+        if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+            throw Error(path_ + ": another process adds chunks to this file");
+    }
+
+    void expect(bool holds, const char* what) const {
+        if (!holds) throw Error(path_ + ": cannot " + what + ": " + std::strerror(errno));
+    }
+
+    std::string path_;
+    int file_ = -1;
 };
 
 /// A column of the table: its name, and the statement of which it counts how often it is proved.
@@ -53,12 +203,21 @@ std::string count_text(const Census::Row& row, std::size_t column) {
     return std::to_string(proved) + (undecided > 0 ? "+" + std::to_string(undecided) + "?" : "");
 }
 
-std::string table_text(const Census& found, const std::vector<Column>& columns) {
-    std::vector<std::vector<std::string>> lines{{"size", "all"}};
+/// Systems that stand for no language, where languages are counted.
+std::string apart_text(const Census::Row& row) {
+    return std::to_string(row.infinite) +
+           (row.open > 0 ? "+" + std::to_string(row.open) + "?" : "");
+}
+
+std::string table_text(const Census& found, const std::vector<Column>& columns, Distinct distinct) {
+    const bool languages = distinct == Distinct::languages;
+    std::vector<std::vector<std::string>> lines{{"size", languages ? "finite languages" : "all"}};
     for (const Column& column : columns) lines.front().push_back(column.name);
+    if (languages) lines.front().push_back("systems of infinite ones");
     for (const Census::Row& row : found.rows) {
         lines.push_back({std::to_string(row.size), to_string(row.instances)});
         for (std::size_t i = 0; i < columns.size(); ++i) lines.back().push_back(count_text(row, i));
+        if (languages) lines.back().push_back(apart_text(row));
     }
     std::vector<std::size_t> widths(lines.front().size(), 0);
     for (const auto& line : lines)
@@ -76,21 +235,24 @@ std::string table_text(const Census& found, const std::vector<Column>& columns) 
     return text;
 }
 
-std::string csv_text(const Census& found, const std::vector<Column>& columns) {
+std::string csv_text(const Census& found, const std::vector<Column>& columns, Distinct distinct) {
+    const bool languages = distinct == Distinct::languages;
     const auto quoted_field = [](const std::string& text) {
         if (text.find_first_of(",\"") == std::string::npos) return text;
         std::string field = "\"";
         for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
         return field + "\"";
     };
-    std::string text = "size,all";
+    std::string text = languages ? "size,finite languages" : "size,all";
     for (const Column& column : columns)
         text += "," + quoted_field(column.name) + "," + quoted_field(column.name + " undecided");
+    if (languages) text += ",systems of infinite ones,systems undecided";
     text += '\n';
     for (const Census::Row& row : found.rows) {
         text += std::to_string(row.size) + "," + to_string(row.instances);
         for (const auto& verdicts : row.verdicts)
             text += "," + std::to_string(verdicts[0]) + "," + std::to_string(verdicts[2]);
+        if (languages) text += "," + std::to_string(row.infinite) + "," + std::to_string(row.open);
         text += '\n';
     }
     return text;
@@ -98,13 +260,21 @@ std::string csv_text(const Census& found, const std::vector<Column>& columns) {
 
 /// As the encyclopedia of integer sequences has its files: a number and a value a line.
 std::string bfile_text(const Census& found, const std::vector<Column>& columns,
-                       const std::string& of) {
+                       const std::string& of, Distinct distinct) {
     if (columns.size() > 1)
         throw Error("--format bfile: expected at most one property behind --by, found " +
                     std::to_string(columns.size()));
-    std::string text =
-        "# " + of + ", by size" + (columns.empty() ? "" : "; " + columns[0].name) + '\n';
+    std::string text = "# " +
+                       std::string(distinct == Distinct::languages
+                                       ? "finite languages, each at its first system, of "
+                                       : "") +
+                       of + ", by size" + (columns.empty() ? "" : "; " + columns[0].name) + '\n';
     for (const Census::Row& row : found.rows) {
+        if (row.open > 0)
+            throw BoundReached(Bound::method,
+                               "of size " + std::to_string(row.size) + " " +
+                                   counted(row.open, "system") +
+                                   " stayed undecided, so the sequence is not known");
         if (!columns.empty() && row.verdicts[0][2] > 0)
             throw BoundReached(Bound::method,
                                "of size " + std::to_string(row.size) + " " +
@@ -117,10 +287,16 @@ std::string bfile_text(const Census& found, const std::vector<Column>& columns,
     return text;
 }
 
-Json as_json(const Census& found, const std::vector<Column>& columns, const std::string& of) {
+Json as_json(const Census& found, const std::vector<Column>& columns, const std::string& of,
+             Distinct distinct) {
+    const bool languages = distinct == Distinct::languages;
     Json rows = Json::array();
     for (const Census::Row& row : found.rows) {
-        Json entry{{"size", row.size}, {"all", row.instances}};
+        Json entry{{"size", row.size}, {languages ? "finite languages" : "all", row.instances}};
+        if (languages) {
+            entry.set("systems of infinite ones", row.infinite);
+            entry.set("systems undecided", row.open);
+        }
         for (std::size_t i = 0; i < columns.size(); ++i)
             entry.set(columns[i].name, {{"proved", row.verdicts[i][0]},
                                         {"refuted", row.verdicts[i][1]},
@@ -135,7 +311,71 @@ Json as_json(const Census& found, const std::vector<Column>& columns, const std:
     return out;
 }
 
-int take_census(const Options& options) {
+void print_census(const Census& found, const std::vector<Column>& columns, const Options& options) {
+    switch (options.format) {
+        case Format::table:
+            print(table_text(found, columns, options.distinct));
+            break;
+        case Format::json:
+            print(as_json(found, columns, options.of, options.distinct).text());
+            break;
+        case Format::csv:
+            print(csv_text(found, columns, options.distinct));
+            break;
+        case Format::bfile:
+            print(bfile_text(found, columns, options.of, options.distinct));
+            break;
+    }
+}
+
+/// Adds to the totals what a file has of them, and the chunks that are missing; all of them, or those of --chunks.
+void count_chunks(const Options& options, const std::string& header, const Quantified& said,
+                  const std::vector<Statement>& properties, const Claim& claim, CensusOptions how,
+                  CensusTotals& totals, const Budget& budget) {
+    const bool is_first = !census_ranks || census_ranks->is_first();
+    Checkpoint checkpoint;
+    if (!options.resume.empty())
+        checkpoint.go_on(options.resume, header, totals, is_first, budget);
+    else if (is_first && !options.checkpoint.empty())
+        checkpoint.begin(options.checkpoint, header);
+    how.finishes_chunks = checkpoint.is_open() || census_ranks;
+    ProgressBar bar("census");
+    const std::uint64_t sizes = census_size(said);
+    const auto write = [&](const CensusChunk& chunk) {
+        if (checkpoint.is_open()) checkpoint.write(census_line(chunk));
+        bar.report(static_cast<double>(chunk.size - 1) / static_cast<double>(sizes));
+    };
+    const Chunks wanted = options.chunks.value_or(Chunks());
+    std::uint64_t following = wanted.first;
+    const auto next = [&]() -> std::optional<std::uint64_t> {
+        while (totals.has(following)) ++following;
+        if (following > wanted.last) return std::nullopt;
+        return following++;
+    };
+    if (!is_first) {
+        how.next = [] { return census_ranks->next(); };
+        how.on_chunk = [](const CensusChunk& chunk) { census_ranks->send(chunk); };
+    } else if (census_ranks) {
+        census_ranks->serve([&] { return stop ? std::nullopt : next(); },
+                            [&](const CensusChunk& chunk) {
+                                write(chunk);
+                                totals.add(chunk);
+                            });
+        budget.check();
+        return;
+    } else {
+        how.next = next;
+        how.on_chunk = write;
+    }
+    take_census(said, properties, claim, how, totals, budget);
+}
+
+int run_census(const Options& options) {
+    if (options.chunks && options.checkpoint.empty() && options.resume.empty())
+        throw Error(
+            "--chunks: expected --checkpoint FILE or --resume FILE, which the chunks are for");
+    if (options.sample && options.certificate.empty())
+        throw Error("--verify-sample: expected --certificate FILE, which the proofs are for");
     const Budget budget = options.bounds.budget();
     const bool of_systems = options.of.find("systems") != std::string::npos;
     std::vector<Column> columns;
@@ -152,28 +392,34 @@ int take_census(const Options& options) {
     std::vector<Statement> properties;
     if (columns.size() == 1) properties = said.body;
     if (columns.size() > 1) properties = std::get<Joint>(said.body.front().says).parts;
-    ProgressBar bar("census");
+    std::vector<std::string> texts;
+    for (const Column& column : columns) texts.push_back(column.statement);
+    const std::uint64_t sizes = census_size(said);
     CensusOptions how;
     how.first = options.first;
     how.threads = static_cast<unsigned>(options.threads);
-    const Census found = census(said, properties, claim, how, budget);
-    switch (options.format) {
-        case Format::table:
-            print(table_text(found, columns));
-            break;
-        case Format::json:
-            print(as_json(found, columns, options.of).text());
-            break;
-        case Format::csv:
-            print(csv_text(found, columns));
-            break;
-        case Format::bfile:
-            print(bfile_text(found, columns, options.of));
-            break;
+    how.chunk = options.chunk_size;
+    how.languages = options.distinct == Distinct::languages;
+    CensusTotals totals(sizes, properties.size(), how);
+    count_chunks(options, header_line(options, texts), said, properties, claim, how, totals,
+                 budget);
+    if (census_ranks && !census_ranks->is_first()) return success;
+    const Census found = totals.census();
+    if (!found.is_whole) {
+        note("a part of the census is in " + options.checkpoint + options.resume +
+             "; --resume takes the rest");
+        return success;
     }
+    print_census(found, columns, options);
     const bool is_decided = std::ranges::all_of(found.rows, [](const Census::Row& row) {
-        return std::ranges::all_of(row.verdicts, [](const auto& counts) { return counts[2] == 0; });
+        return row.open == 0 &&
+               std::ranges::all_of(row.verdicts, [](const auto& counts) { return counts[2] == 0; });
     });
+    if (options.sample)
+        write_file(options.certificate,
+                   Json(certificate(census_sample(said, properties, claim, found, *options.sample,
+                                                  options.seed, budget)))
+                       .text(1));
     return is_decided ? success : undecided;
 }
 
@@ -184,8 +430,10 @@ void add_census(Verbs& verbs) {
         verbs.add("census", "How many systems or languages of each size have a property",
                   {"algae census 'D0L systems up to size 12'",
                    "algae census '0L systems up to size 7' --by finite,D0L --first 3",
-                   "algae census 'finite languages up to size 7' --by 0L,D0L,T0L --format csv"},
-                  take_census);
+                   "algae census 'finite languages up to size 7' --by 0L,D0L,T0L --format csv",
+                   "algae census 'D0L systems up to size 9' --distinct languages",
+                   "algae census '0L systems up to size 9' --by finite --checkpoint 0l.jsonl"},
+                  run_census);
     verb.option("WHAT", options.of, "DOMAIN",
                 "what is counted up to renaming, as claims say it: 'D0L systems up to size 12', "
                 "'finite languages with words up to length 2 over {a, b}'")
@@ -200,6 +448,27 @@ void add_census(Verbs& verbs) {
                  {"bfile", Format::bfile}},
                 "table|json|csv|bfile",
                 "how the counts are printed; a b-file has one property at most");
+    verb.choice(
+        "--distinct", options.distinct,
+        {{"systems", Distinct::systems}, {"languages", Distinct::languages}}, "systems|languages",
+        "languages: count the finite languages of the systems, each once up to renaming, at "
+        "the first system that has it");
+    verb.option("--checkpoint", options.checkpoint, "FILE",
+                "write each chunk of the census to a new file when it is done")
+        .excludes = {"--resume"};
+    verb.option("--resume", options.resume, "FILE",
+                "go on from such a file, or from several put together");
+    verb.option("--chunks", options.chunks, chunks, "A..B",
+                "take only these chunks, counted from 0, and print nothing before all are known");
+    verb.option("--chunk-size", options.chunk_size, positive_count, "N",
+                "instances of a chunk (default 1000)");
+    verb.option("--verify-sample", options.sample, positive_count, "N",
+                "decide N instances, drawn from all, with proofs")
+        .excludes = {"--distinct"};
+    verb.option("--seed", options.seed, natural, "N", "by which instances are drawn (default 1)");
+    verb.option("--certificate", options.certificate, "FILE",
+                "write these proofs, for `algae verify`")
+        .needs = {"--verify-sample"};
     verb.option("--threads", options.threads, natural, "N",
                 "0, the default: as many as the machine has");
     verb.bounded_by(options.bounds);

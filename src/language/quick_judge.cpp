@@ -213,4 +213,21 @@ std::optional<std::vector<Word>> QuickJudge::derived(
     return last_derived_;
 }
 
+std::shared_ptr<QuickJudge> QuickJudges::take() {
+    std::unique_ptr<QuickJudge> judge;
+    {
+        const std::lock_guard lock(guard_);
+        if (!free_.empty()) {
+            judge = std::move(free_.back());
+            free_.pop_back();
+        }
+    }
+    if (!judge) judge = std::make_unique<QuickJudge>(claim_, budget_);
+    return {judge.release(), [this](QuickJudge* used) {
+                std::unique_ptr<QuickJudge> back(used);
+                const std::lock_guard lock(guard_);
+                free_.push_back(std::move(back));
+            }};
+}
+
 }  // namespace algae

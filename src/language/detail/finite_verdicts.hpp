@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <string>
 #include <unordered_map>
@@ -73,6 +74,22 @@ private:
     std::optional<FamilyVerdicts::Families> last_families_;
     std::shared_ptr<const SourceSystem> last_system_;
     std::optional<std::vector<Word>> last_derived_;
+};
+
+/// Quick judges of the threads that work on one claim, kept from one batch of work to the next for what they remember. It
+/// must outlive those that were taken.
+class QuickJudges {
+public:
+    QuickJudges(const Claim& claim, const Budget& budget) : claim_(claim), budget_(budget) {}
+
+    /// One that nobody else has; it comes back when the last copy of the pointer goes.
+    std::shared_ptr<QuickJudge> take();
+
+private:
+    const Claim& claim_;
+    const Budget& budget_;
+    std::mutex guard_;
+    std::vector<std::unique_ptr<QuickJudge>> free_;
 };
 
 }  // namespace algae

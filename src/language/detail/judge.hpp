@@ -189,6 +189,19 @@ Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget
 std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
                                      const Budget& budget);
 
+// --- Instances of bound names ---
+
+/// What the bound names range over.
+Tuple tuple_of(const Quantified& said);
+
+/// The values of an instance, whose letter i is called letters[i].
+std::vector<BoundValue> values_of(const Instance& instance, const Quantified& said,
+                                  const Claim& claim, const std::vector<Symbol>& letters);
+
+/// The statement with values in the place of bound names. Throws Error if a morphism has no image for a letter of the
+/// language that it is applied to.
+Statement with_values(const Statement& statement, const std::vector<BoundValue>& values);
+
 /// Several statements as one, in three-valued logic.
 Answer judge_joint(const Joint& said, const Claim& claim, const Budget& budget,
                    const SearchLimits& limits);

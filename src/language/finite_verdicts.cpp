@@ -548,8 +548,8 @@ private:
         for (std::size_t i = 0; i < pool_[x].size(); ++i) {
             const auto [first, end] = factor_[pool_[x][i]];
             const std::uint32_t next = done + end - first;
-            if (next > length || !std::equal(text_.begin() + first, text_.begin() + end,
-                                             text_.begin() + start_[to] + done))
+            if (next > length || !std::equal(text_.data() + first, text_.data() + end,
+                                             text_.data() + start_[to] + done))
                 continue;
             const std::uint64_t* row = &pairs_[(first_rule_[x] + i) * letters_];
             bool fits = true;

@@ -25,7 +25,9 @@ std::vector<Word> sorted_words(std::vector<Word> words) {
 }
 
 /// Of languages with more words the judge of the statement is asked.
-constexpr std::size_t most_quick_words = 64, most_quick_letters = 2000;
+constexpr std::size_t most_quick_words = 64;
+/// Words of small systems that are longer mostly belong to an infinite language.
+constexpr std::size_t most_quick_length = 20;
 
 }  // namespace
 
@@ -187,7 +189,6 @@ std::optional<std::vector<Word>> QuickJudge::derived(
     last_derived_.reset();
     const ET0L& rules = *system->tables;
     std::vector<Word> found{rules.axiom};
-    std::size_t letters = rules.axiom.size();
     for (std::size_t i = 0; i < found.size(); ++i)
         for (const Table& table : rules.tables) {
             std::vector<Word> made{{}};
@@ -199,12 +200,11 @@ std::optional<std::vector<Word>> QuickJudge::derived(
                         longer.back().insert(longer.back().end(), image.begin(), image.end());
                     }
                 made = table[a].size() > 1 ? sorted_words(std::move(longer)) : std::move(longer);
-                if (made.size() > 4 * most_quick_words) return std::nullopt;
+                if (made.size() > most_quick_words) return std::nullopt;
             }
             for (Word& word : made) {
                 if (std::find(found.begin(), found.end(), word) != found.end()) continue;
-                letters += word.size();
-                if (found.size() == most_quick_words || letters > most_quick_letters)
+                if (found.size() == most_quick_words || word.size() > most_quick_length)
                     return std::nullopt;
                 found.push_back(std::move(word));
             }

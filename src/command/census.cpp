@@ -5,22 +5,16 @@
 //
 // A long census is written down while it is taken. The library cuts it into chunks that depend on the question only; a checkpoint is
 // a file with a header, which says what is asked, and a line for each chunk that is done, in any order. So an interrupted
-// census goes on from its file, and parts that were taken apart are put together by `cat`. A line is written at once, by one
-// call, so a killed process leaves at most one torn line, the last one, which is dropped. `algae-census` (census_mpi.cpp)
+// census goes on from its file, and parts that were taken apart are put together by `cat`. `algae-census` (census_mpi.cpp)
 // has several processes take the chunks; the first of them writes the file.
 
-#include <fcntl.h>
-#include <sys/file.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <variant>
 
 #include "command/detail/census.hpp"
+#include "command/detail/checkpoint.hpp"
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -87,95 +81,6 @@ std::string header_line(const Options& options, const std::vector<std::string>& 
     while (!line.empty() && line.back() == '\n') line.pop_back();
     return line;
 }
-
-/// A file that chunks are added to, a line each.
-class Checkpoint {
-public:
-    Checkpoint() = default;
-    Checkpoint(const Checkpoint&) = delete;
-    Checkpoint& operator=(const Checkpoint&) = delete;
-    ~Checkpoint() {
-        if (file_ >= 0) ::close(file_);
-    }
-
-    /// A new file with the header.
-    void begin(const std::string& path, const std::string& header) {
-        path_ = path;
-        file_ = ::open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, 0666);
-        if (file_ < 0 && errno == EEXIST)
-            throw Error("--checkpoint: " + path + " is there already; --resume " + path +
-                        " goes on from it");
-        expect(file_ >= 0, "be made");
-        lock();
-        write(header);
-    }
-
-    /// Reads a file's chunks into `totals`; `is_writer` says whether chunks will be added.
-    void go_on(const std::string& path, const std::string& header, CensusTotals& totals,
-               bool is_writer, const Budget& budget) {
-        path_ = path;
-        if (is_writer) {
-            file_ = ::open(path.c_str(), O_RDWR | O_APPEND | O_CLOEXEC);
-            expect(file_ >= 0, "be opened");
-            lock();
-        }
-        const std::string text = file_text(path, budget);
-        std::size_t from = 0;
-        for (std::size_t line = 1; from < text.size(); ++line) {
-            const std::size_t end = text.find('\n', from);
-            if (end == std::string::npos) break;  // torn
-            const std::string read = text.substr(from, end - from);
-            if (!take(read, header, line, totals)) {
-                if (end + 1 == text.size()) break;
-                throw Error(path + ":" + std::to_string(line) +
-                            ": expected a chunk of a census, found \"" + read.substr(0, 60) + '"');
-            }
-            from = end + 1;
-        }
-        if (!is_writer) return;
-        expect(::ftruncate(file_, static_cast<off_t>(from)) == 0,
-               "be cut behind its last whole line");
-        if (from == 0) write(header);
-    }
-
-    bool is_open() const { return file_ >= 0; }
-
-    void write(const std::string& line) {
-        const std::string whole = line + '\n';
-        for (std::size_t done = 0; done < whole.size();) {
-            const ssize_t written = ::write(file_, whole.data() + done, whole.size() - done);
-            if (written < 0 && errno == EINTR) continue;
-            expect(written >= 0, "be written");
-            done += static_cast<std::size_t>(written);
-        }
-    }
-
-private:
-    /// Whether the line is the header or a chunk. Throws Error if the header is another one.
-    bool take(const std::string& line, const std::string& header, std::size_t number,
-              CensusTotals& totals) {
-        if (line == header) return true;
-        if (number == 1 || line.find("\"algae census") != std::string::npos)
-            throw Error(path_ + ":" + std::to_string(number) +
-                        ": the checkpoint is of another census; expected " + header + ", found " +
-                        line.substr(0, 400));
-        const auto chunk = census_chunk(line);
-        if (chunk) totals.add(*chunk);
-        return chunk.has_value();
-    }
-
-    void lock() const {
-        if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-            throw Error(path_ + ": another process adds chunks to this file");
-    }
-
-    void expect(bool holds, const char* what) const {
-        if (!holds) throw Error(path_ + ": cannot " + what + ": " + std::strerror(errno));
-    }
-
-    std::string path_;
-    int file_ = -1;
-};
 
 /// A column of the table: its name, and the statement of which it counts how often it is proved.
 struct Column {
@@ -335,7 +240,14 @@ void count_chunks(const Options& options, const std::string& header, const Quant
     const bool is_first = !census_ranks || census_ranks->is_first();
     Checkpoint checkpoint;
     if (!options.resume.empty())
-        checkpoint.go_on(options.resume, header, totals, is_first, budget);
+        checkpoint.go_on(
+            options.resume, header, is_first,
+            [&](const std::string& line) {
+                const auto chunk = census_chunk(line);
+                if (chunk) totals.add(*chunk);
+                return chunk.has_value();
+            },
+            budget);
     else if (is_first && !options.checkpoint.empty())
         checkpoint.begin(options.checkpoint, header);
     how.finishes_chunks = checkpoint.is_open() || census_ranks;

@@ -438,6 +438,7 @@ public:
                        name.text != "finite languages" && !name.domain.max_word_length;
             });
         searched_.all = is_bounded;
+        if (limits_.from) go_on_from(*limits_.from);
         for (std::uint64_t size = 0; size <= last_size && !is_over_; ++size)
             visit(
                 tuple_, size, [&](const Instance& instance) { return gather(instance); }, budget_);
@@ -483,6 +484,15 @@ private:
         std::optional<Witness> witness;
     };
 
+    void go_on_from(const SearchedSoFar& before) {
+        known_ = before.visited;
+        searched_.visited = before.visited;
+        searched_.instances = before.instances;
+        searched_.undecided = before.undecided;
+        searched_.size = before.size;
+        is_partial_ = before.is_partial;
+    }
+
     /// Adds an instance to those that are looked at together: few at first, so that an early witness is found early,
     /// then many. False when the search is over.
     bool gather(const Instance& instance) {
@@ -491,7 +501,7 @@ private:
             is_over_ = is_stopped_by_limit_ = true;
             return false;
         }
-        ++visited_;
+        if (visited_++ < known_) return true;
         bool is_first = true;
         const auto add = [&](const std::vector<Symbol>& letters) {
             gathered_.push_back({instance, letters, std::exchange(is_first, false)});
@@ -528,6 +538,9 @@ private:
         gathered_.clear();
         constexpr std::size_t most = 1024;
         batch_ = std::min(2 * batch_, most);
+        if (limits_.on_searched && !witness_)
+            limits_.on_searched({searched_.visited, searched_.instances, searched_.undecided,
+                                 searched_.size, is_partial_});
         if (limits_.progress)
             limits_.progress->report(std::min(
                 1.0, static_cast<double>(visited_) /
@@ -612,6 +625,8 @@ private:
         SearchLimits limits = limits_;
         limits.threads = 1;
         limits.progress = nullptr;
+        limits.from.reset();
+        limits.on_searched = {};
         return limits;
     }
 
@@ -679,6 +694,7 @@ private:
     std::vector<Named> gathered_;
     std::size_t batch_ = 1;
     std::uint64_t visited_ = 0;
+    std::uint64_t known_ = 0;  // of these, by an earlier search
     bool is_over_ = false, is_stopped_by_limit_ = false;
     bool is_partial_ = false;  // some morphisms were not tried
 };

@@ -738,6 +738,15 @@ struct Answer {
     bool out_of_time = false;               // undecided because the time was over
 };
 
+/// How far a search has come without a witness: of the instances up to here none is one.
+struct SearchedSoFar {
+    std::uint64_t visited = 0;    // the instances
+    std::uint64_t instances = 0;  // that meet the conditions
+    std::uint64_t undecided = 0;
+    std::uint64_t size = 0;   // of the last one
+    bool is_partial = false;  // some morphisms were not tried
+};
+
 /// How far instances are searched where a quantifier has no bounds: up to a number of them and a size, whichever
 /// comes first.
 struct SearchLimits {
@@ -745,6 +754,8 @@ struct SearchLimits {
     std::uint64_t size = 10;
     unsigned threads = 0;          // 0: as many as the machine has; the answer is the same
     Progress* progress = nullptr;  // told how many of the instances were looked at
+    std::optional<SearchedSoFar> from = {};  // a search of the same statement goes on from here
+    std::function<void(const SearchedSoFar&)> on_searched = {};  // when more are looked at
 };
 
 /// The answer to the opposite statement, by the same proof.

@@ -199,7 +199,7 @@ TEST_CASE("a checkpoint of another census is refused") {
         CHECK(found.out.empty());
         CHECK(found.err.find(message) != std::string::npos);
     };
-    const std::string other = "c.jsonl:1: the checkpoint is of another census; expected {";
+    const std::string other = "c.jsonl:1: the checkpoint is of another question; expected {";
     refused("'D0L systems up to size 6' --by finite --resume " + file, other);
     refused("'D0L systems up to size 5' --by infinite --resume " + file, other);
     refused("'D0L systems up to size 5' --by finite --first 1 --resume " + file, other);
@@ -208,7 +208,7 @@ TEST_CASE("a checkpoint of another census is refused") {
     const std::string text = text_of(file);
     folder.file("c.jsonl", text.substr(0, text.find('\n') + 1) + "no chunk\n" + text);
     refused("'D0L systems up to size 5' --by finite --resume " + file,
-            "c.jsonl:2: expected a chunk of a census, found \"no chunk\"");
+            "c.jsonl:2: expected a line of a checkpoint, found \"no chunk\"");
     refused("'D0L systems up to size 5' --resume " + folder.file("none.jsonl"), "cannot be opened");
     refused("'D0L systems up to size 5' --chunks 3..1 --checkpoint " + file,
             "--chunks: expected a range that goes up, such as 0..99, found \"3..1\"");

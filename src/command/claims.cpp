@@ -13,6 +13,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
+#include "command/detail/checkpoint.hpp"
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -67,7 +68,7 @@ Claim open_claim(const std::string& file, const Budget& budget) {
 
 struct CheckOptions {
     std::vector<std::string> paths;
-    std::string statement, certificate, accept;
+    std::string statement, certificate, accept, checkpoint, resume;
     std::uint64_t instances = SearchLimits().instances, size = SearchLimits().size;
     bool explain = false, json = false;
     Bounds bounds;
@@ -199,6 +200,67 @@ std::vector<Claim> asked_claims(const CheckOptions& options, const Budget& budge
     return claims;
 }
 
+/// A search that is written down: a line for each batch of instances, of which the last one counts.
+class WrittenSearch {
+public:
+    /// Throws Error where the claims are not one statement that is searched.
+    WrittenSearch(const CheckOptions& options, const std::vector<Claim>& claims,
+                  SearchLimits& limits, const Budget& budget) {
+        const bool begins = !options.checkpoint.empty();
+        if (!begins && options.resume.empty()) return;
+        const std::string option = begins ? "--checkpoint" : "--resume";
+        if (claims.size() != 1 || claims[0].statements.size() != 1 ||
+            !std::holds_alternative<Quantified>(claims[0].statements[0].statement.says))
+            throw Error(option +
+                        ": expected one statement about all values, or some, and nothing else");
+        const Claim& claim = claims.front();
+        // What the statement's names stand for is in the certificate of nothing known.
+        std::string header = Json{{"format", "algae search 1"},
+                                  {"order", 1},
+                                  {"of", Json(certificate(undecided_claim(claim)))}}
+                                 .text(-1);
+        header.pop_back();
+        if (begins) {
+            file_.begin(options.checkpoint, header);
+        } else {
+            const auto take = [&](const std::string& line) {
+                const auto read = nlohmann::json::parse(line, nullptr, false);
+                const auto has = [&](const char* key) {
+                    return read.contains(key) && read[key].is_number_unsigned();
+                };
+                if (!read.is_object() || !has("visited") || !has("instances") ||
+                    !has("undecided") || !has("size") || !read.contains("partial") ||
+                    !read["partial"].is_boolean())
+                    return false;
+                limits.from = {read["visited"], read["instances"], read["undecided"], read["size"],
+                               read["partial"]};
+                return true;
+            };
+            file_.go_on(options.resume, header, true, take, budget);
+        }
+        limits.on_searched = [this](const SearchedSoFar& now) {
+            std::string line = Json{
+                {"visited", now.visited},
+                {"instances", now.instances},
+                {"undecided", now.undecided},
+                {"size", now.size},
+                {"partial",
+                 now.is_partial}}.text(-1);
+            line.pop_back();
+            file_.write(line);
+        };
+    }
+
+private:
+    static CheckedClaim undecided_claim(const Claim& claim) {
+        CheckedClaim nothing_known{claim, {}};
+        nothing_known.statements.resize(claim.statements.size());
+        return nothing_known;
+    }
+
+    Checkpoint file_;
+};
+
 int check_claims(const CheckOptions& options) {
     const Budget budget = options.bounds.budget();
     if (!options.accept.empty() && options.accept != "cited")
@@ -207,17 +269,17 @@ int check_claims(const CheckOptions& options) {
     std::vector<Claim> claims = asked_claims(options, budget);
     if (!options.certificate.empty() && claims.size() != 1)
         throw Error("--certificate takes one claim, found " + std::to_string(claims.size()));
+    ProgressBar bar("check");
+    SearchLimits limits{options.instances, options.size, 0, claims.size() == 1 ? &bar : nullptr};
+    const WrittenSearch written(options, claims, limits, budget);
     std::map<ClaimVerdict, std::size_t> counts;
     Json all = Json::array();
     int worst = success;
     const auto worse = [](int a, int b) {  // refuted is worse than undecided
         return a == refuted || b == refuted ? static_cast<int>(refuted) : std::max(a, b);
     };
-    ProgressBar bar("check");
     for (std::size_t i = 0; i < claims.size(); ++i) {
-        const CheckedClaim checked =
-            check(std::move(claims[i]), budget,
-                  {options.instances, options.size, 0, claims.size() == 1 ? &bar : nullptr});
+        const CheckedClaim checked = check(std::move(claims[i]), budget, limits);
         ++counts[checked.verdict()];
         worst = worse(worst, status_of(checked, !options.accept.empty()));
         if (!options.certificate.empty())
@@ -578,6 +640,11 @@ void add_check(Verbs& verbs) {
         "how many instances of a statement about all values are searched, 100000 if not given");
     verb.option("--size", options.size, natural, "K",
                 "up to which size they are searched, 10 if not given");
+    verb.option("--checkpoint", options.checkpoint, "FILE",
+                "write how far the search for one statement came to a new file")
+        .excludes = {"--resume"};
+    verb.option("--resume", options.resume, "FILE",
+                "go on from such a file, with the same or larger --instances and --size");
     verb.option("--accept", options.accept, "cited",
                 "let statements that rest on a cited source count as decided");
     verb.flag("--explain", options.explain, "print the argument in sentences");

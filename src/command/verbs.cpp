@@ -2,7 +2,9 @@
 // failures. Every failure becomes one message on standard error and an exit
 // status, and no verb prints a failure itself.
 
+#include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <new>
 #include <string>
@@ -29,7 +31,18 @@ int report(const char* message, int status) {
     return status;
 }
 
+void on_stop(int) {
+    if (stop.exchange(true)) std::_Exit(interrupted);  // asked twice
+}
+
 }  // namespace
+
+void handle_stops() {
+    struct sigaction action = {};
+    action.sa_handler = on_stop;
+    sigaction(SIGINT, &action, nullptr);
+    sigaction(SIGTERM, &action, nullptr);
+}
 
 int run_command(int argc, char** argv) {
     try {

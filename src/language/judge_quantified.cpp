@@ -4,6 +4,7 @@
 #include <set>
 #include <utility>
 
+#include "language/detail/finite_verdicts.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
 #include "search/search.hpp"
@@ -24,6 +25,10 @@
 //
 // Languages of a family are searched among finite languages, for which membership in the families of 0L systems is
 // decided; so a counterexample that needs an infinite language is not found, and the verdict is `undecided`.
+//
+// Most instances are as the statement says, and their proofs are not wanted: where few words decide an instance, a verdict
+// comes first (detail/finite_verdicts.hpp), and the judges, which bring proofs, are asked only about witnesses and what has no
+// such verdict.
 //
 // Many counterexamples are empty: {a} & {b} = {} is not 0L, as no system has an empty language. If the least
 // counterexample to `X is FAMILY` has no word but ε, the search goes on for one with such a word, and the argument
@@ -476,13 +481,14 @@ class QuantifiedJudge {
 public:
     QuantifiedJudge(const Quantified& said, const Claim& claim, const Budget& budget,
                     const SearchLimits& limits)
-        : said_(said), claim_(claim), budget_(budget), limits_(limits), reader_(said, claim) {
-        for (const QuantifiedName& binding : said.bindings) tuple_.values.push_back(binding.domain);
-        tuple_.disjoint = said.disjoint;
-        if (said.over) {
-            tuple_.over = said.over->size();
-            return;
-        }
+        : said_(said),
+          claim_(claim),
+          budget_(budget),
+          limits_(limits),
+          quick_(claim, budget),
+          reader_(said, claim),
+          tuple_(tuple_of(said)) {
+        if (said.over) return;
         fixed_ = NamedLetters(said).letters();
         for (const Symbol letter : claim.instance_letters)
             if (!std::binary_search(fixed_.begin(), fixed_.end(), letter)) fresh_.push_back(letter);
@@ -512,7 +518,9 @@ public:
                 return name.domain.kind == Domain::Kind::language &&
                        name.text != "finite languages" && !name.domain.max_word_length;
             });
-        searched_.all = keeps_cases_ = is_bounded;
+        keeps_cases_ = is_bounded && !limits_.from;
+        searched_.all = is_bounded;
+        if (limits_.from) go_on_from(*limits_.from);
         for (std::uint64_t size = 0; size <= last_size && !is_over_; ++size)
             visit(
                 tuple_, size, [&](const Instance& instance) { return gather(instance); }, budget_);
@@ -561,6 +569,15 @@ private:
             {};  // of an instance that is decided and no witness
     };
 
+    void go_on_from(const SearchedSoFar& before) {
+        known_ = before.visited;
+        searched_.visited = before.visited;
+        searched_.instances = before.instances;
+        searched_.undecided = before.undecided;
+        searched_.size = before.size;
+        is_partial_ = before.is_partial;
+    }
+
     /// Adds an instance to those that are looked at together: few at first, so that an early witness is found early,
     /// then many. False when the search is over.
     bool gather(const Instance& instance) {
@@ -569,7 +586,7 @@ private:
             is_over_ = is_stopped_by_limit_ = true;
             return false;
         }
-        ++visited_;
+        if (visited_++ < known_) return true;
         bool is_first = true;
         const auto add = [&](const std::vector<Symbol>& letters) {
             gathered_.push_back({instance, letters, std::exchange(is_first, false)});
@@ -589,7 +606,9 @@ private:
     void look_at_gathered() {
         std::vector<Found> found(gathered_.size());
         const auto worker = [&]() -> PartWorker {
-            return [&](std::size_t i) { found[i] = look_at(gathered_[i]); };
+            return [&, quick = quick_.take()](std::size_t i) {
+                found[i] = look_at(gathered_[i], *quick);
+            };
         };
         each_part(gathered_.size(), limits_.threads, budget_, worker);
         for (std::size_t i = 0; i < found.size() && !is_over_; ++i) {
@@ -605,15 +624,18 @@ private:
         gathered_.clear();
         constexpr std::size_t most = 1024;
         batch_ = std::min(2 * batch_, most);
+        if (limits_.on_searched && !witness_)
+            limits_.on_searched({searched_.visited, searched_.instances, searched_.undecided,
+                                 searched_.size, is_partial_});
         if (limits_.progress)
             limits_.progress->report(std::min(
                 1.0, static_cast<double>(visited_) /
                          static_cast<double>(std::max<std::uint64_t>(limits_.instances, 1))));
     }
 
-    Found look_at(const Named& named) const {
+    Found look_at(const Named& named, QuickJudge& quick) const {
         try {
-            return decided(named);
+            return decided(named, quick);
         } catch (const NoImage&) {
             return {.kind = Found::Kind::none};
         }
@@ -624,26 +646,53 @@ private:
                                              std::optional<std::size_t> member,
                                              std::optional<std::size_t> condition,
                                              Answer answer) const {
-        constexpr std::uint64_t most = steps::ByCases::most_kept;
-        if (!keeps_cases_ || kept_ > most) return std::nullopt;
+        if (!is_keeping()) return std::nullopt;
         const std::uint64_t count = 1 + kept_cases(answer);
-        if ((kept_ += count) > most) return std::nullopt;
+        if ((kept_ += count) > steps::ByCases::most_kept) return std::nullopt;
         return steps::ByCases::Case{std::move(values), member, condition, std::move(answer)};
     }
 
-    Found decided(const Named& named) const {
+    bool is_keeping() const { return keeps_cases_ && kept_ <= steps::ByCases::most_kept; }
+
+    /// That a value is of the family that its name ranges over.
+    Statement member(const std::vector<BoundValue>& values, std::size_t i) const {
+        Statement said;
+        said.says = InFamily{std::get<Language>(values[i].is), said_.bindings[i].family};
+        return said;
+    }
+
+    /// What verdicts say that need no proofs; nothing where there are none, and of a witness, whose proofs are wanted.
+    std::optional<Found> without_proofs(const std::vector<BoundValue>& values,
+                                        const Substitution& substitution, QuickJudge& quick) const {
+        for (std::size_t i = 0; i < said_.bindings.size(); ++i) {
+            if (said_.bindings[i].family.empty()) continue;
+            const auto truth = quick.truth(member(values, i));
+            if (truth == Truth::refuted) return Found{};
+            if (!truth) return std::nullopt;
+        }
+        for (const Statement& condition : said_.conditions) {
+            const auto truth = quick.truth(substitution(condition));
+            if (truth == Truth::refuted) return Found{};
+            if (!truth) return std::nullopt;
+        }
+        if (quick.truth(substitution(said_.body.front())) !=
+            (said_.universal ? Truth::proved : Truth::refuted))
+            return std::nullopt;
+        return Found{.kind = Found::Kind::as_said, .meets = true};
+    }
+
+    Found decided(const Named& named, QuickJudge& quick) const {
         budget_.check();
         steps::ByInstance step;
         step.values = reader_.values(named.instance, named.letters);
         step.size = named.instance.size();
         const Substitution substitution(step.values);
+        if (!is_keeping())
+            if (auto found = without_proofs(step.values, substitution, quick)) return *found;
         bool open = false;
         for (std::size_t i = 0; i < said_.bindings.size(); ++i) {
-            const QuantifiedName& name = said_.bindings[i];
-            if (name.family.empty()) continue;
-            Statement member;
-            member.says = InFamily{std::get<Language>(step.values[i].is), name.family};
-            Answer found = decide_part(member, claim_, budget_, inner());
+            if (said_.bindings[i].family.empty()) continue;
+            Answer found = decide_part(member(step.values, i), claim_, budget_, inner());
             if (found.truth == Truth::refuted)
                 return {.known = kept(std::move(step.values), i, std::nullopt, std::move(found))};
             open = open || found.truth == Truth::undecided;
@@ -680,6 +729,8 @@ private:
         SearchLimits limits = limits_;
         limits.threads = 1;
         limits.progress = nullptr;
+        limits.from.reset();
+        limits.on_searched = {};
         return limits;
     }
 
@@ -738,6 +789,7 @@ private:
     const Claim& claim_;
     const Budget& budget_;
     const SearchLimits& limits_;
+    QuickJudges quick_;
     InstanceReader reader_;
     Tuple tuple_;
     std::vector<Symbol> fixed_, fresh_;
@@ -749,87 +801,28 @@ private:
     mutable std::atomic<std::uint64_t> kept_ = 0;  // cases, and cases within their proofs
     std::size_t batch_ = 1;
     std::uint64_t visited_ = 0;
+    std::uint64_t known_ = 0;  // of these, by an earlier search
     bool is_over_ = false, is_stopped_by_limit_ = false;
     bool is_partial_ = false;  // some morphisms were not tried
 };
 
 }  // namespace
 
-// A census asks the same of every instance up to a size. Instances are gathered in their order and decided by all threads,
-// a batch at a time, and added up in their order, so the result does not depend on the threads.
-
-Census census(const Quantified& said, const std::vector<Statement>& properties, const Claim& claim,
-              const CensusOptions& options, const Budget& budget) {
-    Tuple tuple;
-    for (const QuantifiedName& name : said.bindings) tuple.values.push_back(name.domain);
-    tuple.disjoint = said.disjoint;
-    if (said.over) tuple.over = said.over->size();
-    const auto last = is_finite(tuple) ? greatest_size(tuple) : std::nullopt;
-    if (!last) throw Error("expected a bound of the census, such as 'up to size 8'");
-    const InstanceReader reader(said, claim);
-    const auto letters_for = [&](const Instance& instance) {
-        if (said.over) return *said.over;
-        if (instance.letters() > claim.instance_letters.size())
-            throw BoundReached(Bound::method, "an instance has more than " +
-                                                  std::to_string(claim.instance_letters.size()) +
-                                                  " letters");
-        return std::vector<Symbol>(
-            claim.instance_letters.begin(),
-            claim.instance_letters.begin() + static_cast<std::ptrdiff_t>(instance.letters()));
-    };
-    Census found;
-    found.first.resize(properties.size());
-    std::vector<Instance> batch;
-    std::vector<std::vector<Truth>> verdicts;
-    const auto decide_batch = [&](Census::Row& row) {
-        verdicts.assign(batch.size(), {});
-        const auto worker = [&]() -> PartWorker {
-            return [&](std::size_t i) {
-                const auto values = reader.values(batch[i], letters_for(batch[i]));
-                const Substitution substitution(values);
-                for (const Statement& property : properties)
-                    verdicts[i].push_back(
-                        decide_part(substitution(property), claim, budget, {}).truth);
-            };
-        };
-        each_part(batch.size(), options.threads, budget, worker);
-        for (std::size_t i = 0; i < batch.size(); ++i)
-            for (std::size_t p = 0; p < properties.size(); ++p) {
-                ++row.verdicts[p][static_cast<std::size_t>(verdicts[i][p])];
-                if (verdicts[i][p] == Truth::proved && found.first[p].size() < options.first)
-                    found.first[p].push_back(batch[i].text());
-            }
-        row.instances += Integer(std::uint64_t{batch.size()});
-        batch.clear();
-    };
-    const auto& only = said.bindings.front().domain;
-    const bool is_counted = properties.empty() && said.bindings.size() == 1 && !said.over &&
-                            only.kind == Domain::Kind::system && only.deterministic &&
-                            !only.tables && !only.max_word_length;
-    constexpr std::size_t batch_size = 4096;
-    for (std::uint64_t size = 1; size <= *last; ++size) {
-        Census::Row row{size, 0, std::vector<std::array<std::uint64_t, 3>>(properties.size())};
-        if (is_counted) {
-            row.instances = DeterministicSystems(size, only.propagating, {}, budget).count();
-        } else {
-            visit(
-                tuple, size,
-                [&](const Instance& instance) {
-                    batch.push_back(instance);
-                    if (batch.size() == batch_size) decide_batch(row);
-                    return true;
-                },
-                budget);
-            decide_batch(row);
-        }
-        if (options.on_row) options.on_row(row);
-        found.rows.push_back(std::move(row));
-    }
-    return found;
+std::vector<BoundValue> values_of(const Instance& instance, const Quantified& said,
+                                  const Claim& claim, const std::vector<Symbol>& letters) {
+    return InstanceReader(said, claim).values(instance, letters);
 }
 
 Statement with_values(const Statement& statement, const std::vector<BoundValue>& values) {
     return Substitution(values)(statement);
+}
+
+Tuple tuple_of(const Quantified& said) {
+    Tuple tuple;
+    for (const QuantifiedName& binding : said.bindings) tuple.values.push_back(binding.domain);
+    tuple.disjoint = said.disjoint;
+    if (said.over) tuple.over = said.over->size();
+    return tuple;
 }
 
 Answer judge_quantified(const Quantified& said, const Claim& claim, const Budget& budget,

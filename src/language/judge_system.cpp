@@ -2,6 +2,7 @@
 #include <iterator>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include "growth/growth.hpp"
 #include "language/detail/judge.hpp"
@@ -122,7 +123,8 @@ D0L as_d0l(const SourceSystem& system) {
 }
 
 Answer judge_derivation(const Derives& said, const Alphabet& alphabet, const Budget& budget) {
-    const auto& [source, word, from, steps] = said;
+    const auto& [source, word, from, steps, bound_steps, numbers] = said;
+    if (bound_steps) throw std::logic_error("the number of steps has no value");
     if (source->interactive) {
         SourceSystem moved = *source;
         if (from) moved.interactive->axiom = *from;

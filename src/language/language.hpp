@@ -761,6 +761,15 @@ struct Answer {
     bool out_of_time = false;               // undecided because the time was over
 };
 
+/// How far a search has come without a witness: of the instances up to here none is one.
+struct SearchedSoFar {
+    std::uint64_t visited = 0;    // the instances
+    std::uint64_t instances = 0;  // that meet the conditions
+    std::uint64_t undecided = 0;
+    std::uint64_t size = 0;   // of the last one
+    bool is_partial = false;  // some morphisms were not tried
+};
+
 /// How far instances are searched where a quantifier has no bounds: up to a number of them and a size, whichever
 /// comes first.
 struct SearchLimits {
@@ -768,6 +777,8 @@ struct SearchLimits {
     std::uint64_t size = 10;
     unsigned threads = 0;          // 0: as many as the machine has; the answer is the same
     Progress* progress = nullptr;  // told how many of the instances were looked at
+    std::optional<SearchedSoFar> from = {};  // a search of the same statement goes on from here
+    std::function<void(const SearchedSoFar&)> on_searched = {};  // when more are looked at
 };
 
 /// The answer to the opposite statement, by the same proof.
@@ -796,31 +807,6 @@ Judgement in_sentences(const Answer& answer, const Alphabet& alphabet);
 /// which. Throws Interrupted if the work was asked to stop, Error where the statement cannot be about its systems.
 Answer decide(const Statement& statement, const Claim& claim, const Budget& budget = {},
               const SearchLimits& limits = {});
-
-/// How many instances of each size there are, and of how many each of some statements is true.
-struct Census {
-    struct Row {
-        std::uint64_t size = 0;
-        Integer instances = 0;
-        /// By statement: of how many it is proved, refuted, undecided.
-        std::vector<std::array<std::uint64_t, 3>> verdicts;
-    };
-    std::vector<Row> rows;  // sizes 1, 2, ...
-    std::vector<std::vector<std::string>>
-        first;  // by statement: the first instances of which it is proved
-};
-
-struct CensusOptions {
-    std::size_t first = 0;  // how many instances of each statement are kept, as texts of `Instance`
-    unsigned threads = 0;   // 0: as many as the machine has; the result is the same
-    std::function<void(const Census::Row&)> on_row = {};
-};
-
-/// The census of the bound names' values up to the size that bounds them. The properties are statements in which the
-/// names stand; without any, D0L and PD0L systems are counted and not visited. Throws Error if there is no bound of the
-/// size, and what budget.check throws. Memory does not depend on how many instances there are.
-Census census(const Quantified& said, const std::vector<Statement>& properties, const Claim& claim,
-              const CensusOptions& options = {}, const Budget& budget = {});
 
 /// What may be used besides the language itself.
 struct FamilyQuestion {
@@ -911,6 +897,120 @@ nlohmann::ordered_json certificate(const CheckedClaim& checked);
 /// The claim as LaTeX, a section for a document that loads amsmath and amsthm: each statement as a numbered
 /// paragraph with its verdict, and a `proof` environment with the argument where it stands.
 std::string latex(const CheckedClaim& checked);
+
+// --- Censuses ---
+//
+// A census asks the same of all instances up to a size. They are cut into chunks: stretches of a fixed number of instances of
+// one size, in the order of the room search, numbered from 0 on through all sizes; each size has at least one chunk. How the
+// chunks are cut depends on nothing else, so any threads and processes may take any of them, and the sum is the same.
+
+/// How many instances of each size there are, and of how many each of some statements is true. Or, if languages are
+/// counted: of how many languages, up to renaming, a system of this size is a smallest one.
+struct Census {
+    struct Row {
+        std::uint64_t size = 0;
+        Integer instances = 0;
+        /// By statement: of how many it is proved, refuted, undecided.
+        std::vector<std::array<std::uint64_t, 3>> verdicts;
+        /// If languages are counted: systems of this size with an infinite language, which are not told apart, and
+        /// those of which it is not known whether it is.
+        std::uint64_t infinite = 0, open = 0;
+    };
+    std::vector<Row> rows;  // sizes 1, 2, ...
+    std::vector<std::vector<std::string>>
+        first;             // by statement: the first instances of which it is proved
+    bool is_whole = true;  // no chunk is missing
+};
+
+/// What is found of the instances of one chunk.
+struct CensusChunk {
+    std::uint64_t number = 0, size = 0;
+    bool is_last = false;  // of its size
+    Integer instances = 0;
+    std::vector<std::array<std::uint64_t, 3>> verdicts = {};
+    std::vector<std::vector<std::string>> first = {};
+    /// If languages are counted: the finite ones, each once, as texts of `Instance` that are the same up to renaming,
+    /// and a letter p, r or u for each statement.
+    std::vector<std::pair<std::string, std::string>> languages = {};
+    std::uint64_t infinite = 0, open = 0;
+    bool operator==(const CensusChunk&) const = default;
+};
+
+/// A chunk as a line of JSON, without the end of the line.
+///
+/// Example: census_chunk(census_line({.number = 3, .size = 2}))->number == 3
+std::string census_line(const CensusChunk& chunk);
+/// The chunk of such a line; nothing where it is torn.
+///
+/// Example: !census_chunk(census_line({}).substr(0, 20))
+std::optional<CensusChunk> census_chunk(const std::string& line);
+
+struct CensusOptions {
+    std::size_t first = 0;  // how many instances of each statement are kept, as texts of `Instance`
+    bool languages = false;      // languages of systems are counted, each once
+    std::uint64_t chunk = 1000;  // instances of a chunk
+    unsigned threads = 0;        // 0: as many as the machine has; the result is the same
+    /// The number of the chunk to be taken next, greater than those before; nothing if there are no more to take.
+    /// Otherwise all are taken that are not known yet.
+    std::function<std::optional<std::uint64_t>()> next = {};
+    std::function<void(const CensusChunk&)> on_chunk = {};  // when one is done
+    bool finishes_chunks = false;  // a chunk that is begun is done before the work stops
+};
+
+/// The sum of chunks, which may come in any order, and more than once. Memory: a few bytes a chunk; where languages are counted,
+/// each of them once.
+class CensusTotals {
+public:
+    /// `size` is the largest size, `properties` the number of statements.
+    CensusTotals(std::uint64_t size, std::size_t properties, const CensusOptions& options);
+
+    void add(const CensusChunk& chunk);
+    bool has(std::uint64_t number) const;
+    /// The number of the last chunk of a size, where that chunk is known.
+    std::optional<std::uint64_t> last_chunk(std::uint64_t size) const;
+    /// Whether all chunks of a size are known, and of all sizes before it.
+    bool has_size(std::uint64_t size) const;
+    Census census() const;
+
+private:
+    struct Found {
+        std::uint64_t chunk = 0, place = 0, size = 0;
+        std::string verdicts;
+    };
+    std::size_t kept_;
+    bool languages_;
+    std::vector<char> known_;  // by number of a chunk
+    std::uint64_t first_unknown_ = 0;
+    std::vector<std::optional<std::uint64_t>> last_;  // by size
+    std::vector<Census::Row> rows_;
+    /// By statement: chunk, place and text, the first ones.
+    std::vector<std::vector<std::tuple<std::uint64_t, std::size_t, std::string>>> first_;
+    std::map<std::string, Found> found_;  // languages
+};
+
+/// The largest size of the census of these names. Throws Error if nothing bounds it.
+std::uint64_t census_size(const Quantified& said);
+
+/// Takes the chunks that `options.next` names and adds them to `totals`. The properties are statements in which the names
+/// stand; without any, D0L and PD0L systems are counted and not visited. Languages are counted of one system, by statements
+/// about L(X): that it is finite, empty, of a family. Where finite languages decide a statement there is a verdict and no
+/// proof.
+///
+/// Throws Error where languages cannot be counted, and what budget.check throws. Every caller of chunks goes through the
+/// instances before them, about 10^6 a second, but for plain D0L systems and sizes that `totals` knows.
+void take_census(const Quantified& said, const std::vector<Statement>& properties,
+                 const Claim& claim, const CensusOptions& options, CensusTotals& totals,
+                 const Budget& budget = {});
+
+/// Instances drawn by a seed from those that a census of all chunks counted, all equally likely, each once; and for each
+/// the properties as statements, decided with proofs: a claim for a certificate. Not of a census of languages. Throws Error if
+/// there are no statements or a chunk is missing, or if a verdict differs from that of the census, which is a defect of this
+/// room; and what `decide` throws.
+CheckedClaim census_sample(const Quantified& said, const std::vector<Statement>& properties,
+                           const Claim& claim, const Census& census, std::uint64_t count,
+                           std::uint64_t seed, const Budget& budget = {});
+
+// --- The table of closure ---
 
 /// The operations and the families of the table of closure, in its order.
 ///

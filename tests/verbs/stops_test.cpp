@@ -83,7 +83,10 @@ const std::vector<Case>& cases() {
           "IN/all.claim --certificate OUT.json", "IN/drawn.claim", "IN/quantified.claim"}},
         {"census",
          {"finite%languages%up%to%size%4 --by 0L,T0L --threads 1",
-          "D0L%systems%up%to%size%5 --by growth --threads 1 --format json"}},
+          "D0L%systems%up%to%size%5 --by growth --threads 1 --format json",
+          "D0L%systems%up%to%size%5 --distinct languages --by 0L --threads 1",
+          "D0L%systems%up%to%size%4 --by finite --threads 1 --verify-sample 3 --certificate "
+          "OUT.json"}},
         {"closure", {}, {"0L union", "0L union --json"}},
         {"verify", {"IN/all.json", "IN/all.json --json", "IN/drawn.json"}},
         {"draw",

@@ -28,7 +28,7 @@ inline Status status_of(Truth truth) {
     return truth == Truth::proved ? success : truth == Truth::refuted ? refuted : undecided;
 }
 
-/// Set by Ctrl-C.
+/// Set by Ctrl-C and SIGTERM.
 extern std::atomic<bool> stop;
 
 /// A function that the budgets of all verbs call at each check, if it is set: tests stop verbs by it.
@@ -193,6 +193,9 @@ public:
 
 /// Adds all verbs.
 void add_verbs(Verbs& verbs);
+
+/// Lets Ctrl-C and SIGTERM ask the work to stop, and interrupt reading that waits; asked twice, the program ends at once.
+void handle_stops();
 
 /// Runs the command; every failure becomes one message on standard error and an exit status.
 int run_command(int argc, char** argv);

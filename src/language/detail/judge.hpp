@@ -212,7 +212,17 @@ std::optional<Answer> judge_derivations(const Quantified& said, const Claim& cla
 /// instances; nothing if one of them is not decided so.
 std::optional<Answer> judge_each(const Quantified& said, const Claim& claim, const Budget& budget);
 
-/// The statement with values in the place of bound names.
+// --- Instances of bound names ---
+
+/// What the bound names range over.
+Tuple tuple_of(const Quantified& said);
+
+/// The values of an instance, whose letter i is called letters[i].
+std::vector<BoundValue> values_of(const Instance& instance, const Quantified& said,
+                                  const Claim& claim, const std::vector<Symbol>& letters);
+
+/// The statement with values in the place of bound names. Throws Error if a morphism has no image for a letter of the
+/// language that it is applied to.
 Statement with_values(const Statement& statement, const std::vector<BoundValue>& values);
 
 /// Several statements as one, in three-valued logic.

@@ -119,6 +119,10 @@ Derivatives::Term Derivatives::convert(const Tree& tree, bool reversed) {
         case Tree::Kind::image:
         case Tree::Kind::inverse_image:
             return convert_morphism(tree, reversed);
+        case Tree::Kind::powers:
+            if (const Language regular = regular_form(*tree.powers))
+                return convert(*regular, reversed);
+            throw BoundReached(Bound::method, "powers that are not seen to be regular");
         case Tree::Kind::variable:
             break;
     }
@@ -404,6 +408,8 @@ private:
             }
             case Tree::Kind::image:
                 return image(tree, word);
+            case Tree::Kind::powers:
+                return has_word(*tree.powers, word, budget_);
             case Tree::Kind::variable:
                 break;
         }
@@ -450,6 +456,10 @@ private:
                 });
             case Tree::Kind::generated:
                 return image_of_generated(*part.system, tree.morphism, word);
+            case Tree::Kind::powers:
+                if (const auto powers = image_of_powers(*part.powers, tree.morphism, budget_))
+                    return has_word(*powers, word, budget_);
+                break;
             case Tree::Kind::united:
             case Tree::Kind::concatenation:
             case Tree::Kind::star:
@@ -643,6 +653,11 @@ bool within_regular(const Language& left, const Language& right, const Alphabet&
     switch (left->kind) {
         case Tree::Kind::generated:
             return generated_within(*left->system, right, alphabet, budget);
+        case Tree::Kind::powers: {
+            Derivatives derivatives(alphabet, budget);
+            return powers_within(*left->powers, derivatives.automaton(derivatives.term(right)),
+                                 budget);
+        }
         case Tree::Kind::united:
             return both_within(left->parts[0], right) && both_within(left->parts[1], right);
         case Tree::Kind::reversal:
@@ -798,6 +813,8 @@ public:
                 return regular(language);
             case Tree::Kind::complement:
                 return regular(language);
+            case Tree::Kind::powers:
+                return std::nullopt;
             case Tree::Kind::variable:
                 break;
         }

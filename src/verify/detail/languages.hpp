@@ -1,9 +1,11 @@
 #pragma once
 
 #include <compare>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -114,6 +116,28 @@ bool derives(const System& system, const Word& from, const Word& to,
 /// expressions. Throws Error if it is something else.
 bool within_regular(const Language& left, const Language& right, const Alphabet& alphabet,
                     const Budget& budget);
+
+// Languages of powers.
+
+/// Whether the powers make this word for some values of the numbers.
+bool has_word(const Powers& powers, const Word& word, const Budget& budget);
+
+/// The same language as a regular expression: where exponents are linear and no number stands in two of them; otherwise
+/// null.
+Language regular_form(const Powers& powers);
+
+/// The powers of the images of the words; nothing where a number stands in no exponent any more. Throws BoundReached if a
+/// letter has no image.
+std::optional<Powers> image_of_powers(const Powers& powers, const std::map<Symbol, Word>& morphism,
+                                      const Budget& budget);
+
+/// Whether the automaton accepts all words that the powers make.
+bool powers_within(const Powers& powers, const Derivatives::Automaton& automaton,
+                   const Budget& budget);
+
+/// The language in words, each word as `word_text` says it.
+std::string powers_text(const Powers& powers,
+                        const std::function<std::string(const Word&)>& word_text);
 
 /// All words of a language, by the definition of each operation; nothing if it is infinite. Throws
 /// BoundReached if that cannot be decided or takes more than the budget.

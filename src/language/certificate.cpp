@@ -191,6 +191,12 @@ struct StatementWriter {
     Json operator()(const HasSize& said) const {
         return {{"size", to_string(said.size)}, {"language", written(said.language)}};
     }
+    Json operator()(const IsCode& said) const {
+        return {{"is", said.prefix ? "prefix code" : "code"}, {"language", written(said.language)}};
+    }
+    Json operator()(const IsPalindrome& said) const {
+        return {{"palindrome", certificate_text(alphabet, said.word)}};
+    }
     Json operator()(const Derives& said) const {
         Json result{{"derives", certificate_text(alphabet, said.word)},
                     {"system", said.system->name}};
@@ -330,6 +336,31 @@ Json to_json(const SourceSystem& system, const Alphabet& alphabet, const Word& o
     return result;
 }
 
+namespace {
+
+Json powers_json(const Powers& powers, const Alphabet& alphabet) {
+    Json blocks = Json::array(), numbers = Json::array();
+    for (const Powers::Block& block : powers.blocks) {
+        Json exponent = Json::array();
+        for (const Powers::Term& term : block.exponent) {
+            Json one{{"coefficient", to_string(term.coefficient)}};
+            if (term.number) {
+                one["number"] = powers.numbers[*term.number].name;
+                if (term.power != 0) one["power"] = term.power;
+                if (term.base != 1) one["base"] = to_string(term.base);
+            }
+            exponent.push_back(std::move(one));
+        }
+        blocks.push_back(
+            {{"word", certificate_text(alphabet, block.word)}, {"exponent", std::move(exponent)}});
+    }
+    for (const Powers::Number& number : powers.numbers)
+        numbers.push_back({{"name", number.name}, {"least", number.least}});
+    return {{"powers", std::move(blocks)}, {"numbers", std::move(numbers)}};
+}
+
+}  // namespace
+
 Json to_json(const Language& language, const Alphabet& alphabet) {
     const LanguageTree& tree = *language;
     switch (tree.kind) {
@@ -365,6 +396,8 @@ Json to_json(const Language& language, const Alphabet& alphabet) {
                     {"morphism", morphism_json(tree, alphabet)}};
         case Kind::variable:
             return {{"name", tree.variable->name}};
+        case Kind::powers:
+            return powers_json(*tree.powers, alphabet);
     }
     return {};
 }
@@ -523,6 +556,15 @@ struct ProofWriter {
     Json operator()(const steps::Distinguished& said) const { return by_word(said.word); }
     Json operator()(const steps::FoundWord& said) const { return by_word(said.word); }
     Json by_word(const Word& word) const { return {{"by", "word"}, {"word", text(word)}}; }
+    Json operator()(const steps::TwoFactorisations& said) const {
+        return {{"by", "factorisations"},
+                {"word", text(said.word)},
+                {"ends", Json::array({said.left, said.right})}};
+    }
+    Json operator()(const steps::Beginning& said) const {
+        return {
+            {"by", "beginning"}, {"word", text(said.word)}, {"beginning", text(said.beginning)}};
+    }
     Json operator()(const steps::SameDeterministic& said) const {
         return language_certificate(said.equality, alphabet);
     }

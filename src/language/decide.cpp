@@ -45,6 +45,10 @@ struct Judge {
     Answer operator()(const HasSize& said) const {
         return judge_size(said.language, said.size, alphabet, budget);
     }
+    Answer operator()(const IsCode& said) const {
+        return judge_code(said.language, said.prefix, alphabet, budget);
+    }
+    Answer operator()(const IsPalindrome& said) const { return judge_palindrome(said.word); }
     Answer operator()(const Derives& said) const {
         return judge_derivation(said, alphabet, budget);
     }

@@ -171,8 +171,9 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
     if (defines) page += '\n';
     if (claim.empty_axiom) page += wrapped("Systems may have the empty word as axiom.", 0);
     for (const auto& system : claim.systems)
-        page += wrapped(
-            "Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
+        if (system->grammar.empty())
+            page += wrapped(
+                "Let " + system->name + " be " + system_text(*system, *claim.alphabet) + ".", 0);
     for (const auto& system : claim.rewritings)
         page += wrapped("Let " + system->name + " be " + rewriting_text(*system) + ".", 0);
     for (const Language& language : claim.languages)

@@ -4,6 +4,7 @@
 #include <set>
 
 #include "language/detail/judge.hpp"
+#include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
 #include "word/word.hpp"
 
@@ -37,6 +38,8 @@ public:
     Answer included() {
         if (auto found = decided_inclusion()) return *found;
         if (auto found = difference(candidates(), true)) return *found;
+        if (const std::string reason = undecidable("Inclusion"); !reason.empty())
+            return undecided(reason);
         return undecided("no word among the first ones is in " + text(left_) + " and not in " +
                          text(right_) + ", and no theorem applies");
     }
@@ -72,6 +75,7 @@ public:
             return proved(steps::SameAutomata{regular_left->automaton().states()});
         }
         if (auto found = deterministic_equality()) return *found;
+        if (auto found = same_sequences()) return *found;
         if (auto found = difference(short_words(first_tried), false)) return *found;
         const auto there = decided_inclusion();
         if (there && there->truth == Truth::refuted) return *there;
@@ -80,6 +84,8 @@ public:
         if (there && back && there->truth == Truth::proved && back->truth == Truth::proved)
             return proved(steps::BothInclusions{there->proof, back->proof});
         if (auto found = difference(candidates(), false)) return *found;
+        if (const std::string reason = undecidable("Equality"); !reason.empty())
+            return undecided(reason);
         const auto is_open = [](const auto& side) {
             return !side || side->truth == Truth::undecided;
         };
@@ -114,6 +120,34 @@ private:
                          " is in one language only, and too long to be written out");
     }
 
+    /// Of languages whose words are a sequence with powers, or that of a D0L system.
+    std::optional<Answer> same_sequences() const {
+        const auto left = sequence_of(left_), right = sequence_of(right_);
+        if (!left && !right) return std::nullopt;
+        const std::string sequence = to_string(left ? *left : *right, alphabet_);
+        if (left && right) {
+            if (!is_same(*left, *right)) return std::nullopt;
+            return proved(steps::SamePowers{left_, right_, sequence, {}});
+        }
+        const LanguageTree& other = left ? *right_ : *left_;
+        if (other.kind != Kind::generated || !has_form(*other.system, *system_form("D0L")) ||
+            !follows(as_d0l(*other.system), left ? *left : *right))
+            return std::nullopt;
+        return proved(steps::SamePowers{left_, right_, sequence, other.system->name});
+    }
+
+    /// What is known of all context-free languages, where both sides are such and one is given by a grammar.
+    std::string undecidable(const std::string& what) const {
+        const auto has_grammar = [](const LanguageTree& tree) {
+            return tree.kind == Kind::generated && !tree.system->grammar.empty();
+        };
+        if (!has_grammar(*left_) && !has_grammar(*right_)) return {};
+        return "no word among the first ones tells " + text(left_) + " and " + text(right_) +
+               " apart. " + what +
+               " of context-free languages is undecidable (Bar-Hillel, Perles and Shamir 1961), so "
+               "no method decides it for all grammars";
+    }
+
     Answer finite_equality(const FiniteValue& left, const FiniteValue& right) const {
         if (left.words == right.words) return proved(steps::SameValues{left.known, right.known});
         std::vector<Word> alone;  // of the left side, or of the right one if there are none
@@ -145,7 +179,8 @@ private:
         const Meeting meeting = first_outside(tables->system, right, budget_);
         if (meeting.derivation) return witness(meeting.derivation->words.back());
         steps::WithinRegular within{left_, right_, repeated(meeting, tables->system), nullptr};
-        if (left_->kind != Kind::generated || has_system(right_))
+        const bool is_checked = left_->kind == Kind::generated || left_->kind == Kind::powers;
+        if (!is_checked || has_system(right_))
             within.constructed = std::make_shared<const TableValue>(std::move(*tables));
         return proved(std::move(within));
     }
@@ -203,6 +238,7 @@ private:
 
     void add_generations(const LanguageTree& tree, std::vector<Word>& words) const {
         for (const Language& part : tree.parts) add_generations(*part, words);
+        if (tree.kind == Kind::powers) add_powers(*tree.powers, words);
         if (tree.kind != Kind::generated || !tree.system->tables) return;
         for (const Table& table : tree.system->tables->tables) {
             Word word = tree.system->tables->axiom;
@@ -214,6 +250,23 @@ private:
                 word = std::move(next);
             }
         }
+    }
+
+    /// The words for small values of the numbers.
+    void add_powers(const Powers& powers, std::vector<Word>& words) const {
+        const std::uint64_t second_most = powers.numbers.size() > 1 ? most_generations : 1;
+        Budget small = budget_;
+        small.letters = longest_tried;
+        for (std::uint64_t n = 0; n < most_generations; ++n)
+            for (std::uint64_t m = 0; m < second_most; ++m) {
+                std::vector<std::uint64_t> values{powers.numbers.front().least + n};
+                if (powers.numbers.size() > 1) values.push_back(powers.numbers.back().least + m);
+                try {
+                    words.push_back(word_of(powers, values, small));
+                } catch (const BoundReached&) {  // it is too long to be tried
+                    break;
+                }
+            }
     }
 
     const Language& left_;

@@ -3,6 +3,7 @@
 #include "growth/growth.hpp"
 #include "language/detail/finite_family.hpp"
 #include "language/detail/judge.hpp"
+#include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
 
 // Whether a language is of a family: REG, CF, or a family of L-systems.
@@ -57,8 +58,60 @@ private:
             return proved(steps::FiniteOfFamily{known->known, question_.family});
         if (regular_value(language_, alphabet_, budget_))
             return proved(steps::RegularOperations{language_, question_.family});
+        if (question_.family == "CF" && is_context_free(language_))
+            return proved(steps::ContextFree{language_});
         if (auto found = sparse()) return *found;
-        return undecided("no regular expression for " + name_ + " is at hand");
+        if (language_->kind == Kind::powers)
+            if (auto beyond = beyond_family(*language_->powers, question_.family))
+                return refuted(steps::PowersBeyond{language_, question_.family, *beyond});
+        if (question_.family == "CF")
+            return undecided("no context-free grammar for " + name_ + " is at hand");
+        return undecided("no regular expression for " + name_ +
+                         " is at hand, and whether the language of a grammar or system is regular "
+                         "is not decided");
+    }
+
+    /// Whether the language is made of context-free ones by operations under which these are closed.
+    bool is_context_free(const Language& language) const {
+        const LanguageTree& tree = *language;
+        const auto part = [&](std::size_t i) { return is_context_free(tree.parts[i]); };
+        const auto is_regular = [&](std::size_t i) {
+            return regular_value(tree.parts[i], alphabet_, budget_).has_value();
+        };
+        switch (tree.kind) {
+            case Kind::generated:
+                if (tree.system->tables && has_identities(*tree.system->tables)) return true;
+                break;
+            case Kind::powers:
+                if (is_nested(*tree.powers)) return true;
+                break;
+            case Kind::united:
+            case Kind::concatenated:
+                return part(0) && part(1);
+            case Kind::star:
+            case Kind::plus:
+            case Kind::reversed:
+            case Kind::image:
+            case Kind::inverse_image:
+                return part(0);
+            case Kind::intersected:
+                return (part(0) && is_regular(1)) || (is_regular(0) && part(1));
+            case Kind::difference:
+                return part(0) && is_regular(1);
+            default:
+                break;
+        }
+        return regular_value(language, alphabet_, budget_).has_value();
+    }
+
+    /// Whether each letter may stay as it is, so that a derivation may rewrite one letter at a time.
+    static bool has_identities(const ET0L& system) {
+        if (system.tables.size() != 1) return false;
+        const Table& table = system.tables.front();
+        for (const Symbol a : accessible_letters(system))
+            if (std::find(table[a].begin(), table[a].end(), Word{a}) == table[a].end())
+                return false;
+        return true;
     }
 
     /// Words of a propagating system are at least as long as its axiom.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "language/detail/powers.hpp"
 #include "word/word.hpp"
 
 // Whether a word is in a language, by the definition of each operation.
@@ -102,6 +103,11 @@ public:
                 return image(language, word);
             case Kind::inverse_image:
                 return inverse_image(language, word);
+            case Kind::powers: {
+                auto values = values_of(*tree.powers, word, budget_);
+                const bool in = values.has_value();
+                return decided(in, steps::OfPowers{language, word, std::move(values)});
+            }
             case Kind::variable:
                 break;
         }

@@ -71,6 +71,7 @@ public:
         }
         LanguageTree closed = tree;
         for (Language& part : closed.parts) part = language(part);
+        if (tree.kind == Kind::powers) closed.powers = powers(*tree.powers);
         for (Word& word : closed.words) word = replaced(word);
         if (tree.kind == Kind::words) return renamed(words_language(std::move(closed.words)), tree);
         if (tree.system) closed.system = system(tree.system);
@@ -121,6 +122,16 @@ private:
                 all.insert(all.end(), found->second.begin(), found->second.end());
         }
         return all;
+    }
+
+    std::shared_ptr<const Powers> powers(Powers open) const {
+        for (Powers::Block& block : open.blocks) {
+            block.word = replaced(block.word);
+            if (block.word.empty())
+                throw Error(
+                    "the value of a bound word is empty, and a power of it stands in a set");
+        }
+        return std::make_shared<const Powers>(std::move(open));
     }
 
     Morphism replaced(const Morphism& morphism) const {
@@ -181,6 +192,8 @@ private:
     void put(IncludedIn& said) const { said = {language(said.inner), language(said.outer)}; }
     void put(HasWord& said) const { said = {language(said.language), replaced(said.word)}; }
     void put(HasSize& said) const { said.language = language(said.language); }
+    void put(IsCode& said) const { said.language = language(said.language); }
+    void put(IsPalindrome& said) const { said.word = replaced(said.word); }
     void put(Derives& said) const {
         said.system = system(said.system);
         said.word = replaced(said.word);
@@ -277,6 +290,7 @@ private:
         for (const Language& part : tree.parts) in(part);
         for (const Word& word : tree.words) in(word);
         if (tree.kind == Kind::generated) in(tree.system);
+        if (tree.kind == Kind::powers) in(letters_of(language));
         if (tree.kind == Kind::complement) in(tree.letters);
         for (const Symbol a : tree.morphism.domain()) {
             found_.insert(a);
@@ -302,6 +316,8 @@ private:
         in(said.word);
     }
     void in(const HasSize& said) { in(said.language); }
+    void in(const IsCode& said) { in(said.language); }
+    void in(const IsPalindrome& said) { in(said.word); }
     void in(const Derives& said) {
         in(said.system);
         in(said.word);

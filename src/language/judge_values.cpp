@@ -1,4 +1,5 @@
 #include "language/detail/judge.hpp"
+#include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
 #include "word/word.hpp"
 
@@ -79,6 +80,7 @@ std::optional<Answer> infinite_generated(const Language& language, const Budget&
 std::optional<Answer> infinite(const Language& language, const Alphabet& alphabet,
                                const Budget& budget) {
     budget.check();
+    if (language->kind == Kind::powers) return refuted(steps::LongerPowers{language});
     if (const auto regular = regular_value(language, alphabet, budget)) {
         const auto found = pump(regular->automaton());
         if (!found) return std::nullopt;
@@ -108,22 +110,27 @@ std::optional<Answer> infinite(const Language& language, const Alphabet& alphabe
     }
 }
 
-/// Whether L(G) meets a regular language, where the expression is an intersection of such.
+/// Whether L(G), or a language of powers, meets a regular language, where the expression is an intersection of such.
 std::optional<Answer> disjoint(const Language& language, const Alphabet& alphabet,
                                const Budget& budget) {
     if (language->kind != Kind::intersected) return std::nullopt;
     for (const std::size_t i : {0u, 1u}) {
         const LanguageTree& part = *language->parts[i];
-        if (part.kind != Kind::generated || !part.system->tables) continue;
+        const bool is_system = part.kind == Kind::generated && part.system->tables;
+        if (!is_system && part.kind != Kind::powers) continue;
         if (has_system(language->parts[1 - i])) continue;  // then it is worked out otherwise
         const auto regular = regular_value(language->parts[1 - i], alphabet, budget);
         if (!regular) continue;
-        const Meeting meeting = first_meeting(*part.system->tables, *regular, budget);
-        if (meeting.derivation)
-            return refuted(
-                steps::FoundWord{language, meeting.derivation->words.back(), *meeting.derivation});
-        return proved(steps::Disjoint{part.system->name, language->parts[1 - i],
-                                      repeated(meeting, *part.system->tables)});
+        const ET0L system =
+            is_system ? *part.system->tables : system_of(*part.powers, alphabet, budget);
+        const Meeting meeting = first_meeting(system, *regular, budget);
+        if (meeting.derivation) {
+            steps::FoundWord found{language, meeting.derivation->words.back()};
+            if (is_system) found.derivation = *meeting.derivation;
+            return refuted(std::move(found));
+        }
+        return proved(
+            steps::Disjoint{language->parts[i], language->parts[1 - i], repeated(meeting, system)});
     }
     return std::nullopt;
 }
@@ -146,6 +153,12 @@ Answer judge_finite(const Language& language, const Alphabet& alphabet, const Bu
 Answer judge_empty(const Language& language, const Alphabet& alphabet, const Budget& budget) {
     const auto has = [&](const Word& word) { return refuted(steps::FoundWord{language, word}); };
     if (auto found = disjoint(language, alphabet, budget)) return *found;
+    if (language->kind == Kind::powers) {
+        std::vector<std::uint64_t> least;
+        for (const Powers::Number& number : language->powers->numbers)
+            least.push_back(number.least);
+        return has(word_of(*language->powers, least, budget));
+    }
     if (const auto known = finite_value(language, alphabet, budget)) {
         if (!known->words.empty()) return has(known->words.front());
         return proved(steps::NoWord{known->known, language, false});

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "language/detail/powers.hpp"
 #include "word/word.hpp"
 
 // Languages as values, their text with as few brackets as the levels of the operations allow, and the forms of
@@ -57,6 +58,9 @@ void add_letters(std::set<Symbol>& letters, const LanguageTree& tree) {
         case Kind::difference:
             add_letters(letters, *tree.parts[0]);
             return;
+        case Kind::powers:
+            for (const Powers::Block& block : tree.powers->blocks) add_letters(letters, block.word);
+            return;
         case Kind::intersected: {
             const std::vector<Symbol> left = letters_of(tree.parts[0]),
                                       right = letters_of(tree.parts[1]);
@@ -107,7 +111,8 @@ std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
         case Kind::words:
             return words_text(tree.words, alphabet);
         case Kind::generated:
-            return "L(" + tree.system->name + ")";
+            return tree.system->grammar.empty() ? "L(" + tree.system->name + ")"
+                                                : tree.system->grammar;
         case Kind::united:
             return part(0, sum) + " | " + part(1, intersection);
         case Kind::difference:
@@ -130,6 +135,8 @@ std::string operation_text(const LanguageTree& tree, const Alphabet& alphabet) {
             return morphism_text(tree, alphabet) + "^-1(" + part(0, sum) + ")";
         case Kind::variable:
             return tree.variable->name;
+        case Kind::powers:
+            return to_string(*tree.powers, alphabet);
     }
     return {};
 }

@@ -40,6 +40,36 @@ struct SourceSystem {
     std::optional<IL> interactive;  // where `tables` is empty
     /// A name that a quantifier binds, by its number, instead of a system.
     std::optional<std::size_t> variable = {};
+    /// Where the system stands for a context-free grammar, that grammar as claims write it: `CF { S -> aSb | ε }`. The
+    /// rules of the grammar and A -> A for each of its letters generate its language as an E0L system.
+    std::string grammar = {};
+};
+
+/// The words u1^e1 u2^e2 ... for all values of one or two numbers: {a^n b^(2n+1) : n >= 0}. Each number stands in an
+/// exponent; the exponents grow with every number that stands in them.
+struct Powers {
+    /// coefficient * number^power * base^number, with coefficient and base at least 1; without a number the coefficient.
+    struct Term {
+        Integer coefficient = 1;
+        std::optional<std::size_t> number = {};  // place in `numbers`
+        std::uint64_t power = 0;
+        Integer base = 1;
+        bool operator==(const Term&) const = default;
+    };
+    /// The sum of its terms, no two of which differ in their coefficients only.
+    struct Block {
+        Word word;  // not empty
+        std::vector<Term> exponent;
+        bool operator==(const Block&) const = default;
+    };
+    struct Number {
+        std::string name;
+        std::uint64_t least = 0;  // it is this number or a larger one
+        bool operator==(const Number&) const = default;
+    };
+    std::vector<Block> blocks;
+    std::vector<Number> numbers;
+    bool operator==(const Powers&) const = default;
 };
 
 struct LanguageTree;
@@ -71,22 +101,27 @@ struct LanguageTree {
         image,          // under `morphism`
         inverse_image,  // the words over the letters that have an image whose image is in the part
         variable,       // a name that a quantifier binds
+        powers,         // {a^n b^n : n >= 0}
     };
     Kind kind = Kind::words;
     std::vector<Word> words;  // sorted: shorter ones first, then by symbol numbers
-    std::shared_ptr<const SourceSystem> system;  // of L(G)
+    std::shared_ptr<const SourceSystem> system;  // of L(G), or of a grammar
     /// Two of a union, intersection, difference, concatenation; otherwise one.
     std::vector<Language> parts;
     Morphism morphism;
     std::vector<Symbol> letters;             // increasing
     std::string name;                        // what the text calls it, where it has a name
     std::optional<BoundName> variable = {};  // that this is, or that the morphism of an image is
+    std::shared_ptr<const Powers> powers = {};
 };
 
 /// The finite set of these words, in any order and with repetitions.
 Language words_language(std::vector<Word> words);
 /// L(G).
 Language generated_language(std::shared_ptr<const SourceSystem> system);
+/// The words that the blocks make for all values of the numbers. Throws Error if an exponent with two numbers is not
+/// linear, or a number stands in no exponent.
+Language powers_language(Powers powers);
 /// Any kind with parts and nothing else.
 Language combined(LanguageTree::Kind kind, std::vector<Language> parts);
 /// The words over `letters` that are not in the language.
@@ -549,6 +584,17 @@ struct HasSize {
     Integer size;
 };
 
+/// No word is a product of words of the language in two ways; `prefix`: nor does one of its words begin with another.
+struct IsCode {
+    Language language;
+    bool prefix = false;
+};
+
+/// The word read backwards is the same.
+struct IsPalindrome {
+    Word word;
+};
+
 /// The system derives the word: from `from` or its axiom, in so many steps or some number of them.
 struct Derives {
     std::shared_ptr<const SourceSystem> system;
@@ -692,10 +738,10 @@ struct Quantified {
 /// One thing that is said of languages and systems, true or false. A new form is a new alternative: the compiler
 /// lists the judges and readers that miss it.
 struct Statement {
-    std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, Derives,
-                 EqualSequences, EqualGrowth, HasGrowthClass, IsIncreasing, ComparesNumbers,
-                 ComparesWords, Rewrites, HasChance, HasDimension, BoundaryHasDimension, Joint,
-                 Quantified>
+    std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, IsCode,
+                 IsPalindrome, Derives, EqualSequences, EqualGrowth, HasGrowthClass, IsIncreasing,
+                 ComparesNumbers, ComparesWords, Rewrites, HasChance, HasDimension,
+                 BoundaryHasDimension, Joint, Quantified>
         says;
     bool negated = false;
     std::string text = {};  // as written

@@ -134,15 +134,7 @@ public:
             reason(said.word, said.why) + ".");
     }
     void operator()(const steps::Factored& said) {
-        std::string cut;
-        std::size_t from = 0;
-        for (const std::size_t to : said.ends) {
-            const auto begin = said.word.begin();
-            cut += (cut.empty() ? "" : " . ") + word({begin + static_cast<std::ptrdiff_t>(from),
-                                                      begin + static_cast<std::ptrdiff_t>(to)});
-            from = to;
-        }
-        say(is_in(said, true) + ": it is " + cut + ".");
+        say(is_in(said, true) + ": it is " + cut(said.word, said.ends) + ".");
     }
     void operator()(const steps::NotFactored& said) {
         say(is_in(said, false) +
@@ -156,6 +148,16 @@ public:
     void operator()(const steps::HasNoPreimage& said) {
         say(is_in(said, false) + ": no word of " + language(said.language->parts[0]) +
             " has this image.");
+    }
+    void operator()(const steps::OfPowers& said) {
+        const auto& numbers = said.language->powers->numbers;
+        if (!said.values)
+            return say(is_in(said, false) + ": no word of it of this length is this one.");
+        std::string values;
+        for (std::size_t i = 0; i < numbers.size(); ++i)
+            values +=
+                (i > 0 ? ", " : "") + numbers[i].name + " = " + std::to_string((*said.values)[i]);
+        say(is_in(said, true) + ": " + marked(values) + ".");
     }
     void operator()(const steps::OtherLetters& said) {
         say("The complement is over other letters than " + letter(said.letter) + ".");
@@ -407,6 +409,15 @@ public:
             " comes in one step from a shorter word of it, by induction on the length: by "
             "successors that are not empty, one of them longer than one letter.");
     }
+    void operator()(const steps::SamePowers& said) {
+        const std::string sequence = marked(said.sequence);
+        if (said.system.empty())
+            return say("Both are the words " + sequence + " for n = " + number(0) + ", " +
+                       number(1) + ", ...");
+        say("Word number n of " + marked(said.system) + " is " + sequence +
+            ", by induction: it is so for n = " + number(0) +
+            ", and the rules make of it the same word for n + " + number(1) + ".");
+    }
     void operator()(const steps::BothInclusions& said) {
         lines_ = of(*said.there);
         add_new(of(*said.back));
@@ -435,7 +446,7 @@ public:
             (said.derivation ? ": " + arrows(*said.derivation) : "") + ".");
     }
     void operator()(const steps::Disjoint& said) {
-        say("No word of " + generated(said.system) + " is in " + language(said.other) + ": " +
+        say("No word of " + language(said.language) + " is in " + language(said.other) + ": " +
             relations(said.letters) + ", and no generation before has such a word.");
     }
     void operator()(const steps::NoTerminals& said) {
@@ -469,6 +480,10 @@ public:
             " for every n, since its automaton is in the same state before and after " +
             word(said.middle) + ".");
     }
+    void operator()(const steps::LongerPowers& said) {
+        say(language(said.language) + " is infinite: its words get longer with " +
+            marked(said.language->powers->numbers.front().name) + ".");
+    }
     void operator()(const steps::InfinitePart& said) {
         add(*said.part);
         const Kind kind = said.whole->kind;
@@ -500,6 +515,55 @@ public:
             " is made of finite languages by operations under which the regular languages are "
             "closed" +
             (said.family == "CF" ? ", and regular languages are context-free." : "."));
+    }
+    void operator()(const steps::ContextFree& said) {
+        const bool is_powers = said.language->kind == Kind::powers;
+        if (said.language->kind == Kind::generated && !said.language->system->grammar.empty())
+            return say(language(said.language) + " is given by a context-free grammar.");
+        if (said.language->kind == Kind::generated)
+            return say("Each letter of " + marked(said.language->system->name) +
+                       " may stay as it is, so a derivation may rewrite one letter at a time: its "
+                       "rules are those of a context-free grammar.");
+        say(language(said.language) +
+            (is_powers ? " is context-free: a grammar makes the powers of each number from outside "
+                         "inwards, as each stands in at most two exponents, and those of two "
+                         "numbers do not cross."
+                       : " is made of context-free languages by operations under which these are "
+                         "closed."));
+    }
+    void operator()(const steps::PowersBeyond& said) {
+        const std::string name = language(said.language), family = chomsky(said.family);
+        const std::string n = marked(said.language->powers->numbers.front().name);
+        const auto letters = [&] {
+            return joined(said.why.letters, ", ", [&](Symbol a) { return letter(a); });
+        };
+        switch (said.why.why) {
+            case BeyondFamily::Why::lengths:
+                say("The lengths of the words of " + name + " grow faster than linearly in " + n +
+                    ". The lengths of an infinite " + family +
+                    " language have all numbers of some arithmetic progression among them (Parikh "
+                    "1966).");
+                break;
+            case BeyondFamily::Why::blocks:
+                say("The letters " + letters() +
+                    " stand in one power each. A morphism that erases all other letters leaves " +
+                    (said.family == "REG"
+                         ? "powers of two letters, where how often the first stands there tells "
+                           "how "
+                           "often the second does, for infinitely many numbers"
+                         : "powers of three letters, which grow together: no two short parts of a "
+                           "long word can be repeated in all three (pumping lemma)") +
+                    ".");
+                break;
+            case BeyondFamily::Why::marker:
+                say("The letter " + letters() +
+                    " stands in each word once. Before and behind it are powers that grow with " +
+                    n +
+                    ", so what stands before it tells what follows, and this for infinitely many " +
+                    n + ": an automaton would need a state for each.");
+                break;
+        }
+        say("So " + name + " is not " + family + ".");
     }
     void operator()(const steps::HasEmptyWord& said) {
         add(*said.member);
@@ -540,6 +604,40 @@ public:
             (said.holds ? " is " + said.family + " too." : " is not " + said.family + " either."));
     }
     void operator()(const steps::Constructed& said) { say(construction(said.tables)); }
+
+    // --- Codes and palindromes ---
+
+    void operator()(const steps::Code& said) {
+        const std::string name = language(said.language);
+        const std::string how =
+            said.words > 0 ? "" : ", as an automaton that reads two words at once shows";
+        if (said.prefix)
+            return say("No word of " + name + " begins with another, and " + word({}) +
+                       " is none of them" + how + ".");
+        say("No word is a product of words of " + name + " in two ways: " +
+            (said.words > 0 ? "none of the remainders that two factorisations leave of each other "
+                              "is a word of it (Sardinas and Patterson 1953)."
+                            : "an automaton that cuts a word in two ways at once finds none."));
+    }
+    void operator()(const steps::TwoFactorisations& said) {
+        if (said.word.empty())
+            return say(word({}) + " is in " + language(said.language) +
+                       ", so every product of its words is one of more words, too.");
+        say(word(said.word) + " is a product of words of " + language(said.language) +
+            " in two ways: " + cut(said.word, said.left) + " and " + cut(said.word, said.right) +
+            ".");
+    }
+    void operator()(const steps::Beginning& said) {
+        say(word(said.word) + " and its beginning " + word(said.beginning) + " are both words of " +
+            language(said.language) + ".");
+    }
+    void operator()(const steps::Palindrome& said) {
+        if (!said.place)
+            return say(word(said.word) + " read backwards is " + word(said.word) + ".");
+        say("Letter number " + number(*said.place + 1) + " of " + word(said.word) + " is " +
+            letter(said.word[*said.place]) + ", and the same letter from its end is " +
+            letter(said.word[said.word.size() - 1 - *said.place]) + ".");
+    }
 
     // --- Several statements, and statements about all values ---
 
@@ -678,6 +776,18 @@ private:
     }
 
     std::string word(const Word& word) const { return marked_word(alphabet_, word); }
+    /// The factors that end at these places.
+    std::string cut(const Word& whole, const std::vector<std::size_t>& ends) const {
+        std::string text;
+        std::size_t from = 0;
+        for (const std::size_t to : ends) {
+            const auto begin = whole.begin();
+            text += (text.empty() ? "" : " . ") + word({begin + static_cast<std::ptrdiff_t>(from),
+                                                        begin + static_cast<std::ptrdiff_t>(to)});
+            from = to;
+        }
+        return text;
+    }
     std::string letter(Symbol a) const { return word({a}); }
     std::string language(const Language& language) const {
         return marked(to_string(language, alphabet_));

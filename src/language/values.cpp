@@ -4,6 +4,7 @@
 #include "exact/exact.hpp"
 #include "language/detail/construct.hpp"
 #include "language/detail/judge.hpp"
+#include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
 #include "word/word.hpp"
 
@@ -70,6 +71,8 @@ private:
                 return tree.words;
             case Kind::generated:
                 return generated(*tree.system);
+            case Kind::powers:
+                return std::nullopt;
             case Kind::intersected:
             case Kind::difference:
                 if (auto words = left_of_finite(tree)) return words;
@@ -217,6 +220,10 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
         const auto words = finite_value(language, alphabet, budget);
         return words ? std::optional(finite_set(words->words)) : std::nullopt;
     }
+    if (tree.kind == Kind::powers) {
+        const Language regular = regular_form(*tree.powers);
+        return regular ? regular_value(regular, alphabet, budget) : std::nullopt;
+    }
     std::vector<RegularLanguage> parts;
     for (const Language& part : tree.parts) {
         auto known = regular_value(part, alphabet, budget);
@@ -283,6 +290,10 @@ public:
             return tree.system->tables;
         }
         if (tree.kind == Kind::words) return finite(tree.words);
+        if (tree.kind == Kind::powers) {
+            used_.push_back("powers");
+            return system_of(*tree.powers, alphabet_, budget_);
+        }
         if (auto made = tree.kind == Kind::intersected || tree.kind == Kind::difference
                             ? filtered(tree)
                             : operated(tree)) {

@@ -451,14 +451,26 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
         return true;
     });
     const auto set = ByHand([&](const char*& first, const char* last) {
-        stack.operand({parse_set(first, last, reading), 0, 1});
+        const std::string_view inside = inside_braces(first, last);
+        if (is_set_with_condition(inside, reading)) {
+            stack.operand({parse_powers(inside, reading), 0, 1});
+            first = inside.data() + inside.size() + 1;
+        } else {
+            stack.operand({parse_set(first, last, reading), 0, 1});
+        }
+    });
+    const auto begins_grammar =
+        ByHand([](const char*& first, const char* last) { return is_grammar(first, last); });
+    const auto by_rules = ByHand([&](const char*& first, const char* last) {
+        stack.operand(parse_grammar(first, last, reading));
     });
     const auto regular = ByHand([&](const char*& first, const char* last) {
         stack.operand(parse_regular(first, last, reading));
     });
 
     const auto generated = word("L") >> '(';
-    const auto known = grammar::claim_name - (word("is") | word("in") | word("not") | word("by"));
+    const auto known =
+        grammar::claim_name - (word("is") | word("in") | word("not") | word("by") | begins_grammar);
     const auto mapped =
         (&x3::lit('{') >> braces_of_morphism) | (!generated >> known[is_name_of_morphism]);
     const auto inverse =
@@ -472,18 +484,18 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
     const auto system =
         wanted("the name of a system")[x3::raw[x3::lexeme[+(x3::char_ - ')')]][on_system]] >>
         wanted("')'")[x3::lit(')')[on_generated]];
-    const auto operand = (generated >> system) | known[on_name] | (&x3::lit('{') >> set) |
-                         (&x3::lit('/') >> regular);
+    const auto operand = (generated >> system) | (&begins_grammar >> by_rules) | known[on_name] |
+                         (&x3::lit('{') >> set) | (&x3::lit('/') >> regular);
     const auto reversal = x3::lit('^') >> wanted("R after '^' (reversal)")[word("R")];
     const auto behind =
         x3::raw[x3::lit('+')][postfix(Kind::plus)] | x3::raw[reversal][postfix(Kind::reversed)] |
         x3::raw[x3::lit('*')][postfix(Kind::star)] | (x3::eps[is_open] >> x3::lit(')')[on_close]);
     const auto bar = '|' >> !(x3::eps[is_closed_by_bar] >> (x3::lit('=') | "!="));
-    const auto next =
-        x3::raw[bar][infix(Kind::united, sum)] |
-        x3::raw[x3::lit('\\')][infix(Kind::difference, sum)] |
-        x3::raw[x3::lit('&')][infix(Kind::intersected, intersection)] |
-        x3::raw[x3::lit('.') | &(x3::char_("{/(~") | known)][infix(Kind::concatenated, product)];
+    const auto next = x3::raw[bar][infix(Kind::united, sum)] |
+                      x3::raw[x3::lit('\\')][infix(Kind::difference, sum)] |
+                      x3::raw[x3::lit('&')][infix(Kind::intersected, intersection)] |
+                      x3::raw[x3::lit('.') | &(x3::char_("{/(~") | begins_grammar | known)]
+                             [infix(Kind::concatenated, product)];
     grammar::read(here, end, (*prefix >> wanted("a language")[operand] >> *behind) % next);
     LanguageOperand whole = stack.finish();
     if (stack.depth() > 0) throw unexpected("an operator or ')'", here);

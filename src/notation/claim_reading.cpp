@@ -157,8 +157,9 @@ constexpr std::size_t most_suggested = 1000;  // to choose from more would take 
 
 /// The words that cannot be names of claims.
 const std::vector<std::string>& claim_keywords() {
-    static const std::vector<std::string> all{"is",       "in",        "not",      "by",  "growth",
-                                              "sequence", "dimension", "boundary", "word"};
+    static const std::vector<std::string> all{"is",     "in",       "not",       "by",
+                                              "growth", "sequence", "dimension", "boundary",
+                                              "word",   "CF",       "regular"};
     return all;
 }
 
@@ -284,7 +285,7 @@ std::shared_ptr<const SourceSystem> ClaimReading::system(std::string_view name) 
         return opened_[key] = add_system(key, opened(key, name.data()), name.data());
     }
     if (!known) known = &expect(name);
-    if (known->kind != ClaimName::Kind::system)
+    if (!known->system)
         throw SyntaxError{name.data(), "expected a system, found " + quoted(name) + ", " +
                                            kind_text(known->kind)};
     return known->system;
@@ -357,8 +358,24 @@ std::shared_ptr<const SourceSystem> ClaimReading::add_system(const std::string& 
     return owned.system;
 }
 
+std::shared_ptr<const SourceSystem> ClaimReading::add_grammar(const std::string& name, ET0L system,
+                                                              const std::string& grammar) {
+    for (const auto& known : grammars)
+        if (known->name == name && known->grammar == grammar) return known;
+    Owned owned{std::make_shared<SourceSystem>(), {}};
+    system.name = name;
+    owned.own.name = name;
+    owned.own.grammar = grammar;
+    owned.own.tables = std::move(system);
+    put_over_alphabet(owned);
+    systems_.push_back(owned);
+    grammars.push_back(owned.system);
+    return owned.system;
+}
+
 void ClaimReading::put_over_alphabet(Owned& owned) const {
     owned.system->name = owned.own.name;
+    owned.system->grammar = owned.own.grammar;
     if (owned.own.tables) owned.system->tables = over(*owned.own.tables, alphabet);
     if (owned.own.interactive) owned.system->interactive = over(*owned.own.interactive, alphabet);
 }

@@ -38,7 +38,7 @@ using grammar::wanted;
 using grammar::word;
 
 constexpr const char* properties =
-    "a family (0L, PD0L, ET0L, regular, ...), finite, infinite or empty";
+    "a family (0L, PD0L, ET0L, regular, ...), finite, infinite, empty, a code or a prefix code";
 
 std::string_view before(std::string_view text, std::size_t offset) {
     return text.substr(0, offset);
@@ -308,6 +308,26 @@ public:
         return read(language(said.language) >> says(said));
     }
 
+    /// `abba is a palindrome`, `abab is not a palindrome`.
+    bool palindrome() {
+        const std::size_t is = find_word(text_, "is");
+        if (is == std::string_view::npos) return false;
+        bool denied = false;
+        const char* here = text_.data() + is;
+        const char* const end = text_.data() + text_.size();
+        const auto says_so = word("is") >> -word("not")[grammar::sets(denied, true)] >> word("a") >>
+                             word("palindrome");
+        if (!grammar::read(here, end, says_so)) return false;
+        if (here != end) throw unexpected("the end of the statement", here);
+        const std::string_view name = trimmed(before(text_, is));
+        if (const ClaimName* known = is_claim_name(name) ? reading_.find(name) : nullptr;
+            known && known->kind != ClaimName::Kind::word)
+            throw SyntaxError{name.data(), "expected a word, found the name " + quoted(name)};
+        statement_.negated = denied;
+        statement_.says = IsPalindrome{parse_claimed_word(before(text_, is), reading_)};
+        return true;
+    }
+
     /// `sequence(G) == sequence(H)`, or `!=`.
     bool sequences() {
         EqualSequences said;
@@ -394,10 +414,14 @@ public:
     bool languages() {
         EqualLanguages equal;
         IncludedIn included;
+        IsCode code;
         const auto on_property = told([&](std::string_view found) { property(found, equal.left); });
+        const auto is_code = word("a") >> -word("prefix")[grammar::sets(code.prefix, true)] >>
+                             wanted("'code' or 'prefix code' after 'a'")[word("code")] >>
+                             x3::eps[([&](auto&) { code.language = equal.left; })] >> says(code);
         const auto is_property = word("is") >>
                                  -word("not")[grammar::sets(statement_.negated, true)] >>
-                                 wanted(properties)[grammar::piece[on_property]];
+                                 (is_code | wanted(properties)[grammar::piece[on_property]]);
         const auto is_equal = ("==" | unequal()) >> language(equal.right) >> says(equal);
         const auto is_included =
             wanted("an operator, 'is', '==', '!=' or '<='")["<="] >> language(included.outer) >>
@@ -418,6 +442,7 @@ constexpr StatementForm statement_forms[] = {
     {"G ==> w in 3 steps", &StatementReader::derivation},
     {"word(F, n + 2) == word(F, n + 1) word(F, n)", &StatementReader::words},
     {"ab in A", &StatementReader::membership},
+    {"abba is a palindrome", &StatementReader::palindrome},
     {"sequence(G) == sequence(H)", &StatementReader::sequences},
     {"growth(G) is strictly increasing", &StatementReader::increasing},
     {"growth(G) = 2^n + 1", &StatementReader::growth},

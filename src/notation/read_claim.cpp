@@ -235,7 +235,9 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
 void refuse_unknown_family(std::string_view value) {
     const std::string_view word = first_word(value);
     const std::string_view rest = trimmed(value.substr(word.size()));
-    if (word.empty() || !is_morphism(rest.data(), rest.data() + rest.size())) return;
+    if (word.empty() || !is_morphism(rest.data(), rest.data() + rest.size()) ||
+        is_grammar(value.data(), value.data() + value.size()))
+        return;
     std::vector<std::string> families = common_families();
     families.insert(families.end(), rewriting_families().begin(), rewriting_families().end());
     throw unknown_word("a family of systems (0L, PD0L, ET0L, IL, ...)", word, families);
@@ -280,7 +282,12 @@ void read_definition(const ClaimDefinition& definition, ClaimReading& reading, C
         if (!rest.starts_with('(') && !rest.starts_with('^'))
             throw unexpected("the end of the definition, or '(' and a language", rest.data());
     }
-    meaning.language = parse_language(here, end, reading);
+    if (is_grammar(here, end) && closing_brace(std::find(here, end, '{'), end) + 1 == end) {
+        meaning.language = parse_grammar(here, end, reading, std::string(definition.name));
+        meaning.system = meaning.language.language->system;
+    } else {
+        meaning.language = parse_language(here, end, reading);
+    }
     if (here != end) throw unexpected("an operator or the end of the definition", here);
     meaning.language.language = named(meaning.language.language, std::string(definition.name));
     meaning.kind = ClaimName::Kind::language;
@@ -329,6 +336,8 @@ public:
                 "expected a title, 'claim TEXT', before the end of the file, found none");
         reading_.findings.throw_if_any();
         if (reading_.binds) choose_instance_letters();
+        claim_.systems.insert(claim_.systems.end(), reading_.grammars.begin(),
+                              reading_.grammars.end());
         reading_.finish();
         claim_.alphabet = reading_.alphabet;
         return std::move(claim_);

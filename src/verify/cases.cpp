@@ -62,6 +62,9 @@ void add_letters(const Language& language, std::set<Symbol>& letters) {
         letters.insert(letter);
         letters.insert(image.begin(), image.end());
     }
+    if (language->powers)
+        for (const Powers::Block& block : language->powers->blocks)
+            letters.insert(block.word.begin(), block.word.end());
     if (language->system)
         for (const Symbol letter : accessible_letters(*language->system, language->system->axiom))
             if (language->system->terminal[letter]) letters.insert(letter);

@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "verify/detail/languages.hpp"
 #include "verify/verify.hpp"
 #include "word/word.hpp"
 
@@ -203,6 +204,7 @@ Language Reader::language(const Field& field) const {
         const NamedSystem named = named_system(field.at("generated"));
         return generated_by(named.system, named.name);
     }
+    if (field.has("powers")) return powers(field);
     if (field.has("name")) {
         field.only({"name"});
         const auto bound = bound_.languages.find(field.at("name").text());
@@ -245,15 +247,22 @@ bool Reader::of_languages(const Field& field, Statement& read) const {
     if (field.has("is")) {
         field.only({"is", "language"});
         read.family = field.at("is").text();
-        read.kind = read.family == "finite"  ? Kind::finite
-                    : read.family == "empty" ? Kind::empty
-                                             : Kind::family;
+        read.kind = read.family == "finite"        ? Kind::finite
+                    : read.family == "empty"       ? Kind::empty
+                    : read.family == "code"        ? Kind::code
+                    : read.family == "prefix code" ? Kind::prefix_code
+                                                   : Kind::family;
         if (read.kind == Kind::family && !std::count(families.begin(), families.end(), read.family))
             field.at("is").fail("there is no family '" + read.family + "'");
     } else if (field.has("member")) {
         field.only({"member", "language"});
         read.kind = Kind::member;
         read.word = word(field.at("member"));
+    } else if (field.has("palindrome")) {
+        field.only({"palindrome"});
+        read.kind = Kind::palindrome;
+        read.word = word(field.at("palindrome"));
+        return true;
     } else if (field.has("size")) {
         field.only({"size", "language"});
         read.kind = Kind::size;
@@ -391,6 +400,7 @@ Language combination(Tree::Kind kind, std::vector<Language> parts,
 bool same(const Language& left, const Language& right) {
     return std::tie(left->kind, left->words, left->letters, left->morphism) ==
                std::tie(right->kind, right->words, right->letters, right->morphism) &&
+           (!left->powers || *left->powers == *right->powers) &&
            (!left->system || *left->system == *right->system) &&
            std::equal(left->parts.begin(), left->parts.end(), right->parts.begin(),
                       right->parts.end(), same);
@@ -398,6 +408,7 @@ bool same(const Language& left, const Language& right) {
 
 bool is_regular(const Language& language) {
     return language->kind != Tree::Kind::generated && language->kind != Tree::Kind::variable &&
+           (!language->powers || regular_form(*language->powers)) &&
            std::all_of(language->parts.begin(), language->parts.end(), is_regular);
 }
 
@@ -714,6 +725,9 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     std::string text;
     if (language->kind == Tree::Kind::variable) return language->name;
     if (language->kind == Tree::Kind::generated) return "L(" + language->name + ")";
+    if (language->kind == Tree::Kind::powers)
+        return shortened(powers_text(*language->powers,
+                                     [&](const Word& word) { return word_text(alphabet, word); }));
     if (language->kind == Tree::Kind::words) {
         for (const Word& word : language->words)
             text += (text.empty() ? "" : ", ") + word_text(alphabet, word);
@@ -838,6 +852,11 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
             return language(0) + " is " + no + "finite";
         case Kind::empty:
             return language(0) + " is " + no + "empty";
+        case Kind::code:
+        case Kind::prefix_code:
+            return language(0) + " is " + no + "a " + statement.family;
+        case Kind::palindrome:
+            return word + " is " + no + "a palindrome";
         case Kind::equal:
             return language(0) + (opposite ? " != " : " = ") + language(1);
         case Kind::included:

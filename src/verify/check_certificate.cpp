@@ -45,7 +45,8 @@ void check_environment(const Obligation&) {
 const std::vector<Method>& methods() {
     static const std::vector<Kind> family{Kind::family}, pair{Kind::equal, Kind::included},
         equal{Kind::equal}, included{Kind::included}, empty{Kind::empty},
-        rewriting{Kind::rewrites, Kind::chance}, sequences{Kind::equal_sequences};
+        rewriting{Kind::rewrites, Kind::chance}, sequences{Kind::equal_sequences},
+        codes{Kind::code, Kind::prefix_code};
     constexpr auto either = Method::either, holds = Method::statement, fails = Method::opposite;
     static const std::vector<Method> all = {
         {"construction", {}, either, {"system"}, check_construction},
@@ -60,6 +61,8 @@ const std::vector<Method>& methods() {
         {"finite", family, holds, {}, check_all_finite},
         {"regular", family, holds, {}, check_regular_family},
         {"closed", family, holds, {}, check_closed},
+        {"context-free", family, holds, {}, check_context_free},
+        {"powers", family, fails, {}, check_powers_beyond},
         {"values", {Kind::finite, Kind::empty, Kind::size}, either, {}, check_size_of_values},
         {"relations", empty, holds, {}, check_no_word},
         {"word", empty, fails, {"word"}, check_a_word},
@@ -70,9 +73,14 @@ const std::vector<Method>& methods() {
         {"identical", pair, holds, {}, check_identical},
         {"sequences", pair, holds, {"proof"}, check_same_sequences},
         {"sections", equal, holds, {"words", "sections"}, check_sections},
+        {"powers", equal, holds, {}, check_same_powers},
         {"both", equal, holds, {"proofs"}, check_both},
         {"induction", included, holds, {"base"}, check_induction},
         {"relations", included, holds, {}, check_relations},
+        {"code", codes, holds, {}, check_code},
+        {"factorisations", codes, fails, {"word", "ends"}, check_factorisations},
+        {"beginning", {Kind::prefix_code}, fails, {"word", "beginning"}, check_beginning},
+        {"letters", {Kind::palindrome}, either, {}, check_palindrome},
         {"membership", {Kind::member}, either, {"derivation", "preimage"}, check_membership},
         {"derivation", {Kind::derives}, holds, {"words", "tables"}, check_derivation},
         {"exhausted", {Kind::derives}, fails, {}, check_not_derived},
@@ -121,6 +129,7 @@ const std::vector<Method>& methods_of_infinity() {
          check_endless_tables},
         {"pumping", {}, Method::either, {"prefix", "middle", "suffix"}, check_pumping},
         {"part", {}, Method::either, {"index", "proof"}, check_part},
+        {"powers", {}, Method::either, {}, check_endless_powers},
     };
     return all;
 }
@@ -161,6 +170,8 @@ std::optional<std::set<Word>> Obligation::values(const Language& of) const {
 void check_regular(const Obligation& task, const Language& language) {
     if (language->kind == Tree::Kind::generated && !task.values(language))
         task.refuse("a system occurs in the expression whose language is not finite");
+    if (language->kind == Tree::Kind::powers && !regular_form(*language->powers))
+        task.refuse("powers occur in the expression that are not seen to be regular");
     for (const Language& part : language->parts) check_regular(task, part);
 }
 

@@ -119,6 +119,10 @@ Derivatives::Term Derivatives::convert(const Tree& tree, bool reversed) {
         case Tree::Kind::image:
         case Tree::Kind::inverse_image:
             return convert_morphism(tree, reversed);
+        case Tree::Kind::powers:
+            if (const Language regular = regular_form(*tree.powers))
+                return convert(*regular, reversed);
+            throw BoundReached(Bound::method, "powers that are not seen to be regular");
         case Tree::Kind::variable:
             break;
     }
@@ -404,6 +408,8 @@ private:
             }
             case Tree::Kind::image:
                 return image(tree, word);
+            case Tree::Kind::powers:
+                return has_word(*tree.powers, word, budget_);
             case Tree::Kind::variable:
                 break;
         }
@@ -450,6 +456,10 @@ private:
                 });
             case Tree::Kind::generated:
                 return image_of_generated(*part.system, tree.morphism, word);
+            case Tree::Kind::powers:
+                if (const auto powers = image_of_powers(*part.powers, tree.morphism, budget_))
+                    return has_word(*powers, word, budget_);
+                break;
             case Tree::Kind::united:
             case Tree::Kind::concatenation:
             case Tree::Kind::star:
@@ -704,6 +714,8 @@ public:
                 return regular(language);
             case Tree::Kind::complement:
                 return regular(language);
+            case Tree::Kind::powers:
+                return std::nullopt;
             case Tree::Kind::variable:
                 break;
         }

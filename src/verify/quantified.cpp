@@ -106,6 +106,9 @@ bool maps_all(const BoundNames::Images& images, const Language& language) {
         case Kind::inverse_image:
             return std::all_of(language->morphism.begin(), language->morphism.end(),
                                [&](const auto& one) { return has(one.first); });
+        case Kind::powers:
+            return std::all_of(language->powers->blocks.begin(), language->powers->blocks.end(),
+                               [&](const Powers::Block& block) { return has_all(block.word); });
         case Kind::variable:
             return false;
         default:

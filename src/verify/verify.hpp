@@ -217,6 +217,27 @@ Choices choices(const ModuleSystem& system, const Modules& word, std::size_t pos
 Rational chance(const ModuleSystem& system, const Modules& from, const Modules& to,
                 const Integer& steps, const Field& proof, const Budget& budget);
 
+/// The words made of powers of words, for all values of one or two numbers from their least ones on.
+struct Powers {
+    /// coefficient * number^power * base^number; the number is 0 or 1.
+    struct Term {
+        Integer coefficient = 1;
+        std::size_t number = 0;
+        std::uint64_t power = 0;
+        Integer base = 1;
+        bool operator==(const Term&) const = default;
+    };
+    struct Block {
+        Word word;
+        std::vector<Term> exponent;
+        bool operator==(const Block&) const = default;
+    };
+    std::vector<Block> blocks;
+    std::vector<std::string> names;    // of the numbers
+    std::vector<std::uint64_t> least;  // of each
+    bool operator==(const Powers&) const = default;
+};
+
 struct Tree;
 /// An expression for a language.
 using Language = std::shared_ptr<const Tree>;
@@ -236,7 +257,8 @@ struct Tree {
         complement,
         image,
         inverse_image,
-        variable  // a bound name without a value
+        variable,  // a bound name without a value
+        powers
     };
     Kind kind = Kind::words;
     std::vector<Word> words;               // in shortlex order, each once
@@ -245,6 +267,7 @@ struct Tree {
     std::vector<Language> parts;
     std::vector<Symbol> letters;      // of a complement, increasing
     std::map<Symbol, Word> morphism;  // of an image or inverse image
+    std::shared_ptr<const Powers> powers;
 };
 
 Language words_of(std::vector<Word> words);
@@ -298,6 +321,9 @@ struct Statement {
         included,
         member,
         size,
+        code,
+        prefix_code,
+        palindrome,
         derives,
         rewrites,
         chance,
@@ -398,6 +424,8 @@ public:
     /// The system of a name within the text of the field.
     NamedSystem named_system(const Field& field, const std::string& name) const;
     Language language(const Field& field) const;
+    /// Powers of words, as a language.
+    Language powers(const Field& field) const;
     Statement statement(const Field& field) const;
     /// The images of letters, as a certificate has those of a morphism or a substitution.
     BoundNames::Images images(const Field& field, bool several) const;

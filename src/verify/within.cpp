@@ -13,7 +13,7 @@
 // lead: the words of a union, concatenation, star or plus lead where those of the parts do, composed; those of a reversal lead
 // backwards where the reversed letters do; those of an image lead where a letter acts as its image does; those of a meeting with a
 // regular language are followed in both automata at once. For L(G) the relations of its letters are worked out for all sequences of
-// tables, of which there are finitely many. So the left side may be any expression of such operations over any systems, as long as of
+// tables, of which there are finitely many; for powers those of their words, which repeat. So the left side may be any expression of such operations over any systems and powers, as long as of
 // an intersection or difference one part is regular. No system is constructed for it.
 
 namespace algae::verify {
@@ -56,6 +56,8 @@ public:
                 return of_words(language->words, letters, states);
             case Tree::Kind::generated:
                 return generated(*language, letters, states);
+            case Tree::Kind::powers:
+                return paths_of(*language->powers, letters, states, budget_);
             case Tree::Kind::united: {
                 BooleanMatrix both = part(0);
                 return both |= part(1);
@@ -89,8 +91,8 @@ public:
         }
         if (!is_regular(language))
             throw Error(
-                "the left side is not made of systems by union, concatenation, star, plus, image, "
-                "reversal, and intersection and difference with regular expressions");
+                "the left side is not made of systems and powers by union, concatenation, star, "
+                "plus, image, reversal, and intersection and difference with regular expressions");
         return within_both(language, false, nullptr, letters, states);
     }
 

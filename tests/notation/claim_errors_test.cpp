@@ -137,7 +137,9 @@ TEST_CASE("families") {
     CHECK(claim_messages("let G = D0L fibonaci") ==
           "2:13: no file \"fibonaci\", and nothing of that name in the gallery");
     CHECK(claim_messages("show {a} is P00L") ==
-          "2:13: expected a family (0L, PD0L, ET0L, regular, ...), finite, infinite or empty, "
+          "2:13: expected a family (0L, PD0L, ET0L, regular, ...), finite, infinite, empty, a code "
+          "or "
+          "a prefix code, "
           "found 'P00L'; did "
           "you mean 'P0L'?");
 }

@@ -100,6 +100,77 @@ Words all_words(const std::string& letters, std::size_t most) {
     return all;
 }
 
+/// The words with powers up to `most` letters: all values of the numbers up to that are put in.
+Words powers(const Json& language, std::size_t most) {
+    const Json& numbers = language["numbers"];
+    const auto number = [](const Json& value) {
+        return value.is_string() ? std::stoull(value.get<std::string>())
+                                 : value.get<std::uint64_t>();
+    };
+    Words all;
+    for (std::uint64_t n = 0; n <= most; ++n)
+        for (std::uint64_t m = 0; m <= (numbers.size() > 1 ? most : 0); ++m) {
+            std::map<std::string, std::uint64_t> values;
+            for (std::size_t i = 0; i < numbers.size(); ++i)
+                values[numbers[i]["name"].get<std::string>()] =
+                    number(numbers[i]["least"]) + (i == 0 ? n : m);
+            std::string word;
+            for (const Json& block : language["powers"]) {
+                std::uint64_t times = 0;
+                for (const Json& term : block["exponent"]) {
+                    std::uint64_t product = number(term["coefficient"]);
+                    if (term.contains("number")) {
+                        const std::uint64_t value = values[term["number"].get<std::string>()];
+                        const std::uint64_t power =
+                                                term.contains("power") ? number(term["power"]) : 0,
+                                            base = term.contains("base") ? number(term["base"]) : 1;
+                        for (std::uint64_t i = 0; i < power && product < 100; ++i) product *= value;
+                        for (std::uint64_t i = 0; i < value && product < 100; ++i) product *= base;
+                    }
+                    times += std::min<std::uint64_t>(product, 100);
+                }
+                for (; times > 0 && word.size() <= most; --times) word += plain(block["word"]);
+            }
+            if (word.size() <= most) all.insert(word);
+        }
+    return all;
+}
+
+/// Whether many sets of words follow beginnings of words with powers, where there are enough short words to tell.
+bool has_many_residuals(const Json& language) {
+    constexpr std::size_t half = 14;
+    const Words all = powers(language, 2 * half);
+    if (all.size() < 7) return true;
+    std::map<std::string, Words> after;
+    for (const std::string& word : all)
+        for (std::size_t size = 0; size <= std::min(half, word.size()); ++size)
+            if (word.size() - size <= half) after[word.substr(0, size)].insert(word.substr(size));
+    std::set<Words> different;
+    for (const auto& [beginning, rest] : after) different.insert(rest);
+    return different.size() > 6;
+}
+
+/// Whether some word is a product of words of the language in two ways, or one begins with another.
+bool is_code(const Words& language, bool prefix) {
+    if (language.contains("")) return false;
+    for (const std::string& word : language)
+        for (const std::string& other : language)
+            if (prefix && word != other && word.starts_with(other)) return false;
+    std::map<std::string, int> ways{{"", 1}};
+    const Words in_order = all_words("ab", 10);  // beginnings stand before what begins with them
+    for (const std::string& word : in_order) {
+        int count = 0;
+        for (const std::string& last : language)
+            if (word.ends_with(last) && !word.empty()) {
+                const auto before = ways.find(word.substr(0, word.size() - last.size()));
+                if (before != ways.end()) count += before->second;
+            }
+        if (count > 1) return false;
+        if (count == 1) ways[word] = 1;
+    }
+    return true;
+}
+
 /// The words of a language up to `most` letters.
 Words words(const Json& language, const Json& systems, std::size_t most) {
     const auto of = [&](const Json& part, std::size_t size) { return words(part, systems, size); };
@@ -147,6 +218,8 @@ Words words(const Json& language, const Json& systems, std::size_t most) {
     } else if (language.contains("reversal")) {
         for (const std::string& word : of(language["reversal"], most))
             all.emplace(word.rbegin(), word.rend());
+    } else if (language.contains("powers")) {
+        all = powers(language, most);
     } else if (language.contains("complement")) {
         const Words part = of(language["complement"], most);
         std::string letters;  // its own, where none are named
@@ -438,6 +511,17 @@ bool can_be_true(const Json& certificate) {
     Json statement = entry["statement"];
     bool holds = entry["verdict"] == "proved";
     for (; statement.contains("not"); holds = !holds) statement = Json(statement["not"]);
+    if (statement.contains("palindrome")) {
+        const std::string word = plain(statement["palindrome"]);
+        return (word == std::string(word.rbegin(), word.rend())) == holds;
+    }
+    if (statement.contains("is") && (statement["is"] == "code" || statement["is"] == "prefix code"))
+        return is_code(words(statement["language"], systems, longest),
+                       statement["is"] == "prefix code") == holds;
+    if (statement.contains("is") && statement["language"].contains("powers")) {
+        if (statement["is"] == "finite") return !holds;
+        if (statement["is"] == "REG" && !holds) return has_many_residuals(statement["language"]);
+    }
     if (statement.contains("is") && statement["is"] != "finite" && statement["is"] != "empty") {
         static const std::set<std::string> decided = {"0L",  "P0L",  "D0L",  "PD0L",
                                                       "T0L", "PT0L", "DT0L", "PDT0L"};

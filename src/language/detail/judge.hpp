@@ -112,6 +112,14 @@ Answer judge_inclusion(const Language& inner, const Language& outer, const Alpha
 Answer judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
                       const Budget& budget = {});
 
+/// Whether no word is a product of words of the language in two ways; `prefix`: nor does one of its words begin with
+/// another. Decided for regular languages. Throws what budget.check throws.
+Answer judge_code(const Language& language, bool prefix, const Alphabet& alphabet,
+                  const Budget& budget = {});
+
+/// Whether the word read backwards is the same.
+Answer judge_palindrome(const Word& word);
+
 // --- Judges of systems ---
 
 // What statements say of systems themselves. All throw what budget.check throws and BoundReached; Error if

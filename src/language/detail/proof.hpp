@@ -19,6 +19,7 @@
 
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "language/detail/powers.hpp"
 #include "language/language.hpp"
 #include "system/system.hpp"
 
@@ -123,6 +124,14 @@ struct HasNoPreimage {
     static constexpr const char* rule = "membership";
     Language language;
     Word word;
+};
+
+/// The word has the powers of the language for these values of its numbers; nothing: for none.
+struct OfPowers {
+    static constexpr const char* rule = "membership";
+    Language language;
+    Word word;
+    std::optional<std::vector<std::uint64_t>> values;
 };
 
 /// A complement is over other letters.
@@ -349,6 +358,14 @@ struct ByInduction {
     std::vector<Answer> members;
 };
 
+/// Both are the same sequence of words, which is written with powers that depend on n; `system`: one side is L(G) of this
+/// D0L system, whose word number n is that of the sequence by induction.
+struct SamePowers {
+    static constexpr const char* rule = "powers";
+    Language left, right;
+    std::string sequence, system;
+};
+
 struct BothInclusions {
     Part there, back;
 };
@@ -384,10 +401,10 @@ struct FoundWord {
     std::optional<Derivation> derivation = {};
 };
 
-/// No word of L(G) is in the other part of the intersection.
+/// No word of L(G), or of a language of powers, is in the other part of the intersection.
 struct Disjoint {
     static constexpr const char* rule = "relations";
-    std::string system;
+    Language language;
     Language other;
     Repeated letters;
 };
@@ -417,6 +434,12 @@ struct InfiniteTables {
 struct Pumped {
     Language language;
     Word prefix, middle, suffix;
+};
+
+/// Words with powers get longer with their numbers.
+struct LongerPowers {
+    static constexpr const char* rule = "powers";
+    Language language;
 };
 
 /// Part `index` of an operation is infinite, so the whole is.
@@ -452,6 +475,20 @@ struct RegularOperations {
     static constexpr const char* rule = "regular";
     Language language;
     std::string family;
+};
+
+/// Context-free grammars, languages of powers and finite ones, under operations that keep languages context-free.
+struct ContextFree {
+    static constexpr const char* rule = "context-free";
+    Language language;
+};
+
+/// The language of powers is not REG or not CF.
+struct PowersBeyond {
+    static constexpr const char* rule = "powers";
+    Language language;
+    std::string family;
+    BeyondFamily why;
 };
 
 /// The empty word is in the language, and no system of the family derives it.
@@ -496,6 +533,36 @@ struct OfReversal {
 struct Constructed {
     static constexpr const char* rule = "closed";
     TableValue tables;
+};
+
+// --- Codes and palindromes ---
+
+/// No word is a product in two ways; `prefix`: no word of the language begins with another.
+struct Code {
+    static constexpr const char* rule = "code";
+    Language language;
+    bool prefix = false;
+    std::size_t words = 0;  // 0: the language is infinite, and regular
+};
+
+/// The word is cut into words of the language in two ways.
+struct TwoFactorisations {
+    Language language;
+    Word word;
+    std::vector<std::size_t> left, right;  // where the factors end
+};
+
+/// Both words are in the language, and one begins with the other.
+struct Beginning {
+    Language language;
+    Word word, beginning;
+};
+
+/// The letter at `place` is not the one at the same place from the end; nothing: there is no such letter.
+struct Palindrome {
+    static constexpr const char* rule = "letters";
+    Word word;
+    std::optional<std::size_t> place;
 };
 
 // --- Several statements, and statements about all values ---
@@ -596,19 +663,21 @@ struct Proof {
     std::variant<
         steps::Value, steps::Sifted, steps::Listed, steps::Generated, steps::NotGenerated,
         steps::Factored, steps::NotFactored, steps::HasPreimage, steps::HasNoPreimage,
-        steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives, steps::DerivesNot,
-        steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely, steps::SameSequence,
-        steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth, steps::ComparedNumbers,
-        steps::ByRecurrences, steps::StaysPositive, steps::Grows, steps::Rises, steps::Falls,
-        steps::ComparedWords, steps::ByMorphism, steps::LimitSet, steps::Identical,
-        steps::SameValues, steps::ValuesWithin, steps::OtherValues, steps::SameAutomata,
-        steps::NothingOutside, steps::Distinguished, steps::SameDeterministic, steps::WithinRegular,
-        steps::ByInduction, steps::BothInclusions, steps::Counted, steps::NoWord,
-        steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
-        steps::InfiniteRound, steps::InfiniteTables, steps::Pumped, steps::InfinitePart,
-        steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
+        steps::OfPowers, steps::OtherLetters, steps::HasNoImage, steps::FromParts, steps::Derives,
+        steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely,
+        steps::SameSequence, steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth,
+        steps::ComparedNumbers, steps::ByRecurrences, steps::StaysPositive, steps::Grows,
+        steps::Rises, steps::Falls, steps::ComparedWords, steps::ByMorphism, steps::LimitSet,
+        steps::Identical, steps::SameValues, steps::ValuesWithin, steps::OtherValues,
+        steps::SameAutomata, steps::NothingOutside, steps::Distinguished, steps::SameDeterministic,
+        steps::WithinRegular, steps::ByInduction, steps::SamePowers, steps::BothInclusions,
+        steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
+        steps::NoTerminals, steps::InfiniteRound, steps::InfiniteTables, steps::Pumped,
+        steps::LongerPowers, steps::InfinitePart, steps::InfiniteSize, steps::HasForm,
+        steps::FiniteOfFamily, steps::RegularOperations, steps::ContextFree, steps::PowersBeyond,
         steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily, steps::GeneratedBy,
-        steps::OfReversal, steps::Constructed, steps::FromStatements, steps::ByInstance,
+        steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
+        steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
         steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
         step;
 };

@@ -62,6 +62,7 @@ public:
     std::vector<MorphismUse> uses;  // of bound names, by their numbers
     std::vector<Symbol> bound_letters;  // by which bound words and letters stand in texts
     bool binds = false;                 // some statement binds names whose values have letters
+    std::vector<std::shared_ptr<const SourceSystem>> grammars;  // as systems, in order
 
     /// Makes a name known before its definition is read. Throws if it is known or cannot be a name.
     ClaimName& define(std::string_view name);
@@ -92,6 +93,9 @@ public:
     /// Adds a system, called `name` in text, over the common alphabet; `written` is what it was read from.
     std::shared_ptr<const SourceSystem> add_system(const std::string& name, const LSystem& written,
                                                    const char* where);
+    /// Adds the system of a grammar, which is over an alphabet of its own; `grammar` is how claims write it.
+    std::shared_ptr<const SourceSystem> add_grammar(const std::string& name, ET0L system,
+                                                    const std::string& grammar);
     /// The system that `open` knows by this name, which stands at `where`.
     Model opened(const std::string& name, const char* where) const;
     /// Puts all systems over the alphabet as it is now.
@@ -137,6 +141,20 @@ Morphism parse_morphism(const char*& here, const char* end, ClaimReading& readin
 /// complements are about; brackets nest at most 200 deep, operations 1000.
 LanguageOperand parse_language(const char*& here, const char* end, ClaimReading& reading,
                                bool between_bars = false);
+
+/// Whether a grammar stands there: `CF` or `regular` and rules between braces.
+bool is_grammar(const char* here, const char* end);
+
+/// Reads the grammar that stands next, `CF { S -> aSb | ε }` or `regular { S -> aS | b }`, as a language: of a system that
+/// `name` names, or its own text if that is empty, or a regular expression. Throws `SyntaxError`.
+LanguageOperand parse_grammar(const char*& here, const char* end, ClaimReading& reading,
+                              const std::string& name = {});
+
+/// Whether what stands between the braces of a set ends with a condition: `a^n b^n : n >= 0`, `a^n | n >= 0`.
+bool is_set_with_condition(std::string_view inside, const ClaimReading& reading);
+
+/// The language of such a set. Throws `SyntaxError`.
+Language parse_powers(std::string_view inside, ClaimReading& reading);
 
 /// Reads `log 4 / log 3`, a rational number, or several of them joined by `=` which have to be equal; a
 /// decimal number behind a `=` is what comes before it, rounded. Throws `SyntaxError`.

@@ -163,6 +163,8 @@ void check_equal_to_form(const Obligation& task);
 void check_all_finite(const Obligation& task);
 void check_regular_family(const Obligation& task);
 void check_closed(const Obligation& task);
+void check_context_free(const Obligation& task);
+void check_powers_beyond(const Obligation& task);
 // Of the size of a language:
 void check_size_of_values(const Obligation& task);
 void check_no_word(const Obligation& task);
@@ -171,6 +173,7 @@ void check_infinite_part(const Obligation& task);
 void check_endless_round(const Obligation& task);
 void check_endless_tables(const Obligation& task);
 void check_pumping(const Obligation& task);
+void check_endless_powers(const Obligation& task);
 void check_part(const Obligation& task);
 // Of equality and inclusion:
 void check_values(const Obligation& task);
@@ -182,6 +185,12 @@ void check_sections(const Obligation& task);
 void check_induction(const Obligation& task);
 void check_relations(const Obligation& task);
 void check_both(const Obligation& task);
+void check_same_powers(const Obligation& task);
+// Of codes and palindromes:
+void check_code(const Obligation& task);
+void check_factorisations(const Obligation& task);
+void check_beginning(const Obligation& task);
+void check_palindrome(const Obligation& task);
 // Of words and derivations:
 void check_membership(const Obligation& task);
 void check_derivation(const Obligation& task);

@@ -1,9 +1,11 @@
 #pragma once
 
 #include <compare>
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
+#include <string>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -12,6 +14,8 @@
 #include "verify/verify.hpp"
 
 namespace algae::verify {
+
+class BooleanMatrix;
 
 /// Regular expressions with complement, intersection, images and inverse images, each known by a number,
 /// and their derivatives (Brzozowski 1964): the derivative by a letter is the set of words that may follow it.
@@ -109,10 +113,32 @@ bool derives(const System& system, const Word& from, const Word& to,
              const std::optional<Integer>& steps, const Budget& budget);
 
 /// Whether every word of the left language is in the right one, a regular expression. The left language is made of
-/// languages of systems and regular expressions by union, concatenation, star, plus, image, reversal, and intersection and difference
+/// languages of systems, powers and regular expressions by union, concatenation, star, plus, image, reversal, and intersection and difference
 /// with regular expressions. Throws Error if it is something else, BoundReached if systems in the right one are not finite.
 bool within_regular(const Language& left, const Language& right, const Alphabet& alphabet,
                     const Budget& budget);
+
+// Languages of powers.
+
+/// Whether the powers make this word for some values of the numbers.
+bool has_word(const Powers& powers, const Word& word, const Budget& budget);
+
+/// The same language as a regular expression: where exponents are linear and no number stands in two of them; otherwise
+/// null.
+Language regular_form(const Powers& powers);
+
+/// The powers of the images of the words; nothing where a number stands in no exponent any more. Throws BoundReached if a
+/// letter has no image.
+std::optional<Powers> image_of_powers(const Powers& powers, const std::map<Symbol, Word>& morphism,
+                                      const Budget& budget);
+
+/// Between which of these states the words that the powers make lead, by what each letter does.
+BooleanMatrix paths_of(const Powers& powers, const std::vector<BooleanMatrix>& letters,
+                       std::size_t states, const Budget& budget);
+
+/// The language in words, each word as `word_text` says it.
+std::string powers_text(const Powers& powers,
+                        const std::function<std::string(const Word&)>& word_text);
 
 /// All words of a language, by the definition of each operation; nothing if it is infinite. Throws
 /// BoundReached if that cannot be decided or takes more than the budget.

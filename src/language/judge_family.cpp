@@ -54,6 +54,10 @@ public:
 
 private:
     Answer chomsky() const {
+        // Of a grammar this is seen at once, and all words of a finite one may be many.
+        if (question_.family == "CF" && language_->kind == Kind::generated &&
+            is_context_free(language_))
+            return proved(steps::ContextFree{language_});
         if (const auto known = finite_value(language_, alphabet_, budget_))
             return proved(steps::FiniteOfFamily{known->known, question_.family});
         if (regular_value(language_, alphabet_, budget_))

@@ -668,7 +668,9 @@ private:
         return steps::ByCases::Case{std::move(values), member, condition, std::move(answer)};
     }
 
-    bool is_keeping() const { return keeps_cases_ && kept_ <= steps::ByCases::most_kept; }
+    bool is_keeping() const {
+        return keeps_cases_ && !witness_ && kept_ <= steps::ByCases::most_kept;
+    }
 
     /// That a value is of the family that its name ranges over.
     Statement member(const std::vector<BoundValue>& values, std::size_t i) const {
@@ -691,10 +693,13 @@ private:
             if (truth == Truth::refuted) return Found{};
             if (!truth) return std::nullopt;
         }
-        if (quick.truth(substitution(said_.body.front())) !=
-            (said_.universal ? Truth::proved : Truth::refuted))
-            return std::nullopt;
-        return Found{.kind = Found::Kind::as_said, .meets = true};
+        const Statement body = substitution(said_.body.front());
+        const auto truth = quick.truth(body);
+        if (truth == (said_.universal ? Truth::proved : Truth::refuted))
+            return Found{.kind = Found::Kind::as_said, .meets = true};
+        // Behind a trivial witness another one that is trivial is of no use.
+        if (truth && witness_ && is_trivial(body)) return Found{.meets = true};
+        return std::nullopt;
     }
 
     Found decided(const Named& named, QuickJudge& quick) const {

@@ -4,15 +4,20 @@
 #include <set>
 #include <stdexcept>
 
+#include "dimension/dimension.hpp"
 #include "growth/growth.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
 #include "word/word.hpp"
 
-// What statements say of systems: derivations, equal sequences, equal growth and classes of growth.
+// What statements say of systems: derivations, equal sequences, equal growth, classes of growth, dimensions.
 //
 // A derivation in a given number of steps is decided by the table of factors with one table; with several, by a
 // system that counts the steps in copies of its letters.
+//
+// What statements say of dimensions of limit sets and of their boundaries is by `exact_dimension`, and exactly: ratios of
+// logarithms are compared exactly, the solution of an equation by enclosures that get narrower. Two numbers that agree in
+// so many digits without a proof that they are equal leave the statement undecided.
 
 namespace algae {
 
@@ -209,6 +214,69 @@ Answer judge_increasing(const IsIncreasing& said, const Budget& budget) {
     }
     return undecided("the first " + std::to_string(most) +
                      " lengths rise, and the system erases letters");
+}
+
+namespace {
+
+using Status = ExactDimension::Status;
+
+/// Exactly for ratios of logarithms; the solution of an equation is less or greater where enclosures
+/// differ in that many digits.
+Order compared(const DimensionFormula& formula, const DimensionValue& claimed) {
+    if (const LogRatio* const ratio = formula.log_ratio()) return compare(*ratio, claimed);
+    for (long bits = 64; bits <= digits_compared * 7; bits *= 2)
+        if (const auto known = sign(formula.enclosure(bits) - claimed.enclosure(bits)))
+            return *known < 0 ? Order::less : *known > 0 ? Order::greater : Order::equal;
+    return Order::unknown;
+}
+
+/// Undecided, with how far the comparison went.
+Answer open(const steps::LimitSet& said) {
+    return {Truth::undecided, nullptr, sentences({Truth::undecided, proof_by(said), {}}, {})};
+}
+
+/// That a number known exactly is the claimed one, or at most that.
+Answer judge_exact(const DimensionFormula& value, steps::LimitSet said) {
+    said.order = compared(value, *said.claimed.value);
+    if (said.order == Order::unknown) return open(said);
+    return decided(
+        said.order == Order::equal || (said.claimed.at_most && said.order == Order::less),
+        std::move(said));
+}
+
+/// What an upper bound says.
+Answer judge_bounded(steps::LimitSet said) {
+    const DimensionValue& claimed = *said.claimed.value;
+    said.order = exceeds_plane(*said.found) ? compare(DimensionValue(Rational(2)), claimed)
+                                            : compared(*said.found->value, claimed);
+    if (said.order == Order::less) return decided(said.claimed.at_most, std::move(said));
+    if (said.order == Order::equal && said.claimed.at_most) return proved(std::move(said));
+    return open(said);
+}
+
+template <class Said>
+steps::LimitSet limit_set(const Said& said, bool boundary, const Budget& budget) {
+    return {said.name,
+            std::make_shared<const ExactDimension>(exact_dimension(*said.system, budget)), boundary,
+            said.dimension, Order::unknown};
+}
+
+}  // namespace
+
+bool exceeds_plane(const ExactDimension& found) {
+    return compare(found.value->enclosure(64), Ball(2, 64)) == Order::greater;
+}
+
+Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
+    const steps::LimitSet said = limit_set(claimed, false, budget);
+    if (said.found->status == Status::exact) return judge_exact(*said.found->value, said);
+    if (said.found->status == Status::upper_bound) return judge_bounded(said);
+    return open(said);
+}
+
+Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget) {
+    const steps::LimitSet said = limit_set(claimed, true, budget);
+    return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
 }
 
 }  // namespace algae

@@ -105,7 +105,10 @@ std::optional<Truth> QuickJudge::in_family(const InFamily& said) {
     const auto& all = all_families();
     const auto family = std::find_if(all.begin(), all.end(),
                                      [&](Family each) { return to_string(each) == said.family; });
-    if (family == all.end()) return std::nullopt;
+    if (family == all.end()) {
+        const bool has_all_finite = said.family == "REG" || said.family == "CF";
+        return has_all_finite && words(said.language) ? std::optional(Truth::proved) : std::nullopt;
+    }
     if (said.language->kind == Kind::generated &&
         has_form(*said.language->system, *system_form(said.family)))
         return Truth::proved;

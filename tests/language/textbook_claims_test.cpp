@@ -105,6 +105,6 @@ TEST_CASE("titles that are false are never printed as proved") {
         CAPTURE(text);
         const CheckedClaim checked = check(read_claim(text, "x.claim", {}));
         CHECK(checked.verdict() != ClaimVerdict::proved);
-        CHECK(explanation(checked).substr(0, 60).find("proved") == std::string::npos);
+        CHECK(explanation(checked).find(checked.claim.title + ": proved") == std::string::npos);
     }
 }

@@ -179,12 +179,23 @@ void check_regular_family(const Obligation& task) {
 
 namespace {
 
+/// Whether the language is seen to be regular: without systems, or with systems of finite languages.
+bool is_found_regular(const Obligation& task, const Language& language) {
+    if (is_regular(language)) return true;
+    try {
+        check_regular(task, language);
+        return true;
+    } catch (const Flaw&) {
+        return false;
+    }
+}
+
 /// Throws Flaw unless the expression is made by operations under which an extended family is closed (Rozenberg and Salomaa
 /// 1980, chapters II and V) from languages of systems that have its form and from regular languages, which are all of the family.
 void must_be_closed(const Obligation& task, const Language& language) {
     using Kind = Tree::Kind;
     const std::string& family = task.statement.family;
-    if (is_regular(language)) return;
+    if (language->kind != Kind::generated && is_found_regular(task, language)) return;
     switch (language->kind) {
         case Kind::generated:
             if (const auto why =
@@ -201,11 +212,12 @@ void must_be_closed(const Obligation& task, const Language& language) {
             return;
         case Kind::intersection:
             for (const std::size_t i : {0u, 1u})
-                if (is_regular(language->parts[i]))
+                if (is_found_regular(task, language->parts[i]))
                     return must_be_closed(task, language->parts[1 - i]);
             break;
         case Kind::difference:
-            if (is_regular(language->parts[1])) return must_be_closed(task, language->parts[0]);
+            if (is_found_regular(task, language->parts[1]))
+                return must_be_closed(task, language->parts[0]);
             break;
         case Kind::inverse_image:
             if (family == "ET0L") return must_be_closed(task, language->parts[0]);

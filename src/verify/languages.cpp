@@ -646,6 +646,64 @@ Set derived(const System& system, const Budget& budget) {
     return std::move(known.words);
 }
 
+/// The words of a system whose letters are rewritten one at a time: for each letter the least set that contains what its rules
+/// make of the sets. Letters that derive no word, or stand only beside such, do not count. If the sets are finite, each word
+/// has a tree in which no letter stands below itself, so they are complete after as many rounds as there are letters.
+Set words_of_grammar(const System& system, const Budget& budget) {
+    const auto& table = system.tables.front();
+    std::set<Symbol> ending;  // that derive words
+    const auto ends = [&](const Word& word) {
+        return std::all_of(word.begin(), word.end(), [&](Symbol a) { return ending.count(a) > 0; });
+    };
+    const auto letters = accessible_letters(system, system.axiom);
+    for (std::size_t before = 1, now = 0; before != now; now = ending.size()) {
+        before = ending.size();
+        for (const Symbol a : letters)
+            if (system.terminal[a] || std::any_of(table[a].begin(), table[a].end(), ends))
+                ending.insert(a);
+    }
+    if (!ends(system.axiom)) return {};
+    std::set<Symbol> used(system.axiom.begin(), system.axiom.end());
+    std::vector<Symbol> open(used.begin(), used.end());
+    while (!open.empty()) {
+        const Symbol a = open.back();
+        open.pop_back();
+        for (const Word& image : table[a])
+            if (ends(image))
+                for (const Symbol b : image)
+                    if (used.insert(b).second) open.push_back(b);
+    }
+    std::map<Symbol, Set> words;
+    for (const Symbol a : used)
+        if (system.terminal[a]) words[a].insert(Word{a});
+    const auto product = [&](const Word& image) {
+        Set built{Word{}};
+        for (const Symbol a : image) {
+            Bounded longer(budget);
+            for (const Word& start : built)
+                for (const Word& end : words[a]) {
+                    Word next = start;
+                    next.insert(next.end(), end.begin(), end.end());
+                    longer.insert(std::move(next));
+                }
+            built = std::move(longer.words);
+        }
+        return built;
+    };
+    bool grows = true;
+    for (std::size_t round = 0; grows; ++round) {
+        if (round > used.size() + 1)
+            throw BoundReached(Bound::method, "the words of the system have no end");
+        grows = false;
+        for (const Symbol a : used)
+            for (const Word& image : table[a])
+                if (ends(image) && image != Word{a})
+                    for (const Word& word : product(image))
+                        grows = words[a].insert(word).second || grows;
+    }
+    return product(system.axiom);
+}
+
 /// All words u whose images are this word.
 void add_preimages(const std::map<Symbol, Word>& morphism, const Word& word, Bounded& all,
                    const Budget& budget) {
@@ -825,6 +883,10 @@ std::vector<Word> finite_values_of_leaf(const Tree& leaf, const Budget& budget) 
     if (leaf.kind == Tree::Kind::words) return leaf.words;
     if (is_endless(*leaf.system))
         throw BoundReached(Bound::method, "the words of the system have no end");
+    if (rewrites_singly(*leaf.system)) {
+        const Set words = words_of_grammar(*leaf.system, budget);
+        return {words.begin(), words.end()};
+    }
     std::vector<Word> words;
     for (const Word& word : derived(*leaf.system, budget))
         if (is_terminal(*leaf.system, word)) words.push_back(word);

@@ -583,15 +583,8 @@ bool is_context_free(const Obligation& task, const Language& language) {
     switch (language->kind) {
         case words:
             return true;
-        case generated: {
-            const System& system = *language->system;
-            if (system.context || system.tables.size() != 1) return regular(language);
-            for (const Symbol a : accessible_letters(system, system.axiom)) {
-                const auto& all = system.tables[0][a];
-                if (std::count(all.begin(), all.end(), Word{a}) == 0) return regular(language);
-            }
-            return true;
-        }
+        case generated:
+            return rewrites_singly(*language->system) || regular(language);
         case powers:
             return powers_are_nested(*language->powers) || regular(language);
         case united:

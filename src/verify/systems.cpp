@@ -96,6 +96,15 @@ bool is_endless(const System& system) {
     return false;
 }
 
+bool rewrites_singly(const System& system) {
+    if (system.context || system.tables.size() != 1) return false;
+    const auto& table = system.tables.front();
+    const auto letters = accessible_letters(system, system.axiom);
+    return std::all_of(letters.begin(), letters.end(), [&](Symbol a) {
+        return std::count(table[a].begin(), table[a].end(), Word{a}) > 0;
+    });
+}
+
 std::optional<std::string> beyond_form(const System& system, const std::string& family,
                                        bool empty_axiom) {
     const bool interactive = family == "IL";

@@ -135,6 +135,10 @@ std::set<Symbol> lasting_letters(const System::Successors& table);
 /// that are not terminals.
 bool is_endless(const System& system);
 
+/// Whether there is one table without contexts by which each accessible letter may stay as it is, so that letters may be
+/// rewritten one at a time: the system is a context-free grammar.
+bool rewrites_singly(const System& system);
+
 /// Why the system does not have the form of a family, in words; nothing if it has that form. The families are
 /// 0L, T0L, E0L and ET0L, with or without P and D in front, and IL. `empty_axiom`: whether the empty word may be
 /// the axiom.

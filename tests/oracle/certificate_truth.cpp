@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <map>
+#include <regex>
 #include <set>
+#include <stdexcept>
 #include <vector>
 
 #include "language/language.hpp"
@@ -98,6 +100,7 @@ private:
 
     std::string morphism(const Json& value) {
         if (value.is_string()) return value.get<std::string>();
+        if (value.empty()) throw Unsayable();  // {} is the empty language
         std::string text;
         for (const auto& [letter, image] : value.items())
             text += (text.empty() ? " " : "; ") + letter + " -> " + word(image);
@@ -118,6 +121,7 @@ private:
         if (value.contains("star")) return "(" + language(value["star"]) + ")*";
         if (value.contains("plus")) return "(" + language(value["plus"]) + ")+";
         if (value.contains("reversal")) return "(" + language(value["reversal"]) + ")^R";
+        if (value.contains("powers")) return powers(value);
         if (value.contains("image"))
             return morphism(value["morphism"]) + "(" + language(value["image"]) + ")";
         if (value.contains("inverse image"))
@@ -127,6 +131,56 @@ private:
         for (const char letter : plain(value["letters"]))
             letters += (letters.empty() ? "" : ", ") + std::string(1, letter);
         return "({" + letters + "}* \\ " + language(value.at("complement")) + ")";
+    }
+
+    static std::string powers(const Json& value) {
+        std::string text;
+        for (const Json& block : value["powers"]) {
+            std::string exponent;
+            for (const Json& term : block["exponent"]) {
+                exponent += (exponent.empty() ? "" : "+") + number(term["coefficient"]);
+                if (!term.contains("number")) continue;
+                const auto name = term["number"].get<std::string>();
+                if (term.contains("power") && term["power"] != 0)
+                    exponent += "*" + name + "^" + number(term["power"]);
+                if (term.contains("base") && term["base"] != 1)
+                    exponent += "*" + number(term["base"]) + "^" + name;
+            }
+            text += "(" + word(block["word"]) + ")^(" + exponent + ") ";
+        }
+        std::string ranges;
+        for (const Json& one : value["numbers"])
+            ranges += (ranges.empty() ? "" : ", ") + one["name"].get<std::string>() +
+                      " >= " + number(one["least"]);
+        return "{" + text + ": " + ranges + "}";
+    }
+
+    /// A term with the systems by their names here.
+    std::string term(const Json& value) {
+        const auto text = value.get<std::string>();
+        static const std::regex call("(length|count)\\(([^,()]+),");
+        std::string made;
+        auto from = text.cbegin();
+        for (std::sregex_iterator one(text.begin(), text.end(), call), end; one != end; ++one) {
+            made += std::string(from, (*one)[0].first) + (*one)[1].str() + "(" +
+                    system(Json((*one)[2].str())) + ",";
+            from = (*one)[0].second;
+        }
+        return made + std::string(from, text.cend());
+    }
+
+    std::string side(const Json& factors) {
+        std::string text;
+        for (const Json& factor : factors) {
+            std::string one = factor.contains("word") ? word(factor["word"])
+                                                      : "word(" + system(factor["system"]) + ", " +
+                                                            term(factor["generation"]) + ")";
+            if (factor.contains("images"))
+                for (const Json& image : factor["images"]) one = morphism(image) + "(" + one + ")";
+            if (factor.value("reversed", false)) one = "(" + one + ")^R";
+            text += (text.empty() ? "" : " ") + one;
+        }
+        return text.empty() ? "ε" : text;
     }
 
     std::string joined(const Json& parts, const std::string& between) {
@@ -143,6 +197,7 @@ private:
             bound_.insert(name["name"].get<std::string>());
             text += (text.empty() ? "" : " and ") + name["of"].get<std::string>() + ' ' +
                     name["name"].get<std::string>();
+            if (name.contains("up to")) text += " up to " + number(name["up to"]);
             if (name.contains("size")) text += " up to size " + number(name["size"]);
             if (name.contains("length"))
                 text += (name["of"] == "words" ? " up to length " : " with words up to length ") +
@@ -165,7 +220,8 @@ private:
         if (said.contains("not")) return "not (" + of(said["not"]) + ")";
         if (said.contains("is")) {
             const auto family = said["is"].get<std::string>();
-            return language(said["language"]) + " is " + family;
+            return language(said["language"]) + " is " + (family.ends_with("code") ? "a " : "") +
+                   family;
         }
         if (said.contains("equal"))
             return language(said["equal"].at(0)) + " == " + language(said["equal"].at(1));
@@ -188,23 +244,19 @@ private:
         };
         if (said.contains("equal sequences")) return systems("equal sequences", "sequence");
         if (said.contains("equal growth")) return systems("equal growth", "growth");
-        if (said.contains("growth") && said.contains("equals"))
-            return "growth(" + system(said["growth"]) + ") = " + said["equals"].get<std::string>();
         if (said.contains("growth"))
             return "growth(" + system(said["growth"]) + ") ~ " + said["class"].get<std::string>() +
                    (said.contains("degree") ? " " + number(said["degree"]) : "");
         if (said.contains("increasing"))
             return "growth(" + system(said["increasing"]) + ") is " +
                    (said.value("strictly", false) ? "strictly increasing" : "increasing");
-        for (const char* kind : {"equal words", "begins with"}) {
-            if (!said.contains(kind)) continue;
-            const auto generation = [&](const Json& one) {
-                return "word(" + system(one["system"]) + ", " + number(one["generation"]) + ")";
-            };
-            return generation(said[kind].at(0)) +
-                   (std::string(kind) == "equal words" ? " == " : " begins with ") +
-                   generation(said[kind].at(1));
-        }
+        if (said.contains("palindrome")) return word(said["palindrome"]) + " is a palindrome";
+        if (said.contains("numbers"))
+            return term(said["numbers"].at(0)) + ' ' + said["numbers"].at(1).get<std::string>() +
+                   ' ' + term(said["numbers"].at(2));
+        if (said.contains("words"))
+            return side(said["words"].at(0)) + ' ' + said["words"].at(1).get<std::string>() + ' ' +
+                   side(said["words"].at(2));
         if (said.contains("all of")) return joined(said["all of"], "and");
         if (said.contains("any of")) return joined(said["any of"], "or");
         if (said.contains("implies")) return joined(said["implies"], "implies");
@@ -224,7 +276,23 @@ private:
 
 constexpr std::size_t longest = 6;
 
-using Words = std::optional<std::set<Word>>;
+using Words = std::set<Word>;
+
+/// The words of each language up to the greatest length, of at most 6, for which they are few.
+std::optional<std::vector<Words>> short_words(const std::vector<Language>& languages,
+                                              std::size_t at_least = 0) {
+    for (std::size_t length = longest; length >= std::max<std::size_t>(at_least, 1); --length) try {
+            std::vector<Words> all;
+            for (const Language& language : languages) {
+                auto words = language_words(language, length);
+                if (!words) return std::nullopt;
+                all.push_back(std::move(*words));
+            }
+            return all;
+        } catch (const std::logic_error&) {  // too many
+        }
+    return std::nullopt;
+}
 
 /// False where short words speak against the statement; true where they decide that it holds.
 struct ByWords {
@@ -258,26 +326,23 @@ struct ByWords {
         return all.at(said.family).contains(bits);
     }
     std::optional<bool> operator()(const IsEmpty& said) const {
-        const Words words = language_words(said.language, longest);
-        return words && !words->empty() ? std::optional(false) : std::nullopt;
+        const auto words = short_words({said.language});
+        return words && !words->at(0).empty() ? std::optional(false) : std::nullopt;
     }
     std::optional<bool> operator()(const EqualLanguages& said) const {
-        const Words left = language_words(said.left, longest),
-                    right = language_words(said.right, longest);
-        return left && right && *left != *right ? std::optional(false) : std::nullopt;
+        const auto words = short_words({said.left, said.right});
+        return words && words->at(0) != words->at(1) ? std::optional(false) : std::nullopt;
     }
     std::optional<bool> operator()(const IncludedIn& said) const {
-        const Words left = language_words(said.inner, longest),
-                    right = language_words(said.outer, longest);
-        return left && right &&
-                       !std::includes(right->begin(), right->end(), left->begin(), left->end())
+        const auto words = short_words({said.inner, said.outer});
+        return words && !std::includes(words->at(1).begin(), words->at(1).end(),
+                                       words->at(0).begin(), words->at(0).end())
                    ? std::optional(false)
                    : std::nullopt;
     }
     std::optional<bool> operator()(const HasWord& said) const {
-        if (said.word.size() > longest) return std::nullopt;
-        const Words words = language_words(said.language, longest);
-        return words ? std::optional(words->contains(said.word)) : std::nullopt;
+        const auto words = short_words({said.language}, said.word.size());
+        return words ? std::optional(words->at(0).contains(said.word)) : std::nullopt;
     }
     template <class Said>
     std::optional<bool> operator()(const Said&) const {

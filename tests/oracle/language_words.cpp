@@ -145,9 +145,43 @@ private:
                            [](const auto& entry) { return entry.second.empty(); });
     }
 
+    /// Every number stands in an exponent, which is at least as large.
+    Words of_powers(const Powers& powers) const {
+        Words found;
+        const std::uint64_t most = longest_;
+        const auto with = [&](std::uint64_t n, std::uint64_t m) {
+            Word word;
+            for (const Powers::Block& block : powers.blocks) {
+                Integer exponent = 0;
+                for (const Powers::Term& term : block.exponent) {
+                    Integer value = term.coefficient;
+                    const std::uint64_t number = term.number.value_or(0) == 0 ? n : m;
+                    for (std::uint64_t i = 0; term.number && i < term.power; ++i)
+                        value = value * Integer(number);
+                    for (std::uint64_t i = 0; term.number && i < number; ++i)
+                        value = value * term.base;
+                    exponent = exponent + value;
+                }
+                for (Integer i = 0; i < exponent; i = i + Integer(1)) {
+                    word.insert(word.end(), block.word.begin(), block.word.end());
+                    if (word.size() > most) return;
+                }
+            }
+            found.insert(std::move(word));
+        };
+        for (std::uint64_t n = powers.numbers.at(0).least; n <= most; ++n) {
+            if (powers.numbers.size() < 2) with(n, 0);
+            for (std::uint64_t m = powers.numbers.back().least;
+                 powers.numbers.size() == 2 && m <= most; ++m)
+                with(n, m);
+        }
+        return found;
+    }
+
     /// What is no sum of images of the parts: from sets of words as they are.
     Found of_sets(const LanguageTree& tree, const Morphism& morphism) const {
         if (erases(morphism)) return std::nullopt;
+        if (tree.kind == Kind::powers) return of_words(of_powers(*tree.powers), morphism);
         const auto plain = [&](std::size_t i) { return language_words(tree.parts[i], longest_); };
         Words found;
         if (tree.kind == Kind::inverse_image) {
@@ -202,6 +236,9 @@ void add_letters(const LanguageTree& tree, std::set<Symbol>& letters) {
         letters.insert(a);
         letters.insert(image.begin(), image.end());
     }
+    if (tree.kind == Kind::powers)
+        for (const Powers::Block& block : tree.powers->blocks)
+            letters.insert(block.word.begin(), block.word.end());
     if (tree.kind == Kind::generated && tree.system->tables)
         add_derived(*tree.system->tables, letters);
     for (const Language& part : tree.parts) add_letters(*part, letters);

@@ -132,9 +132,17 @@ bool has_all_finite(const std::string& family) {
     return form->extended && !form->propagating && (!form->deterministic || form->tables);
 }
 
+/// Whether a context-free grammar is a system of the family when each letter may also stay as it is.
+bool has_grammars(const std::string& family) {
+    const auto form = system_form(family);
+    return form && form->extended && !form->propagating && !form->deterministic &&
+           !form->interactive;
+}
+
 /// Whether every language of one family is of the other, by the form of their systems.
 bool is_within(const std::string& family, const std::string& other) {
     if (family == other || (family == "REG" && other == "CF")) return true;
+    if (family == "REG" || family == "CF") return has_grammars(other);
     const auto from = system_form(family), to = system_form(other);
     if (!from || !to || from->interactive || to->interactive) return false;
     return from->extended <= to->extended && from->tables <= to->tables &&
@@ -170,6 +178,13 @@ std::optional<std::vector<std::string>> by_rules(const Quantified& said, const L
     if (name.family.empty() || !is_within(name.family, family)) return std::nullopt;
     if (name.family == family)
         return std::vector<std::string>{marked(text) + " is " + family + "."};
+    if (!system_form(name.family) && system_form(family))
+        return std::vector<std::string>{
+            marked(text) + " is " + name.family + ": it has a context-free grammar.",
+            "With the rule A -> A for each letter A, the letters are rewritten one at a time or "
+            "all "
+            "at once, and the words are the same; so it is an " +
+                family + " system."};
     return std::vector<std::string>{marked(text) + " is " + name.family + ", and every " +
                                     name.family + " system is an " + family + " system."};
 }

@@ -392,8 +392,9 @@ public:
         std::string from = family_of(found->second, " languages");
         if (from == "regular") from = "REG";
         if (from == "context-free") from = "CF";
-        return !from.empty() &&
-               (from == family || (from == "REG" && family == "CF") || is_narrower(from, family));
+        const bool has_grammar = from == "REG" || from == "CF";
+        if (has_grammar && (family == "CF" || family == "E0L" || family == "ET0L")) return true;
+        return !from.empty() && (from == family || is_narrower(from, family));
     }
 
 private:

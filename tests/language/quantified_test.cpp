@@ -274,7 +274,9 @@ TEST_CASE("identities are proved with letters for names, families by their forms
           "for all languages A: {ab} (A^R)* == {ab} (A*)^R", "for all 0L languages A: A^R is 0L",
           "for all PD0L languages A: A is 0L", "for all D0L languages A: A^R is ET0L",
           "for all finite languages A: A is E0L",
-          "for all regular languages A: A^R is context-free"}) {
+          "for all regular languages A: A^R is context-free",
+          "for all context-free languages A: A is E0L",
+          "for all regular languages A: A^R is ET0L"}) {
         CAPTURE(statement);
         const Found one = judged(statement, {200, 5});
         CHECK(one.verdict == "proved");

@@ -68,7 +68,21 @@ TEST_CASE("the second route knows true and false statements of certificates") {
         false);
     CHECK(truth(R"({"included": [{"generated": "E"}, {"plus": {"words": ["a"]}}]})") == true);
     CHECK(truth(R"({"not": {"equal sequences": ["U", "V"]}})") == false);
-    CHECK(truth(R"({"growth": "P", "equals": "n+2"})") == true);
+    CHECK(
+        truth(
+            R"j({"for all": [{"name": "n", "of": "numbers"}], "holds": {"numbers": ["length(P,n)", "=", "n+1"]
+}
+})j") == false);
+    CHECK(
+        truth(
+            R"({"words": [[{"system": "U", "generation": "0"}], "==", [{"system": "U", "generation": "0"}]]})") ==
+        true);
+    CHECK(
+        truth(
+            R"({"equal": [{"powers": [{"word": "a", "exponent": [{"coefficient": 2, "number": "n", "power": 1}]}], "numbers": [{"name": "n", "least": 0}]}, {"star": {"words": ["a"]}}]})") ==
+        false);
+    CHECK(truth(R"({"palindrome": "a b a"})") == true);
+    CHECK(truth(R"({"is": "prefix code", "language": {"words": ["a", "a b"]}})") == false);
     CHECK(
         truth(
             R"({"for all": [{"name": "A", "of": "finite languages", "size": 3}], "holds": {"is": "0L", "language": {"name": "A"}}})") ==

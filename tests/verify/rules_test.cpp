@@ -90,6 +90,72 @@ TEST_CASE("a family is shown by its operations only where it is closed under the
           Outcome::wrong);
 }
 
+TEST_CASE("a rule for all values passes only where its side condition holds") {
+    const auto outcome = [](const char* statement, const char* proof) {
+        return check(certificate(Json::parse(statement), "proved", Json::parse(proof)))[0].outcome;
+    };
+    const auto family = [&](const std::string& domain, const std::string& said, bool reversed) {
+        Json language{{"name", "A"}};
+        if (reversed) language = Json{{"reversal", language}};
+        const Json statement{
+            {"for all", Json::array({{{"name", "A"}, {"of", domain + " languages"}}})},
+            {"holds", {{"is", said}, {"language", language}}}};
+        return outcome(statement.dump().c_str(), R"({"by": "families"})");
+    };
+    CHECK(family("context-free", "E0L", false) == Outcome::checked);
+    CHECK(family("regular", "ET0L", true) == Outcome::checked);
+    CHECK(family("finite", "E0L", false) == Outcome::checked);
+    CHECK(family("PD0L", "T0L", true) == Outcome::checked);
+    CHECK(family("context-free", "EDT0L", false) == Outcome::wrong);
+    CHECK(family("context-free", "REG", false) == Outcome::wrong);
+    CHECK(family("regular", "0L", false) == Outcome::wrong);
+    CHECK(family("finite", "0L", false) == Outcome::wrong);
+    CHECK(family("0L", "P0L", false) == Outcome::wrong);
+    CHECK(family("E0L", "CF", false) == Outcome::wrong);
+    CHECK(family("IL", "IL", true) == Outcome::wrong);
+
+    const auto letters = [&](const char* holds, const char* by) {
+        return outcome(
+            (R"({"for all": [{"name": "A", "of": "languages"}, {"name": "B", "of": "languages"}], "holds": )" +
+             std::string(holds) + "}")
+                .c_str(),
+            (R"({"by": "letters", "letters": )" + std::string(by) +
+             R"(, "proof": {"by": "derivatives"}})")
+                .c_str());
+    };
+    const char* swapped =
+        R"({"equal": [{"union": [{"name": "A"}, {"name": "B"}]}, {"union": [{"name": "B"}, {"name": "A"}]}]})";
+    CHECK(letters(swapped, R"({"A": "a", "B": "b"})") == Outcome::checked);
+    CHECK(letters(swapped, R"({"A": "a", "B": "a"})") == Outcome::wrong);  // the same letter twice
+    CHECK_THROWS_WITH(letters(swapped, R"({"A": "a"})"),
+                      "x.json:222: statements[0].proof.letters: the field 'B' is missing");
+    // A letter that the statement has itself is no other one.
+    CHECK(
+        letters(
+            R"({"equal": [{"union": [{"name": "A"}, {"words": ["a"]}]}, {"union": [{"name": "A"}, {"name": "A"}]}]})",
+            R"({"A": "a", "B": "b"})") == Outcome::wrong);
+    // Letters do not stand for languages under an intersection.
+    CHECK(letters(R"({"equal": [{"intersection": [{"name": "A"}, {"name": "B"}]}, {"words": []}]})",
+                  R"({"A": "a", "B": "b"})") == Outcome::wrong);
+
+    // Each part needs its own proof, and all of them are wanted.
+    const char* both = R"({"for all": [{"name": "A", "of": "D0L languages"}], "holds": {"all of": [
+        {"is": "0L", "language": {"name": "A"}}, {"is": "T0L", "language": {"name": "A"}}]}})";
+    CHECK(outcome(both, R"({"by": "each", "proofs": [{"by": "families"}, {"by": "families"}]})") ==
+          Outcome::checked);
+    CHECK(outcome(both, R"({"by": "each", "proofs": [{"by": "families"}]})") == Outcome::wrong);
+    std::string one = both;
+    one.replace(one.find("T0L"), 3, "P0L");
+    CHECK(outcome(one.c_str(),
+                  R"({"by": "each", "proofs": [{"by": "families"}, {"by": "families"}]})") ==
+          Outcome::wrong);
+    std::string any = both;
+    any.replace(any.find("all of"), 6, "any of");
+    CHECK(outcome(any.c_str(),
+                  R"({"by": "each", "proofs": [{"by": "families"}, {"by": "families"}]})") !=
+          Outcome::checked);
+}
+
 TEST_CASE("what is no certificate is refused with the place") {
     const Json good = certificate(sound()[0]);
     const auto error = [](const Json& bad) -> std::string {

@@ -34,7 +34,7 @@ BooleanMatrix transposed(const BooleanMatrix& matrix) {
 class Paths {
 public:
     Paths(const Alphabet& alphabet, const Budget& budget)
-        : alphabet_(alphabet), budget_(budget), derivatives_(alphabet, budget) {}
+        : budget_(budget), derivatives_(alphabet, budget) {}
 
     Derivatives::Automaton automaton(const Language& language) {
         return derivatives_.automaton(derivatives_.term(language));
@@ -175,7 +175,6 @@ private:
         return all;
     }
 
-    const Alphabet& alphabet_;
     const Budget& budget_;
     Derivatives derivatives_;
 };

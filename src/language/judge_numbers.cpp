@@ -734,8 +734,8 @@ public:
         std::vector<std::pair<std::string, std::uint64_t>> orders;
         Point corner;
         for (const std::string& name : names_) {
-            const std::uint64_t order =
-                order_of(compared_.left, name) + order_of(compared_.right, name);
+            const std::uint64_t order = std::max<std::uint64_t>(
+                order_of(compared_.left, name) + order_of(compared_.right, name), 1);
             orders.emplace_back(name, order);
             points *= order;
             if (points > most_points)

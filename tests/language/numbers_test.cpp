@@ -308,7 +308,8 @@ TEST_CASE("statements about words for all n hold of the words that are written o
 TEST_CASE("sentences of textbooks about all n") {
     const std::string systems =
         "let F = D0L { axiom a; a -> ab; b -> a }\nlet D = D0L { axiom a; a -> aa }\n"
-        "let T = D0L { axiom a; a -> ab; b -> ba }\nlet h = { a -> b; b -> a }";
+        "let T = D0L { axiom a; a -> ab; b -> ba }\nlet N = D0L { axiom f; f -> f|f }\n"
+        "let h = { a -> b; b -> a }";
     const auto verdict = [&](const std::string& theorem) {
         const Found found = judged(systems, theorem);
         INFO(theorem);
@@ -322,6 +323,9 @@ TEST_CASE("sentences of textbooks about all n") {
     CHECK(verdict("length(F, n)*length(F, n+2) - length(F, n+1)^2 = (-1)^(n+1)") ==
           "proved by recurrences");
     CHECK(verdict("length(D, n) = 3*2^n") == "refuted by instance");
+    // A sum without terms once had the order 0, and the check of its values no end.
+    CHECK(verdict("segments(N, n) = 0") == "proved by recurrences");
+    CHECK(verdict("segments(N, n) <= 0") == "proved by positive");
     CHECK(verdict("growth(D) = 2^n") == "proved by recurrences");
     CHECK(verdict("for all numbers n, k: length(D, n + k) = length(D, n) * length(D, k)") ==
           "proved by recurrences");

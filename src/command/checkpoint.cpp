@@ -4,6 +4,7 @@
 #include <sys/file.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 
@@ -13,6 +14,23 @@
 // are a file of it.
 
 namespace algae::command {
+
+namespace {
+
+/// What two headers say where they begin to differ.
+std::string difference(const std::string& expected, const std::string& found) {
+    const auto at = static_cast<std::size_t>(
+        std::mismatch(expected.begin(), expected.end(), found.begin(), found.end()).first -
+        expected.begin());
+    const std::size_t from = at < 60 ? 0 : at - 40;
+    const auto excerpt = [&](const std::string& text) {
+        return (from > 0 ? "..." : "") + text.substr(from, 120) +
+               (text.size() > from + 120 ? "..." : "");
+    };
+    return "expected " + excerpt(expected) + ", found " + excerpt(found);
+}
+
+}  // namespace
 
 Checkpoint::~Checkpoint() {
     if (file_ >= 0) ::close(file_);
@@ -46,8 +64,8 @@ void Checkpoint::go_on(const std::string& path, const std::string& header, bool 
         const std::string place = path + ":" + std::to_string(number) + ": ";
         if (line != header) {
             if (number == 1 || line.starts_with("{\"format\""))
-                throw Error(place + "the checkpoint is of another question; expected " + header +
-                            ", found " + line.substr(0, 400));
+                throw Error(place + "the checkpoint is of another question; " +
+                            difference(header, line));
             if (!take(line)) {
                 if (end + 1 == text.size()) break;
                 throw Error(place + "expected a line of a checkpoint, found \"" +

@@ -199,7 +199,7 @@ TEST_CASE("a checkpoint of another census is refused") {
         CHECK(found.out.empty());
         CHECK(found.err.find(message) != std::string::npos);
     };
-    const std::string other = "c.jsonl:1: the checkpoint is of another question; expected {";
+    const std::string other = "c.jsonl:1: the checkpoint is of another question; expected ";
     refused("'D0L systems up to size 6' --by finite --resume " + file, other);
     refused("'D0L systems up to size 5' --by infinite --resume " + file, other);
     refused("'D0L systems up to size 5' --by finite --first 1 --resume " + file, other);

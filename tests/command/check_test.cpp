@@ -317,3 +317,49 @@ TEST_CASE("check and its folders know the theory that comes with algae, wherever
     CHECK(missing.status == 2);
     CHECK(missing.err == "algae: cannot read no-theory: No such file or directory\n");
 }
+
+TEST_CASE("a search that is written down goes on to the same answer") {
+    const Scratch files;
+    const std::string asked = "check --say 'for all D0L languages A: A* is 0L' --instances ";
+    const std::string file = files.file("search.jsonl");
+    const Run whole = run(asked + "3000");
+    CHECK(whole.status == 3);
+    const Run begun = run(asked + "500 --checkpoint " + file);
+    CHECK(begun.status == 3);
+    CHECK(begun.out.find("among the first 500 instances") != std::string::npos);
+    const std::string written = text_of(file);
+    CHECK(run(asked + "3000 --resume " + file).out == whole.out);
+    CHECK(text_of(file).starts_with(written));
+    // Whatever of the file a killed process leaves behind the first line.
+    const std::size_t header = written.find('\n') + 1;
+    std::size_t cuts = 0;
+    for (std::size_t size = header; size < written.size(); size += 1 + written.size() / 23) {
+        const std::string torn = files.file("torn.jsonl", written.substr(0, size));
+        CAPTURE(size);
+        CHECK(run(asked + "3000 --resume " + torn).out == whole.out);
+        ++cuts;
+    }
+    CHECK(cuts > 5);
+    // A counterexample is the one that is found in one go.
+    const std::string fails = "check --say 'for all 0L languages A: A is DT0L' --instances ";
+    const std::string other = files.file("other.jsonl");
+    run(fails + "20 --checkpoint " + other);
+    const Run found = run(fails + "3000 --resume " + other);
+    CHECK(found.status == 1);
+    CHECK(found.out == run(fails + "3000").out);
+
+    const Run wrong_file = run(asked + "3000 --resume " + other);
+    CHECK(wrong_file.status == 2);
+    CHECK(wrong_file.err.find("other.jsonl:1: the checkpoint is of another question; expected ") !=
+          std::string::npos);
+    CHECK(wrong_file.err.find("A: A* is 0L") != std::string::npos);
+    CHECK(wrong_file.err.size() < 500);
+    const Run there = run(asked + "500 --checkpoint " + file);
+    CHECK(there.status == 2);
+    CHECK(there.err.find("is there already") != std::string::npos);
+    const Run plain = run("check --say 'a in {a}' --checkpoint " + files.file("no.jsonl"));
+    CHECK(plain.status == 2);
+    CHECK(plain.err ==
+          "algae: --checkpoint: expected one statement about all values, or some, and nothing "
+          "else\n");
+}

@@ -43,6 +43,7 @@ TEST_CASE("a cell without + is refuted by the least counterexample where a finit
     std::map<std::string, int> counts;
     for (const auto& one : table) ++counts[one["status"].get<std::string>()];
     CHECK(counts["refuted"] >= 70);
-    CHECK(counts["proved"] == 17);  // reversal, the complement of P0L; of the others examples of a construction hold
+    // Reversal, and the complement of P0L; of the others examples of a construction hold.
+    CHECK(counts["proved"] == 17);
     CHECK(counts["undecided"] == 0);
 }

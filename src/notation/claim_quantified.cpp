@@ -379,7 +379,30 @@ private:
             if (piece.empty()) throw unexpected("a name", piece.data());
             if (!is_claim_name(piece)) conditions_.push_back(piece);
         }
+        if (const auto most = greatest()) {
+            binding_.domain.max_number = *most;
+            conditions_.clear();
+        }
         return true;
+    }
+
+    /// `n < 5`, `n <= 4` of the only name: few numbers, each of which is looked at.
+    std::optional<std::uint64_t> greatest() const {
+        if (names_.size() != 1 || conditions_.size() != 1) return std::nullopt;
+        std::string_view rest = conditions_.front();
+        if (!rest.starts_with(names_.front())) return std::nullopt;
+        rest = trimmed(rest.substr(names_.front().size()));
+        if (!rest.starts_with('<')) return std::nullopt;
+        const bool is_less = !rest.starts_with("<=");
+        rest = trimmed(rest.substr(is_less ? 1 : 2));
+        constexpr std::uint64_t few = 10'000;
+        if (rest.empty() || !std::all_of(rest.begin(), rest.end(), [](char c) {
+                return is_digit(static_cast<unsigned char>(c));
+            }))
+            return std::nullopt;
+        const Integer bound = natural_number(rest);
+        if (bound > Integer(few) || (is_less && bound.is_zero())) return std::nullopt;
+        return bound.to_uint64() - (is_less ? 1 : 0);
     }
 
     /// `A, B`.

@@ -444,13 +444,14 @@ private:
     std::size_t depth_ = 0;
 };
 
-/// Whether all names in the text are bound numbers, or `sqrt`, and there is one or a digit.
+/// Whether all names in the text are numbers, or `sqrt`, and there is a bound one or a digit. A small letter that nothing is called
+/// by is a number where there is a digit.
 bool is_about_numbers(std::string_view text, const ClaimReading& reading) {
-    bool any = false;
+    bool any = false, has_digit = false, has_new = false;
     for (std::size_t i = 0; i < text.size();) {
         if (text[i] == '{' || text[i] == '|' || text[i] == '"') return false;
         if (is_digit(static_cast<unsigned char>(text[i]))) {
-            any = true;
+            any = has_digit = true;
             ++i;
             continue;
         }
@@ -464,10 +465,15 @@ bool is_about_numbers(std::string_view text, const ClaimReading& reading) {
         i = end;
         if (name == "sqrt") continue;
         const ClaimName* known = reading.find(name);
+        if (!known && name.size() == 1 && name[0] >= 'a' && name[0] <= 'z' &&
+            !reading.alphabet->find(name)) {
+            has_new = true;
+            continue;
+        }
         if (!known || known->kind != ClaimName::Kind::number) return false;
         any = true;
     }
-    return any;
+    return any && (has_digit || !has_new);
 }
 
 Found comparison_of(std::string_view text) {

@@ -323,6 +323,10 @@ TEST_CASE("sentences of textbooks about all n") {
     CHECK(verdict("length(F, n)*length(F, n+2) - length(F, n+1)^2 = (-1)^(n+1)") ==
           "proved by recurrences");
     CHECK(verdict("length(D, n) = 3*2^n") == "refuted by instance");
+    CHECK(verdict("2^(n+1) = 2*2^n") == "proved by recurrences");
+    CHECK(verdict("n = 3") == "refuted by instance");
+    CHECK(verdict("for all numbers n < 5: n*n <= 16") == "proved by cases");
+    CHECK(verdict("for all numbers n <= 5: n*n <= 16") == "refuted by instance");
     // A sum without terms once had the order 0, and the check of its values no end.
     CHECK(verdict("segments(N, n) = 0") == "proved by recurrences");
     CHECK(verdict("segments(N, n) <= 0") == "proved by positive");

@@ -59,9 +59,14 @@ void Checkpoint::go_on(const std::string& path, const std::string& header, bool 
     std::size_t from = 0;
     for (std::size_t number = 1; from < text.size(); ++number) {
         const std::size_t end = text.find('\n', from);
-        if (end == std::string::npos) break;  // torn
         const std::string line = text.substr(from, end - from);
         const std::string place = path + ":" + std::to_string(number) + ": ";
+        if (end == std::string::npos) {  // torn
+            if (number == 1 && !header.starts_with(line))
+                throw Error(place + "this is no checkpoint of the question; " +
+                            difference(header, line));
+            break;
+        }
         if (line != header) {
             if (number == 1 || line.starts_with("{\"format\""))
                 throw Error(place + "the checkpoint is of another question; " +

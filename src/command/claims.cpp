@@ -271,7 +271,7 @@ int check_claims(const CheckOptions& options) {
         throw Error("--certificate takes one claim, found " + std::to_string(claims.size()));
     ProgressBar bar("check");
     SearchLimits limits{options.instances, options.size, 0, claims.size() == 1 ? &bar : nullptr};
-    const WrittenSearch written(options, claims, limits, budget);
+    WrittenSearch written(options, claims, limits, budget);
     std::map<ClaimVerdict, std::size_t> counts;
     Json all = Json::array();
     int worst = success;

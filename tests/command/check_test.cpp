@@ -354,6 +354,14 @@ TEST_CASE("a search that is written down goes on to the same answer") {
           std::string::npos);
     CHECK(wrong_file.err.find("A: A* is 0L") != std::string::npos);
     CHECK(wrong_file.err.size() < 500);
+    // A file of one line without an end was once taken for a torn header, and emptied.
+    const std::string notes = files.file("notes.txt", "what I want to keep");
+    const Run kept = run(asked + "500 --resume " + notes);
+    CHECK(kept.status == 2);
+    CHECK(
+        kept.err.find("notes.txt:1: this is no checkpoint of the question; expected {\"format\"") !=
+        std::string::npos);
+    CHECK(text_of(notes) == "what I want to keep");
     const Run there = run(asked + "500 --checkpoint " + file);
     CHECK(there.status == 2);
     CHECK(there.err.find("is there already") != std::string::npos);

@@ -567,61 +567,93 @@ Json as_json(const Finding& found) {
     return out;
 }
 
-/// What the claim says, as a certificate has it, with the proofs left out.
-nlohmann::ordered_json said_by(const Claim& claim) {
-    CheckedClaim nothing_known{claim, {}};
-    nothing_known.statements.resize(claim.statements.size());
-    return certificate(nothing_known);
-}
+/// A claim that a certificate must be of: the same letters, systems and statements.
+class Claimed {
+public:
+    /// `name` is that of the certificate. Throws Error where the claim cannot be read.
+    Claimed(const std::string& claim_file, std::string name, const Budget& budget)
+        : file_(claim_file), name_(std::move(name)) {
+        const Claim claim = open_claim(claim_file, budget);
+        CheckedClaim nothing_known{claim, {}};  // the proofs are left out
+        nothing_known.statements.resize(claim.statements.size());
+        said_ = verify::parse_json(verify::source_of(certificate(nothing_known).dump()), file_);
+        statements_ = verify::Field(said_, "", file_).at("statements").list();
+    }
 
-/// Throws Error where the certificate is not of this claim: other letters, systems or statements.
-void check_against(const std::string& text, const std::string& name, const std::string& claim_file,
-                   const Budget& budget) {
-    const nlohmann::ordered_json given = nlohmann::ordered_json::parse(text);
-    const nlohmann::ordered_json claimed = said_by(open_claim(claim_file, budget));
-    const auto refuse = [&](const std::string& what) {
-        throw Error(name + ": the certificate is not of " + claim_file + ": " + what);
-    };
-    for (const char* part : {"claim", "alphabet", "systems", "empty axiom"})
-        if (given.value(part, nlohmann::ordered_json()) !=
-            claimed.value(part, nlohmann::ordered_json()))
-            refuse(std::string("its ") + (std::string(part) == "claim" ? "title" : part) +
-                   " differs");
-    const auto& statements = claimed["statements"];
-    if (given["statements"].size() != statements.size())
-        refuse("expected " + counted(statements.size(), "statement") + ", found " +
-               std::to_string(given["statements"].size()));
-    for (std::size_t i = 0; i < statements.size(); ++i)
-        if (given["statements"][i]["statement"] != statements[i]["statement"])
-            refuse("statement " + std::to_string(i + 1) + " differs, which the claim writes " +
-                   statements[i]["text"].get<std::string>());
-}
+    /// Throws Error where the fields before the statements are of another claim.
+    void check_header(const verify::JsonValue& given) const {
+        const verify::Field claimed(said_, "", file_), here(given, "", name_);
+        for (const char* part : {"claim", "alphabet", "systems", "empty axiom"})
+            if (claimed.has(part) != here.has(part) ||
+                (here.has(part) && !same_value(claimed.at(part).value(), here.at(part).value())))
+                refuse(std::string("its ") + (std::string(part) == "claim" ? "title" : part) +
+                       " differs");
+    }
+
+    /// The same for the next statement.
+    void check_next(const verify::Field& given) {
+        if (next_ < statements_.size() &&
+            !same_value(given.at("statement").value(), statements_[next_].at("statement").value()))
+            refuse("statement " + std::to_string(next_ + 1) + " differs, which the claim writes " +
+                   statements_[next_].at("text").text());
+        ++next_;
+    }
+
+    void check_end() const {
+        if (next_ != statements_.size())
+            refuse("expected " + counted(statements_.size(), "statement") + ", found " +
+                   std::to_string(next_));
+    }
+
+private:
+    [[noreturn]] void refuse(const std::string& what) const {
+        throw Error(name_ + ": the certificate is not of " + file_ + ": " + what);
+    }
+
+    std::string file_, name_;
+    verify::JsonValue said_;
+    std::vector<verify::Field> statements_;
+    std::size_t next_ = 0;
+};
 
 int verify_certificate(const VerifyOptions& options) {
     const Budget budget = options.bounds.budget();
     if (!options.accept.empty() && options.accept != "cited")
         throw Error("--accept: expected 'cited', found " + algae::quoted(options.accept));
     const std::string name = options.file == "-" ? "standard input" : options.file;
-    const std::string text = file_text(options.file, budget);
-    const auto certificate = verify::read_certificate(text, name);
-    if (!options.claim.empty()) check_against(text, name, options.claim, budget);
-    if (!options.json)
-        for (const std::string& line : verify::definitions(*certificate)) print(line + '\n');
+    std::optional<Claimed> claimed;
+    if (!options.claim.empty()) claimed.emplace(options.claim, name, budget);
+    std::string title;
     std::map<Finding::Outcome, std::size_t> counts;
+    std::size_t statements = 0;
     Json list = Json::array();
-    verify::check_certificate(*certificate, budget, [&](const Finding& found) {
+    verify::CertificateEvents events;
+    events.on_start = [&](const verify::Certificate& certificate) {
+        title = certificate.claim;
+        if (claimed) claimed->check_header(certificate.header);
+        if (options.json) return;
+        for (const std::string& line : verify::definitions(certificate)) print(line + '\n');
+    };
+    events.on_statement = [&](const verify::Field& statement) {
+        if (claimed) claimed->check_next(statement);
+    };
+    events.on_finding = [&](const Finding& found) {
         ++counts[found.outcome];
+        ++statements;
         if (options.json)
             list.add(as_json(found));
         else
             print(line_of(found, name));
-    });
-    print(options.json ? Json{{"claim", certificate->claim}, {"statements", list}}.text()
-                       : totals(counts));
+    };
+    Budget reading = budget;
+    reading.deadline.reset();  // what time leaves unchecked is told
+    verify::check_certificate(file_source(options.file, reading), name, budget, events);
+    if (claimed) claimed->check_end();
+    print(options.json ? Json{{"claim", title}, {"statements", list}}.text() : totals(counts));
     if (counts.contains(Finding::Outcome::wrong)) return refuted;
     const std::size_t checked = counts[Finding::Outcome::checked] +
                                 (options.accept.empty() ? 0 : counts[Finding::Outcome::cited]);
-    return checked > 0 && checked == certificate->entries.size() ? success : undecided;
+    return checked > 0 && checked == statements ? success : undecided;
 }
 
 }  // namespace

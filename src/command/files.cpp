@@ -30,28 +30,10 @@ namespace {
 /// The memory that reading takes, in bytes for each byte of the file.
 constexpr std::uint64_t memory_of_a_byte = 16;
 
-std::string read_all(std::FILE* file, const std::string& name, const Budget& budget) {
-    const std::uint64_t largest = budget.memory / memory_of_a_byte;
-    std::string text;
-    std::string buffer(std::size_t{1} << 16, '\0');
-    errno = 0;
-    while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), file)) {
-        text.append(buffer, 0, count);
-        if (text.size() > largest)
-            throw BoundReached(Bound::memory, name + ": has more than " +
-                                                  std::to_string(largest >> 20) +
-                                                  " MiB, as much as can be read within the " +
-                                                  std::to_string(budget.memory >> 20) +
-                                                  " MiB allowed by --max-memory");
-        budget.check();
-    }
-    budget.check();  // reading that waited was interrupted
-    if (std::ferror(file)) throw Error("cannot read " + name + ": " + std::strerror(errno));
-    return text;
-}
-
 struct Closer {
-    void operator()(std::FILE* file) const { std::fclose(file); }
+    void operator()(std::FILE* file) const {
+        if (file) std::fclose(file);
+    }
 };
 
 bool exists(const std::string& path) {
@@ -67,15 +49,44 @@ const GalleryEntry* find_system(const std::string& name) {
 
 }  // namespace
 
-std::string file_text(const std::string& path, const Budget& budget) {
-    if (path == "-") return read_all(stdin, "standard input", budget);
+std::function<std::size_t(char*, std::size_t)> file_source(const std::string& path,
+                                                           const Budget& budget) {
     std::error_code ignored;
-    if (std::filesystem::is_directory(path, ignored))
+    if (path != "-" && std::filesystem::is_directory(path, ignored))
         throw Error(path + ": is a folder, expected a file");
-    const std::unique_ptr<std::FILE, Closer> file(std::fopen(path.c_str(), "rb"));
+    const std::shared_ptr<std::FILE> file =
+        path == "-" ? std::shared_ptr<std::FILE>(stdin, [](std::FILE*) {})
+                    : std::shared_ptr<std::FILE>(std::fopen(path.c_str(), "rb"), Closer());
     budget.check();
     if (!file) throw Error("cannot read " + path + ": " + std::strerror(errno));
-    return read_all(file.get(), path, budget);
+    return
+        [file, &budget, name = path == "-" ? "standard input" : path](char* to, std::size_t most) {
+            budget.check();
+            errno = 0;
+            const std::size_t count = std::fread(to, 1, most, file.get());
+            const int reason = errno;
+            if (count == 0) budget.check();  // reading that waited was interrupted
+            if (count == 0 && std::ferror(file.get()))
+                throw Error("cannot read " + name + ": " + std::strerror(reason));
+            return count;
+        };
+}
+
+std::string file_text(const std::string& path, const Budget& budget) {
+    const auto more = file_source(path, budget);
+    const std::uint64_t largest = budget.memory / memory_of_a_byte;
+    std::string text;
+    std::string buffer(std::size_t{1} << 16, '\0');
+    while (const std::size_t count = more(buffer.data(), buffer.size())) {
+        text.append(buffer, 0, count);
+        if (text.size() > largest)
+            throw BoundReached(
+                Bound::memory,
+                (path == "-" ? "standard input" : path) + ": has more than " +
+                    std::to_string(largest >> 20) + " MiB, as much as can be read within the " +
+                    std::to_string(budget.memory >> 20) + " MiB allowed by --max-memory");
+    }
+    return text;
 }
 
 SourceText open_text(const std::string& file, const Budget& budget) {

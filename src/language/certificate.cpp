@@ -620,6 +620,9 @@ struct ProofWriter {
         return {{"by", "reversal"}, {"proof", of(said.part)}};
     }
 
+    Json operator()(const steps::RisesByLetters& said) const {
+        return {{"by", said.rule}, {"generation", said.generation}};
+    }
     Json operator()(const steps::Falls& said) const {
         return {{"by", "generation"}, {"generation", said.generation}};
     }

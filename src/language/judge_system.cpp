@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 
@@ -205,12 +206,23 @@ Answer judge_increasing(const IsIncreasing& said, const Budget& budget) {
         return proved(steps::Rises{said.system->name, true, sets.size()});
     }
     constexpr std::uint64_t most = 1000;
-    Integer before = length(system, 0, budget);
+    const GrowthMatrix matrix = growth_matrix(system);
+    const auto lifetime = lifetimes(matrix);
+    std::vector<Integer> now = parikh_vector(system, 0, budget);
     for (std::uint64_t n = 0; n < most; ++n) {
         budget.check();
-        const Integer after = length(system, n + 1, budget);
+        const std::vector<Integer> next = now * matrix;
+        const Integer before = std::accumulate(now.begin(), now.end(), Integer());
+        const Integer after = std::accumulate(next.begin(), next.end(), Integer());
         if (after < before || (said.strictly && after == before)) return falls(n, before, after);
-        before = after;
+        bool each = true, one_lasts = !said.strictly;
+        for (std::size_t i = 0; i < now.size(); ++i) {
+            each = each && now[i] <= next[i];
+            one_lasts = one_lasts || (now[i] < next[i] && !lifetime[i]);
+        }
+        if (each && one_lasts)
+            return proved(steps::RisesByLetters{said.system->name, said.strictly, n});
+        now = next;
     }
     return undecided("the first " + std::to_string(most) +
                      " lengths rise, and the system erases letters");

@@ -328,6 +328,14 @@ public:
                                  "successor."
                            : "."));
     }
+    void operator()(const steps::RisesByLetters& said) {
+        say(std::string(said.strictly ? "The lengths of " : "No length of ") + marked(said.system) +
+            (said.strictly ? " rise" : " falls") + " up to generation " + number(said.generation) +
+            ", and each letter occurs in generation " + number(said.generation + 1) +
+            " at least as often as in it" +
+            (said.strictly ? ", one whose descendants never vanish more often;" : ";") +
+            " so it is of all generations after them.");
+    }
     void operator()(const steps::Falls& said) {
         say("Generation " + number(said.generation) + " of " + marked(said.system) + " has " +
             marked(to_string(said.before)) + " letters and the next one " +

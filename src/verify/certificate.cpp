@@ -11,6 +11,7 @@
 #include <set>
 #include <string>
 
+#include "verify/detail/checking.hpp"
 #include "verify/detail/languages.hpp"
 #include "verify/verify.hpp"
 #include "word/word.hpp"
@@ -444,6 +445,8 @@ std::shared_ptr<const Alphabet> read_alphabet(const Field& field) {
     return alphabet;
 }
 
+}  // namespace
+
 Entry read_entry(const Field& field, const Reader& reader) {
     using Verdict = Entry::Verdict;
     const Field given = field.at("verdict");
@@ -474,33 +477,25 @@ Entry read_entry(const Field& field, const Reader& reader) {
     return entry;
 }
 
-}  // namespace
-
-std::unique_ptr<const Certificate> read_certificate(const std::string& text,
-                                                    const std::string& file) {
-    auto read = std::make_unique<Certificate>();
-    read->file = file;
-    read->root = parse_json(text, read->file);
-    const Field root(read->root, "", read->file);
+void read_header(Certificate& read, JsonValue header) {
+    read.header = std::move(header);
+    const Field root(read.header, "", read.file);
     root.only({"format", "claim", "source", "empty axiom", "alphabet", "systems", "statements"});
     if (root.at("format").text() != "algae certificate 1")
         root.at("format").fail("expected \"algae certificate 1\"");
-    read->claim = root.at("claim").text();
-    if (root.has("source")) read->source = root.at("source").text();
-    if (root.has("empty axiom")) read->empty_axiom = root.at("empty axiom").truth();
-    read->alphabet = read_alphabet(root.at("alphabet"));
-    const Reader reader(*read->alphabet, read->systems, read->rewritings);
+    read.claim = root.at("claim").text();
+    if (root.has("source")) read.source = root.at("source").text();
+    if (root.has("empty axiom")) read.empty_axiom = root.at("empty axiom").truth();
+    read.alphabet = read_alphabet(root.at("alphabet"));
+    const Reader reader(*read.alphabet, read.systems, read.rewritings);
     for (const auto& [name, system] : root.at("systems").object()) {
         check_name(system, name);
         if (system.has("modules"))
-            read->rewritings.emplace(name,
-                                     std::make_shared<const ModuleSystem>(module_system(system)));
+            read.rewritings.emplace(name,
+                                    std::make_shared<const ModuleSystem>(module_system(system)));
         else
-            read->systems.emplace(name, std::make_shared<const System>(reader.system(system)));
+            read.systems.emplace(name, std::make_shared<const System>(reader.system(system)));
     }
-    for (const Field& each : root.at("statements").list())
-        read->entries.push_back(read_entry(each, reader));
-    return read;
 }
 
 }  // namespace algae::verify

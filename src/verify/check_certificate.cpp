@@ -100,6 +100,7 @@ const std::vector<Method>& methods() {
          check_positive},
         {"components", {Kind::growth_class}, either, {}, check_growth_class},
         {"letters", {Kind::increasing}, holds, {}, check_rises},
+        {"vectors", {Kind::increasing}, holds, {"generation"}, check_rises_by_letters},
         {"generation", {Kind::increasing}, fails, {"generation"}, check_falls},
         {"words", {Kind::words}, either, {}, check_words},
         {"morphism", {Kind::quantified}, holds, {"morphism"}, check_step_of_words},
@@ -221,13 +222,46 @@ Finding check(const Certificate& certificate, const Entry& entry, const Budget& 
 
 }  // namespace
 
-std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget,
-                                       const std::function<void(const Finding&)>& on_finding) {
+void check_certificate(const TextSource& text, const std::string& file, const Budget& budget,
+                       const CertificateEvents& events) {
+    Certificate certificate;
+    certificate.file = file;
+    bool has_begun = false;
+    std::size_t index = 0;
+    const auto begin = [&](JsonValue header) {
+        has_begun = true;
+        read_header(certificate, std::move(header));
+        if (events.on_start) events.on_start(certificate);
+    };
+    const auto each = [&](const JsonValue& value) {
+        const Field field(value, "statements[" + std::to_string(index++) + "]", certificate.file);
+        Finding found;
+        if (field.kind() == JsonValue::Kind::too_large) {
+            found.outcome = Finding::Outcome::not_checked;
+            found.statement = field.path();
+            found.path = field.path();
+            found.line = field.line();
+            found.reason = "it takes more memory than is allowed to read it";
+        } else {
+            if (events.on_statement) events.on_statement(field);
+            const Reader reader(*certificate.alphabet, certificate.systems, certificate.rewritings);
+            found = check(certificate, read_entry(field, reader), budget);
+        }
+        if (events.on_finding) events.on_finding(found);
+    };
+    Budget reading = budget;
+    reading.deadline.reset();  // when the time is over, each statement that is left is not checked
+    JsonValue whole = parse_json(text, file, reading, {"statements", begin, each});
+    if (has_begun) return;
+    begin(std::move(whole));
+    Field(certificate.header, "", certificate.file).at("statements").list();
+}
+
+std::vector<Finding> check_certificate(const std::string& text, const std::string& file,
+                                       const Budget& budget) {
     std::vector<Finding> all;
-    for (const Entry& entry : certificate.entries) {
-        all.push_back(check(certificate, entry, budget));
-        if (on_finding) on_finding(all.back());
-    }
+    check_certificate(source_of(text), file, budget,
+                      {.on_finding = [&](const Finding& found) { all.push_back(found); }});
     return all;
 }
 

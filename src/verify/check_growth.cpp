@@ -146,6 +146,43 @@ void check_rises(const Obligation& task) {
     }
 }
 
+// Or: they do not fall up to a generation that has no letter more often than the next one. What one word has
+// more often than another, its descendants have more often too, so it is for all generations that follow.
+void check_rises_by_letters(const Obligation& task) {
+    must_be_d0l(task);
+    const System::Successors& table = task.system().tables[0];
+    const std::uint64_t last = task.proof.at("generation").number();
+    if (last > 10'000)
+        throw BoundReached(Bound::method, "more than 10,000 generations are not compared");
+    std::map<Symbol, Integer> now;
+    for (const Symbol a : task.system().axiom) now[a] = now[a] + 1;
+    const auto length = [](const std::map<Symbol, Integer>& letters) {
+        Integer all;
+        for (const auto& [letter, times] : letters) all += times;
+        return all;
+    };
+    for (std::uint64_t n = 0;; ++n) {
+        task.budget.check();
+        std::map<Symbol, Integer> next;
+        for (const auto& [letter, times] : now)
+            for (const Symbol b : table[letter][0]) next[b] = next[b] + times;
+        if (length(next) < length(now) || (task.statement.strictly && length(next) == length(now)))
+            task.refuse("after generation " + std::to_string(n) + " the length does not rise");
+        if (n < last) {
+            now = std::move(next);
+            continue;
+        }
+        const std::set<Symbol> lasting = lasting_letters(table);
+        bool one_lasts = !task.statement.strictly;
+        for (const auto& [letter, times] : now)
+            if (next[letter] < times) task.refuse("a letter occurs less often in the next word");
+        for (const auto& [letter, times] : next)
+            one_lasts = one_lasts || (times > now[letter] && lasting.contains(letter));
+        if (!one_lasts) task.refuse("no lasting letter occurs more often in the next word");
+        return;
+    }
+}
+
 void check_falls(const Obligation& task) {
     must_be_d0l(task);
     const Integer generation = task.proof.at("generation").integer();

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <iterator>
 #include <set>
+#include <tuple>
 #include <utility>
 
 #include "exact/exact.hpp"
@@ -18,57 +19,104 @@ namespace algae::verify {
 namespace {
 
 constexpr std::size_t deepest = 1000;
+/// Of the memory allowed, the part that a text may take as values; the rest is for checking.
+constexpr std::uint64_t memory_of_text = 4;
 
-/// The characters of a text; the furthest one that was read is noted outside.
+/// The characters of a text that comes in pieces; one piece is kept. Counts the lines before the last character read: a
+/// number is known to end only by one more character.
 class Characters {
 public:
-    using iterator_category = std::forward_iterator_tag;
+    Characters(const TextSource& more, const std::string& file, const Budget& budget)
+        : more_(more), file_(file), budget_(budget), piece_(std::size_t{1} << 16) {}
+
+    bool at_end() {
+        if (at_ == end_ && !ended_) fill();
+        return ended_;
+    }
+    char now() const { return piece_[at_]; }
+    void next() {
+        if (last_ == '\n') ++line_;
+        last_ = piece_[at_++];
+    }
+    std::size_t line() const { return line_; }
+    /// A value or a key was read.
+    void begin_token() { pieces_of_token_ = 0; }
+
+private:
+    void fill() {
+        budget_.check();
+        if (++pieces_of_token_ * piece_.size() > budget_.memory / memory_of_text)
+            throw BoundReached(Bound::memory, file_ + ":" + std::to_string(line_) +
+                                                  ": a single value is longer than can be read "
+                                                  "within the memory allowed");
+        at_ = 0;
+        end_ = more_(piece_.data(), piece_.size());
+        ended_ = end_ == 0;
+    }
+
+    const TextSource& more_;
+    const std::string& file_;
+    const Budget& budget_;
+    std::vector<char> piece_;
+    std::size_t at_ = 0, end_ = 0, line_ = 1;
+    std::uint64_t pieces_of_token_ = 0;
+    char last_ = 0;
+    bool ended_ = false;
+};
+
+/// Where the parser is in the characters; without them, at the end.
+class Position {
+public:
+    using iterator_category = std::input_iterator_tag;
     using value_type = char;
     using difference_type = std::ptrdiff_t;
     using pointer = const char*;
-    using reference = const char&;
+    using reference = char;
 
-    Characters(const char* at, const char** reached) : at_(at), reached_(reached) {}
-    reference operator*() const { return *at_; }
-    Characters& operator++() {
-        *reached_ = ++at_;
+    explicit Position(Characters* in = nullptr) : in_(in) {}
+    char operator*() const { return in_->now(); }
+    Position& operator++() {
+        in_->next();
         return *this;
     }
-    Characters operator++(int) {
-        Characters before = *this;
-        ++*this;
+    Position operator++(int) {
+        const Position before = *this;
+        in_->next();
         return before;
     }
-    bool operator==(const Characters& other) const { return at_ == other.at_; }
-    bool operator!=(const Characters& other) const { return at_ != other.at_; }
+    bool operator==(const Position& other) const { return at_end() == other.at_end(); }
+    bool operator!=(const Position& other) const { return !(*this == other); }
 
 private:
-    const char* at_;
-    const char** reached_;
+    bool at_end() const { return !in_ || in_->at_end(); }
+
+    Characters* in_;
 };
 
 /// Builds the value from the events of the parser.
 class Builder : public nlohmann::json_sax<nlohmann::json> {
 public:
-    Builder(std::string_view text, const std::string& file)
-        : reached(text.data()), file_(file), counted_(text.data()) {}
+    Builder(Characters& text, const std::string& file, const Budget& budget,
+            const Elements& elements)
+        : text_(text), file_(file), budget_(budget), elements_(elements) {}
 
     bool null() override { return simple(JsonValue::Kind::null); }
     bool boolean(bool value) override {
-        add(JsonValue::Kind::truth).truth = value;
-        return true;
+        if (JsonValue* const added = add(JsonValue::Kind::truth)) added->truth = value;
+        return complete();
     }
     bool number_integer(number_integer_t) override { return simple(JsonValue::Kind::real); }
     bool number_unsigned(number_unsigned_t value) override {
-        add(JsonValue::Kind::number).number = value;
-        return true;
+        if (JsonValue* const added = add(JsonValue::Kind::number)) added->number = value;
+        return complete();
     }
     bool number_float(number_float_t, const string_t&) override {
         return simple(JsonValue::Kind::real);
     }
     bool string(string_t& value) override {
-        add(JsonValue::Kind::text).text = std::move(value);
-        return true;
+        spend(value.size());
+        if (JsonValue* const added = add(JsonValue::Kind::text)) added->text = std::move(value);
+        return complete();
     }
     bool binary(binary_t&) override { return false; }
     bool start_object(std::size_t) override { return open(JsonValue::Kind::object); }
@@ -76,6 +124,12 @@ public:
     bool end_object() override { return close(); }
     bool end_array() override { return close(); }
     bool key(string_t& name) override {
+        text_.begin_token();
+        spend(2 * (sizeof(std::string) + name.size()));
+        if (skipped_ > 0) return true;
+        if (elements_are_over_ && open_.size() == 1)
+            fail("the field '" + name + "' comes after '" + std::string(elements_.list) +
+                 "', which must be the last");
         auto& keys = open_.back().keys;
         if (!names_.back().insert(name).second) fail("the field '" + name + "' stands here twice");
         keys.push_back(std::move(name));
@@ -90,75 +144,142 @@ public:
     }
 
     JsonValue result;
-    const char* reached;  // one beyond the last character read
 
 private:
     [[noreturn]] void fail(const std::string& what) {
-        throw Error(file_ + ":" + std::to_string(line()) + ": " + what);
+        throw Error(file_ + ":" + std::to_string(text_.line()) + ": " + what);
     }
 
-    /// The line of the last character read that belongs to the value: numbers are followed by one more.
-    std::size_t line() {
-        const char* end = std::max(counted_, reached - 1);
-        line_ += static_cast<std::size_t>(std::count(counted_, end, '\n'));
-        counted_ = end;
-        return line_;
+    /// Whether the value that begins is an element that is handed over, or is in one.
+    bool in_elements() const { return open_.size() >= 2 && within_elements_; }
+
+    /// Accounts for memory. An element that needs too much is dropped and only its end is looked for.
+    void spend(std::size_t bytes) {
+        spent_ += bytes;
+        if (skipped_ > 0 || spent_ <= budget_.memory / memory_of_text) return;
+        if (!in_elements())
+            throw BoundReached(Bound::memory, file_ + ":" + std::to_string(text_.line()) +
+                                                  ": what is read needs more than the memory "
+                                                  "allowed");
+        too_large_.kind = JsonValue::Kind::too_large;
+        too_large_.line = open_.size() > 2 ? open_[2].line : text_.line();
+        skipped_ = open_.size() - 1;  // the levels that are open, with that of the list
+        open_.resize(2);
+        names_.resize(2);
     }
 
-    JsonValue& add(JsonValue::Kind kind) {
+    /// A new value in the one that is open; nothing where it is skipped.
+    JsonValue* add(JsonValue::Kind kind) {
+        text_.begin_token();
+        spend(sizeof(JsonValue));
+        if (skipped_ > 0) return nullptr;
         JsonValue& value = open_.empty() ? result : open_.back().items.emplace_back();
         value.kind = kind;
-        value.line = line();
-        return value;
+        value.line = text_.line();
+        return &value;
     }
 
     bool simple(JsonValue::Kind kind) {
         add(kind);
+        return complete();
+    }
+
+    /// After a value: hands it over if it is an element.
+    bool complete() {
+        if (!in_elements() || open_.size() > 2 || skipped_ > 1) return true;
+        auto& items = open_.back().items;
+        elements_.each(skipped_ > 0 ? too_large_ : items.back());
+        items.clear();
+        spent_ = spent_before_;
+        skipped_ = 0;
         return true;
     }
 
     bool open(JsonValue::Kind kind) {
-        if (open_.size() >= deepest)
-            throw BoundReached(Bound::method, file_ + ":" + std::to_string(line()) +
+        text_.begin_token();
+        if (open_.size() + skipped_ >= deepest)
+            throw BoundReached(Bound::method, file_ + ":" + std::to_string(text_.line()) +
                                                   ": nested deeper than " +
                                                   std::to_string(deepest) + " levels");
+        spend(sizeof(JsonValue) + sizeof(std::set<std::string>));
+        if (skipped_ > 0) {
+            ++skipped_;
+            return true;
+        }
+        if (kind == JsonValue::Kind::list && open_.size() == 1 && elements_.each &&
+            open_[0].kind == JsonValue::Kind::object && open_[0].keys.back() == elements_.list) {
+            within_elements_ = true;
+            spent_before_ = spent_;
+            open_[0].keys.pop_back();
+            elements_.before(std::move(open_[0]));
+        }
         JsonValue& value = open_.emplace_back();
         value.kind = kind;
-        value.line = line();
+        value.line = text_.line();
         names_.emplace_back();
         return true;
     }
 
     bool close() {
+        text_.begin_token();
+        if (skipped_ > 1) {
+            --skipped_;
+            return complete();
+        }
         JsonValue value = std::move(open_.back());
         open_.pop_back();
         names_.pop_back();
+        if (within_elements_ && open_.size() == 1) {
+            within_elements_ = false;
+            elements_are_over_ = true;
+        }
         (open_.empty() ? result : open_.back().items.emplace_back()) = std::move(value);
-        return true;
+        return complete();
     }
 
+    Characters& text_;
     const std::string& file_;
+    const Budget& budget_;
+    const Elements& elements_;
     std::vector<JsonValue> open_;
     std::vector<std::set<std::string>> names_;
-    const char* counted_;
-    std::size_t line_ = 1;
+    bool within_elements_ = false, elements_are_over_ = false;
+    std::uint64_t spent_ = 0, spent_before_ = 0;
+    std::size_t skipped_ = 0;  // of the element that is too large: its open levels and one more
+    JsonValue too_large_;
 };
 
 }  // namespace
 
-JsonValue parse_json(std::string_view text, const std::string& file) {
-    Builder builder(text, file);
-    nlohmann::json::sax_parse(Characters(text.data(), &builder.reached),
-                              Characters(text.data() + text.size(), &builder.reached), &builder);
+JsonValue parse_json(const TextSource& text, const std::string& file, const Budget& budget,
+                     const Elements& elements) {
+    Characters characters(text, file, budget);
+    Builder builder(characters, file, budget, elements);
+    nlohmann::json::sax_parse(Position(&characters), Position(), &builder);
     return std::move(builder.result);
+}
+
+TextSource source_of(std::string_view text) {
+    return [text](char* to, std::size_t most) mutable {
+        const std::size_t count = text.copy(to, most);
+        text.remove_prefix(count);
+        return count;
+    };
+}
+
+bool same_value(const JsonValue& left, const JsonValue& right) {
+    return std::tie(left.kind, left.truth, left.number, left.text, left.keys) ==
+               std::tie(right.kind, right.truth, right.number, right.text, right.keys) &&
+           std::equal(left.items.begin(), left.items.end(), right.items.begin(), right.items.end(),
+                      same_value);
 }
 
 namespace {
 
 const char* found(JsonValue::Kind kind) {
     static constexpr std::array names = {
-        "null",     "true or false", "a number", "a number that is negative or not whole",
-        "a string", "a list",        "an object"};
+        "null",     "true or false", "a number",  "a number that is negative or not whole",
+        "a string", "a list",        "an object", "a value too large to be read"};
     return names.at(static_cast<std::size_t>(kind));
 }
 

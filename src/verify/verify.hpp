@@ -28,7 +28,7 @@ namespace algae::verify {
 
 /// A value of a JSON text with the line where it stands. Objects keep their members in order.
 struct JsonValue {
-    enum class Kind { null, truth, number, real, text, list, object };
+    enum class Kind { null, truth, number, real, text, list, object, too_large };
     Kind kind = Kind::null;
     bool truth = false;
     std::uint64_t number = 0;  // whole and not negative; other numbers are `real`
@@ -38,12 +38,32 @@ struct JsonValue {
     std::size_t line = 0;           // counts from 1
 };
 
-/// The value of a JSON text. Throws Error, which names the line, if the text is not JSON, has a member twice
-/// in one object or is followed by something else; BoundReached where lists and objects are nested
-/// deeper than 1000 levels.
+/// Whether two values are the same, wherever they stand.
+bool same_value(const JsonValue& left, const JsonValue& right);
+
+/// A text that comes in pieces: puts at most so many characters there and gives their number, 0 at the end.
+using TextSource = std::function<std::size_t(char* to, std::size_t most)>;
+
+/// A text as a source, which it must outlive.
+TextSource source_of(std::string_view text);
+
+/// One list of the outermost object whose elements are handed over one by one and then forgotten. It must be the last
+/// field of the object.
+struct Elements {
+    std::string_view list;
+    std::function<void(JsonValue)> before;  // takes the fields before the list
+    std::function<void(const JsonValue&)> each =
+        {};  // `too_large` where the memory does not hold the element
+};
+
+/// The value of a JSON text, without the elements that were handed over. Reads 64 KiB at a time. Throws Error, which names
+/// the line, if the text is not JSON, has a member twice in one object or is followed by something else; BoundReached
+/// where lists and objects are nested deeper than 1000 levels, or where what is kept takes more than a quarter of the memory of the
+/// budget.
 ///
-/// Example: algae::verify::parse_json("[1,\n\"a\"]", "x").items.at(1).line == 2
-JsonValue parse_json(std::string_view text, const std::string& file);
+/// Example: algae::verify::parse_json(algae::verify::source_of("[1,\n\"a\"]"), "x").items.at(1).line == 2
+JsonValue parse_json(const TextSource& text, const std::string& file, const Budget& budget = {},
+                     const Elements& elements = {});
 
 /// What is wrong with a proof, and where.
 struct Flaw {
@@ -62,6 +82,7 @@ public:
     const std::string& path() const { return path_; }
     std::size_t line() const { return value_->line; }
     JsonValue::Kind kind() const { return value_->kind; }
+    const JsonValue& value() const { return *value_; }
 
     /// Throws Error if this is not an object or has a field that is not named here.
     void only(const std::vector<std::string_view>& names) const;
@@ -378,22 +399,16 @@ struct Entry {
     std::string citation;
 };
 
-/// A whole certificate. The fields refer to `root` and `file`.
+/// What the statements of a certificate speak of. The fields refer to `header` and `file`.
 struct Certificate {
     std::string file;
-    JsonValue root;
+    JsonValue header;  // all but the statements
     std::string claim, source;
     bool empty_axiom = false;  // whether the empty word may be the axiom of a system
     std::shared_ptr<const Alphabet> alphabet;
     std::map<std::string, std::shared_ptr<const System>> systems;
     std::map<std::string, std::shared_ptr<const ModuleSystem>> rewritings;
-    std::vector<Entry> entries;
 };
-
-/// The certificate in a text (CERTIFICATES.md). Its proofs are not checked. Throws Error, which names the
-/// path and the line, at the first field that is missing, unexpected or of the wrong type.
-std::unique_ptr<const Certificate> read_certificate(const std::string& text,
-                                                    const std::string& file);
 
 /// What bound names stand for while a quantified statement is read; those without a value stay names.
 struct BoundNames {
@@ -619,10 +634,23 @@ struct Finding {
     std::string reason;
 };
 
-/// Checks every statement of a certificate, each by itself, and tells `on_finding` of each as soon as it is checked. Throws
-/// Error if a proof is not as CERTIFICATES.md says, Interrupted if the work was asked to stop.
-std::vector<Finding> check_certificate(const Certificate& certificate, const Budget& budget,
-                                       const std::function<void(const Finding&)>& on_finding = {});
+/// What is told while a certificate is checked, in this order; each may be left out.
+struct CertificateEvents {
+    std::function<void(const Certificate&)> on_start = {};
+    std::function<void(const Field&)> on_statement = {};  // before it is checked
+    std::function<void(const Finding&)> on_finding = {};
+};
+
+/// Checks every statement of a certificate (CERTIFICATES.md), each by itself and as soon as it is read, and forgets it; so
+/// the memory is that of the largest statement, and a statement that takes too much is not checked. Throws Error, which names the
+/// path and the line, at the first field that is missing, unexpected or of the wrong type; Interrupted if the work
+/// was asked to stop; BoundReached if the letters and systems take more memory than the budget allows.
+void check_certificate(const TextSource& text, const std::string& file, const Budget& budget,
+                       const CertificateEvents& events);
+
+/// The same for a text, with all that is found.
+std::vector<Finding> check_certificate(const std::string& text, const std::string& file = "text",
+                                       const Budget& budget = {});
 
 /// What the statements of a certificate speak of, line by line: its letters, and each system with its axiom and rules.
 /// Names longer than one character stand in quotes.

@@ -189,6 +189,25 @@ TEST_CASE("Ctrl-C and SIGTERM finish the chunk, write it and end with 130") {
     CHECK(direct.status == 130);
 }
 
+TEST_CASE("two signals at once stop the work as one does, and later ones end it") {
+    const Scratch folder;
+    const auto stopped_by = [&](const std::string& signals) {
+        std::filesystem::remove(folder.file("c"));
+        std::filesystem::remove(folder.file("err"));
+        run("census '0L systems up to size 11' --by finite,D0L --chunk-size 20 --checkpoint " +
+            folder.file("c") + " 2>'" + folder.file("err") + "' & p=$!; sleep 0.7; " + signals +
+            "; wait $p; exit $?; true");
+        return text_of(folder.file("err"));
+    };
+    for (int i = 0; i < 3; ++i)
+        CHECK(stopped_by("kill -TERM $p; kill -INT $p; kill -TERM $p") == "algae: interrupted\n");
+    // A chunk that takes long goes on until someone insists.
+    const Run insisting =
+        run("census '0L systems up to size 11' --by finite,D0L --chunk-size 100000000 & p=$!; "
+            "sleep 0.7; kill -TERM $p; sleep 0.8; kill -TERM $p; wait $p; exit $?; true");
+    CHECK(insisting.status == 130);
+}
+
 TEST_CASE("a checkpoint of another census is refused") {
     const Scratch folder;
     const std::string file = folder.file("c.jsonl");
@@ -261,5 +280,5 @@ TEST_CASE("the files of counts are what their commands print") {
     CHECK(files == 10);
     std::size_t others = 0;
     for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++others;
-    CHECK(others == files + 1);
+    CHECK(others == files + 2);  // README.md and open-cells.md
 }

@@ -39,8 +39,7 @@ Found judged(const std::string& definitions, const std::string& theorem) {
               witness_of(statement.answer, alphabet),
               method_of(statement.answer, alphabet),
               {}};
-    all.finding =
-        verify::check_certificate(*verify::read_certificate(all.text, "x.json"), {}).at(0);
+    all.finding = verify::check_certificate(all.text, "x.json", {}).at(0);
     return all;
 }
 
@@ -392,8 +391,7 @@ TEST_CASE("certificates of numbers with something changed are found wrong") {
         const std::size_t at = text.find(from);
         REQUIRE(at != std::string::npos);
         text.replace(at, from.size(), to);
-        return verify::to_string(
-            verify::check_certificate(*verify::read_certificate(text, "x.json"), {}).at(0).outcome);
+        return verify::to_string(verify::check_certificate(text, "x.json", {}).at(0).outcome);
     };
     CHECK(outcome("length(D, n) = 2^n", "\"2^n\"", "\"3^n\"") == "WRONG");
     CHECK(outcome("length(D, n) = 2^n", "\"=\"", "\"<\"") == "WRONG");

@@ -38,9 +38,7 @@ Found judged(const std::string& theorem, const SearchLimits& limits = {}) {
     all.verdict = verdict_text(statement);
     all.values = text(witness_of(statement.answer, alphabet));
     all.other = text(witness_of(statement.answer, alphabet, true));
-    all.finding = verify::check_certificate(
-                      *verify::read_certificate(certificate(all.checked).dump(1), "x.json"), {})
-                      .at(0);
+    all.finding = verify::check_certificate(certificate(all.checked).dump(1), "x.json", {}).at(0);
     return all;
 }
 
@@ -155,9 +153,8 @@ TEST_CASE("a morphism without an image for a letter of the language is no instan
         judged("for all D0L languages A and non-erasing morphisms h: h(A) is D0L", {20'000, 9})
             .checked);
     written["statements"][0]["proof"]["values"]["h"].erase("b");
-    CHECK(verify::check_certificate(*verify::read_certificate(written.dump(1), "x.json"), {})
-              .at(0)
-              .outcome == verify::Finding::Outcome::wrong);
+    CHECK(verify::check_certificate(written.dump(1), "x.json", {}).at(0).outcome ==
+          verify::Finding::Outcome::wrong);
 }
 
 TEST_CASE("bound words stand in words") {
@@ -372,10 +369,7 @@ TEST_CASE("a certificate of an instance that was changed is wrong") {
         ordered_json written = certificate(one.checked);
         change(written["statements"][0]);
         try {
-            return verify::check_certificate(*verify::read_certificate(written.dump(1), "x.json"),
-                                             {})
-                .at(0)
-                .outcome;
+            return verify::check_certificate(written.dump(1), "x.json", {}).at(0).outcome;
         } catch (const Error&) {
             return Outcome::wrong;  // not even well formed
         }

@@ -36,8 +36,7 @@ struct Verdict {
 std::vector<Verdict> all_judged(const std::string& lines) {
     const CheckedClaim checked = check(read_claim("claim T\n" + lines, "x.claim", {}));
     const Alphabet& alphabet = *checked.claim.alphabet;
-    const auto findings = verify::check_certificate(
-        *verify::read_certificate(certificate(checked).dump(1), "c"), Budget());
+    const auto findings = verify::check_certificate(certificate(checked).dump(1), "c", Budget());
     std::vector<Verdict> all;
     for (std::size_t i = 0; i < findings.size(); ++i) {
         const Answer& answer = checked.statements[i].answer;
@@ -467,9 +466,7 @@ TEST_CASE("a proof of something false is not checked") {
     const auto outcome = [](const std::string& lines, const nlohmann::ordered_json& statement) {
         auto written = certificate(check(read_claim("claim T\n" + lines, "x.claim", {})));
         written["statements"][0]["statement"] = statement;
-        return verify::check_certificate(*verify::read_certificate(written.dump(), "c"), Budget())
-            .front()
-            .outcome;
+        return verify::check_certificate(written.dump(), "c", Budget()).front().outcome;
     };
     using Outcome = verify::Finding::Outcome;
     const auto powers = [](int coefficient, int least) {

@@ -186,16 +186,16 @@ TEST_CASE("what is no certificate is refused with the place") {
     bad = good;
     bad["alphabet"] = {"a", 7};
     CHECK(error(bad).ends_with(": alphabet[1]: expected a string, found a number"));
-    CHECK_THROWS_WITH_AS(algae::verify::read_certificate("{\"a\": 1,\n\"a\": 2}", "y"),
+    CHECK_THROWS_WITH_AS(algae::verify::check_certificate("{\"a\": 1,\n\"a\": 2}", "y"),
                          "y:2: the field 'a' stands here twice", algae::Error);
-    CHECK_THROWS_AS(algae::verify::read_certificate("", "y"), algae::Error);
-    CHECK_THROWS_AS(algae::verify::read_certificate("{} {}", "y"), algae::Error);
-    CHECK_THROWS_AS(algae::verify::read_certificate("[1e999]", "y"), algae::Error);
-    CHECK_THROWS_AS(algae::verify::read_certificate("\"\xff\"", "y"), algae::Error);
+    CHECK_THROWS_AS(algae::verify::check_certificate("", "y"), algae::Error);
+    CHECK_THROWS_AS(algae::verify::check_certificate("{} {}", "y"), algae::Error);
+    CHECK_THROWS_AS(algae::verify::check_certificate("[1e999]", "y"), algae::Error);
+    CHECK_THROWS_AS(algae::verify::check_certificate("\"\xff\"", "y"), algae::Error);
 }
 
 TEST_CASE("nothing deep, large or long crashes or hangs") {
-    CHECK_THROWS_AS(algae::verify::read_certificate(std::string(1'000'000, '['), "y"),
+    CHECK_THROWS_AS(algae::verify::check_certificate(std::string(1'000'000, '['), "y"),
                     algae::BoundReached);
     Json language = Json::parse(R"({"words": ["a"]})");
     for (int i = 0; i < 400; ++i) language = Json{{"star", language}};

@@ -24,6 +24,11 @@ inline constexpr const char* file_help = "a file, - for standard input, or a nam
 /// The type of such an argument.
 inline constexpr const char* file_type = "FILE|NAME";
 
+/// The bytes of a file in pieces: each call puts at most so many characters there and gives their number, 0 at
+/// the end. "-" is standard input. Throws Error, now or at a call, if the file cannot be read or is a folder. The budget must outlive this.
+std::function<std::size_t(char*, std::size_t)> file_source(const std::string& path,
+                                                           const Budget& budget);
+
 /// The bytes of a file. Throws Error if it cannot be read or is a folder, BoundReached if reading
 /// it as a system would take more memory than the budget has.
 std::string file_text(const std::string& path, const Budget& budget);

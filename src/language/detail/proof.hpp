@@ -267,6 +267,15 @@ struct Rises {
     std::size_t sets = 0;
 };
 
+/// No length falls (strictly: all rise) up to a generation, which has no letter more often than the next one has; so it is for ever.
+/// Strictly: the next one has more of a letter whose descendants never vanish.
+struct RisesByLetters {
+    static constexpr const char* rule = "vectors";
+    std::string system;
+    bool strictly = false;
+    std::uint64_t generation = 0;
+};
+
 struct Falls {
     std::string system;
     std::uint64_t generation = 0;
@@ -667,18 +676,19 @@ struct Proof {
         steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely,
         steps::SameSequence, steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth,
         steps::ComparedNumbers, steps::ByRecurrences, steps::StaysPositive, steps::Grows,
-        steps::Rises, steps::Falls, steps::ComparedWords, steps::ByMorphism, steps::LimitSet,
-        steps::Identical, steps::SameValues, steps::ValuesWithin, steps::OtherValues,
-        steps::SameAutomata, steps::NothingOutside, steps::Distinguished, steps::SameDeterministic,
-        steps::WithinRegular, steps::ByInduction, steps::SamePowers, steps::BothInclusions,
-        steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
-        steps::NoTerminals, steps::InfiniteRound, steps::InfiniteTables, steps::Pumped,
-        steps::LongerPowers, steps::InfinitePart, steps::InfiniteSize, steps::HasForm,
-        steps::FiniteOfFamily, steps::RegularOperations, steps::ContextFree, steps::PowersBeyond,
-        steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily, steps::GeneratedBy,
-        steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
-        steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
-        steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
+        steps::Rises, steps::RisesByLetters, steps::Falls, steps::ComparedWords, steps::ByMorphism,
+        steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
+        steps::OtherValues, steps::SameAutomata, steps::NothingOutside, steps::Distinguished,
+        steps::SameDeterministic, steps::WithinRegular, steps::ByInduction, steps::SamePowers,
+        steps::BothInclusions, steps::Counted, steps::NoWord, steps::FiniteConstruction,
+        steps::FoundWord, steps::Disjoint, steps::NoTerminals, steps::InfiniteRound,
+        steps::InfiniteTables, steps::Pumped, steps::LongerPowers, steps::InfinitePart,
+        steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
+        steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord, steps::Sparse,
+        steps::FiniteFamily, steps::GeneratedBy, steps::OfReversal, steps::Constructed, steps::Code,
+        steps::TwoFactorisations, steps::Beginning, steps::Palindrome, steps::FromStatements,
+        steps::ByInstance, steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach,
+        steps::ByDerivations>
         step;
 };
 

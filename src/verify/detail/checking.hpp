@@ -149,6 +149,12 @@ struct Obligation {
     [[noreturn]] void wrong_kind() const;
 };
 
+/// What the statements speak of, from the fields before them. Throws Error.
+void read_header(Certificate& read, JsonValue header);
+
+/// One statement. Throws Error.
+Entry read_entry(const Field& field, const Reader& reader);
+
 /// Checks a proof of any kind.
 void check_proof(const Obligation& task);
 
@@ -212,6 +218,7 @@ void check_step_of_words(const Obligation& task);
 std::optional<Symbol> word_measured(const Field& field, const Reader& reader);
 void check_growth_class(const Obligation& task);
 void check_rises(const Obligation& task);
+void check_rises_by_letters(const Obligation& task);
 void check_falls(const Obligation& task);
 /// Statements made of others, and quantified ones.
 void check_parts(const Obligation& task);

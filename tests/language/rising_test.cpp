@@ -98,7 +98,8 @@ TEST_CASE("a proof that lengths rise is refused where one of its conditions fail
     const Sample bounded{"a", {"ab", "", "c"}}, steps{"a", {"bb", "a", "c"}},
         turning{"a", {"bc", "a", ""}}, fallen{"aaa", {"b", "bc", ""}};
     CHECK(outcome(bounded, false, "0").outcome == Outcome::checked);
-    CHECK(outcome(bounded, true, "0").reason == "no lasting letter occurs more often in the next word");
+    CHECK(outcome(bounded, true, "0").reason ==
+          "no lasting letter occurs more often in the next word");
     CHECK(outcome(bounded, true, "1").reason == "after generation 1 the length does not rise");
     CHECK(outcome(steps, false, "0").reason == "a letter occurs less often in the next word");
     CHECK(outcome(steps, false, "7").reason == "a letter occurs less often in the next word");

@@ -80,7 +80,8 @@ bool agree(const verify::JsonValue& read, const Json& wanted) {
     if (wanted.is_number_unsigned())
         return read.kind == Kind::number && read.number == wanted.get<std::uint64_t>();
     if (wanted.is_number()) return read.kind == Kind::real;
-    if (wanted.is_string()) return read.kind == Kind::text && read.text == wanted.get<std::string>();
+    if (wanted.is_string())
+        return read.kind == Kind::text && read.text == wanted.get<std::string>();
     if (read.kind != (wanted.is_array() ? Kind::list : Kind::object) ||
         read.items.size() != wanted.size())
         return false;
@@ -99,10 +100,10 @@ TEST_CASE("a certificate needs the memory of its largest statement, not of all")
     const Budget budget = with_memory(1 << 20);  // a fifth of the text
     REQUIRE(text.size() > 4 * budget.memory);
     std::size_t checked = 0;
-    verify::check_certificate(
-        verify::source_of(text), "x", budget, {.on_finding = [&](const verify::Finding& found) {
-            checked += found.outcome == Outcome::checked;
-        }});
+    verify::check_certificate(verify::source_of(text), "x", budget,
+                              {.on_finding = [&](const verify::Finding& found) {
+                                  checked += found.outcome == Outcome::checked;
+                              }});
     CHECK(checked == 40'000);
 }
 
@@ -122,8 +123,9 @@ TEST_CASE("a statement that is too large is not checked, and those after it are"
 
 TEST_CASE("a single name that is too long, and a header that is, reach the bound") {
     const std::string long_name(10'000'000, 'a');
-    CHECK_THROWS_AS(verify::check_certificate(R"({"format": ")" + long_name, "x", with_memory(1 << 20)),
-                    BoundReached);
+    CHECK_THROWS_AS(
+        verify::check_certificate(R"({"format": ")" + long_name, "x", with_memory(1 << 20)),
+        BoundReached);
     std::string letters = R"({"alphabet": [)";
     for (int i = 0; i < 100'000; ++i) letters += "\"a\",";
     CHECK_THROWS_WITH_AS(verify::check_certificate(letters, "x", with_memory(1 << 20)),
@@ -143,8 +145,10 @@ TEST_CASE("the statements come last") {
     text.pop_back();
     CHECK(error(text + ",\n\"source\": \"\"}") ==
           "x.json:3: the field 'source' comes after 'statements', which must be the last");
-    CHECK(error(R"({"format": "algae certificate 1", "claim": "x", "statements": [], "alphabet": []})") ==
-          "x.json:1: the field 'alphabet' is missing");
+    CHECK(
+        error(
+            R"({"format": "algae certificate 1", "claim": "x", "statements": [], "alphabet": []})") ==
+        "x.json:1: the field 'alphabet' is missing");
     Json other = certificate(sound()[0]);
     other["statements"] = 7;
     CHECK(error(other.dump()) == "x.json:1: statements: expected a list, found a number");
@@ -158,10 +162,10 @@ TEST_CASE("what is found is told before the rest is read") {
     std::string text = many(3);
     text.resize(text.size() - 2);
     std::size_t told = 0;
-    CHECK_THROWS_AS(verify::check_certificate(
-                        verify::source_of(text), "x", {},
-                        {.on_finding = [&](const verify::Finding&) { ++told; }}),
-                    Error);
+    CHECK_THROWS_AS(
+        verify::check_certificate(verify::source_of(text), "x", {},
+                                  {.on_finding = [&](const verify::Finding&) { ++told; }}),
+        Error);
     CHECK(told == 3);
 }
 

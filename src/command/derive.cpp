@@ -99,6 +99,8 @@ RewritingChoices choices(const DeriveOptions& options, const LSystem& system) {
     const bool seeded = options.seed || options.seeds;
     out.evenly = !class_of(system).stochastic && seeded;
     out.random_tables = seeded;
+    // What an environment answers is measured on a figure, which keeps doubles.
+    out.arithmetic = class_of(system).open ? Arithmetic::doubles : Arithmetic::exact;
     return out;
 }
 
@@ -120,26 +122,50 @@ std::vector<std::size_t> tables(const DeriveOptions& options, const LSystem& sys
     return table_sequence(system.tables, options.tables);
 }
 
-/// The word of one generation after the other.
+/// The word of one generation after the other. Numbers are exact while words are not long: from then on they are doubles, as
+/// in figures, all the way from the axiom.
 class Generations {
 public:
     Generations(const Model& system, const RewritingChoices& choices, const std::string& program,
                 std::vector<std::size_t> sequence, const Budget& budget)
-        : development_(system, choices, external_environment(program, system), budget),
-          text_(development_.rules().system->alphabet, development_.rules().kinds),
+        : system_(system),
+          choices_(choices),
+          program_(program),
           sequence_(std::move(sequence)),
-          budget_(budget) {}
+          budget_(budget) {
+        begin();
+    }
 
     bool write(std::uint64_t n, TextSink& sink) {
-        development_.go_to(n, sequence_, budget_);
-        return text_.write(development_.word(), sink, budget_);
+        while (development_->generation() < n) {
+            const bool is_exact = choices_.arithmetic == Arithmetic::exact;
+            development_->go_to(is_exact ? development_->generation() + 1 : n, sequence_, budget_);
+            if (is_exact && development_->word().values.size() > most_exact) {
+                note("generation " + std::to_string(development_->generation()) +
+                     " has more than " + std::to_string(most_exact) +
+                     " parameters: from it on they are rounded");
+                choices_.arithmetic = Arithmetic::doubles;
+                begin();
+            }
+        }
+        const CompiledRules& rules = development_->rules();
+        return ModuleText(rules.system->alphabet, rules.kinds)
+            .write(development_->word(), sink, budget_);
     }
 
 private:
-    OpenDevelopment development_;
-    ModuleText text_;
+    static constexpr std::size_t most_exact = 20'000;
+
+    void begin() {
+        development_.emplace(system_, choices_, external_environment(program_, system_), budget_);
+    }
+
+    const Model& system_;
+    RewritingChoices choices_;
+    std::string program_;
     std::vector<std::size_t> sequence_;
     const Budget& budget_;
+    std::optional<OpenDevelopment> development_;
 };
 
 void check_long_enough(const std::vector<std::size_t>& sequence, std::uint64_t n) {

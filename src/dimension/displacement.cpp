@@ -253,14 +253,6 @@ std::vector<ComplexBall> trace_dual(const Polynomial& factor, const ComplexBall&
     return quotient;
 }
 
-/// The double as a rational.
-Rational rational(double value) {
-    int exponent = 0;
-    const double fraction = std::frexp(value, &exponent);
-    return Rational(Integer(static_cast<std::int64_t>(std::ldexp(fraction, 53)))) *
-           power(Rational(2), exponent - 53);
-}
-
 /// The complex numbers that the rows of a basis stand for, for each of some roots of an irreducible
 /// polynomial: with relative errors below 2^-digits. Rows are coordinates c A^i u of a number c
 /// (see LeadingFactor). `roots` gives the roots to so many bits. Throws BoundReached where that
@@ -300,6 +292,7 @@ std::vector<std::vector<ComplexBall>> numbers_of(
 /// smallest element.
 IntegerMatrix embedded(const IntegerMatrix& basis, const LeadingFactor& leading, long digits,
                        const Budget& budget) {
+    if (basis.rows() == 0) return {0, 2 * static_cast<std::size_t>(leading.factor().degree())};
     const auto all_roots = [&](long bits) {
         std::vector<ComplexBall> all;
         for (const Root& root : roots(leading.factor(), bits))
@@ -307,15 +300,16 @@ IntegerMatrix embedded(const IntegerMatrix& basis, const LeadingFactor& leading,
         return all;
     };
     const auto numbers = numbers_of(basis, leading.factor(), all_roots, digits + 20, budget);
-    double smallest = INFINITY;
+    Rational smallest;  // of basis elements that are not seen to be 0; they may be beyond doubles
     for (std::size_t k = 0; k < basis.rows(); ++k) {
-        double size = 0;
+        Rational size;
         for (const auto& of_root : numbers)
-            size +=
-                std::abs(of_root[k].real.midpoint()) + std::abs(of_root[k].imaginary.midpoint());
-        smallest = std::min(smallest, size);
+            size += abs(of_root[k].real.lower()) + abs(of_root[k].imaginary.lower());
+        if (smallest.is_zero() || (!size.is_zero() && size < smallest)) smallest = size;
     }
-    const Rational unit = rational(smallest) * power(Rational(2), -digits);
+    const auto bits = static_cast<std::int64_t>(bit_length(smallest.numerator())) -
+                      static_cast<std::int64_t>(bit_length(smallest.denominator()));
+    const Rational unit = power(Rational(2), bits - digits);
     IntegerMatrix out(basis.rows(), 2 * numbers.size());
     for (std::size_t k = 0; k < basis.rows(); ++k)
         for (std::size_t l = 0; l < numbers.size(); ++l) {

@@ -224,6 +224,11 @@ Ball abs(const Ball& value) {
 Ball sqrt(const Ball& value) { return applied(value, arb_sqrt); }
 Ball log(const Ball& value) { return applied(value, arb_log); }
 Ball exp(const Ball& value) { return applied(value, arb_exp); }
+Ball sin(const Ball& value) { return applied(value, arb_sin); }
+Ball cos(const Ball& value) { return applied(value, arb_cos); }
+Ball asin(const Ball& value) { return applied(value, arb_asin); }
+Ball acos(const Ball& value) { return applied(value, arb_acos); }
+Ball atan(const Ball& value) { return applied(value, arb_atan); }
 
 Ball power(const Ball& base, const Ball& exponent) {
     Ball result = ball(std::max(base.bits(), exponent.bits()));

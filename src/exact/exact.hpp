@@ -574,6 +574,43 @@ std::string decimal(const Rational& value, int digits_after_point);
 /// Example: exact_decimal(Rational(257, 10)) == "25.7"
 std::optional<std::string> exact_decimal(const Rational& value);
 
+/// The number that a double is. Throws Error if it is infinite or none.
+///
+/// Example: exactly(0.75) == Rational(3, 4)
+Rational exactly(double value);
+
+/// rational + factor * sqrt(radicand), the radicand a squarefree integer other than 0 and 1, or
+/// negative: then the number is complex. Of a rational number the radicand is 1.
+struct QuadraticNumber {
+    Rational rational;
+    Rational factor;
+    Integer radicand = 1;
+
+    bool is_rational() const { return factor.is_zero(); }
+    /// The same with the other sign before the root.
+    QuadraticNumber conjugate() const { return {rational, -factor, radicand}; }
+    bool operator==(const QuadraticNumber&) const = default;
+    friend std::size_t hash_value(const QuadraticNumber& value);
+};
+
+/// The sum, difference, product or quotient, by `operation` + - * or /; nothing where both are roots of different numbers, or
+/// the divisor is 0.
+///
+/// Example: combined({0, 1, 2}, '*', {0, 3, 2}) == QuadraticNumber{6, 0, 1}
+std::optional<QuadraticNumber> combined(const QuadraticNumber& left, char operation,
+                                        const QuadraticNumber& right);
+
+/// -1, 0 or 1, of a real number.
+///
+/// Example: sign(QuadraticNumber{-3, 2, 2}) == -1
+int sign(const QuadraticNumber& value);
+
+/// The square root of a number above 0; nothing where its square part is not quickly found: numerator times denominator
+/// has more than 12 digits and is no square.
+///
+/// Example: square_root(Rational(9, 2)) == QuadraticNumber{0, Rational(3, 2), 2}
+std::optional<QuadraticNumber> square_root(const Rational& value);
+
 /// A real number known to lie in an interval: midpoint plus or minus radius (Arb's `arb`). Every
 /// operation gives an enclosure of all results its operands allow, at the larger of the operands'
 /// precisions; where there is no real result for some of them (a division by an interval around 0,
@@ -628,6 +665,9 @@ private:
     long bits_;
 };
 
+/// An enclosure of a real number.
+Ball enclosure(const QuadraticNumber& value, long bits);
+
 /// What two enclosures say for certain about the numbers in them.
 enum class Order { less, equal, greater, unknown };
 
@@ -643,6 +683,13 @@ Ball abs(const Ball& value);
 Ball sqrt(const Ball& value);
 Ball log(const Ball& value);
 Ball exp(const Ball& value);
+/// Of angles in radians.
+Ball sin(const Ball& value);
+Ball cos(const Ball& value);
+/// In radians; everything where the number may be below -1 or above 1.
+Ball asin(const Ball& value);
+Ball acos(const Ball& value);
+Ball atan(const Ball& value);
 Ball power(const Ball& base, const Ball& exponent);
 /// An enclosure of the circle number.
 Ball pi(long bits);

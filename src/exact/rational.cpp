@@ -148,6 +148,14 @@ std::strong_ordering operator<=>(const Rational& left, const Rational& right) {
                      flint(right.denominator_)) <=> 0;
 }
 
+Rational exactly(double value) {
+    if (!std::isfinite(value)) throw Error("expected a finite number");
+    int exponent = 0;
+    const double fraction = std::frexp(value, &exponent);
+    const Rational mantissa(static_cast<std::int64_t>(std::ldexp(fraction, 53)));
+    return mantissa * power(Rational(2), exponent - 53);
+}
+
 double Rational::to_double() const {
     if (is_zero()) return 0;
     // The result is a 53-bit integer times 2^exponent, or fewer bits at the smallest exponent.

@@ -147,18 +147,6 @@ Rate spectral_radius(const std::vector<Factorisation::Power>& factors, const Rat
 
 std::ostream& operator<<(std::ostream& out, const Rate& rate);
 
-/// rational + factor * sqrt(radicand), the radicand a squarefree integer other than 0 and 1, or
-/// negative: then the number is complex.
-struct QuadraticNumber {
-    Rational rational;
-    Rational factor;
-    Integer radicand = 1;
-
-    /// The same with the other sign before the root.
-    QuadraticNumber conjugate() const { return {rational, -factor, radicand}; }
-    bool operator==(const QuadraticNumber&) const = default;
-};
-
 /// The root with the positive sign before the square root of an irreducible polynomial of degree 2.
 ///
 /// Example: to_string(larger_root(Polynomial({-1, -1, 1}))) == "(1+sqrt(5))/2"

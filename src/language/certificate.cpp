@@ -37,10 +37,12 @@ struct Scope {
 
 Json expression_json(const Expression& expression, const Scope& scope) {
     const auto parameter = [&](const std::string& name) { return scope.parameter(name); };
-    if (!has_parameters(expression, parameter))
-        return number_text(evaluate(expression, [&](const std::string& name) {
-                               return scope.constant(name);
-                           }).value);
+    if (!has_parameters(expression, parameter)) {
+        const auto constant = [&](const std::string& name) { return scope.constant(name); };
+        if (const auto value = exact_value(expression, constant)) return shortest_text(*value);
+        if (expression.kind == Expression::Kind::name)  // a constant that is not rational
+            return expression_json(scope.constant(expression.name)->expression, scope);
+    }
     if (expression.kind == Expression::Kind::name) return {{"parameter", expression.name}};
     Json parts = Json::array();
     for (const Expression& operand : expression.operands)
@@ -573,6 +575,18 @@ struct ProofWriter {
     }
     Json operator()(const steps::BothInclusions& said) const {
         return {{"by", "both"}, {"proofs", Json::array({of(said.there), of(said.back)})}};
+    }
+    Json operator()(const steps::ByFacts& said) const {
+        Json facts = Json::array();
+        for (const steps::ByFacts::Fact& fact : said.facts) {
+            Json sides =
+                Json::array({to_json(fact.language, alphabet), to_json(fact.equal, alphabet)});
+            if (fact.is_right) std::swap(sides[0], sides[1]);
+            facts.push_back({{"equal", std::move(sides)},
+                             {"replaced", fact.is_right ? 1 : 0},
+                             {"proof", of(fact.proof)}});
+        }
+        return {{"by", "facts"}, {"facts", std::move(facts)}, {"proof", of(said.proof)}};
     }
     Json operator()(const steps::InfiniteRound& said) const {
         Json rules = Json::array();

@@ -1,11 +1,15 @@
 #include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <type_traits>
 
 #include "exact/exact.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
 
 // From a claim to its verdicts: each statement goes to its judge, a bound that is reached
-// leaves it undecided, and an error gets the place of the statement.
+// leaves it undecided, and an error gets the place of the statement. What is undecided is tried again with facts: languages
+// without systems that earlier statements were proved to equal, or that a system is found to generate.
 
 namespace algae {
 
@@ -76,13 +80,132 @@ struct Judge {
     }
 };
 
-}  // namespace
+using Facts = std::vector<steps::ByFacts::Fact>;
 
-//> decide
-Answer decide(const Statement& statement, const Claim& claim, const Budget& budget,
-              const SearchLimits& limits) {
+/// The statement with what facts say in the place of languages; which facts were used.
+class Replacement {
+public:
+    Replacement(const Facts& facts, const Alphabet& alphabet) : facts_(facts), alphabet_(alphabet) {
+        for (const auto& fact : facts) texts_.push_back(to_json(fact.language, alphabet).dump());
+    }
+
+    Language operator()(const Language& language) {
+        if (!has_system(language)) return language;
+        const std::string text = to_json(language, alphabet_).dump();
+        for (std::size_t i = 0; i < texts_.size(); ++i)
+            if (texts_[i] == text) {
+                used_.insert(i);
+                return facts_[i].equal;
+            }
+        LanguageTree tree = *language;
+        bool is_changed = false;
+        for (Language& part : tree.parts) {
+            const Language changed = (*this)(part);
+            is_changed = is_changed || changed != part;
+            part = changed;
+        }
+        if (!is_changed) return language;
+        tree.name.clear();  // it stood for the other expression
+        return std::make_shared<const LanguageTree>(std::move(tree));
+    }
+
+    void operator()(Statement& statement) {
+        std::visit(
+            [this](auto& said) {
+                if constexpr (requires { said.language; }) said.language = (*this)(said.language);
+                if constexpr (std::is_same_v<std::decay_t<decltype(said)>, EqualLanguages>) {
+                    said.left = (*this)(said.left);
+                    said.right = (*this)(said.right);
+                }
+                if constexpr (requires { said.inner; }) {
+                    said.inner = (*this)(said.inner);
+                    said.outer = (*this)(said.outer);
+                }
+                if constexpr (std::is_same_v<std::decay_t<decltype(said)>, Joint>)
+                    for (Statement& part : said.parts) (*this)(part);
+            },
+            statement.says);
+    }
+
+    Facts used() const {
+        Facts found;
+        for (const std::size_t i : used_) found.push_back(facts_[i]);
+        return found;
+    }
+
+private:
+    const Facts& facts_;
+    const Alphabet& alphabet_;
+    std::vector<std::string> texts_;
+    std::set<std::size_t> used_;
+};
+
+/// The languages of systems in an expression.
+void add_generated(const Language& language, std::vector<Language>& all) {
+    if (language->kind == LanguageTree::Kind::generated) all.push_back(language);
+    for (const Language& part : language->parts) add_generated(part, all);
+}
+
+void add_generated(const Statement& statement, std::vector<Language>& all) {
+    std::visit(
+        [&](const auto& said) {
+            if constexpr (requires { said.language; }) add_generated(said.language, all);
+            if constexpr (std::is_same_v<std::decay_t<decltype(said)>, EqualLanguages>) {
+                add_generated(said.left, all);
+                add_generated(said.right, all);
+            }
+            if constexpr (requires { said.inner; }) {
+                add_generated(said.inner, all);
+                add_generated(said.outer, all);
+            }
+            if constexpr (std::is_same_v<std::decay_t<decltype(said)>, Joint>)
+                for (const Statement& part : said.parts) add_generated(part, all);
+        },
+        statement.says);
+}
+
+/// The answer to the statement with facts in it; nothing where none helps.
+std::optional<Answer> by_facts(const Statement& statement, const Claim& claim, Facts facts,
+                               const Budget& budget, const SearchLimits& limits) {
+    std::vector<Language> generated;
+    add_generated(statement, generated);
+    std::set<const SourceSystem*> seen;
+    for (const Language& each : generated) {
+        if (each->system->variable || !seen.insert(each->system.get()).second) continue;
+        for (const Language& form : likely_forms(each, budget)) {
+            const Answer same = judge_equality(each, form, *claim.alphabet, budget);
+            if (same.truth != Truth::proved) continue;
+            facts.push_back({each, form, false, same.proof});
+            break;
+        }
+    }
+    Replacement replacement(facts, *claim.alphabet);
+    Statement changed = statement;
+    replacement(changed);
+    Facts used = replacement.used();
+    if (used.empty()) return std::nullopt;
+    const Answer found = std::visit(Judge{claim, budget, limits}, changed.says);
+    if (found.truth == Truth::undecided) return std::nullopt;
+    return Answer{found.truth, proof_by(steps::ByFacts{std::move(used), found.proof}), {}, {}};
+}
+
+/// What the equality says of languages with systems, if one side has none.
+void add_fact(const Statement& statement, const Answer& answer, Facts& facts) {
+    const auto* const said = std::get_if<EqualLanguages>(&statement.says);
+    if (!said || statement.negated || answer.truth != Truth::proved) return;
+    if (has_system(said->left) && !has_system(said->right))
+        facts.push_back({said->left, said->right, false, answer.proof});
+    else if (has_system(said->right) && !has_system(said->left))
+        facts.push_back({said->right, said->left, true, answer.proof});
+}
+
+Answer decide(const Statement& statement, const Claim& claim, const Facts& facts,
+              const Budget& budget, const SearchLimits& limits) {
     try {
         Answer found = std::visit(Judge{claim, budget, limits}, statement.says);
+        if (found.truth == Truth::undecided && !found.out_of_time)
+            if (auto better = by_facts(statement, claim, facts, budget, limits))
+                found = *std::move(better);
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
         return undecided(error.what());
@@ -91,6 +214,14 @@ Answer decide(const Statement& statement, const Claim& claim, const Budget& budg
         if (statement.place.line == 0 || (!file.empty() && what.starts_with(file + ":"))) throw;
         throw Error(to_string(statement.place) + ": " + what);
     }
+}
+
+}  // namespace
+
+//> decide
+Answer decide(const Statement& statement, const Claim& claim, const Budget& budget,
+              const SearchLimits& limits) {
+    return decide(statement, claim, Facts(), budget, limits);
 }
 //< decide
 
@@ -159,10 +290,12 @@ ClaimVerdict CheckedClaim::verdict() const {
 
 CheckedClaim check(Claim claim, const Budget& budget, const SearchLimits& limits) {
     CheckedClaim checked;
+    Facts facts;
     for (const ClaimedStatement& claimed : claim.statements) {
         CheckedStatement found;
         try {
-            found.answer = decide(claimed.statement, claim, budget, limits);
+            found.answer = decide(claimed.statement, claim, facts, budget, limits);
+            add_fact(claimed.statement, found.answer, facts);
         } catch (const Error& error) {  // the other statements are decided all the same
             found.answer = undecided(error.what());
         }

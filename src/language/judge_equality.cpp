@@ -1,8 +1,10 @@
 #include <algorithm>
 #include <iterator>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "growth/growth.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
@@ -13,7 +15,7 @@
 // Theorems come first: identical expressions, finite languages word by word, regular ones by automata, a
 // language of a system within a regular one
 // (a meeting with its complement), a regular one within L(G) by induction on the length, two D0L languages by
-// sequence equivalence. Where none applies a difference is looked for among short words and first generations;
+// sequence equivalence, linear systems, whose languages are regular. Where none applies a difference is looked for among short words and first generations;
 // if there is none the statement stays undecided. A few short words are tried before the expensive theorems.
 
 namespace algae {
@@ -27,6 +29,64 @@ constexpr std::size_t most_tried = 600;    // short words that are looked at for
 constexpr std::size_t longest_short = 30;  // letters of these
 constexpr std::size_t longest_tried = 60;  // letters of a word of a generation that is looked at
 constexpr std::uint64_t most_generations = 12;
+
+/// The language of a linear system: in its words all letters are constant but one at most, which is the last one, or
+/// the first one of all words. Nothing for other languages.
+std::optional<RegularLanguage> linear_value(const Language& language, const Budget& budget) {
+    if (language->kind != Kind::generated || !language->system->tables ||
+        !language->system->grammar.empty())
+        return std::nullopt;
+    const ET0L& system = *language->system->tables;
+    if (system.tables.size() != 1 || !has_only_terminals(system)) return std::nullopt;
+    const Table& table = system.tables.front();
+    const auto is_constant = [&](Symbol a) { return table[a] == std::vector<Word>{{a}}; };
+    for (const bool is_last : {true, false}) {
+        // The constant letters of a word, in the order in which they are read, and the other one.
+        const auto split = [&](Word word) -> std::optional<std::pair<Word, std::optional<Symbol>>> {
+            if (!is_last) std::reverse(word.begin(), word.end());
+            std::optional<Symbol> active;
+            if (!word.empty() && !is_constant(word.back())) {
+                active = word.back();
+                word.pop_back();
+            }
+            if (!std::all_of(word.begin(), word.end(), is_constant)) return std::nullopt;
+            return std::pair(std::move(word), active);
+        };
+        Nfa automaton;
+        const std::size_t start = automaton.add_state(), end = automaton.add_state(true);
+        automaton.initial = {start};
+        std::map<Symbol, std::size_t> states;
+        std::vector<Symbol> open;
+        bool is_linear = true;
+        const auto add = [&](std::size_t from, const Word& word) {
+            const auto parts = split(word);
+            is_linear = is_linear && parts;
+            if (!is_linear) return;
+            std::size_t to = end;
+            if (parts->second) {
+                const auto [place, is_new] = states.try_emplace(*parts->second, 0);
+                if (is_new) {
+                    place->second = automaton.add_state();
+                    automaton.add_path(place->second, {*parts->second}, end);
+                    open.push_back(*parts->second);
+                }
+                to = place->second;
+            }
+            automaton.add_path(from, parts->first, to);
+        };
+        add(start, system.axiom);
+        while (is_linear && !open.empty()) {
+            const Symbol a = open.back();
+            open.pop_back();
+            for (const Word& successor : table[a]) add(states.at(a), successor);
+        }
+        if (is_linear) {
+            const RegularLanguage found(automaton, budget);
+            return is_last ? found : reversed(found, budget);
+        }
+    }
+    return std::nullopt;
+}
 
 class LanguageComparison {
 public:
@@ -58,8 +118,23 @@ public:
         }
         if (regular_right)
             if (auto found = generated_in_regular(*regular_right)) return found;
+        if (auto found = linear(false)) return found;
         if (regular_left) return regular_in_generated(*regular_left);
         return std::nullopt;
+    }
+
+    /// Where one side is the language of a linear system and the other one too, or regular.
+    std::optional<Answer> linear(bool equal) const {
+        const auto linear_left = linear_value(left_, budget_),
+                   linear_right = linear_value(right_, budget_);
+        if (!linear_left && !linear_right) return std::nullopt;
+        const auto left = linear_left ? linear_left : regular_value(left_, alphabet_, budget_),
+                   right = linear_right ? linear_right : regular_value(right_, alphabet_, budget_);
+        if (!left || !right) return std::nullopt;
+        if (const auto word = equal ? first_difference(*left, *right, budget_)
+                                    : first_outside(*left, *right, budget_))
+            return witness(*word);
+        return proved(steps::LinearSystems{left_, right_, equal});
     }
 
     Answer equal() {
@@ -74,6 +149,7 @@ public:
                 return witness(*word);
             return proved(steps::SameAutomata{regular_left->automaton().states()});
         }
+        if (auto found = linear(true)) return *found;
         if (auto found = deterministic_equality()) return *found;
         if (auto found = same_sequences()) return *found;
         if (auto found = difference(short_words(first_tried), false)) return *found;
@@ -276,6 +352,186 @@ private:
 };
 
 }  // namespace
+
+namespace {
+
+bool is_set(const Language& language, const std::vector<Word>& words) {
+    return language->kind == Kind::words && language->words == words;
+}
+
+// What a regular expression is made of; null is the empty language.
+
+Language either(const Language& left, const Language& right) {
+    if (!left || !right) return left ? left : right;
+    if (left->kind == Kind::words && right->kind == Kind::words) {
+        std::vector<Word> all = left->words;
+        all.insert(all.end(), right->words.begin(), right->words.end());
+        return words_language(std::move(all));
+    }
+    return combined(Kind::united, {left, right});
+}
+
+Language after(const Language& left, const Language& right) {
+    if (!left || !right) return nullptr;
+    if (is_set(left, {{}})) return right;
+    if (is_set(right, {{}})) return left;
+    if (left->kind == Kind::words && right->kind == Kind::words &&
+        left->words.size() * right->words.size() == 1) {
+        Word word = left->words.front();
+        word.insert(word.end(), right->words.front().begin(), right->words.front().end());
+        return words_language({std::move(word)});
+    }
+    return combined(Kind::concatenated, {left, right});
+}
+
+Language repeated(const Language& part) {
+    if (!part || is_set(part, {{}})) return words_language({{}});
+    return combined(Kind::star, {part});
+}
+
+/// The language as an expression, by elimination of states (Brzozowski and McCluskey 1963); null where the automaton has
+/// more than 20 states.
+Language expression_of(const RegularLanguage& language) {
+    constexpr std::size_t most = 20;
+    const Dfa& automaton = language.automaton();
+    const std::size_t states = automaton.states(), start = states, end = states + 1;
+    if (states > most) return nullptr;
+    const std::vector<std::size_t> ways = distances(automaton);
+    std::map<std::pair<std::size_t, std::size_t>, Language> edges;
+    const auto add = [&](std::size_t from, std::size_t to, const Language& by) {
+        auto& edge = edges[{from, to}];
+        edge = either(edge, by);
+    };
+    add(start, automaton.initial, words_language({{}}));
+    std::set<std::size_t> left;
+    for (std::size_t s = 0; s < states; ++s) {
+        if (ways[s] == states) continue;  // nothing is accepted from it
+        left.insert(s);
+        if (automaton.accepting[s]) add(s, end, words_language({{}}));
+        for (std::size_t a = 0; a < automaton.letters; ++a)
+            if (const std::size_t to = automaton.step(s, static_cast<Symbol>(a));
+                ways[to] != states)
+                add(s, to, words_language({{static_cast<Symbol>(a)}}));
+    }
+    while (!left.empty()) {
+        const auto cost = [&](std::size_t s) {
+            std::size_t in = 0, out = 0;
+            for (const auto& [edge, by] : edges) {
+                in += edge.second == s && edge.first != s;
+                out += edge.first == s && edge.second != s;
+            }
+            return in * out;
+        };
+        const std::size_t gone =
+            *std::min_element(left.begin(), left.end(),
+                              [&](std::size_t a, std::size_t b) { return cost(a) < cost(b); });
+        left.erase(gone);
+        const auto loop = edges.find({gone, gone});
+        const Language rounds = repeated(loop == edges.end() ? nullptr : loop->second);
+        std::vector<std::pair<std::size_t, Language>> in, out;
+        for (const auto& [edge, by] : edges) {
+            if (edge.second == gone && edge.first != gone) in.emplace_back(edge.first, by);
+            if (edge.first == gone && edge.second != gone) out.emplace_back(edge.second, by);
+        }
+        std::erase_if(edges, [&](const auto& edge) {
+            return edge.first.first == gone || edge.first.second == gone;
+        });
+        for (const auto& [from, first] : in)
+            for (const auto& [to, last] : out) add(from, to, after(after(first, rounds), last));
+    }
+    const auto whole = edges.find({start, end});
+    return whole == edges.end() ? words_language({}) : whole->second;
+}
+
+/// {w_0, ..., w_(n-1)} and, for each of the next `period` words, that word with a part of it again and again, where the
+/// first words look like that.
+Language periodic_form(const std::vector<Word>& words, std::size_t first, std::size_t period) {
+    std::vector<Word> beginning(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(first));
+    Language all = beginning.empty() ? nullptr : words_language(std::move(beginning));
+    for (std::size_t n = first; n < first + period; ++n) {
+        const Word &word = words[n], &next = words[n + period];
+        if (next.size() <= word.size()) return nullptr;
+        const std::size_t more = next.size() - word.size();
+        const auto same = static_cast<std::size_t>(
+            std::mismatch(word.begin(), word.end(), next.begin(), next.end()).first - word.begin());
+        const auto place = static_cast<std::ptrdiff_t>(same);
+        const Word part(next.begin() + place,
+                        next.begin() + place + static_cast<std::ptrdiff_t>(more));
+        const auto with = [&](std::size_t times) {
+            Word made(word.begin(), word.begin() + place);
+            for (std::size_t i = 0; i < times; ++i)
+                made.insert(made.end(), part.begin(), part.end());
+            made.insert(made.end(), word.begin() + place, word.end());
+            return made;
+        };
+        if (with(1) != next || with(2) != words[n + 2 * period]) return nullptr;
+        all = either(all, after(after(words_language({Word(word.begin(), word.begin() + place)}),
+                                      repeated(words_language({part}))),
+                                words_language({Word(word.begin() + place, word.end())})));
+    }
+    return all;
+}
+
+/// Of a D0L system each letter of which stays, or stays between constant letters: x^n a y^n for each such a.
+Language powers_form(const D0L& system) {
+    const auto is_constant = [&](Symbol a) { return system.rules[a] == Word{a}; };
+    Powers powers;
+    powers.numbers = {{"n", 0}};
+    const auto add = [&](Word word, bool varies) {
+        if (word.empty()) return;
+        std::vector<Powers::Term> exponent(1);
+        if (varies) exponent.front() = {.number = 0, .power = 1};
+        powers.blocks.push_back({std::move(word), std::move(exponent)});
+    };
+    for (const Symbol a : system.axiom) {
+        const Word& successor = system.rules[a];
+        if (is_constant(a)) {
+            add({a}, false);
+            continue;
+        }
+        const auto middle = std::find(successor.begin(), successor.end(), a);
+        if (middle == successor.end() || !std::all_of(successor.begin(), middle, is_constant) ||
+            !std::all_of(middle + 1, successor.end(), is_constant))
+            return nullptr;
+        add(Word(successor.begin(), middle), true);
+        add({a}, false);
+        add(Word(middle + 1, successor.end()), true);
+    }
+    return powers_language(std::move(powers));
+}
+
+}  // namespace
+
+std::vector<Language> likely_forms(const Language& generated, const Budget& budget) {
+    std::vector<Language> forms;
+    const auto add = [&](const Language& form) {
+        if (form) forms.push_back(form);
+    };
+    if (const auto linear = linear_value(generated, budget)) {
+        add(expression_of(*linear));
+        return forms;
+    }
+    if (generated->kind != Kind::generated || !has_form(*generated->system, *system_form("D0L")))
+        return forms;
+    const D0L system = as_d0l(*generated->system);
+    const GrowthOrder order = growth_class(system, budget).order;
+    if (order.kind != GrowthKind::polynomial || order.degree != 1) return forms;
+    if (Language powers = powers_form(system)) {
+        add(regular_form(*powers->powers));
+        add(powers);
+        return forms;
+    }
+    constexpr std::size_t most = 6;  // of words before the period, and in it
+    std::vector<Word> words{system.axiom};
+    for (std::size_t n = 0; n < 4 * most; ++n) words.push_back(system.rules(words.back()));
+    for (std::size_t period = 1; period <= most; ++period)
+        for (std::size_t first = 0; first <= most; ++first)
+            if (const Language form = periodic_form(words, first, period)) {
+                add(form);
+                return forms;
+            }
+    return forms;
+}
 
 Repeated repeated(const Meeting& meeting, const ET0L& system) {
     return {meeting.step, meeting.earlier, system.tables.size() == 1};

@@ -45,7 +45,7 @@ std::pair<ModuleString, ModuleString> parted(const ModuleString& word, const Mod
             {{letter, word.kinds.end()}, {value, word.values.end()}}};
 }
 
-Derived course(const Rewrites& said) {
+Derived course(const Rewrites& said, const Budget& budget) {
     LSystem both = *said.system;  // its axiom: the two words one after the other
     if (said.from) both.axiom = *said.from;
     const std::size_t first = both.axiom.letters.size();
@@ -53,9 +53,29 @@ Derived course(const Rewrites& said) {
     both.axiom.letters.insert(both.axiom.letters.end(), goal.letters.begin(), goal.letters.end());
     for (const auto& [position, arguments] : goal.arguments)
         both.axiom.arguments[first + position] = arguments;
-    Rewriting rewriting(both);
+    RewritingChoices choices;
+    choices.arithmetic = class_of(both).open ? Arithmetic::doubles : Arithmetic::exact;
+    Rewriting rewriting(both, choices, budget);
     auto [from, to] = parted(rewriting.axiom(), rewriting.rules().kinds, first);
     return {std::move(rewriting), std::move(from), std::move(to), said.steps, both.name};
+}
+
+/// Whether two words are the same. Throws BoundReached where enclosures do not tell.
+bool are_same(const Derived& course, const ModuleString& left, const ModuleString& right) {
+    if (left.kinds != right.kinds) return false;
+    const WordValues* const held = course.rewriting.rules().kinds.words();
+    bool known = true;
+    for (std::size_t i = 0; i < left.values.size(); ++i) {
+        const std::optional<bool> equal = held ? held->equal(left.values[i], right.values[i])
+                                               : same_value(left.values[i], right.values[i]);
+        if (equal == false) return false;
+        known = known && equal.has_value();
+    }
+    if (!known)
+        throw BoundReached(Bound::method, "the numbers of " + course.text(left) + " and " +
+                                              course.text(right) +
+                                              " are not rational and too close to tell apart");
+    return true;
 }
 
 /// How likely the word is, of how many.
@@ -65,7 +85,7 @@ steps::Likely likely(const Derived& course, const Budget& budget) {
         course.name, course.text(course.from), course.text(course.to), course.steps, all.size(),
         {}};
     for (const LikelyWord& word : all)
-        if (word.word == course.to) found.probability = word.probability;
+        if (are_same(course, word.word, course.to)) found.probability += word.probability;
     return found;
 }
 
@@ -83,7 +103,7 @@ Answer derived(const Derived& course, const Budget& budget) {
         characters += found.words.back().size() + 4;  // with the arrow
     }
     if (!found.all_shown) found.words.push_back(course.text(word));
-    found.holds = word == course.to;
+    found.holds = are_same(course, word, course.to);
     return decided(found.holds, std::move(found));
 }
 
@@ -121,7 +141,7 @@ bool is_random(const Derived& course) {
 }  // namespace
 
 Answer judge_rewriting(const Rewrites& said, const Budget& budget) {
-    const Derived begun = course(said);
+    const Derived begun = course(said, budget);
     if (class_of(*said.system).open) return developed(said, begun, budget);
     if (!is_random(begun)) return derived(begun, budget);
     const steps::Likely found = likely(begun, budget);
@@ -129,7 +149,7 @@ Answer judge_rewriting(const Rewrites& said, const Budget& budget) {
 }
 
 Answer judge_chance(const HasChance& said, const Budget& budget) {
-    const steps::Likely found = likely(course(said.derivation), budget);
+    const steps::Likely found = likely(course(said.derivation, budget), budget);
     return decided(found.probability == said.probability, found);
 }
 

@@ -431,6 +431,24 @@ public:
         add_new(of(*said.back));
     }
 
+    void operator()(const steps::LinearSystems& said) {
+        for (const Language& side : {said.left, said.right})
+            if (side->kind == Kind::generated)
+                say("At most one letter of a word of " + language(side) +
+                    " is not constant, the first or the last one, so the language is regular.");
+        say(said.equal ? "Both sides have the same minimal automaton."
+                       : "No word of " + language(said.left) + " is outside " +
+                             language(said.right) + ".");
+    }
+    void operator()(const steps::ByFacts& said) {
+        for (const steps::ByFacts::Fact& fact : said.facts) {
+            add_new(of(*fact.proof));
+            say("So " + language(fact.language) + " is " + language(fact.equal) +
+                ", which may stand in its place.");
+        }
+        add_new(of(*said.proof));
+    }
+
     // --- Finite, empty, size ---
 
     void operator()(const steps::Counted& said) {

@@ -86,31 +86,15 @@ QuadraticNumber root_of(const Integer& number) {
     return larger_root(polynomial);
 }
 
-/// The number under both roots.
-Integer common_radicand(const QuadraticNumber& left, const QuadraticNumber& right,
-                        const char* where) {
-    if (left.factor.is_zero()) return right.radicand;
-    if (!right.factor.is_zero() && left.radicand != right.radicand)
-        throw SyntaxError{where, "expected roots of one number, found roots of " +
-                                     to_string(left.radicand) + " and " +
-                                     to_string(right.radicand)};
-    return left.radicand;
-}
-
 /// What the operator `+`, `-`, `*` or `/` at this place makes of two numbers. The right one of a division is
 /// rational. Throws `SyntaxError`.
 QuadraticNumber combined_numbers(const QuadraticNumber& left, const QuadraticNumber& right,
                                  const char* operation) {
-    if (*operation == '/') {
-        if (right.rational.is_zero()) throw SyntaxError{operation, "division by 0"};
-        return {left.rational / right.rational, left.factor / right.rational, left.radicand};
-    }
-    const Integer radicand = common_radicand(left, right, operation);
-    if (*operation == '*')
-        return {left.rational * right.rational + left.factor * right.factor * Rational(radicand),
-                left.rational * right.factor + left.factor * right.rational, radicand};
-    const Rational sign(*operation == '-' ? -1 : 1);
-    return {left.rational + sign * right.rational, left.factor + sign * right.factor, radicand};
+    if (const auto made = combined(left, *operation, right)) return *made;
+    if (right.is_rational()) throw SyntaxError{operation, "division by 0"};
+    throw SyntaxError{operation, "expected roots of one number, found roots of " +
+                                     to_string(left.radicand) + " and " +
+                                     to_string(right.radicand)};
 }
 
 /// The root of a number that stands at this place. Throws `SyntaxError` unless it is a natural one.

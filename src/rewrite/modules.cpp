@@ -14,8 +14,11 @@
 #include "rewrite/detail/inner_systems.hpp"
 #include "rewrite/rewrite.hpp"
 
-#ifdef __linux__
-#endif
+// Words of modules in memory and as text, and words as values of parameters.
+//
+// A word is a row of kinds and a row of numbers. A parameter that is a word holds the number of an entry in a list that is kept once
+// for a derivation. Systems within a system give such values: generation n of NAME is derived once, after all generations
+// before it, so a word may use earlier words of its own system, and a circle is an error that is told with its members.
 
 namespace algae {
 
@@ -42,12 +45,6 @@ void* word_memory(std::size_t bytes) {
     if (bytes >= many)
         madvise(memory, (bytes + page - 1) / page * page, MADV_HUGEPAGE);  // only advice
 #endif
-
-    // Words of modules in memory and as text, and words as values of parameters.
-    //
-    // A word is a row of kinds and a row of numbers. A parameter that is a word holds the number of an entry in a list that is kept once
-    // for a derivation. Systems within a system give such values: generation n of NAME is derived once, after all generations
-    // before it, so a word may use earlier words of its own system, and a circle is an error that is told with its members.
     return memory;
 }
 
@@ -96,11 +93,15 @@ void ModuleText::add(std::string& out, ModuleKind kind, const double* values) co
     const std::uint32_t arity = kinds_.arity(kind);
     for (std::uint32_t i = 0; i < arity; ++i) {
         out += i == 0 ? '(' : ',';
+        const WordValues* const held = kinds_.words();
         if (!WordValues::is_word(values[i])) {
-            add_number(out, values[i]);
+            if (held)
+                out += held->text(values[i]);
+            else
+                add_number(out, values[i]);
             continue;
         }
-        const ModuleString& word = kinds_.words()->word(values[i]);
+        const ModuleString& word = held->word(values[i]);
         const double* within = word.values.data();
         out += '"';
         add(out, word, 0, word.kinds.size(), within);
@@ -152,7 +153,7 @@ std::string ModuleText::text(ModuleKind kind, const double* values) const {
 namespace {
 
 constexpr std::uint64_t quiet = 0x7FF8'0000'0000'0000;  // the bits of a number that is none
-constexpr std::uint64_t place_bits = 0x0007'FFFF'FFFF'FFFF;
+constexpr std::uint64_t place_bits = 0x0003'FFFF'FFFF'FFFF;
 
 std::uint64_t mixed(std::uint64_t hash, std::uint64_t next) {
     hash = (hash ^ next) * 0x9E37'79B9'7F4A'7C15;
@@ -267,7 +268,7 @@ void InnerSystems::derive_next(std::size_t system) {
 double InnerSystems::word(std::size_t system, double generation, const Expression& at) {
     if (generation < 0 || generation != std::floor(generation) || generation > 1e15)
         throw Undefined{&at, "expected a generation from 0 on in '" + to_text(at) + "', found " +
-                                 number_text(generation)};
+                                 words_->text(generation)};
     const auto wanted = static_cast<std::size_t>(generation);
     auto& known = known_[system];
     const bool is_busy = std::any_of(steps_.begin(), steps_.end(),

@@ -4,6 +4,7 @@
 #include <numbers>
 #include <utility>
 
+#include "rewrite/detail/exact_numbers.hpp"
 #include "rewrite/detail/inner_systems.hpp"
 #include "rewrite/rewrite.hpp"
 
@@ -169,6 +170,19 @@ bool has_parameters(const Expression& expression, const Program::Numbering& para
                        [&](const Expression& part) { return has_parameters(part, parameters); });
 }
 
+std::optional<Rational> exact_value(const Expression& expression, const Names& constants) {
+    const std::optional<Rational> value = evaluate(expression, constants).exact;
+    if (expression.kind == Expression::Kind::name) {
+        const Quantity* const constant = constants(expression.name);
+        return constant->expression == expression ? value
+                                                  : exact_value(constant->expression, constants);
+    }
+    if (is_distance(expression)) return value;
+    for (const Expression& operand : expression.operands)
+        if (!exact_value(operand, constants)) return std::nullopt;
+    return value;
+}
+
 class Program::Compiler {
 public:
     Compiler(Program& program, const Numbering& parameters, const Names& constants,
@@ -186,8 +200,17 @@ public:
         if (reads_words(expression) && is_word_or_call && compile_word(expression)) return;
         if (!has_parameters(expression, parameters_) &&
             !(words_.systems && reads_words(expression))) {
-            add({Operation::number, 0, evaluate(expression, constants_).value, &expression}, 1);
-            return;
+            const double rounded = evaluate(expression, constants_).value;
+            const auto value = words_.exact ? exact_value(expression, constants_) : std::nullopt;
+            if (!words_.exact || value) {
+                const double number = words_.exact ? words_.exact->number({*value, 0, 1}) : rounded;
+                add({Operation::number, 0, number, &expression}, 1);
+                return;
+            }
+            if (expression.kind == Expression::Kind::name) {  // of a constant that is not rational
+                compile(constants_(expression.name)->expression);
+                return;
+            }
         }
         if (expression.kind == Expression::Kind::name) {
             const auto index = static_cast<std::uint32_t>(*parameters_(expression.name));
@@ -250,7 +273,7 @@ private:
 
 Program::Program(const Expression& expression, const Numbering& parameters, const Names& constants,
                  const WordsOfPrograms& words)
-    : systems_(words.systems) {
+    : systems_(words.systems), exact_(words.exact) {
     Compiler(*this, parameters, constants, words).compile_whole(expression);
 }
 
@@ -277,10 +300,7 @@ bool Program::operator==(const Program& other) const {
                       });
 }
 
-namespace {
-
-/// Why an operation has no value, in the words of `evaluate`.
-std::string reason(Operation operation, double x, double y, const Expression& at) {
+std::string reason(Program::Operation operation, double x, double y, const Expression& at) {
     using enum Program::Operation;
     const std::string text = "'" + to_text(at) + "'";
     if (operation == divide && y == 0) return "division by 0 in " + text;
@@ -295,6 +315,8 @@ std::string reason(Operation operation, double x, double y, const Expression& at
     return "the value of " + text + " is too large";
 }
 
+namespace {
+
 struct OneValue {
     double* top;  // one past the topmost number
     template <Operation operation>
@@ -307,14 +329,10 @@ struct OneValue {
     }
 };
 
-constexpr bool is_unary(Operation operation) {
-    return operation >= Operation::negate && operation <= Operation::log;
-}
-
 }  // namespace
 
 double Program::run(const double* parameters) const {
-    if (systems_) return run_with_words(parameters);
+    if (systems_ || exact_) return run_with_held(parameters);
     std::array<double, 16> few;
     std::vector<double> many;
     double* stack = few.data();
@@ -354,10 +372,13 @@ double Program::run(const double* parameters) const {
     return top[-1];
 }
 
-double Program::run_with_words(const double* parameters) const {
+double Program::run_with_held(const double* parameters) const {
     std::vector<double> stack;
     for (std::size_t i = 0; i < instructions_.size(); ++i) {
         const Instruction& next = instructions_[i];
+        const auto text_of = [&](double value) {
+            return exact_ ? exact_->text(value) : number_text(value);
+        };
         const auto check_number = [&](double value) {
             if (WordValues::is_word(value))
                 throw Undefined{next.at,
@@ -373,7 +394,7 @@ double Program::run_with_words(const double* parameters) const {
             case Operation::length:
                 if (!WordValues::is_word(stack.back()))
                     throw Undefined{next.at, "expected a word in '" + to_text(*next.at) +
-                                                 "', found " + number_text(stack.back())};
+                                                 "', found " + text_of(stack.back())};
                 stack.back() =
                     static_cast<double>(systems_->words().word(stack.back()).kinds.size());
                 break;
@@ -394,10 +415,14 @@ double Program::run_with_words(const double* parameters) const {
                 const double right = stack.back(), left = one ? right : stack[stack.size() - 2];
                 check_number(right);
                 check_number(left);
-                const double value =
-                    dispatch(next.operation, OneValue{stack.data() + stack.size()});
-                if (!std::isfinite(value))
-                    throw Undefined{next.at, reason(next.operation, left, right, *next.at)};
+                double value = 0;
+                if (exact_) {
+                    value = apply_exactly(next.operation, left, right, *exact_, *next.at);
+                } else {
+                    value = dispatch(next.operation, OneValue{stack.data() + stack.size()});
+                    if (!std::isfinite(value))
+                        throw Undefined{next.at, reason(next.operation, left, right, *next.at)};
+                }
                 if (!one) stack.pop_back();
                 stack.back() = value;
             }
@@ -455,7 +480,7 @@ struct ManyValues {
 
 bool Program::run_many(const std::vector<const double*>& parameters, std::size_t count, double* out,
                        Columns& room) const {
-    if (systems_) return false;
+    if (systems_ || exact_) return false;
     if (room.size() < depth_) room.resize(depth_);
     for (auto& column : room)
         if (column.size() < count) column.resize(count);

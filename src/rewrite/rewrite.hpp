@@ -41,7 +41,7 @@ public:
     std::uint32_t arity(ModuleKind kind) const { return arities_[kind]; }
     std::size_t size() const { return letters_.size(); }
 
-    /// The words that parameters stand for; none where all parameters are numbers.
+    /// The words and exact numbers that parameters stand for; none where all parameters are doubles.
     const WordValues* words() const { return words_.get(); }
     const std::shared_ptr<WordValues>& held() const { return words_; }
     void hold(std::shared_ptr<WordValues> words) { words_ = std::move(words); }
@@ -121,12 +121,23 @@ struct ModuleString {
 /// The letters of a word, without their parameters.
 Word letters(const ModuleKinds& kinds, const ModuleString& word);
 
-/// Words as values of parameters. A parameter is a double; one that is not a number stands for a word,
-/// whose place in this list its bits say. Numbers on their own are always finite, so nothing else is
-/// not a number. A word is kept once: equal words have equal values.
+/// How numbers of parameters are kept. `doubles`: each operation is rounded, for figures. `exact`: rationals, sums of
+/// rationals and square roots of one number, and enclosures of what is neither; nothing is rounded, and a comparison that enclosures do not decide is an error.
+enum class Arithmetic { doubles, exact };
+
+/// Values of parameters that a double does not hold: words, and in exact arithmetic numbers and enclosures. A parameter is
+/// a double; one that is not a number stands for such a value, whose place in this list its bits say. Numbers on
+/// their own are always finite, so nothing else is not a number. A word and an exact number are kept once: equal ones have equal
+/// values. An enclosure has a place of its own for each operation that made one.
 class WordValues {
 public:
-    static bool is_word(double value) { return value != value; }
+    explicit WordValues(Arithmetic arithmetic = Arithmetic::doubles) : arithmetic_(arithmetic) {}
+
+    static bool is_held(double value) { return value != value; }
+    static bool is_word(double value) { return is_held(value) && !(bits_of(value) & number_bit); }
+    static bool is_held_number(double value) {
+        return is_held(value) && (bits_of(value) & number_bit);
+    }
 
     /// The value of a word, whose own parameters may be words of this list. Expected time linear in
     /// the word. Throws BoundReached if words stand in each other more than 100 deep, if the word
@@ -137,17 +148,45 @@ public:
     /// The word of a value that is one.
     const ModuleString& word(double value) const { return held(value).word; }
 
+    bool is_exact() const { return arithmetic_ == Arithmetic::exact; }
+    /// A number: itself where a double is just that, otherwise held. Throws BoundReached where all numbers together take
+    /// more than the memory set.
+    double number(const QuadraticNumber& value);
+    double number(const Ball& value);
+    void set_memory(std::uint64_t bytes) { memory_ = bytes; }
+
+    /// What a number is; exactly one of both is there.
+    struct Known {
+        std::optional<QuadraticNumber> exact;
+        std::optional<Ball> within;
+    };
+    Known known(double value) const;
+    bool is_enclosure(double value) const;
+
+    /// A number as it is printed: in exact arithmetic a finite decimal that is just that, or a fraction; of an
+    /// enclosure the nearest double with dots behind it.
+    std::string text(double value) const;
+
+    /// Whether two parameters are equal; nothing where enclosures do not say it.
+    std::optional<bool> equal(double left, double right) const;
+
 private:
+    static constexpr std::uint64_t number_bit = 0x0004'0000'0000'0000;
+
     struct Held {
         ModuleString word;
         std::uint64_t modules = 0;  // when it is printed: those of words within counted
         std::size_t depth = 0;      // of words within
     };
     const Held& held(double value) const;
+    void spend(std::uint64_t bytes);
 
+    Arithmetic arithmetic_;
     std::deque<Held> all_;
     std::unordered_multimap<std::uint64_t, std::size_t> places_;  // by a hash of the word
-    std::uint64_t bytes_ = 0;
+    std::uint64_t bytes_ = 0, memory_ = Budget::default_memory;
+    std::deque<Known> numbers_;
+    std::unordered_multimap<std::uint64_t, std::size_t> number_places_;  // by hash
 };
 
 /// A parameter as it is printed: whole numbers below 10^21 as integers, others as the shortest
@@ -191,9 +230,10 @@ struct Undefined {
 
 class InnerSystems;
 
-/// What a program needs to know of words, where its system holds some.
+/// What a program needs to know of words and exact numbers, where its system holds some.
 struct WordsOfPrograms {
     InnerSystems* systems = nullptr;
+    WordValues* exact = nullptr;                       // in exact arithmetic
     std::function<double(const ModuleWord&)> literal;  // the value of a word in quotes
     bool number = false;  // whether the program's value must be a number
 };
@@ -204,6 +244,9 @@ struct WordsOfPrograms {
 /// of doubles, one rounding an operation. Angles are in degrees; sines, cosines and tangents of
 /// multiples of 30 and 45 degrees that are rational are exact. `&` and `|` do not look at their
 /// right side where the left one decides.
+///
+/// In exact arithmetic all of it is exact, or an enclosure of 512 bits; a comparison that these do not
+/// decide is `Undefined`, and a number of more than 10,000 digits reaches a bound.
 ///
 /// Of parameters that may be words (WordValues) a program makes no arithmetic and no comparison: that
 /// is `Undefined`, as is `length` of a number.
@@ -286,12 +329,17 @@ private:
     };
 
     class Compiler;
-    double run_with_words(const double* parameters) const;
+    double run_with_held(const double* parameters) const;
 
     InnerSystems* systems_ = nullptr;  // where parameters may be words
+    WordValues* exact_ = nullptr;      // in exact arithmetic
     std::vector<Instruction> instructions_;
     std::size_t depth_ = 0;  // of the stack
 };
+
+/// The value of an expression without parameters, if all that it is made of is exact: a comparison of roots is not, though
+/// its value is 0 or 1. Throws what `evaluate` throws.
+std::optional<Rational> exact_value(const Expression& expression, const Names& constants);
 
 /// Whether the expression reads one of the names that `parameters` knows.
 bool has_parameters(const Expression& expression, const Program::Numbering& parameters);
@@ -375,7 +423,8 @@ struct CompiledRules {
 /// probabilities. With `seen`, the kinds of words that other rules make, these keep their numbers and
 /// their words. O(size of the system).
 CompiledRules compiled_rules(const LSystem& system, const Budget& budget = {},
-                             const ModuleKinds* seen = nullptr);
+                             const ModuleKinds* seen = nullptr,
+                             Arithmetic arithmetic = Arithmetic::doubles);
 
 /// The numbers that a random derivation uses. Each depends on the seed, the generation and the
 /// position of the module that is rewritten, and on nothing else: neither on the order of the work
@@ -428,6 +477,7 @@ struct RewritingChoices {
     bool evenly = false;  // rules with the same left side and no probabilities are equally likely
     bool random_tables = false;  // in place of the schedule of the system
     unsigned threads = 0;        // 0: as many as the machine has. The word does not depend on it
+    Arithmetic arithmetic = Arithmetic::doubles;
 };
 
 /// Derivation of parametric, stochastic and conditional systems, with and without contexts: any
@@ -440,7 +490,7 @@ struct RewritingChoices {
 ///   equally many the first in the file.
 /// - Rules with the same contexts that match the same module are a choice. It is made by their
 ///   probabilities if these add up to 1 (see Draws), and is an Error otherwise.
-/// - Parameters are doubles, computed as Program says; all are finite. What has no value, such as a
+/// - Parameters are numbers, computed as Program says: doubles, which are all finite, or exact. What has no value, such as a
 ///   division by 0, is an Error. Errors name the rule, the module with its parameters, the
 ///   generation that is rewritten and the position in it.
 class Rewriting {

@@ -239,7 +239,7 @@ std::string at(const Production& rule) {
 }  // namespace
 
 Rewriting::Rewriting(const LSystem& system, const RewritingChoices& choices, const Budget& budget)
-    : rules_(compiled_rules(system, budget)), choices_(choices) {}
+    : rules_(compiled_rules(system, budget, nullptr, choices.arithmetic)), choices_(choices) {}
 
 std::string Rewriting::name_of(std::uint64_t generation) const {
     return "the word of generation " + std::to_string(generation) + rules_.of;
@@ -394,7 +394,9 @@ ModuleString Rewriting::next(const ModuleString& word, std::uint64_t generation,
                              const Budget& budget) const {
     const RuleSet& set = rules_.tables.at(table);
     if (rules_.inner) rules_.inner->set_budget(budget);
-    if (set.has_contexts || rules_.inner) return next_in_context(set, word, generation, budget);
+    if (rules_.kinds.words()) rules_.kinds.held()->set_memory(budget.memory);
+    if (set.has_contexts || rules_.kinds.words())
+        return next_in_context(set, word, generation, budget);
     return FreeStep(*this, set, word, generation, budget).next();
 }
 

@@ -112,9 +112,10 @@ private:
     }
 
     Program program(const Expression& expression, bool number) {
-        const WordsOfPrograms words{rules_.inner.get(),
+        WordValues* const held = rules_.kinds.held().get();
+        const WordsOfPrograms words{rules_.inner.get(), held && held->is_exact() ? held : nullptr,
                                     [this](const ModuleWord& word) { return literal(word); },
-                                    number && rules_.inner};
+                                    number && held};
         return Program(
             expression,
             [&](const std::string& name) -> std::optional<std::size_t> {
@@ -304,19 +305,23 @@ void append(const Successor& successor, const double* parameters, const WordValu
         if (!WordValues::is_word(given))
             throw Undefined{splice.expression, "expected a word for '<" +
                                                    to_text(*splice.expression) + ">', found " +
-                                                   number_text(given)};
+                                                   words->text(given)};
         const ModuleString& word = words->word(given);
         add(word.kinds, 0, word.kinds.size(), word.values, 0, word.values.size());
     }
     add(successor.kinds, kind, successor.kinds.size(), values, value, values.size());
 }
 
-CompiledRules compiled_rules(const LSystem& system, const Budget& budget, const ModuleKinds* seen) {
+CompiledRules compiled_rules(const LSystem& system, const Budget& budget, const ModuleKinds* seen,
+                             Arithmetic arithmetic) {
     CompiledRules rules;
     rules.system = std::make_shared<const LSystem>(system);
     if (seen) rules.kinds = *seen;
-    if (holds_words(system) || rules.kinds.words()) {
-        if (!rules.kinds.words()) rules.kinds.hold(std::make_shared<WordValues>());
+    if (!rules.kinds.words() && (holds_words(system) || arithmetic == Arithmetic::exact)) {
+        rules.kinds.hold(std::make_shared<WordValues>(arithmetic));
+        rules.kinds.held()->set_memory(budget.memory);
+    }
+    if (holds_words(system) || (rules.kinds.words() && !rules.kinds.words()->is_exact())) {
         std::vector<std::string> names;
         for (const InnerSystem& inner : system.inner) names.push_back(inner.name);
         rules.inner = std::make_shared<InnerSystems>(std::move(names), rules.kinds.held());

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdint>
 #include <functional>
+#include <initializer_list>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -225,53 +226,64 @@ std::optional<Integer> whole_root(const Integer& square) {
     return root;
 }
 
-Value square_root(const Value& value, const Expression& at) {
-    if (value.rounded < 0) fail(at, "the square root of a negative number in '" + shown(at) + "'");
-    if (value.exact) {
-        const auto numerator = whole_root(value.exact->numerator());
-        const auto denominator = numerator ? whole_root(value.exact->denominator()) : std::nullopt;
-        if (denominator) return exactly(Rational(*numerator, *denominator), at);
-    }
-    return {std::nullopt, std::sqrt(value.rounded)};
+std::optional<Rational> rational_root(const Rational& value) {
+    if (sign(value) < 0) return std::nullopt;
+    const auto numerator = whole_root(value.numerator());
+    const auto denominator = numerator ? whole_root(value.denominator()) : std::nullopt;
+    if (!denominator) return std::nullopt;
+    return Rational(*numerator, *denominator);
 }
 
 /// The angle in degrees, from 0 up to a full turn.
-Value reduced(const Value& degrees) {
-    if (!degrees.exact) return {std::nullopt, std::fmod(degrees.rounded, 360.0)};
-    const Rational turned = *degrees.exact - Rational(floor(*degrees.exact / 360)) * 360;
-    return {turned, turned.to_double()};
+Rational reduced(const Rational& degrees) { return degrees - Rational(floor(degrees / 360)) * 360; }
+double reduced(double degrees) { return std::fmod(degrees, 360.0); }
+
+/// Where it is rational (Niven): 0, 1/2 and 1, with signs.
+std::optional<Rational> rational_sine(const Rational& degrees) {
+    constexpr std::array<std::pair<int, int>, 8> halves{
+        {{0, 0}, {30, 1}, {90, 2}, {150, 1}, {180, 0}, {210, -1}, {270, -2}, {330, -1}}};
+    const Rational angle = reduced(degrees);
+    for (const auto& [whole, half] : halves)
+        if (angle == Rational(whole)) return Rational(half, 2);
+    return std::nullopt;
 }
 
-Value sine(const Value& degrees) {
-    const Value angle = reduced(degrees);
-    if (angle.exact) {
-        constexpr std::array<std::pair<int, int>, 8> halves{
-            // the angles whose sine is rational
-            {{0, 0}, {30, 1}, {90, 2}, {150, 1}, {180, 0}, {210, -1}, {270, -2}, {330, -1}}};
-        for (const auto& [whole, half] : halves)
-            if (*angle.exact == Rational(whole)) return {Rational(half, 2), half / 2.0};
-    }
-    return {std::nullopt, std::sin(angle.rounded * std::numbers::pi / 180)};
+std::optional<Rational> rational_tangent(const Rational& degrees) {
+    const Rational angle = reduced(degrees);
+    const Rational half = angle < 180 ? angle : angle - 180;
+    if (half.is_zero()) return Rational(0);
+    if (half == Rational(45)) return Rational(1);
+    if (half == Rational(135)) return Rational(-1);
+    return std::nullopt;
 }
 
-Value cosine(const Value& degrees) {
-    Value shifted{std::nullopt, degrees.rounded + 90};
-    if (degrees.exact) shifted = {*degrees.exact + 90, 0};
-    const Value out = sine(shifted);
-    if (out.exact) return out;
-    return {std::nullopt, std::cos(reduced(degrees).rounded * std::numbers::pi / 180)};
+/// The angle in degrees of one of these numbers.
+std::optional<Rational> rational_angle(const Rational& value,
+                                       std::initializer_list<std::pair<Rational, Rational>> known) {
+    for (const auto& [number, angle] : known)
+        if (value == number) return angle;
+    return std::nullopt;
+}
+
+std::optional<Rational> rational_arc_sine(const Rational& value) {
+    const Rational half(1, 2);
+    return rational_angle(value, {{0, 0}, {half, 30}, {1, 90}, {-half, -30}, {-1, -90}});
+}
+
+Value square_root(const Value& value, const Expression& at) {
+    if (value.rounded < 0) fail(at, "the square root of a negative number in '" + shown(at) + "'");
+    return {std::nullopt, std::sqrt(value.rounded)};
 }
 
 Value tangent(const Value& degrees, const Expression& at) {
-    const Value angle = reduced(degrees);
-    if (angle.exact) {
-        const Rational half = *angle.exact < 180 ? *angle.exact : *angle.exact - 180;
-        if (half == Rational(90)) fail(at, "'" + shown(at) + "' has no value");
-        if (half.is_zero()) return truth(false);
-        if (half == Rational(45)) return truth(true);
-        if (half == Rational(135)) return {Rational(-1), -1};
+    if (degrees.exact) {
+        const Rational angle = reduced(*degrees.exact);
+        if (angle == Rational(90) || angle == Rational(270))
+            fail(at, "'" + shown(at) + "' has no value");
     }
-    return finite({std::nullopt, std::tan(angle.rounded * std::numbers::pi / 180)}, at);
+    const double angle =
+        degrees.exact ? reduced(*degrees.exact).to_double() : reduced(degrees.rounded);
+    return finite({std::nullopt, std::tan(angle * std::numbers::pi / 180)}, at);
 }
 
 /// The value of a call with these arguments.
@@ -285,18 +297,15 @@ Value call(const Expression& at, const std::vector<Value>& values) {
             if (compare(value, best) == wanted) best = value;
         return best;
     }
-    if (name == "abs")
-        return first.exact ? exactly(abs(*first.exact), at)
-                           : Value{std::nullopt, std::abs(first.rounded)};
-    if (name == "floor")
-        return first.exact ? exactly(floor(*first.exact), at)
-                           : Value{std::nullopt, std::floor(first.rounded)};
-    if (name == "ceil")
-        return first.exact ? exactly(ceiling(*first.exact), at)
-                           : Value{std::nullopt, std::ceil(first.rounded)};
+    if (first.exact)
+        if (const auto value = rational_value(name, *first.exact)) return exactly(*value, at);
+    const double angle = first.exact ? reduced(*first.exact).to_double() : reduced(first.rounded);
+    if (name == "abs") return {std::nullopt, std::abs(first.rounded)};
+    if (name == "floor") return {std::nullopt, std::floor(first.rounded)};
+    if (name == "ceil") return {std::nullopt, std::ceil(first.rounded)};
     if (name == "sqrt") return square_root(first, at);
-    if (name == "sin") return sine(first);
-    if (name == "cos") return cosine(first);
+    if (name == "sin") return {std::nullopt, std::sin(angle * std::numbers::pi / 180)};
+    if (name == "cos") return {std::nullopt, std::cos(angle * std::numbers::pi / 180)};
     if (name == "tan") return tangent(first, at);
     const double x = first.rounded;
     if (name == "exp") return finite({std::nullopt, std::exp(x)}, at);
@@ -309,6 +318,25 @@ Value call(const Expression& at, const std::vector<Value>& values) {
 }
 
 }  // namespace
+
+std::optional<Rational> rational_value(std::string_view function, const Rational& value) {
+    if (function == "abs") return abs(value);
+    if (function == "floor") return floor(value);
+    if (function == "ceil") return ceiling(value);
+    if (function == "sqrt") return rational_root(value);
+    if (function == "sin") return rational_sine(value);
+    if (function == "cos") return rational_sine(value + 90);
+    if (function == "tan") return rational_tangent(value);
+    if (function == "asin") return rational_arc_sine(value);
+    if (function == "acos") {
+        const auto sine = rational_arc_sine(value);
+        if (sine) return Rational(90) - *sine;
+    }
+    if (function == "atan") return rational_angle(value, {{0, 0}, {1, 45}, {-1, -45}});
+    if (function == "exp" && value.is_zero()) return Rational(1);
+    if (function == "log" && value == Rational(1)) return Rational(0);
+    return std::nullopt;
+}
 
 const std::vector<std::string>& function_names() {
     static const std::vector<std::string> names{

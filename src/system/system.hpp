@@ -74,12 +74,18 @@ bool reads_words(const Expression& expression);
 using Names = std::function<const Quantity*(const std::string&)>;
 
 /// The value of an expression: exact where all of it is made by + - * / ^, relations, logic, abs,
-/// floor, ceil, min and max from exact values, or is a sine, cosine, tangent or square root that
-/// happens to be rational. Throws `Diagnostics` with one finding, without its line, at the place of
+/// floor, ceil, min and max from exact values, or is a function of one number that is seen to be
+/// rational. Throws `Diagnostics` with one finding, without its line, at the place of
 /// the part that has no value: an unknown name, a division by 0, sqrt(-1), a number too large.
 ///
 /// Example: evaluate(parsed("2^-3*6"), {}).exact == Rational(3, 4)
 Quantity evaluate(const Expression& expression, const Names& names);
+
+/// The value of a function of one number where it is seen to be rational: abs, floor, ceil, roots of squares, and
+/// what is known of the others, angles in degrees. Nothing otherwise, also where there is no value.
+///
+/// Example: rational_value("sin", 390) == Rational(1, 2)
+std::optional<Rational> rational_value(std::string_view function, const Rational& value);
 
 /// The number of arguments that a function takes: exactly `least`, or `least` and more; nothing if
 /// there is no such function.

@@ -1,13 +1,8 @@
-#include <iomanip>
-#include <limits>
-#include <locale>
-#include <nlohmann/json.hpp>
-#include <sstream>
-
 #include <algorithm>
 #include <array>
-#include <charconv>
+#include <cctype>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <set>
 #include <string>
 
@@ -742,34 +737,25 @@ std::string language_text(const Language& language, const Alphabet& alphabet) {
     return shortened(text);
 }
 
-/// The shortest decimal that is read back as the same number.
-std::string shortest_decimal(double value) {
-#ifdef __cpp_lib_to_chars
-    std::array<char, 400> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
-    return {digits.data(), end};
-#else  // a library that converts integers only
-    for (int precision = 1;; ++precision) {
-        std::ostringstream out;
-        out.imbue(std::locale::classic());
-        out << std::setprecision(precision) << value;
-        if (precision == std::numeric_limits<double>::max_digits10) return out.str();
-        std::istringstream in(out.str());
-        in.imbue(std::locale::classic());
-        double again = 0;
-        if (in >> again && again == value) return out.str();
-    }
-#endif
+/// "sqrt(2)", "(x + 1/3)".
+std::string term_text(const Term& term) {
+    if (term.kind == Term::Kind::number)
+        return exact_decimal(term.number).value_or(to_string(term.number));
+    if (term.kind == Term::Kind::parameter) return term.name;
+    const bool is_between = term.parts.size() == 2 && !term.name.empty() &&
+                            !std::isalpha(static_cast<unsigned char>(term.name.front()));
+    std::string text;
+    for (const Term& part : term.parts)
+        text += (text.empty() ? "" : is_between ? " " + term.name + " " : ",") + term_text(part);
+    return (is_between ? "" : term.name) + "(" + text + ")";
 }
 
-std::string modules_text(const Modules& word) {
+std::string modules_text(const WrittenModules& word) {
     std::string text;
-    for (const Module& module : word) {
-        text += module.letter;
+    for (const auto& [letter, terms] : word) {
+        text += letter;
         std::string list;
-        for (const double value : module.values) {
-            list += (list.empty() ? "" : ",") + shortest_decimal(value);
-        }
+        for (const Term& term : terms) list += (list.empty() ? "" : ",") + term_text(term);
         if (!list.empty()) text += "(" + list + ")";
     }
     return text.empty() ? "ε" : shortened(text);

@@ -70,6 +70,8 @@ const std::vector<Method>& methods() {
         {"values", pair, either, {}, check_values},
         {"word", pair, fails, {"word"}, check_word_in_one},
         {"derivatives", pair, holds, {}, check_derivatives},
+        {"linear", pair, holds, {}, check_linear},
+        {"facts", {}, Method::either, {"facts", "proof"}, check_facts},
         {"identical", pair, holds, {}, check_identical},
         {"sequences", pair, holds, {"proof"}, check_same_sequences},
         {"sections", equal, holds, {"words", "sections"}, check_sections},

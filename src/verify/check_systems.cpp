@@ -108,8 +108,9 @@ void check_membership(const Obligation& task) {
 void check_rewriting(const Obligation& task) {
     const Statement& statement = task.statement;
     const ModuleSystem& system = *task.statement.rewriting;
-    const Rational found = chance(system, statement.modules_from.value_or(system.axiom),
-                                  statement.modules, *statement.steps, task.proof, task.budget);
+    const Rational found = chance(
+        system, values(statement.modules_from.value_or(system.axiom), {}, task.proof),
+        values(statement.modules, {}, task.proof), *statement.steps, task.proof, task.budget);
     const bool is_so = statement.kind == Statement::Kind::chance ? found == *statement.probability
                                                                  : !found.is_zero();
     if (is_so != task.holds) task.refuse("the word has the probability " + to_string(found));

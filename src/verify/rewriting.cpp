@@ -1,10 +1,8 @@
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <functional>
-#include <locale>
 #include <map>
-#include <sstream>
+#include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -19,26 +17,32 @@ namespace algae::verify {
 
 namespace {
 
-/// Whether the whole text is a decimal number that a double holds.
-bool read_decimal(const std::string& text, double& value) {
-#ifdef __cpp_lib_to_chars
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    return error == std::errc() && end == text.data() + text.size();
-#else  // a library that converts integers only
-    if (text.find_first_not_of("0123456789-.eE+") != std::string::npos || text.starts_with('+'))
-        return false;
-    std::istringstream in(text);
-    in.imbue(std::locale::classic());
-    return in >> value && in.peek() == std::istringstream::traits_type::eof();
-#endif
-}
-
-double number(const Field& field) {
+/// A decimal, with an exponent or without, or a fraction; of at most 10,000 digits.
+Rational number(const Field& field) {
     const std::string& text = field.text();
-    double value = 0;
-    if (!read_decimal(text, value) || !std::isfinite(value))
-        field.fail("expected a number, found '" + text + "'");
-    return value;
+    constexpr std::size_t longest = 20'000, longest_exponent = 4;
+    const auto digits = [](std::string_view all) {
+        return !all.empty() && all.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    std::string_view rest = text;
+    if (rest.starts_with('-')) rest.remove_prefix(1);
+    const std::size_t slash = rest.find('/'), exponent = std::min(rest.find('e'), rest.size());
+    bool is_number = rest.size() <= longest;
+    if (slash != std::string_view::npos) {
+        is_number = is_number && digits(rest.substr(0, slash)) && digits(rest.substr(slash + 1)) &&
+                    rest.find_first_not_of('0', slash + 1) != std::string_view::npos;
+    } else {
+        const std::string_view mantissa = rest.substr(0, exponent);
+        const std::size_t point = std::min(mantissa.find('.'), mantissa.size());
+        std::string_view power = rest.substr(std::min(exponent + 1, rest.size()));
+        if (power.starts_with('-')) power.remove_prefix(1);
+        is_number =
+            is_number && digits(mantissa.substr(0, point)) &&
+            (point == mantissa.size() || digits(mantissa.substr(point + 1))) &&
+            (exponent == rest.size() || (digits(power) && power.size() <= longest_exponent));
+    }
+    if (!is_number) field.fail("expected a number, found '" + beginning(text, 60) + "'");
+    return Rational(text);
 }
 
 Term term(const Field& field, std::size_t depth = 0) {
@@ -90,12 +94,7 @@ ModuleSystem::Rule rule(const Field& field) {
     around("elsewhere", read.elsewhere);
     if (field.has("condition")) read.condition = term(field.at("condition"));
     if (field.has("probability")) read.probability = probability(field.at("probability"));
-    for (const Field& each : field.at("successor").list()) {
-        const auto [name, arguments] = module(each);
-        auto& [next, values] = read.successor.emplace_back();
-        next = name;
-        for (const Field& argument : arguments) values.push_back(term(argument));
-    }
+    read.successor = modules(field.at("successor"));
     return read;
 }
 
@@ -202,12 +201,13 @@ Rational probability(const Field& field) {
     return Rational(Integer(text.substr(0, slash)), Integer(below));
 }
 
-Modules modules(const Field& field) {
-    Modules word;
+WrittenModules modules(const Field& field) {
+    WrittenModules word;
     for (const Field& each : field.list()) {
-        const auto [letter, values] = module(each);
-        word.push_back({letter, {}});
-        for (const Field& value : values) word.back().values.push_back(number(value));
+        const auto [letter, arguments] = module(each);
+        auto& [next, terms] = word.emplace_back();
+        next = letter;
+        for (const Field& argument : arguments) terms.push_back(term(argument));
     }
     return word;
 }
@@ -327,7 +327,7 @@ private:
     /// The first combination of modules for the items from this one on that makes the condition true.
     bool elsewhere(const ModuleSystem::Rule& rule, std::size_t item) {
         if (item == rule.elsewhere.size())
-            return !rule.condition || value(*rule.condition, names, proof_) != 0;
+            return !rule.condition || sign(value(*rule.condition, names, proof_)) != 0;
         for (std::size_t place = 0; place < word_.size(); ++place)
             if (place != position_ && fits(rule.elsewhere[item], place) &&
                 elsewhere(rule, item + 1))
@@ -376,12 +376,7 @@ Choices choices(const ModuleSystem& system, const Modules& word, std::size_t pos
     Rational sum;
     for (const ModuleSystem::Rule& rule : system.rules) {
         if (!same_around(rule, *best) || !match.of(rule)) continue;
-        Modules successor;
-        for (const auto& [letter, arguments] : rule.successor) {
-            successor.push_back({letter, {}});
-            for (const Term& argument : arguments)
-                successor.back().values.push_back(value(argument, match.names, proof));
-        }
+        Modules successor = values(rule.successor, match.names, proof);
         if (!rule.probability && !all.empty() && all.back().second == successor) continue;
         const Rational probability = rule.probability.value_or(Rational(1));
         sum += probability;
@@ -395,31 +390,94 @@ Choices choices(const ModuleSystem& system, const Modules& word, std::size_t pos
 
 namespace {
 
-const std::map<std::string, std::function<double(double)>> of_one{
-    {"-", std::negate<double>()},
-    {"!", std::logical_not<double>()},
-    {"abs", [](double x) { return std::abs(x); }},
-    {"floor", [](double x) { return std::floor(x); }},
-    {"ceil", [](double x) { return std::ceil(x); }},
-    {"sqrt", [](double x) { return std::sqrt(x); }}};
+QuadraticNumber number_of(Rational value) { return {std::move(value), 0, 1}; }
+QuadraticNumber truth(bool holds) { return number_of(holds ? 1 : 0); }
 
-const std::map<std::string, std::function<double(double, double)>> of_two{
-    {"<", std::less<double>()},
-    {"<=", std::less_equal<double>()},
-    {">", std::greater<double>()},
-    {">=", std::greater_equal<double>()},
-    {"=", std::equal_to<double>()},
-    {"!=", std::not_equal_to<double>()},
-    {"+", std::plus<double>()},
-    {"-", std::minus<double>()},
-    {"*", std::multiplies<double>()},
-    {"/", std::divides<double>()},
-    {"^", [](double x, double y) { return std::pow(x, y); }}};
+[[noreturn]] void left_out(const std::string& what) {
+    throw BoundReached(Bound::method, what + " is not worked out again");
+}
+
+QuadraticNumber combination(const QuadraticNumber& x, char operation, const QuadraticNumber& y) {
+    const auto made = combined(x, operation, y);
+    if (!made) left_out("arithmetic with the roots of different numbers");
+    return *made;
+}
+
+/// -1, 0 or 1 as x is less than y, equal or greater.
+int order(const QuadraticNumber& x, const QuadraticNumber& y) {
+    return sign(combination(x, '-', y));
+}
+
+QuadraticNumber negative(const QuadraticNumber& x) { return {-x.rational, -x.factor, x.radicand}; }
+
+QuadraticNumber root(const QuadraticNumber& square, const Field& proof) {
+    if (sign(square) < 0) proof.refuse("a square root of a negative number has no value");
+    if (sign(square) == 0) return {};
+    const auto found = square.is_rational() ? square_root(square.rational) : std::nullopt;
+    if (!found) left_out("a square root of a root or a large number");
+    return *found;
+}
+
+QuadraticNumber raised(const QuadraticNumber& base, const QuadraticNumber& exponent,
+                       const Field& proof) {
+    if (sign(base) == 0 && sign(exponent) < 0) proof.refuse("a negative power of 0 has no value");
+    const Rational twice = exponent.rational * 2;
+    constexpr int most = 40'000;
+    if (!exponent.is_rational() || !twice.is_integer() || abs(twice) > most)
+        left_out("a power that is neither half a number nor one, or above 20,000,");
+    const QuadraticNumber of = exponent.rational.is_integer() ? base : root(base, proof);
+    const Integer times =
+        abs(exponent.rational.is_integer() ? exponent.rational : twice).numerator();
+    if (times * Integer(bit_length(base.rational.numerator()) +
+                        bit_length(base.rational.denominator())) >
+        Integer(1'000'000))
+        left_out("so large a power");
+    QuadraticNumber made = number_of(1);
+    for (std::uint64_t left = times.to_uint64(); left > 0; --left)
+        made = combination(made, '*', of);
+    return sign(exponent) < 0 ? combination(number_of(1), '/', made) : made;
+}
+
+QuadraticNumber absolute(const QuadraticNumber& x) { return sign(x) < 0 ? negative(x) : x; }
+
+/// The greatest whole number that is not above.
+QuadraticNumber floor_of(const QuadraticNumber& x) {
+    if (x.is_rational()) return number_of(floor(x.rational));
+    Integer low = -1, high = 1;
+    while (order(number_of(low), x) > 0) low *= 2;
+    while (order(number_of(high), x) <= 0) high *= 2;
+    while (high - low > 1) {
+        const Integer middle = floor_divide(low + high, 2);
+        (order(number_of(middle), x) <= 0 ? low : high) = middle;
+    }
+    return number_of(low);
+}
+
+const std::map<std::string, std::function<QuadraticNumber(const QuadraticNumber&)>> of_one{
+    {"-", negative},
+    {"!", [](const QuadraticNumber& x) { return truth(sign(x) == 0); }},
+    {"abs", absolute},
+    {"floor", floor_of},
+    {"ceil", [](const QuadraticNumber& x) { return negative(floor_of(negative(x))); }}};
+
+using OfTwo = std::function<QuadraticNumber(const QuadraticNumber&, const QuadraticNumber&)>;
+const std::map<std::string, OfTwo> of_two{
+    {"<", [](const auto& x, const auto& y) { return truth(order(x, y) < 0); }},
+    {"<=", [](const auto& x, const auto& y) { return truth(order(x, y) <= 0); }},
+    {">", [](const auto& x, const auto& y) { return truth(order(x, y) > 0); }},
+    {">=", [](const auto& x, const auto& y) { return truth(order(x, y) >= 0); }},
+    {"=", [](const auto& x, const auto& y) { return truth(x == y); }},
+    {"!=", [](const auto& x, const auto& y) { return truth(!(x == y)); }},
+    {"min", [](const auto& x, const auto& y) { return order(y, x) < 0 ? y : x; }},
+    {"max", [](const auto& x, const auto& y) { return order(x, y) < 0 ? y : x; }},
+    {"+", [](const auto& x, const auto& y) { return combination(x, '+', y); }},
+    {"-", [](const auto& x, const auto& y) { return combination(x, '-', y); }},
+    {"*", [](const auto& x, const auto& y) { return combination(x, '*', y); }}};
 
 }  // namespace
 
-double value(const Term& term, const Bindings& names, const Field& proof) {
-    if (term.kind == Term::Kind::number) return term.number;
+QuadraticNumber value(const Term& term, const Bindings& names, const Field& proof) {
+    if (term.kind == Term::Kind::number) return number_of(term.number);
     const std::string& name = term.name;
     if (term.kind == Term::Kind::parameter) {
         const auto found = names.find(name);
@@ -429,27 +487,40 @@ double value(const Term& term, const Bindings& names, const Field& proof) {
     }
     const std::size_t count = term.parts.size();
     const auto part = [&](std::size_t i) { return value(term.parts[i], names, proof); };
-    const double x = part(0);
-    double result = x;
-    if (name == "min" || name == "max") {
-        for (std::size_t i = 1; i < count; ++i)
-            result = name == "min" ? std::min(result, part(i)) : std::max(result, part(i));
+    const QuadraticNumber x = part(0);
+    QuadraticNumber result = x;
+    if (count == 1 && name == "sqrt") {
+        result = root(x, proof);
     } else if (count == 1 && of_one.contains(name)) {
         result = of_one.at(name)(x);
     } else if (count == 2 && (name == "&" || name == "|")) {
-        result = (x != 0) == (name == "|") ? x != 0 : part(1) != 0;
-    } else if (count == 2) {
-        const double y = part(1);
-        const auto found = of_two.find(name);
-        if (found == of_two.end())
-            throw BoundReached(Bound::method,
-                               "the operation '" + name + "' is not worked out again");
-        result = found->second(x, y);
+        result = truth((sign(x) == 0) == (name == "&") ? sign(x) != 0 : sign(part(1)) != 0);
+    } else if (count == 2 && name == "^") {
+        result = raised(x, part(1), proof);
+    } else if (count == 2 && name == "/") {
+        const QuadraticNumber y = part(1);
+        if (sign(y) == 0) proof.refuse("a division by 0 has no value");
+        result = combination(x, '/', y);
+    } else if (count == 2 ? of_two.contains(name) : name == "min" || name == "max") {
+        for (std::size_t i = 1; i < count; ++i) result = of_two.at(name)(result, part(i));
     } else {
-        throw BoundReached(Bound::method, "the function '" + name + "' is not worked out again");
+        left_out("'" + name + "'");
     }
-    if (!std::isfinite(result)) proof.refuse("an expression of a rule has no value");
+    constexpr std::uint64_t longest = 40'000;  // bits
+    for (const Rational* each : {&result.rational, &result.factor})
+        if (bit_length(each->numerator()) > longest || bit_length(each->denominator()) > longest)
+            throw BoundReached(Bound::method, "a number has more than 10,000 digits");
     return result;
+}
+
+Modules values(const WrittenModules& word, const Bindings& names, const Field& proof) {
+    Modules all;
+    for (const auto& [letter, arguments] : word) {
+        all.push_back({letter, {}});
+        for (const Term& argument : arguments)
+            all.back().values.push_back(value(argument, names, proof));
+    }
+    return all;
 }
 
 }  // namespace algae::verify

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <tuple>
 
+#include <algorithm>
 #include <array>
 #include <compare>
 #include <cstdint>
@@ -176,10 +177,16 @@ bool never_shrinks(const System& system);
 /// A letter with its parameters.
 struct Module {
     std::string letter;
-    std::vector<double> values;
+    std::vector<QuadraticNumber> values;
     bool operator==(const Module&) const = default;
     bool operator<(const Module& other) const {
-        return std::tie(letter, values) < std::tie(other.letter, other.values);
+        if (letter != other.letter) return letter < other.letter;
+        const auto before = [](const QuadraticNumber& a, const QuadraticNumber& b) {
+            return std::tie(a.rational, a.factor, a.radicand) <
+                   std::tie(b.rational, b.factor, b.radicand);
+        };
+        return std::lexicographical_compare(values.begin(), values.end(), other.values.begin(),
+                                            other.values.end(), before);
     }
 };
 using Modules = std::vector<Module>;
@@ -188,10 +195,13 @@ using Modules = std::vector<Module>;
 struct Term {
     enum class Kind { number, parameter, operation };
     Kind kind = Kind::number;
-    double number = 0;
+    Rational number;
     std::string name;  // of a parameter or an operation
     std::vector<Term> parts;
 };
+
+/// A word of modules as it is written: numbers may be expressions.
+using WrittenModules = std::vector<std::pair<std::string, std::vector<Term>>>;
 
 /// A system whose words are derived module by module.
 struct ModuleSystem {
@@ -206,24 +216,26 @@ struct ModuleSystem {
         std::vector<Pattern> left, right, elsewhere;
         std::optional<Term> condition;
         std::optional<Rational> probability;
-        std::vector<std::pair<std::string, std::vector<Term>>> successor;
+        WrittenModules successor;
     };
-    Modules axiom;
+    WrittenModules axiom;
     std::vector<Rule> rules;
     std::set<std::string> ignored;  // not seen when contexts are matched
 };
 
 /// Throw Error if the field is not as CERTIFICATES.md says.
 ModuleSystem module_system(const Field& field);
-Modules modules(const Field& field);
+WrittenModules modules(const Field& field);
 Rational probability(const Field& field);
 
 /// What the names in the expressions of a rule stand for.
-using Bindings = std::map<std::string, double>;
+using Bindings = std::map<std::string, QuadraticNumber>;
 
 /// The value of an expression. Throws Flaw (at `proof`) if it does not exist, BoundReached if it
 /// uses a function that is not arithmetic.
-double value(const Term& term, const Bindings& names, const Field& proof);
+QuadraticNumber value(const Term& term, const Bindings& names, const Field& proof);
+/// The same for all numbers of a word.
+Modules values(const WrittenModules& word, const Bindings& names, const Field& proof);
 
 /// The possible successors of a module with their probabilities; empty if the module stays.
 using Choices = std::vector<std::pair<Rational, Modules>>;
@@ -378,8 +390,8 @@ struct Statement {
     std::optional<Field> formula;  // the value of a dimension, equal or `at_most`
     bool at_most = false;
     std::shared_ptr<const ModuleSystem> rewriting;  // called `family`
-    Modules modules;
-    std::optional<Modules> modules_from;
+    WrittenModules modules;
+    std::optional<WrittenModules> modules_from;
     std::optional<Rational> probability;
     bool strictly = false;                       // of increasing lengths
     std::vector<Field> terms;                    // two numbers that are compared

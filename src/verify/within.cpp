@@ -7,7 +7,8 @@
 #include "verify/detail/languages.hpp"
 #include "verify/verify.hpp"
 
-// Whether a language lies within a regular one.
+// Whether a language lies within a regular one; languages of linear systems as regular expressions; and facts, by which a
+// language stands in the place of an equal one.
 //
 // The right side is an automaton, whose states are its derivatives. Of the left side is worked out between which states its words
 // lead: the words of a union, concatenation, star or plus lead where those of the parts do, composed; those of a reversal lead
@@ -193,6 +194,155 @@ bool within_regular(const Language& left, const Language& right, const Alphabet&
     for (std::size_t i = 0; i < states; ++i)
         if (words.at(0, i) && !automaton.accepting[i]) return false;
     return true;
+}
+
+namespace {
+
+/// A letter is constant if it stays as it is.
+bool is_constant(const System& system, Symbol a) {
+    return system.tables.front()[a] == std::vector<Word>{{a}};
+}
+
+/// What stands beside the only letter of a word that is not constant: on its left if that is the last one, otherwise on its
+/// right; and the letter, if there is one. Nothing where another letter is not constant.
+struct Parted {
+    Word constant;
+    std::optional<Symbol> active;
+};
+std::optional<Parted> parted(const System& system, const Word& word, bool is_last) {
+    Parted found{word, {}};
+    if (!word.empty() && !is_constant(system, is_last ? word.back() : word.front())) {
+        found.active = is_last ? word.back() : word.front();
+        found.constant.erase(is_last ? found.constant.end() - 1 : found.constant.begin());
+    }
+    for (const Symbol a : found.constant)
+        if (!is_constant(system, a)) return std::nullopt;
+    return found;
+}
+
+/// Languages X_a with X_a = K_a and, for each b, C_ab X_b (or X_b C_ab): solved by Arden's rule, one letter after the other.
+class Equations {
+public:
+    Equations(const System& system, bool is_last) : is_last_(is_last) {
+        const std::vector<Symbol> letters = accessible_letters(system, system.axiom);
+        for (const Symbol a : letters) {
+            if (is_constant(system, a)) continue;
+            add(known_[a], words_of({{a}}));
+            for (const Word& successor : system.tables.front()[a]) {
+                const auto parts = parted(system, successor, is_last);
+                if (!parts) {
+                    is_linear = false;
+                    return;
+                }
+                add(parts->active ? factors_[{a, *parts->active}] : known_[a],
+                    words_of({parts->constant}));
+            }
+        }
+    }
+
+    bool is_linear = true;
+
+    /// X_a.
+    Language of(Symbol wanted) {
+        std::vector<Symbol> letters;
+        for (const auto& [a, language] : known_)
+            if (a != wanted) letters.push_back(a);
+        letters.push_back(wanted);
+        for (const Symbol a : letters) {
+            if (const auto loop = factors_.find({a, a}); loop != factors_.end()) {
+                const Language rounds = combination(Tree::Kind::star, {loop->second}, {});
+                factors_.erase(loop);
+                known_[a] = beside(rounds, known_[a]);
+                for (auto& [places, factor] : factors_)
+                    if (places.first == a) factor = beside(rounds, factor);
+            }
+            const auto factors = factors_;
+            for (const auto& [into, factor] : factors) {
+                if (into.second != a || into.first == a) continue;
+                factors_.erase(into);
+                add(known_[into.first], beside(factor, known_[a]));
+                for (const auto& [places, next] : factors)
+                    if (places.first == a)
+                        add(factors_[{into.first, places.second}], beside(factor, next));
+            }
+        }
+        return known_.at(wanted);
+    }
+
+    /// A factor and what it stands before, or behind.
+    Language beside(const Language& factor, const Language& language) const {
+        return is_last_ ? combination(Tree::Kind::concatenation, {factor, language}, {})
+                        : combination(Tree::Kind::concatenation, {language, factor}, {});
+    }
+
+private:
+    static void add(Language& to, const Language& more) {
+        to = to ? combination(Tree::Kind::united, {to, more}, {}) : more;
+    }
+
+    bool is_last_;
+    std::map<Symbol, Language> known_;
+    std::map<std::pair<Symbol, Symbol>, Language> factors_;
+};
+
+/// The language of a linear system as a regular expression: in its words all letters are constant but one at most, which is
+/// the last one of all words, or the first one. Other languages as they are.
+Language without_linear_system(const Language& language) {
+    if (language->kind != Tree::Kind::generated || !language->system) return language;
+    const System& system = *language->system;
+    if (system.context || system.tables.size() != 1 || !has_only_terminals(system)) return language;
+    for (const bool is_last : {true, false}) {
+        const auto axiom = parted(system, system.axiom, is_last);
+        if (!axiom) continue;
+        if (!axiom->active) return words_of({system.axiom});
+        Equations equations(system, is_last);
+        if (equations.is_linear)
+            return equations.beside(words_of({axiom->constant}), equations.of(*axiom->active));
+    }
+    return language;
+}
+
+/// A language with another one in the place of each part that is the same as `from`.
+Language replaced(const Language& language, const Language& from, const Language& to) {
+    if (same(language, from)) return to;
+    Tree tree = *language;
+    for (Language& part : tree.parts) part = replaced(part, from, to);
+    return std::make_shared<const Tree>(std::move(tree));
+}
+
+void replace(Statement& statement, const Language& from, const Language& to) {
+    for (Language& language : statement.languages) language = replaced(language, from, to);
+    for (Statement& part : statement.parts) replace(part, from, to);
+}
+
+}  // namespace
+
+void check_linear(const Obligation& task) {
+    Statement regular = task.statement;
+    for (Language& language : regular.languages) {
+        language = without_linear_system(language);
+        if (!is_regular(language)) task.refuse("a system is not linear");
+    }
+    check_derivatives(task.part(regular, true, task.proof));
+}
+
+void check_facts(const Obligation& task) {
+    if (task.statement.kind == Statement::Kind::quantified)
+        task.refuse("facts about languages are not put into statements about all values");
+    Statement changed = task.statement;
+    for (const Field& fact : task.proof.at("facts").list()) {
+        fact.only({"equal", "replaced", "proof"});
+        const auto [left, right] = fact.at("equal").pair();
+        Statement equal;
+        equal.kind = Statement::Kind::equal;
+        equal.languages = {task.reader.language(left), task.reader.language(right)};
+        check_proof(task.part(equal, true, fact.at("proof")));
+        const std::uint64_t number = fact.at("replaced").number();
+        if (number > 1) fact.at("replaced").fail("expected 0 or 1");
+        const auto which = static_cast<std::size_t>(number);
+        replace(changed, equal.languages[which], equal.languages[1 - which]);
+    }
+    check_proof(task.part(changed, task.holds, task.proof.at("proof")));
 }
 
 }  // namespace algae::verify

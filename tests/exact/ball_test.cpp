@@ -129,7 +129,9 @@ TEST_CASE("decimals of numbers known by enclosures are correctly rounded") {
         std::string shown;
         for (const char c : text)
             if (c >= '0' && c <= '9' && !(shown.empty() && c == '0')) shown += c;
-        if (unit <= 1) RC_ASSERT(shown.size() == static_cast<std::size_t>(digits));
+        // 9.52 with one digit is 10, which has two.
+        const bool carries = abs(Rational(text)) == unit * power(Rational(10), digits);
+        if (unit <= 1) RC_ASSERT(shown.size() == static_cast<std::size_t>(digits) + carries);
     }));
     const auto root = [](long bits) { return sqrt(Ball(2, bits)); };
     CHECK(decimal(root, 5) == "1.41421");

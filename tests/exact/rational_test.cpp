@@ -179,6 +179,17 @@ TEST_CASE("the nearest double") {
     CHECK(power(Rational(10), -400).to_double() == 0);
 }
 
+TEST_CASE("a double is the rational that its bits say") {
+    CHECK(rc::check([](std::int64_t mantissa, int exponent) {
+        const double x = std::ldexp(static_cast<double>(mantissa), exponent % 900);
+        RC_ASSERT(exactly(x) == exact(x));
+    }));
+    CHECK(exactly(0.1) != Rational("0.1"));
+    CHECK(exactly(-0.0) == 0);
+    CHECK(exactly(0x1p-1074) == power(Rational(2), -1074));
+    CHECK_THROWS_AS(exactly(HUGE_VAL), Error);
+}
+
 TEST_CASE("equal numbers have equal hashes") {
     CHECK(rc::check([](const Rational& a, const Rational& b) {
         RC_ASSERT(hash_value(a + b - b) == hash_value(a));

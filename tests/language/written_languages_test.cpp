@@ -287,7 +287,7 @@ TEST_CASE("equal sequences are found, and others are told apart") {
     CHECK(verdict("let G = D0L { axiom ab; a -> aa; b -> bb }\n"
                   "show L(G) == {a^(2^n) b^(2^n) : n >= 0}") == "proved by powers");
     CHECK(verdict("let G = D0L { axiom c; c -> cab }\nshow L(G) == {c (ab)^n : n >= 0}") ==
-          "proved by powers");
+          "proved by linear");
     CHECK(verdict("show CF { S -> aSb | ε } == {a^n b^n : n >= 0}") == "proved by powers");
     CHECK(verdict("show CF { S -> abSb | a } == {a (ba)^n b^n : n >= 0}") == "proved by powers");
     CHECK(verdict("show CF { S -> aSb | ε } == {a^n b^n : n >= 1}") == "refuted by word");

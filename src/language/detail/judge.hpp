@@ -120,6 +120,10 @@ Answer judge_code(const Language& language, bool prefix, const Alphabet& alphabe
 /// Whether the word read backwards is the same.
 Answer judge_palindrome(const Word& word);
 
+/// Languages without systems that a language of a system is likely to be, which is not proved: of a linear system a regular
+/// expression, of a D0L system whose lengths grow linearly one, or powers.
+std::vector<Language> likely_forms(const Language& generated, const Budget& budget = {});
+
 // --- Judges of systems ---
 
 // What statements say of systems themselves. All throw what budget.check throws and BoundReached; Error if

@@ -379,6 +379,24 @@ struct BothInclusions {
     Part there, back;
 };
 
+/// In each word of the systems at most one letter is not constant, the first or the last one, so their languages are regular.
+struct LinearSystems {
+    static constexpr const char* rule = "linear";
+    Language left, right;
+    bool equal = false;  // otherwise left <= right
+};
+
+/// The statement with equal languages in the place of others.
+struct ByFacts {
+    struct Fact {
+        Language language, equal;
+        bool is_right = false;  // in the equality that is proved, `language` is the right side
+        Part proof;
+    };
+    std::vector<Fact> facts;
+    Part proof;
+};
+
 // --- Finite, empty, size ---
 
 /// The language has so many words: they are listed, or its automaton accepts so many.
@@ -680,15 +698,15 @@ struct Proof {
         steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
         steps::OtherValues, steps::SameAutomata, steps::NothingOutside, steps::Distinguished,
         steps::SameDeterministic, steps::WithinRegular, steps::ByInduction, steps::SamePowers,
-        steps::BothInclusions, steps::Counted, steps::NoWord, steps::FiniteConstruction,
-        steps::FoundWord, steps::Disjoint, steps::NoTerminals, steps::InfiniteRound,
-        steps::InfiniteTables, steps::Pumped, steps::LongerPowers, steps::InfinitePart,
-        steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
-        steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord, steps::Sparse,
-        steps::FiniteFamily, steps::GeneratedBy, steps::OfReversal, steps::Constructed, steps::Code,
-        steps::TwoFactorisations, steps::Beginning, steps::Palindrome, steps::FromStatements,
-        steps::ByInstance, steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach,
-        steps::ByDerivations>
+        steps::BothInclusions, steps::LinearSystems, steps::ByFacts, steps::Counted, steps::NoWord,
+        steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
+        steps::InfiniteRound, steps::InfiniteTables, steps::Pumped, steps::LongerPowers,
+        steps::InfinitePart, steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
+        steps::RegularOperations, steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord,
+        steps::Sparse, steps::FiniteFamily, steps::GeneratedBy, steps::OfReversal,
+        steps::Constructed, steps::Code, steps::TwoFactorisations, steps::Beginning,
+        steps::Palindrome, steps::FromStatements, steps::ByInstance, steps::ByCases,
+        steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
         step;
 };
 

@@ -183,6 +183,8 @@ void check_endless_powers(const Obligation& task);
 void check_part(const Obligation& task);
 // Of equality and inclusion:
 void check_values(const Obligation& task);
+void check_linear(const Obligation& task);
+void check_facts(const Obligation& task);
 void check_word_in_one(const Obligation& task);
 void check_derivatives(const Obligation& task);
 void check_identical(const Obligation& task);

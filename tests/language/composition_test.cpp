@@ -1,0 +1,175 @@
+// Languages that compose: what was proved serves later statements, and languages of linear systems are regular.
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "exact/exact.hpp"
+#include "language/detail/judge.hpp"
+#include "language/language.hpp"
+#include "notation/notation.hpp"
+#include "verify/verify.hpp"
+
+using namespace algae;
+using Outcome = verify::Finding::Outcome;
+
+namespace {
+
+const std::string systems =
+    "let H = 0L { axiom ab; b -> bb | b }\n"
+    "let W = D0L { axiom ab; a -> b; b -> a }\n"
+    "let G = 0L { axiom a; a -> ab | b }\n"
+    "let D = D0L { axiom a; a -> bac }\n"
+    "let E = D0L { axiom cab; a -> abb }\n"
+    "let P = D0L { axiom a; a -> bc; b -> a; c -> cd }\n";
+
+CheckedClaim checked(const std::string& statements) {
+    return check(read_claim("claim T\n" + systems + statements, "x", {}));
+}
+
+/// Of each statement: p, r or u, and behind it what verify says of it: c, w, n or u.
+std::string verdicts(const std::string& statements) {
+    const CheckedClaim claim = checked(statements);
+    const auto found = verify::check_certificate(certificate(claim).dump());
+    std::string text;
+    for (std::size_t i = 0; i < found.size(); ++i) {
+        const Truth truth = claim.statements[i].answer.truth;
+        text += truth == Truth::proved ? 'p' : truth == Truth::refuted ? 'r' : 'u';
+        text += found[i].outcome == Outcome::checked     ? "c "
+                : found[i].outcome == Outcome::wrong     ? "w "
+                : found[i].outcome == Outcome::undecided ? "u "
+                                                         : "n ";
+    }
+    return text;
+}
+
+/// A system in whose words all letters are constant but the last or the first one.
+std::string random_linear_system() {
+    const bool is_last = *rc::gen::arbitrary<bool>();
+    const auto word = [&](bool with_active) {
+        std::string text;
+        for (int left = *rc::gen::inRange(0, 3); left > 0; --left)
+            text += *rc::gen::element('x', 'y');
+        if (!with_active && *rc::gen::inRange(0, 3) > 0) return text;
+        const char active = *rc::gen::element('a', 'b', 'c');
+        return is_last ? text + active : active + text;
+    };
+    const auto or_empty = [](const std::string& text) {
+        return text.empty() ? std::string("ε") : text;
+    };
+    std::string system = "0L { axiom " + word(true);
+    for (const char letter : {'a', 'b', 'c'})
+        for (int rules = *rc::gen::inRange(1, 3); rules > 0; --rules)
+            system += std::string("; ") + letter + " -> " + or_empty(word(false));
+    return system + " }";
+}
+
+/// All words that are derived and have at most so many letters; the words of linear systems on the way are longer by the
+/// active letter at most.
+std::set<Word> words_by_definition(const OL& system, std::size_t longest) {
+    std::set<Word> seen{system.axiom}, open{system.axiom};
+    while (!open.empty()) {
+        std::set<Word> next;
+        for (const Word& word : open) {
+            std::set<Word> made{{}};
+            for (const Symbol a : word) {
+                std::set<Word> longer;
+                for (const Word& beginning : made)
+                    for (const Word& successor : system.successors[a]) {
+                        Word whole = beginning;
+                        whole.insert(whole.end(), successor.begin(), successor.end());
+                        longer.insert(std::move(whole));
+                    }
+                made = std::move(longer);
+            }
+            for (const Word& word_after : made)
+                if (word_after.size() <= longest + 1 && seen.insert(word_after).second)
+                    next.insert(word_after);
+        }
+        open = std::move(next);
+    }
+    std::erase_if(seen, [&](const Word& word) { return word.size() > longest; });
+    return seen;
+}
+
+}  // namespace
+
+TEST_CASE("what is proved of languages serves later statements, and verify checks it") {
+    CHECK(verdicts("show L(H) == /ab+/\nshow L(H) is regular\nshow L(H)^R == /b+a/\n"
+                   "show { a -> b; b -> a }(L(H)) == /ba+/\nshow L(H) | /ab*/ == /ab*/\n") ==
+          "pc pc pc pc pc ");
+    CHECK(verdicts("show L(G) == /ab*|b+/\nshow L(H) == /ab+/\nshow L(H) <= L(G)\n"
+                   "show L(W) & L(H) == {ab}\nrefute L(G) <= L(H)\n") == "pc pc pc pc rc ");
+    // Without the first statement nobody says what L(H) is.
+    CHECK(verdicts("show L(H)^R == /b+a/\nshow L(H) == /ab+/\nshow L(H)^R == /b+a/\n") ==
+          "uu pc pc ");
+    // Each side may be the one with systems, and the fact may be one of an expression.
+    CHECK(verdicts("show /ab+/ == L(H)\nshow L(H) L(H) == /ab+ab+/\nshow L(H) is a code\n") ==
+          "pc pc pc ");
+}
+
+TEST_CASE(
+    "linear systems and D0L systems of linear growth are regular or not, without being told") {
+    CHECK(verdicts("show L(G) is regular\nshow L(G) == /ab*|b+/\nrefute L(G) == /ab*/\n"
+                   "show L(G)^R == /b*a|b+/\nshow L(G) | L(E) is regular\n") == "pc pc rc pc pc ");
+    CHECK(verdicts("show L(E) is regular\nshow L(E) == /ca(bb)*b/\n") == "pc pc ");
+    CHECK(verdicts("show not L(D) is regular\nshow L(D) is CF\n") == "pc pc ");
+}
+
+TEST_CASE("the expression of a linear system has the words that it derives") {
+    std::size_t compared = 0, words = 0;
+    CHECK(rc::check([&] {
+        const std::string text = *rc::gen::resize(100, rc::gen::exec(random_linear_system));
+        const Claim claim =
+            read_claim("claim T\nlet G = " + text + "\nshow L(G) is regular\n", "x", {});
+        const Language generated =
+            std::get<InFamily>(claim.statements.front().statement.says).language;
+        const auto forms = likely_forms(generated);
+        RC_ASSERT(forms.size() == 1);
+        const auto regular = regular_value(forms.front(), *claim.alphabet);
+        RC_ASSERT(regular);
+        const std::size_t longest = 5;
+        const std::set<Word> wanted =
+            words_by_definition(without_terminals(*generated->system->tables), longest);
+        const auto found = words_up_to(*regular, longest);
+        RC_ASSERT(std::set<Word>(found.begin(), found.end()) == wanted);
+        const CheckedClaim decided = check(claim);
+        RC_ASSERT(decided.statements.front().answer.truth == Truth::proved);
+        RC_ASSERT(verify::check_certificate(certificate(decided).dump()).front().outcome ==
+                  Outcome::checked);
+        ++compared;
+        words += wanted.size();
+    }));
+    MESSAGE(compared << " systems compared, " << words << " words");
+    CHECK(compared >= 100);
+}
+
+TEST_CASE("a false fact is found wrong, and so is one of a system that is not linear") {
+    const auto written = certificate(checked("show L(G) is regular\n"));
+    const auto outcome = [](const nlohmann::ordered_json& one) {
+        return verify::check_certificate(one.dump()).front();
+    };
+    const auto& proof = written["statements"][0]["proof"];
+    REQUIRE(proof["by"] == "facts");
+    CHECK(outcome(written).outcome == Outcome::checked);
+    auto other = written;
+    other["statements"][0]["proof"]["facts"][0]["equal"][1] = {{"words", {"a"}}};
+    CHECK(outcome(other).outcome == Outcome::wrong);
+    other = written;  // D is not linear: a stands between b and c
+    other["statements"][0]["statement"]["language"]["generated"] = "D";
+    other["statements"][0]["proof"]["facts"][0]["equal"][0]["generated"] = "D";
+    CHECK(outcome(other).reason == "a system is not linear");
+    other = written;  // the fact is put into nothing
+    other["statements"][0]["statement"]["language"]["generated"] = "H";
+    CHECK(outcome(other).outcome != Outcome::checked);
+    other = written;
+    other["statements"][0]["proof"]["facts"][0]["replaced"] = 1;
+    CHECK(outcome(other).outcome != Outcome::checked);
+    other = written;
+    other["statements"][0]["verdict"] = "refuted";
+    CHECK(outcome(other).outcome == Outcome::wrong);
+}

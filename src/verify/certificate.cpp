@@ -394,6 +394,13 @@ Language combination(Tree::Kind kind, std::vector<Language> parts,
 }
 
 bool same(const Language& left, const Language& right) {
+    const auto is_bound = [](const Language& language) {
+        return language->kind == Tree::Kind::variable ||
+               (language->kind == Tree::Kind::generated && !language->system);
+    };
+    if (is_bound(left) || is_bound(right))  // names are all that is known of them
+        return is_bound(left) && is_bound(right) && left->kind == right->kind &&
+               left->name == right->name;
     return std::tie(left->kind, left->words, left->letters, left->morphism) ==
                std::tie(right->kind, right->words, right->letters, right->morphism) &&
            (!left->powers || *left->powers == *right->powers) &&

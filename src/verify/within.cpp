@@ -310,7 +310,9 @@ Language replaced(const Language& language, const Language& from, const Language
     return std::make_shared<const Tree>(std::move(tree));
 }
 
+/// Not in statements about all values, which may bind the names of systems again.
 void replace(Statement& statement, const Language& from, const Language& to) {
+    if (statement.kind == Statement::Kind::quantified) return;
     for (Language& language : statement.languages) language = replaced(language, from, to);
     for (Statement& part : statement.parts) replace(part, from, to);
 }

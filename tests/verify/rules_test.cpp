@@ -157,6 +157,21 @@ TEST_CASE("a rule for all values passes only where its side condition holds") {
           Outcome::checked);
 }
 
+TEST_CASE("languages of bound names are the same only where the names are") {
+    using namespace algae::verify;
+    System doubling;
+    doubling.axiom = {0};
+    doubling.tables = {{{{0, 0}}}};
+    doubling.terminal = {1};
+    const auto system = std::make_shared<const System>(doubling);
+    const Language bound = generated_by(nullptr, "X");
+    CHECK(same(bound, generated_by(nullptr, "X")));
+    CHECK(!same(bound, generated_by(nullptr, "Y")));
+    CHECK(!same(bound, generated_by(system, "X")));
+    CHECK(!same(generated_by(system, "X"), bound));
+    CHECK(same(generated_by(system, "X"), generated_by(system, "Y")));
+}
+
 TEST_CASE("what is no certificate is refused with the place") {
     const Json good = certificate(sound()[0]);
     const auto error = [](const Json& bad) -> std::string {

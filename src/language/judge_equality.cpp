@@ -118,18 +118,17 @@ public:
         }
         if (regular_right)
             if (auto found = generated_in_regular(*regular_right)) return found;
-        if (auto found = linear(false)) return found;
+        if (auto found = linear(regular_left, regular_right, false)) return found;
         if (regular_left) return regular_in_generated(*regular_left);
         return std::nullopt;
     }
 
     /// Where one side is the language of a linear system and the other one too, or regular.
-    std::optional<Answer> linear(bool equal) const {
-        const auto linear_left = linear_value(left_, budget_),
-                   linear_right = linear_value(right_, budget_);
-        if (!linear_left && !linear_right) return std::nullopt;
-        const auto left = linear_left ? linear_left : regular_value(left_, alphabet_, budget_),
-                   right = linear_right ? linear_right : regular_value(right_, alphabet_, budget_);
+    std::optional<Answer> linear(std::optional<RegularLanguage> left,
+                                 std::optional<RegularLanguage> right, bool equal) const {
+        if (left && right) return std::nullopt;  // theorems for regular languages came before
+        if (!left) left = linear_value(left_, budget_);
+        if (left && !right) right = linear_value(right_, budget_);
         if (!left || !right) return std::nullopt;
         if (const auto word = equal ? first_difference(*left, *right, budget_)
                                     : first_outside(*left, *right, budget_))
@@ -149,7 +148,7 @@ public:
                 return witness(*word);
             return proved(steps::SameAutomata{regular_left->automaton().states()});
         }
-        if (auto found = linear(true)) return *found;
+        if (auto found = linear(regular_left, regular_right, true)) return *found;
         if (auto found = deterministic_equality()) return *found;
         if (auto found = same_sequences()) return *found;
         if (auto found = difference(short_words(first_tried), false)) return *found;

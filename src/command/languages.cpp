@@ -291,7 +291,7 @@ Answer judged(const IsOptions& options, const WrittenLanguage& written, const Bu
     if (options.family == "infinite")
         return opposite(judge_finite(written.language, *written.alphabet, budget));
     if (options.family == "empty") return judge_empty(written.language, *written.alphabet, budget);
-    return judge_family(written.language, {family_of(options), options.empty_axiom, {}},
+    return judge_family(written.language, {family_of(options), options.empty_axiom, {}, true},
                         *written.alphabet, budget);
 }
 

@@ -571,7 +571,12 @@ struct ProofWriter {
         return language_certificate(said.equality, alphabet);
     }
     Json operator()(const steps::ByInduction& said) const {
-        return {{"by", "induction"}, {"base", words_json(said.base, alphabet)}};
+        Json json = {{"by", "induction"}, {"base", words_json(said.base, alphabet)}};
+        if (!said.counted.empty()) {
+            json["counted"] = Json::array();
+            for (const Symbol a : said.counted) json["counted"].push_back(alphabet.name(a));
+        }
+        return json;
     }
     Json operator()(const steps::BothInclusions& said) const {
         return {{"by", "both"}, {"proofs", Json::array({of(said.there), of(said.back)})}};
@@ -629,6 +634,27 @@ struct ProofWriter {
         return {{"by", "equal"},
                 {"system", to_json(*said.system, alphabet)},
                 {"proof", of(said.equal)}};
+    }
+    Json operator()(const steps::ByClasses& said) const {
+        Json json = {{"by", "classes"}, {"case", of(said.root)}};
+        if (!said.apart.empty()) json["apart"] = words_json(said.apart, alphabet);
+        return json;
+    }
+    Json of(const steps::ByClasses::Case& said) const {
+        if (said.letter) return {{"letter", alphabet.name(*said.letter)}};
+        if (!said.apart.empty()) return {{"apart", words_json(said.apart, alphabet)}};
+        if (said.cases.empty()) return Json::object();
+        Json cases = Json::array();
+        for (const auto& each : said.cases) cases.push_back(of(each));
+        return {{"word", certificate_text(alphabet, said.word)},
+                {"images", words_json(said.images, alphabet)},
+                {"cases", std::move(cases)}};
+    }
+    Json operator()(const steps::NotGeometric& said) const {
+        return {{"by", "geometric"}, {"length", said.length}, {"infinite", of(said.infinite)}};
+    }
+    Json operator()(const steps::LettersOnCycles& said) const {
+        return {{"by", "cycles"}, {"word", certificate_text(alphabet, said.word)}};
     }
     Json operator()(const steps::OfReversal& said) const {
         return {{"by", "reversal"}, {"proof", of(said.part)}};

@@ -28,7 +28,8 @@ struct Judge {
     const Alphabet& alphabet = *claim.alphabet;
 
     Answer operator()(const InFamily& said) const {
-        return judge_family(said.language, {said.family, claim.empty_axiom, claim.systems},
+        return judge_family(said.language,
+                            {said.family, claim.empty_axiom, claim.systems, !limits.is_instance},
                             alphabet, budget);
     }
     Answer operator()(const IsFinite& said) const {

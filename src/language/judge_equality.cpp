@@ -263,10 +263,12 @@ private:
     std::optional<Answer> regular_in_generated(const RegularLanguage& left) const {
         if (right_->kind != Kind::generated || !right_->system->tables) return std::nullopt;
         const ET0L& system = *right_->system->tables;
-        if (system.tables.size() != 1 || !has_only_terminals(system)) return std::nullopt;
-        const auto found = regular_induction(left, without_terminals(system), 100, budget_);
+        if (!has_only_terminals(system)) return std::nullopt;
+        const auto found = regular_induction(left, system.tables, 100, budget_);
         if (!found) return std::nullopt;
-        steps::ByInduction induction{left_, {}, {}};
+        steps::ByInduction induction{left_, {}, {}, {}};
+        if (found->counted.size() < system.tables.front().size())
+            induction.counted = found->counted;
         for (const Word& word : found->base) {
             Answer member = judge_membership(right_, word, alphabet_, budget_);
             if (member.truth == Truth::refuted) return witness(word);

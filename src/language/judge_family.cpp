@@ -1,4 +1,8 @@
 #include <algorithm>
+#include <array>
+#include <functional>
+#include <map>
+#include <set>
 
 #include "growth/growth.hpp"
 #include "language/detail/finite_family.hpp"
@@ -11,7 +15,12 @@
 // That it is: it is given by a system of the form, equal to the language of a system of the claim, finite, or
 // made by operations under which the family is closed. That it is not is decided for finite languages
 // (finite_family.cpp), shown by the empty word for propagating families, and for REG and CF by the lengths of
-// D0L languages that grow faster than linearly (`sparse`). Otherwise the statement is undecided.
+// D0L languages that grow faster than linearly (`sparse`). Infinite regular languages have a file of their own (regular_family.cpp).
+//
+// Languages of powers: {a^n b^n : n >= 0} and all whose blocks grow linearly, each with a letter of its own, are not T0L
+// (`LinearBlocks`). An infinite language over one letter whose lengths are too few for two successors of the letter, as the powers of 2
+// and those of 3, is T0L only if each length but the least is a multiple of another by the number of a table (`NotGeometric`). Others are
+// looked for among D0L systems that take word n to word n + 1. Otherwise the statement is undecided.
 
 namespace algae {
 
@@ -40,16 +49,25 @@ public:
         if (form->propagating && !question_.empty_axiom && !form->interactive && !form->extended)
             if (auto found = has_empty_word()) return *found;
         if (auto found = by_system(*form)) return *found;
+        if (!form->interactive && !form->extended)
+            if (const auto value = regular_value(language_, alphabet_, budget_))
+                return judge_regular_family(language_, *value, question_, alphabet_, budget_);
+        if (auto found = by_sequence(*form)) return *found;
+        if (!form->interactive && !form->extended) {
+            if (language_->kind == Kind::powers && are_linear_blocks(*language_->powers))
+                return refuted(steps::LinearBlocks{language_, question_.family});
+            if (auto found = not_geometric(*form)) return *found;
+        }
         if (language_->kind == Kind::reversed && !form->interactive)
             if (auto found = by_reversal()) return *found;
         if (form->extended)
             if (auto found = by_construction(*form)) return *found;
-        return undecided(name_ + " was not found to be finite" +
+        return undecided(name_ + " was not found to be finite or regular" +
                          (question_.systems.empty()
                               ? ""
                               : ", and none of the systems of the claim was seen to generate it") +
                          "; that no " + question_.family +
-                         " system does is decided for finite languages only");
+                         " system does is decided for few other languages");
     }
 
 private:
@@ -182,6 +200,157 @@ private:
                 judge_equality(generated_language(system), language_, alphabet_, budget_);
             if (equal.truth == Truth::proved)
                 return proved(steps::GeneratedBy{system, question_.family, language_, equal.proof});
+        }
+        return std::nullopt;
+    }
+
+    /// A language of powers of one number is that of a D0L system which takes each word to that of the next number: its rules are
+    /// worked out from the first three words.
+    std::optional<Answer> by_sequence(const SystemForm& form) const {
+        if (language_->kind != Kind::powers || language_->powers->numbers.size() != 1)
+            return std::nullopt;
+        constexpr std::size_t longest = 2'000;
+        std::array<Word, 3> words;
+        for (std::size_t n = 0; n < words.size(); ++n) {
+            try {
+                words[n] = word_of(*language_->powers,
+                                   {language_->powers->numbers.front().least + n}, budget_);
+            } catch (const BoundReached&) {
+                return std::nullopt;
+            }
+            if (words[n].size() > longest) return std::nullopt;
+        }
+        if (words[0].empty()) return std::nullopt;
+        std::map<Symbol, Word> images;
+        std::size_t left = 20'000;  // steps of the search
+        std::optional<Answer> found;
+        const std::function<void(std::size_t, std::size_t, std::size_t)> match =
+            [&](std::size_t n, std::size_t place, std::size_t end) {
+                if (found || left == 0) return;
+                --left;
+                if (place == words[n].size()) {
+                    if (end < words[n + 1].size()) return;
+                    if (n + 2 < words.size()) return match(n + 1, 0, 0);
+                    found = by_rules(form, words[0], images);
+                    return;
+                }
+                const Symbol a = words[n][place];
+                const auto from = words[n + 1].begin() + static_cast<std::ptrdiff_t>(end);
+                if (const auto known = images.find(a); known != images.end()) {
+                    const Word& image = known->second;
+                    if (image.size() <= words[n + 1].size() - end &&
+                        std::equal(image.begin(), image.end(), from))
+                        match(n, place + 1, end + image.size());
+                    return;
+                }
+                for (std::size_t size = form.propagating ? 1 : 0;
+                     end + size <= words[n + 1].size() && !found; ++size) {
+                    images[a] = Word(from, from + static_cast<std::ptrdiff_t>(size));
+                    match(n, place + 1, end + size);
+                    images.erase(a);
+                }
+            };
+        match(0, 0, 0);
+        return found;
+    }
+
+    std::optional<Answer> by_rules(const SystemForm& form, const Word& axiom,
+                                   const std::map<Symbol, Word>& images) const {
+        Table table(alphabet_.size());
+        for (Symbol a = 0; a < table.size(); ++a) table[a] = {{a}};
+        for (const auto& [a, image] : images) table[a] = {image};
+        const auto system = std::make_shared<const SourceSystem>(
+            SourceSystem{"G",
+                         ET0L{std::make_shared<const Alphabet>(alphabet_),
+                              axiom,
+                              {table},
+                              std::vector<char>(alphabet_.size(), 1),
+                              {"1"},
+                              {}},
+                         std::nullopt,
+                         {},
+                         {}});
+        if (!has_form(*system, form)) return std::nullopt;
+        const auto sequence = sequence_of(language_);
+        if (!sequence || !follows(as_d0l(*system), *sequence)) return std::nullopt;
+        const Answer equal =
+            judge_equality(generated_language(system), language_, alphabet_, budget_);
+        if (equal.truth != Truth::proved) return std::nullopt;
+        return proved(steps::GeneratedBy{system, question_.family, language_, equal.proof, true});
+    }
+
+    /// Whether the words are a^e b^f ... with two letters or more, each in one block, and exponents that all grow linearly with the
+    /// one number.
+    static bool are_linear_blocks(const Powers& powers) {
+        if (powers.numbers.size() != 1 || powers.blocks.size() < 2 || !is_linear(powers))
+            return false;
+        std::set<Symbol> letters;
+        for (const Powers::Block& block : powers.blocks)
+            if (block.word.size() != 1 || !letters.insert(block.word.front()).second ||
+                std::none_of(block.exponent.begin(), block.exponent.end(),
+                             [](const Powers::Term& term) { return term.number.has_value(); }))
+                return false;
+        return true;
+    }
+
+    /// Whether the lengths of a language over one letter are seen to be a share of the numbers up to x that tends to 0.
+    static bool is_sparse(const Language& language) {
+        const LanguageTree& tree = *language;
+        switch (tree.kind) {
+            case Kind::words:
+                return true;
+            case Kind::powers:
+                return tree.powers->numbers.size() == 1 && !is_linear(*tree.powers);
+            case Kind::generated:
+                return tree.system->tables && tree.system->grammar.empty() &&
+                       has_only_terminals(*tree.system->tables) &&
+                       is_deterministic(*tree.system->tables);
+            case Kind::united:
+                return is_sparse(tree.parts[0]) && is_sparse(tree.parts[1]);
+            case Kind::reversed:
+                return is_sparse(tree.parts[0]);
+            default:
+                return false;
+        }
+    }
+
+    std::optional<Answer> not_geometric(const SystemForm& form) const {
+        constexpr std::uint64_t longest = 100, longest_image = 400;
+        const std::vector<Symbol> letters = letters_of(language_);
+        if (letters.size() != 1 || !is_sparse(language_)) return std::nullopt;
+        const Answer finite = judge_finite(language_, alphabet_, budget_);
+        if (finite.truth != Truth::refuted) return std::nullopt;
+        std::map<std::uint64_t, Truth> known;
+        const auto in = [&](std::uint64_t length) {
+            const auto [place, is_new] = known.try_emplace(length, Truth::undecided);
+            if (is_new)
+                place->second =
+                    judge_membership(language_, Word(length, letters.front()), alphabet_, budget_)
+                        .truth;
+            return place->second;
+        };
+        std::vector<std::uint64_t> lengths;
+        const auto takes_all = [&](std::uint64_t s) {
+            return std::all_of(lengths.begin(), lengths.end(), [&](std::uint64_t z) {
+                return s * z > longest_image || in(s * z) != Truth::refuted;
+            });
+        };
+        for (std::uint64_t length = 1; length <= longest; ++length) {
+            if (in(length) == Truth::undecided) return std::nullopt;
+            if (in(length) != Truth::proved) continue;
+            lengths.push_back(length);
+            const std::size_t last = lengths.size() - 1;
+            if (last == 0) continue;
+            bool comes = false;
+            if (form.tables)
+                for (std::size_t i = 0; i < last && !comes; ++i)
+                    comes = length % lengths[i] == 0 && takes_all(length / lengths[i]);
+            else
+                comes = lengths[1] % lengths[0] == 0 &&
+                        length == lengths[last - 1] * (lengths[1] / lengths[0]);
+            if (!comes)
+                return refuted(steps::NotGeometric{language_, question_.family, finite.proof,
+                                                   length, lengths, form.tables});
         }
         return std::nullopt;
     }

@@ -752,6 +752,7 @@ private:
         limits.progress = nullptr;
         limits.from.reset();
         limits.on_searched = {};
+        limits.is_instance = true;
         return limits;
     }
 

@@ -825,6 +825,8 @@ struct SearchLimits {
     Progress* progress = nullptr;  // told how many of the instances were looked at
     std::optional<SearchedSoFar> from = {};  // a search of the same statement goes on from here
     std::function<void(const SearchedSoFar&)> on_searched = {};  // when more are looked at
+    bool is_instance =
+        false;  // the statement is one instance: systems that are found need not be small
 };
 
 /// The answer to the opposite statement, by the same proof.
@@ -859,13 +861,15 @@ struct FamilyQuestion {
     std::string family;        // REG, CF or a family of L-systems, as `system_form` reads it
     bool empty_axiom = false;  // whether the empty word may be an axiom
     std::vector<std::shared_ptr<const SourceSystem>> systems;  // that may generate the language
+    bool small = true;  // rules that are not needed are left out of a system that is found
 };
 
 /// Whether the language is of the family. Finite languages are decided for 0L, P0L, D0L, PD0L, T0L, PT0L, DT0L,
 /// PDT0L; families that have all finite languages, and regular expressions for REG and CF, by theorem. Another
 /// language is proved to be of the family if it is given by a system of the form, equal to the language of one of
-/// `systems`, or made by operations under which the family is closed. An infinite one is refuted if it is the language
-/// of a D0L system that is too sparse to be regular or context-free; otherwise the question is undecided.
+/// `systems`, or made by operations under which the family is closed. Of an infinite regular language a small system for these eight families is looked
+/// for, and some are refuted (regular_family.cpp), as are some languages of powers and languages over one letter; for REG and CF
+/// the language of a D0L system that is too sparse. Otherwise the question is undecided.
 ///
 /// Throws Error if the family has no such name, what budget.check throws, BoundReached where a table is too large.
 Answer judge_family(const Language& language, const FamilyQuestion& question,

@@ -315,16 +315,22 @@ std::optional<Word> first_difference(const RegularLanguage& left, const RegularL
 
 namespace {
 
-/// The successors of at least so many letters.
-RegularLanguage successors(const OL& system, Symbol letter, std::size_t least) {
+/// The successors with at least so many of these letters.
+RegularLanguage successors(const std::vector<Word>& all, const std::vector<char>& counted,
+                           std::size_t least) {
     std::vector<Word> words;
-    for (const Word& successor : system.successors[letter])
-        if (successor.size() >= least) words.push_back(successor);
+    for (const Word& successor : all)
+        if (static_cast<std::size_t>(std::count_if(successor.begin(), successor.end(),
+                                                   [&](Symbol a) { return counted[a] != 0; })) >=
+            least)
+            words.push_back(successor);
     return finite_set(words);
 }
 
-/// The words of the language with exactly one letter a marked, that is, replaced by a + letters.
-RegularLanguage marked_once(const RegularLanguage& language, Symbol letters, const Budget& budget) {
+}  // namespace
+
+RegularLanguage marked_once(const RegularLanguage& language, const Budget& budget) {
+    const Symbol letters = static_cast<Symbol>(language.automaton().letters);
     std::vector<Symbol> plain, marked, all;
     std::vector<Word> unmarked(2 * letters);
     for (Symbol a = 0; a < letters; ++a) {
@@ -341,22 +347,56 @@ RegularLanguage marked_once(const RegularLanguage& language, Symbol letters, con
     return intersected(inverse_image(language, unmarked, all), once, budget);
 }
 
-}  // namespace
+namespace {
 
-std::optional<RegularInduction> regular_induction(const RegularLanguage& language, const OL& system,
-                                                  std::size_t most, const Budget& budget) {
+/// The words of the language that no step makes of another one with fewer counted letters, if they are at most `most`.
+std::optional<RegularInduction> induction_by(const std::vector<char>& counted,
+                                             const RegularLanguage& once,
+                                             const RegularLanguage& language,
+                                             const std::vector<Table>& tables, std::size_t most,
+                                             const Budget& budget) {
     const Symbol letters = static_cast<Symbol>(language.automaton().letters);
-    if (letters > system.successors.size()) return std::nullopt;
-    std::vector<RegularLanguage> images(2 * letters);
-    for (Symbol a = 0; a < letters; ++a) {
-        images[a] = successors(system, a, 1);
-        images[a + letters] = successors(system, a, 2);
+    RegularLanguage base = language;
+    for (const Table& table : tables) {
+        std::vector<RegularLanguage> images(2 * letters);
+        for (Symbol a = 0; a < letters; ++a) {
+            const std::size_t kept = counted[a] != 0 ? 1 : 0;
+            images[a] = successors(table[a], counted, kept);
+            images[a + letters] = successors(table[a], counted, kept + 1);
+        }
+        base = difference(base, image(once, images, budget), budget);
     }
-    const RegularLanguage derived = image(marked_once(language, letters, budget), images, budget);
-    const RegularLanguage base = difference(language, derived, budget);
     const std::optional<Integer> count = number_of_words(base);
     if (!count || *count > Integer(most)) return std::nullopt;
-    return RegularInduction{words_up_to(base, base.automaton().states(), budget)};
+    RegularInduction found{words_up_to(base, base.automaton().states(), budget), {}};
+    for (Symbol a = 0; a < counted.size(); ++a)
+        if (counted[a] != 0) found.counted.push_back(a);
+    return found;
+}
+
+}  // namespace
+
+std::optional<RegularInduction> regular_induction(const RegularLanguage& language,
+                                                  const std::vector<Table>& tables,
+                                                  std::size_t most, const Budget& budget) {
+    return regular_induction(language, marked_once(language, budget), tables, most, budget);
+}
+
+std::optional<RegularInduction> regular_induction(const RegularLanguage& language,
+                                                  const RegularLanguage& once,
+                                                  const std::vector<Table>& tables,
+                                                  std::size_t most, const Budget& budget) {
+    constexpr Symbol most_letters = 4;  // of which all subsets are tried
+    const Symbol letters = static_cast<Symbol>(language.automaton().letters);
+    if (tables.empty() || letters > tables.front().size()) return std::nullopt;
+    std::vector<char> counted(tables.front().size(), 1);
+    if (auto found = induction_by(counted, once, language, tables, most, budget)) return found;
+    if (letters > most_letters) return std::nullopt;
+    for (unsigned set = (1U << letters) - 2; set > 0 && letters > 0; --set) {
+        for (Symbol a = 0; a < letters; ++a) counted[a] = static_cast<char>(set >> a & 1);
+        if (auto found = induction_by(counted, once, language, tables, most, budget)) return found;
+    }
+    return std::nullopt;
 }
 
 }  // namespace algae

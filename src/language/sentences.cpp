@@ -413,9 +413,15 @@ public:
     }
     void operator()(const steps::ByInduction& said) {
         for (const Answer& member : said.members) add_new(of(member));
-        say("Every other word of " + language(said.left) +
-            " comes in one step from a shorter word of it, by induction on the length: by "
-            "successors that are not empty, one of them longer than one letter.");
+        const std::string other = "Every other word of " + language(said.left);
+        if (said.counted.empty())
+            return say(other +
+                       " comes in one step from a shorter word of it, by induction on the length: "
+                       "by successors that are not empty, one of them longer than one letter.");
+        const std::string counted = joined(said.counted, ", ", [&](Symbol a) { return letter(a); });
+        say(other + " comes in one step from a word of it with fewer letters " + counted +
+            ", by induction on their number: each of these becomes a word with one of them at "
+            "least, and some letter a word with one more than it is.");
     }
     void operator()(const steps::SamePowers& said) {
         const std::string sequence = marked(said.sequence);
@@ -619,9 +625,132 @@ public:
         }
     }
     void operator()(const steps::GeneratedBy& said) {
-        say("The " + said.family + " system " + marked(said.system->name) + " generates " +
-            language(said.language) + ".");
+        if (said.found)
+            say("Let " + marked(said.system->name) + " be " +
+                marked(system_text(*said.system, alphabet_)) + ". It generates " +
+                language(said.language) + ".");
+        else
+            say("The " + said.family + " system " + marked(said.system->name) + " generates " +
+                language(said.language) + ".");
         add(*said.equal);
+    }
+    void operator()(const steps::ByClasses& said) {
+        const std::string name = language(said.language);
+        const std::string each = said.family.find('T') != std::string::npos ? "a table of " : "";
+        say("Call words that are not empty of one class if they may stand for each other in all "
+            "words "
+            "of " +
+            name + "; there are " + number(said.classes.size()) + " classes, those of " +
+            joined(said.classes, ", ", [&](const Word& first) { return word(first); }) + ".");
+        say("Suppose that a system of the family " + said.family + " generates " + name +
+            ". The successors of each letter" + (said.apart.empty() ? "" : ", by each table,") +
+            " are of some of these classes, and every choice of them for the letters of a word "
+            "of " +
+            name + " makes a word of it.");
+        std::size_t left = steps::ByClasses::most_shown;
+        add_case(said.root, "", left);
+        if (said.size > steps::ByClasses::most_shown)
+            say("These are the first of " + number(said.size) + " cases.");
+        if (!said.apart.empty())
+            say("By all of the choices that are left no word of " + name + " derives both " +
+                word(said.apart[0]) + " and " + word(said.apart[1]) + ", so no axiom does.");
+    }
+    void add_case(const steps::ByClasses::Case& said, const std::string& indent,
+                  std::size_t& left) {
+        if (left == 0) return;
+        --left;
+        if (said.letter) return say(indent + "No class is left for " + letter(*said.letter) + ".");
+        if (!said.apart.empty())
+            return say(indent +
+                       "By the classes that are left no word of the language derives both " +
+                       word(said.apart[0]) + " and " + word(said.apart[1]) + ", so no axiom does.");
+        if (said.cases.empty()) return say(indent + "The other choices are possible.");
+        Word made;
+        std::map<std::string, std::set<std::string>> rules;
+        for (std::size_t i = 0; i < said.images.size(); ++i) {
+            made.insert(made.end(), said.images[i].begin(), said.images[i].end());
+            rules[letter(said.word[i])].insert(word(said.images[i]));
+        }
+        const std::string used = joined(rules, "; ", [](const auto& of) {
+            return of.first + " -> " +
+                   joined(of.second, " | ", [](const std::string& image) { return image; });
+        });
+        say(indent + word(said.word) + " becomes " + word(made) +
+            ", which is not in the language, by " + used +
+            (said.cases.size() == 1 ? ", so that class is not used."
+                                    : ", so one of these classes is not used:"));
+        for (const auto& each : said.cases)
+            add_case(each, said.cases.size() == 1 ? indent : indent + "  ", left);
+    }
+    void operator()(const steps::LettersOnCycles& said) {
+        const std::string name = language(said.language);
+        say("Suppose that a D0L system generates " + name +
+            ". Its lengths grow linearly, as those of an infinite regular language do not grow "
+            "faster. So there are letters whose "
+            "descendants grow; every word has some of them, and at most a fixed number.");
+        if (said.word.empty())
+            say("But it has the empty word, which has no letter.");
+        else
+            say("But each letter of " + word(said.word) +
+                " stands any number of times in words of " + name +
+                ": it is on a cycle of the minimal automaton.");
+        say("So " + name + " is not " + said.family + ".");
+    }
+    void operator()(const steps::LinearBlocks& said) {
+        const std::string name = language(said.language);
+        const std::string n = marked(said.language->powers->numbers.front().name);
+        say("Suppose that " + name + " is " + said.family +
+            ". Two successors of a letter by one table would change the number of one letter only, "
+            "which "
+            "those of the other letters fix; so each table has one successor of each letter.");
+        say("It is a power of the same letter, as the letters must stay in their order and only "
+            "finitely "
+            "many words lack one; and so it takes word " +
+            n +
+            " to a word whose exponents are s times as large, s being 0, or a number of the "
+            "table.");
+        say("Exponents that grow linearly have the numbers of an arithmetic progression among "
+            "them, which "
+            "infinitely many primes divide (Dirichlet 1837), and the tables have finitely many s. "
+            "So " +
+            name + " is not " + said.family + ".");
+    }
+    void operator()(const steps::NotGeometric& said) {
+        const std::string name = language(said.language);
+        add(*said.infinite);
+        say("Its lengths are a share of the numbers up to x that tends to " + number(0) +
+            ". Two successors of the letter would make words of n + " + number(1) +
+            " lengths between c n and d n of a word of n letters, for fixed numbers c and d: a "
+            "share that does not. So " +
+            (said.tables ? "each table takes n letters to s n for a number s of its own."
+                         : "a step takes n letters to s n for one number s."));
+        const std::string shown =
+            joined(said.lengths, ", ", [](std::uint64_t n) { return number(n); });
+        if (said.tables)
+            say("The first lengths are " + shown +
+                ". None of them makes the last one by an s that takes all lengths to lengths.");
+        else
+            say("But the first lengths, " + shown + ", are no geometric sequence.");
+        say("So " + name + " is not " + said.family + ".");
+    }
+    void operator()(const steps::Dense& said) {
+        const std::string name = language(said.language);
+        say("The lengths of the words of an infinite D0L language grow at least linearly, so it "
+            "has at "
+            "most c N words of N letters and fewer.");
+        say("In the minimal automaton of " + name +
+            " two cycles share a state, or one follows another, so it has more words.");
+        say("So " + name + " is not " + said.family + ".");
+    }
+    void operator()(const steps::Proportional& said) {
+        const std::string name = language(said.language);
+        say("The numbers of the letters in the words of " + name +
+            " are multiples k v of one vector v. A step of a deterministic table multiplies k by a "
+            "number "
+            "that depends on the table only, so only finitely many primes divide numbers k.");
+        say("The language is regular and infinite, so its k have the numbers of an arithmetic "
+            "progression among them, which infinitely many primes divide (Dirichlet 1837).");
+        say("So " + name + " is not " + said.family + ".");
     }
     void operator()(const steps::OfReversal& said) {
         add(*said.part);

@@ -385,20 +385,23 @@ void check_identical(const Obligation& task) {
 
 namespace {
 
-/// The words that come in one step from shorter words of the language, by successors that are not empty:
-/// of words over new letters, one for each rule, that spell a word of the language.
-Language longer_words(const System& system, const Language& language) {
+/// The words that come in one step by a table from words of the language with fewer counted letters: of words over new letters,
+/// one for each rule that loses none of them, that spell a word of the language.
+Language longer_words(const System::Successors& table, const std::vector<char>& counted,
+                      const Language& language) {
+    const auto weight = [&](const Word& word) {
+        return std::count_if(word.begin(), word.end(), [&](Symbol a) { return counted[a] != 0; });
+    };
     std::map<Symbol, Word> predecessors, successors;
     std::vector<Word> rules, longer;
-    const auto& table = system.tables.front();
     auto rule = static_cast<Symbol>(table.size());
     for (Symbol a = 0; a < table.size(); ++a)
         for (const Word& word : table[a]) {
-            if (word.empty()) continue;
+            if (weight(word) < weight({a})) continue;
             predecessors[rule] = {a};
             successors[rule] = word;
             rules.push_back({rule});
-            if (word.size() > 1) longer.push_back({rule});
+            if (weight(word) > weight({a})) longer.push_back({rule});
             ++rule;
         }
     const Language any = combination(Tree::Kind::star, {words_of(std::move(rules))});
@@ -416,8 +419,13 @@ Language longer_words(const System& system, const Language& language) {
 void check_induction(const Obligation& task) {
     const Language &left = task.language(0), &right = task.language(1);
     if (right->kind != Tree::Kind::generated || right->system->context ||
-        right->system->tables.size() != 1 || !has_only_terminals(*right->system))
-        task.refuse("the right language is not given by an 0L system");
+        !has_only_terminals(*right->system))
+        task.refuse("the right language is not given by a T0L system");
+    const bool is_by_length = !task.proof.has("counted");
+    std::vector<char> counted(task.alphabet().size(), is_by_length ? 1 : 0);
+    if (!is_by_length)
+        for (const Field& letter : task.proof.at("counted").list())
+            counted[task.reader.letter(letter)] = 1;
     const auto base = task.proof.at("base").list();
     std::vector<Word> words;
     for (const Field& each : base) {
@@ -426,10 +434,10 @@ void check_induction(const Obligation& task) {
             each.refuse("the word is not in the right language");
     }
     Derivatives derivatives(task.alphabet(), task.budget);
-    const Language steps = longer_words(*right->system, left);
-    const auto all =
-        derivatives.term(combination(Tree::Kind::united, {steps, words_of(std::move(words))}));
-    if (!derivatives.included(derivatives.term(left), all))
+    Language all = words_of(std::move(words));
+    for (const System::Successors& table : right->system->tables)
+        all = combination(Tree::Kind::united, {longer_words(table, counted, left), all});
+    if (!derivatives.included(derivatives.term(left), derivatives.term(all)))
         task.refuse("a word that is not in the base does not come from a shorter word");
 }
 

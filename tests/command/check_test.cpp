@@ -12,8 +12,8 @@ const std::string right =
     "claim powers of two\nlet G = D0L { axiom a; a -> aa }\nshow aaaa in L(G)\nrefute aaa in "
     "L(G)\n";
 const std::string wrong = "claim one letter\nshow {a} is 0L\nshow {a, aa} is 0L\n";
-const std::string open = "claim star\nlet A = {aa, aaa}\nshow A* is 0L\n";
-const std::string cited = "claim star\nlet A = {aa, aaa}\nshow A* is not 0L by a book\n";
+const std::string open = "claim star\nlet A = {b a^(2^n) : n >= 0}\nshow A* is 0L\n";
+const std::string cited = "claim star\nlet A = {b a^(2^n) : n >= 0}\nshow A* is not 0L by a book\n";
 
 }  // namespace
 
@@ -33,8 +33,8 @@ TEST_CASE(
     CHECK(tried.status == 3);
     CHECK(tried.out == "claim star\n  examples: 0 of 1 hold\n    " + undecided +
                            ":3:6: A* is 0L: undecided\n"
-                           "        A* was not found to be finite; that no 0L system does is "
-                           "decided for finite languages only\n");
+                           "        A* was not found to be finite or regular; that no 0L system does "
+                           "is decided for few other languages\n");
     const std::string book = files.file("cited.claim", cited);
     const Run source = run("check " + book);
     CHECK(source.status == 3);

@@ -135,7 +135,7 @@ TEST_CASE(
         const ET0L& system = *made.all[1]->system->tables;
         RegularLanguage whole = finite_set({});
         for (const Word& word : *words) whole = united(whole, finite_set({word}));
-        const auto found = regular_induction(whole, without_terminals(system), 200);
+        const auto found = regular_induction(whole, system.tables, 200);
         RC_ASSERT(found.has_value());  // finitely many words
         std::set<Word> reached;
         for (const Word& word : *words) {

@@ -112,6 +112,13 @@ Answer judge_inclusion(const Language& inner, const Language& outer, const Alpha
 Answer judge_equality(const Language& left, const Language& right, const Alphabet& alphabet,
                       const Budget& budget = {});
 
+/// Whether an infinite regular language is of a family of L-systems without context and without nonterminals: proved by a small
+/// system, refuted by what the successors of letters may be (regular_family.cpp); undecided where neither is found. Throws
+/// BoundReached if the words make too many classes, and what budget.check throws.
+Answer judge_regular_family(const Language& language, const RegularLanguage& value,
+                            const FamilyQuestion& question, const Alphabet& alphabet,
+                            const Budget& budget = {});
+
 /// Whether no word is a product of words of the language in two ways; `prefix`: nor does one of its words begin with
 /// another. Decided for regular languages. Throws what budget.check throws.
 Answer judge_code(const Language& language, bool prefix, const Alphabet& alphabet,

@@ -360,11 +360,13 @@ struct WithinRegular {
         constructed;  // unless the left side is L(G), and the right without systems
 };
 
-/// The words of the base are in L(G); each other word of the left side comes in one step from a shorter one.
+/// The words of the base are in L(G); each other word of the left side comes in one step from a shorter one, or from one with
+/// fewer of the letters `counted`.
 struct ByInduction {
     Language left;
     std::vector<Word> base;
     std::vector<Answer> members;
+    std::vector<Symbol> counted;  // none: all letters
 };
 
 /// Both are the same sequence of words, which is written with powers that depend on n; `system`: one side is L(G) of this
@@ -546,6 +548,72 @@ struct GeneratedBy {
     std::string family;
     Language language;
     Part equal;
+    bool found = false;  // the system is not one of the claim
+};
+
+/// No system of the family generates the regular language. Words are of one class if they do the same to its minimal automaton;
+/// the empty word is a class of its own. A map gives each letter the classes that its successors may be of.
+struct ByClasses {
+    static constexpr std::size_t most_shown = 40;  // cases in sentences
+    struct Case {
+        // The map leads out of the language: each letter of `word`, one of the language, becomes a word of a class of the map,
+        // and the product is not in the language. Each of `cases` is the map without one of these pairs of a letter and a class,
+        // in the order in which they first stand in the word.
+        Word word;
+        std::vector<Word> images;
+        std::vector<Case> cases;
+        // Or the map has no class for a letter; or, of one table, two words of the language have no ancestor in common; or, of
+        // tables, nothing of all this: it is one of the maps that are left.
+        std::optional<Symbol> letter = {};
+        std::vector<Word> apart = {};
+    };
+    Language language;
+    std::string family;
+    std::vector<Word> classes;  // a first word of each
+    std::vector<Word>
+        apart;  // of tables: two words that have no ancestor in common by the maps that are left
+    Case root;
+    std::size_t size = 0;  // cases
+};
+
+/// A regular language has too many words for the family: infinite D0L languages have at most c N words up to the length N.
+struct Dense {
+    static constexpr const char* rule = "dense";
+    Language language;
+    std::string family;
+};
+
+/// The word of the infinite regular language has letters only that stand on cycles of its automaton.
+struct LettersOnCycles {
+    Language language;
+    std::string family;
+    Word word;
+};
+
+/// In the words a^e b^f ... of two or more letters all exponents grow with one number, linearly.
+struct LinearBlocks {
+    static constexpr const char* rule = "blocks";
+    Language language;
+    std::string family;
+};
+
+/// The lengths of an infinite language over one letter are so few that each table of a system has one rule, a -> a^s. By such tables
+/// the word of this length comes of no shorter one; without tables, the lengths up to it are no geometric sequence.
+struct NotGeometric {
+    Language language;
+    std::string family;
+    Part infinite;
+    std::uint64_t length = 0;
+    std::vector<std::uint64_t> lengths;  // up to it
+    bool tables = false;
+};
+
+/// The numbers of letters in the words of the infinite regular language are multiples of one vector, by factors with an
+/// arithmetic progression among them.
+struct Proportional {
+    static constexpr const char* rule = "proportional";
+    Language language;
+    std::string family;
 };
 
 /// What is reversed is of the family or not, so the reversal is or is not.
@@ -703,10 +771,11 @@ struct Proof {
         steps::InfiniteRound, steps::InfiniteTables, steps::Pumped, steps::LongerPowers,
         steps::InfinitePart, steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
         steps::RegularOperations, steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord,
-        steps::Sparse, steps::FiniteFamily, steps::GeneratedBy, steps::OfReversal,
-        steps::Constructed, steps::Code, steps::TwoFactorisations, steps::Beginning,
-        steps::Palindrome, steps::FromStatements, steps::ByInstance, steps::ByCases,
-        steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
+        steps::Sparse, steps::FiniteFamily, steps::GeneratedBy, steps::ByClasses, steps::Dense,
+        steps::LettersOnCycles, steps::LinearBlocks, steps::NotGeometric, steps::Proportional,
+        steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
+        steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
+        steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
         step;
 };
 

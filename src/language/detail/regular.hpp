@@ -210,20 +210,32 @@ std::optional<Word> first_difference(const RegularLanguage& left, const RegularL
 /// Example: finite_words(et0l("S", {{{'S', "a"}}, {{'S', "b"}}}, "ab")) == finite_set({{1}, {2}})
 RegularLanguage finite_words(const ET0L& system, const Budget& budget = {});
 
-/// A proof by induction on the length that a regular language R is contained in L(G): every word of R but those
-/// of `base`, which are in L(G), is derived in one step from a shorter word of R, by successors that are not empty
-/// and at least once one of two letters or more.
+/// A proof by induction that a regular language R is contained in the language of tables: every word of R but those
+/// of `base`, which are derived, comes in one step by one of the tables from a word of R with fewer of the letters `counted`:
+/// each of these becomes a word with one at least, and some letter a word with one more than it is.
 struct RegularInduction {
     std::vector<Word> base;
+    std::vector<Symbol> counted;  // increasing; all symbols where it is an induction on the length
 };
 
 /// The words of R that no step as above gives are regular again, as is the image of R under a substitution
-/// with one marked letter; if they are at most `most` they are the base, whose membership is left to the caller.
-/// Nothing if there are more: then R may be contained in L(G) all the same.
+/// with one marked letter; if they are at most `most` they are the base, whose membership is left to the caller. First all
+/// letters are counted, then, of at most four letters, each subset.
+/// Nothing if there are more: then R may be contained in the language all the same.
 ///
-/// Example: regular_induction(plus(finite_set({{0}})), ol("a", {{'a', "a"}, {'a', "aa"}}))->base == std::vector<Word>{{0}}
-std::optional<RegularInduction> regular_induction(const RegularLanguage& language, const OL& system,
+/// Example: regular_induction(plus(finite_set({{0}})), {{{{0}, {0, 0}}}})->base == std::vector<Word>{{0}}
+std::optional<RegularInduction> regular_induction(const RegularLanguage& language,
+                                                  const std::vector<Table>& tables,
                                                   std::size_t most = 100,
                                                   const Budget& budget = {});
+
+/// The words of the language with exactly one letter a marked, that is, replaced by a + n, n being the number of letters of the automaton.
+RegularLanguage marked_once(const RegularLanguage& language, const Budget& budget = {});
+
+/// The same with the words of the language that are marked once.
+std::optional<RegularInduction> regular_induction(const RegularLanguage& language,
+                                                  const RegularLanguage& marked,
+                                                  const std::vector<Table>& tables,
+                                                  std::size_t most, const Budget& budget);
 
 }  // namespace algae

@@ -171,6 +171,12 @@ void check_regular_family(const Obligation& task);
 void check_closed(const Obligation& task);
 void check_context_free(const Obligation& task);
 void check_powers_beyond(const Obligation& task);
+void check_classes(const Obligation& task);
+void check_dense(const Obligation& task);
+void check_cycles(const Obligation& task);
+void check_proportional(const Obligation& task);
+void check_blocks(const Obligation& task);
+void check_geometric(const Obligation& task);
 // Of the size of a language:
 void check_size_of_values(const Obligation& task);
 void check_no_word(const Obligation& task);

@@ -1,0 +1,744 @@
+#include <algorithm>
+#include <bit>
+#include <deque>
+#include <limits>
+#include <map>
+#include <numeric>
+#include <set>
+
+#include "language/detail/judge.hpp"
+#include "language/detail/proof.hpp"
+#include "language/detail/regular.hpp"
+
+// Which families of L-systems an infinite regular language R is of: 0L, T0L and their propagating and deterministic forms.
+//
+// Classes. Two words that are not empty are of one class if they do the same to the states of the minimal automaton of R; the
+// empty word is a class of its own. Whether a step takes R into R depends on the classes of the successors only: call a map from
+// the letters of R to sets of classes closed if every choice of classes for the letters of a word of R makes words of R. The
+// successors of a system for R, or those of one of its tables, make a closed map. There are finitely many classes, so the largest
+// closed maps are found: begin with all classes for each letter; while a choice leaves R, one of its pairs of a letter and a class
+// has to go, and each of them is a case (the method of finite_family.cpp, with classes in the place of words).
+//
+// That R is not of the family: the ancestors of a word are the words of R that derive it, itself among them. Two words of R that have no
+// ancestor in common by any closed map are not derived from one axiom, so there is no system. 0L systems have one map only, so for them
+// the two words may be others in each case. Words with infinitely many ancestors, which erasing may give, are not used.
+//
+// That R is of the family: the more successors, the more words, and a closed map never leaves R. So if there is an 0L system for R
+// with successors of k letters at most, one has the words of k letters at most of the classes of a largest closed map as its successors.
+// These systems are tried for k = 1, 2, ...; that all words of R are derived is shown by `regular_induction`. Then successors
+// are left out as long as that can be shown. D0L systems have one successor a letter: all short ones are tried.
+//
+// Three arguments for deterministic systems. The lengths of an infinite D0L language grow at least linearly with the generation, so
+// it has at most c N words of N letters and fewer; a regular language in whose automaton two cycles follow each other, or share
+// a state, has more (Paun and Salomaa 1995: it is not slender). If it is regular they grow linearly (`sparse`), so the letters whose
+// descendants grow stand in every word, and a bounded number of them: so they are on no cycle of the automaton, and no word has letters
+// on cycles only. And if the numbers of letters in all words are multiples k v of one vector, each deterministic
+// table multiplies k by a fixed number, so every k is a product of numbers from a finite set; but the k of an infinite regular language
+// have an arithmetic progression among them, in which infinitely many primes divide numbers.
+
+namespace algae {
+
+namespace {
+
+/// A set of classes, by bits.
+using Classes = std::uint64_t;
+/// By place in the letters of the language.
+using Map = std::vector<Classes>;
+
+constexpr std::size_t most_classes = 64;
+constexpr std::size_t most_cases = 3'000;  // of the search for closed maps
+constexpr std::size_t words_looked_at =
+    60;  // of the language, for two that have no ancestor in common
+constexpr std::size_t words_looked_at_before = 8;  // where a map is not closed
+constexpr std::size_t longest_looked_at = 12;      // letters of these
+constexpr std::size_t most_ancestors = 100;
+constexpr std::size_t longest_made = 63;     // letters of a word whose ancestors are looked for
+constexpr std::size_t most_places = 2'000;   // on the way to it
+constexpr std::size_t most_successors = 32;  // of one letter, that are tried at once
+constexpr std::size_t longest_successor = 12;
+constexpr std::size_t most_choices = 400;  // of successors of deterministic systems
+constexpr std::size_t most_tables = 24;
+constexpr std::size_t axioms_tried = 40;
+constexpr std::size_t longest_axiom = 8;
+
+/// The classes of words, and what the letters of words may become.
+class ClassSearch {
+public:
+    /// Throws BoundReached if there are more than 64 classes.
+    ClassSearch(const RegularLanguage& language, bool propagating, const Budget& budget)
+        : automaton_(language.automaton()), budget_(budget) {
+        const std::vector<std::size_t> distance = distances(automaton_);
+        for (std::size_t s = 0; s < automaton_.states(); ++s)
+            useful_.push_back(distance[s] < automaton_.states());
+        // The minimal automaton reads letters of words of the language only, but numbers between them may stand for other symbols.
+        for (Symbol a = 0; a < automaton_.letters; ++a)
+            for (std::size_t s = 0; s < automaton_.states(); ++s)
+                if (useful_[s] && useful_[automaton_.step(s, a)]) {
+                    letters_.push_back(a);
+                    break;
+                }
+        make_classes();
+        const Classes all =
+            classes_.size() == most_classes ? ~Classes{0} : (Classes{1} << classes_.size()) - 1;
+        whole_.assign(letters_.size(), propagating ? all & ~Classes{1} : all);
+        for (std::size_t length = 0; length <= longest_looked_at; ++length) {
+            words_ = words_up_to(language, length, budget);
+            if (words_.size() >= words_looked_at) break;
+        }
+        if (words_.size() > 4 * words_looked_at) words_.resize(4 * words_looked_at);
+    }
+
+    const std::vector<Symbol>& letters() const { return letters_; }
+    const std::vector<Word>& words() const { return words_; }
+    const Map& whole() const { return whole_; }
+    const Word& representative(std::size_t number) const { return representatives_[number]; }
+    std::vector<Word> representatives() const { return representatives_; }
+
+    std::size_t class_of(const Word& word) const {
+        if (word.empty()) return 0;
+        Action action = identity();
+        for (const Symbol a : word)
+            for (std::size_t& s : action) s = automaton_.step(s, a);
+        return numbers_.at(action);
+    }
+
+    /// A shortest choice of classes for the letters of a word of the language that leads out of it.
+    struct Leaving {
+        Word word;
+        std::vector<std::size_t> classes;
+    };
+    std::optional<Leaving> leaving(const Map& map) const {
+        budget_.check();
+        // Where the word leads, and where what becomes of it does.
+        using Pair = std::pair<std::size_t, std::size_t>;
+        struct Came {
+            Pair from;
+            std::size_t letter, number;
+        };
+        std::map<Pair, Came> came;
+        std::deque<Pair> open{{automaton_.initial, automaton_.initial}};
+        came.emplace(open.front(), Came{open.front(), 0, 0});
+        while (!open.empty()) {
+            const Pair at = open.front();
+            open.pop_front();
+            if (automaton_.accepting[at.first] && !automaton_.accepting[at.second]) {
+                Leaving found;
+                for (Pair back = at; back != Pair{automaton_.initial, automaton_.initial};
+                     back = came.at(back).from) {
+                    found.word.push_back(letters_[came.at(back).letter]);
+                    found.classes.push_back(came.at(back).number);
+                }
+                std::reverse(found.word.begin(), found.word.end());
+                std::reverse(found.classes.begin(), found.classes.end());
+                return found;
+            }
+            for (std::size_t i = 0; i < letters_.size(); ++i) {
+                const std::size_t next = automaton_.step(at.first, letters_[i]);
+                if (!useful_[next]) continue;
+                for (std::size_t c = 0; c < classes_.size(); ++c) {
+                    if (!(map[i] >> c & 1)) continue;
+                    const Pair to{next, classes_[c][at.second]};
+                    if (came.emplace(to, Came{at, i, c}).second) open.push_back(to);
+                }
+            }
+        }
+        return std::nullopt;
+    }
+
+    /// The words of the language of which some choice of classes makes the word, by one of the maps, in no order; nothing if there are
+    /// too many, or no end to them.
+    std::optional<std::vector<Word>> predecessors(const Word& word,
+                                                  const std::vector<Map>& maps) const {
+        if (word.size() >= longest_made) return std::nullopt;
+        // Of which class the factor from i to j is.
+        std::vector<std::vector<std::size_t>> factor(word.size() + 1);
+        for (std::size_t i = 0; i <= word.size(); ++i) {
+            factor[i].assign(word.size() + 1, 0);
+            Action action = identity();
+            for (std::size_t j = i; j < word.size(); ++j) {
+                for (std::size_t& s : action) s = automaton_.step(s, word[j]);
+                factor[i][j + 1] = numbers_.at(action);
+            }
+        }
+        std::vector<Word> found;
+        for (const Map& map : maps) {
+            Making making{automaton_.initial, word.size(), {}, {}};
+            making.ends.resize(letters_.size());
+            for (std::size_t a = 0; a < letters_.size(); ++a)
+                for (std::size_t i = 0; i <= word.size(); ++i) {
+                    std::uint64_t ends = 0;
+                    for (std::size_t j = i; j <= word.size(); ++j)
+                        if (map[a] >> factor[i][j] & 1) ends |= std::uint64_t{1} << j;
+                    making.ends[a].push_back(ends);
+                }
+            if (!spell_all(making, found)) return std::nullopt;
+        }
+        return found;
+    }
+
+    /// All words of the language that derive the word by the maps, itself among them; nothing as above.
+    std::optional<std::set<Word>> ancestors(const Word& word, const std::vector<Map>& maps) const {
+        std::set<Word> all{word};
+        std::vector<Word> open{word};
+        while (!open.empty()) {
+            budget_.check();
+            const auto before = predecessors(open.back(), maps);
+            open.pop_back();
+            if (!before) return std::nullopt;
+            for (const Word& each : *before)
+                if (all.insert(each).second) open.push_back(each);
+            if (all.size() > most_ancestors) return std::nullopt;
+        }
+        return all;
+    }
+
+    /// Two of the first `count` words of the language that have no ancestor in common; none where there are no such.
+    std::vector<Word> apart(const std::vector<Map>& maps, std::size_t count) const {
+        std::vector<std::pair<Word, std::set<Word>>> known;
+        for (std::size_t i = 0; i < std::min(count, words_.size()); ++i) {
+            auto all = ancestors(words_[i], maps);
+            if (!all) continue;
+            for (const auto& [word, others] : known)
+                if (std::none_of(all->begin(), all->end(),
+                                 [&](const Word& each) { return others.contains(each); }))
+                    return {word, words_[i]};
+            known.emplace_back(words_[i], std::move(*all));
+        }
+        return {};
+    }
+
+    /// The words of at most so many letters of a set of classes; nothing if there are too many words of that length.
+    std::optional<std::vector<Word>> words_of(Classes set, std::size_t longest) const {
+        std::vector<Word> found, last{{}};
+        if (set & 1) found.push_back({});
+        for (std::size_t length = 1; length <= longest; ++length) {
+            if (last.size() * letters_.size() > 4 * most_successors) return std::nullopt;
+            std::vector<Word> next;
+            for (const Word& word : last)
+                for (const Symbol a : letters_) {
+                    next.push_back(word);
+                    next.back().push_back(a);
+                    if (set >> class_of(next.back()) & 1) found.push_back(next.back());
+                }
+            last = std::move(next);
+        }
+        if (found.size() > most_successors) return std::nullopt;
+        return found;
+    }
+
+private:
+    using Action = std::vector<std::size_t>;
+
+    Action identity() const {
+        Action action(automaton_.states());
+        std::iota(action.begin(), action.end(), 0);
+        return action;
+    }
+
+    /// How words are spelled of which one word is made.
+    struct Making {
+        std::size_t start = 0;
+        std::size_t length = 0;  // of the word that is made
+        /// By place of a letter and how much of the word is made: how much can be with that letter, by bits.
+        std::vector<std::vector<std::uint64_t>> ends;
+        /// A state, and how much of the word may be made there.
+        using Place = std::pair<std::size_t, std::uint64_t>;
+        std::map<Place, std::vector<std::pair<std::size_t, Place>>> ways;  // by place of a letter
+    };
+
+    /// Adds the words that are spelled so; each goes one way. False if there are too many, or no end to them.
+    bool spell_all(Making& making, std::vector<Word>& found) const {
+        using Place = Making::Place;
+        std::map<Place, std::vector<Place>> before;
+        std::vector<Place> open{{making.start, 1}}, ends;
+        making.ways[open.front()];
+        while (!open.empty()) {
+            const Place at = open.back();
+            open.pop_back();
+            if (automaton_.accepting[at.first] && (at.second >> making.length & 1))
+                ends.push_back(at);
+            for (std::size_t a = 0; a < letters_.size(); ++a) {
+                Place to{automaton_.step(at.first, letters_[a]), 0};
+                if (!useful_[to.first]) continue;
+                for (std::size_t i = 0; i <= making.length; ++i)
+                    if (at.second >> i & 1) to.second |= making.ends[a][i];
+                if (to.second == 0) continue;
+                making.ways[at].emplace_back(a, to);
+                before[to].push_back(at);
+                if (making.ways.try_emplace(to).second) open.push_back(to);
+                if (making.ways.size() > most_places) return false;
+            }
+        }
+        std::set<Place> useful;
+        open = ends;
+        while (!open.empty()) {
+            const Place at = open.back();
+            open.pop_back();
+            if (!useful.insert(at).second) continue;
+            open.insert(open.end(), before[at].begin(), before[at].end());
+        }
+        Word begun;
+        std::set<Place> passed;
+        return spell(making, {making.start, 1}, useful, begun, passed, found);
+    }
+
+    bool spell(const Making& making, const Making::Place& at, const std::set<Making::Place>& useful,
+               Word& begun, std::set<Making::Place>& passed, std::vector<Word>& found) const {
+        if (!useful.contains(at)) return true;
+        if (!passed.insert(at).second) return false;  // a way round
+        if (automaton_.accepting[at.first] && (at.second >> making.length & 1))
+            found.push_back(begun);
+        if (found.size() > most_ancestors) return false;
+        for (const auto& [letter, to] : making.ways.at(at)) {
+            begun.push_back(letters_[letter]);
+            if (!spell(making, to, useful, begun, passed, found)) return false;
+            begun.pop_back();
+        }
+        passed.erase(at);
+        return true;
+    }
+
+    void make_classes() {
+        classes_.push_back(identity());
+        representatives_.push_back({});
+        for (std::size_t i = 0; i < classes_.size(); ++i)
+            for (const Symbol a : letters_) {
+                Action action = classes_[i];
+                for (std::size_t& s : action) s = automaton_.step(s, a);
+                if (!numbers_.emplace(action, classes_.size()).second) continue;
+                if (classes_.size() == most_classes)
+                    throw BoundReached(Bound::method, "there are more than " +
+                                                          std::to_string(most_classes) +
+                                                          " classes of words");
+                classes_.push_back(std::move(action));
+                representatives_.push_back(representatives_[i]);
+                representatives_.back().push_back(a);
+            }
+    }
+
+    const Dfa& automaton_;
+    const Budget& budget_;
+    std::vector<char> useful_;
+    std::vector<Symbol> letters_;
+    std::vector<Action> classes_;  // number 0 is that of the empty word
+    std::map<Action, std::size_t> numbers_;
+    std::vector<Word> representatives_;
+    Map whole_;
+    std::vector<Word> words_;
+};
+
+/// The cases of the search for closed maps, and the closed maps.
+class ClosedMaps {
+public:
+    ClosedMaps(const ClassSearch& search, bool tables) : search_(search), tables_(tables) {}
+
+    /// The largest closed maps; of one table only those by which all words may have an ancestor in common. Nothing if there are too
+    /// many cases.
+    std::optional<std::vector<Map>> find() {
+        visit(search_.whole());
+        if (seen_.size() >= most_cases) return std::nullopt;
+        std::vector<Map> largest;
+        for (const Map& map : closed_)
+            if (std::none_of(closed_.begin(), closed_.end(), [&](const Map& other) {
+                    return map != other && is_within(map, other);
+                }))
+                largest.push_back(map);
+        return largest;
+    }
+
+    /// The case of a map as a part of the proof that there is no system; of tables with `left`, the largest closed maps. Throws
+    /// BoundReached if there are too many cases.
+    steps::ByClasses::Case proof(const Map& map, const std::vector<Map>& left,
+                                 std::size_t& size) const {
+        if (++size > 4 * most_cases)
+            throw BoundReached(Bound::method, "the proof has more than " +
+                                                  std::to_string(4 * most_cases) + " cases");
+        steps::ByClasses::Case found;
+        for (std::size_t i = 0; i < map.size(); ++i)
+            if (map[i] == 0) {
+                found.letter = search_.letters()[i];
+                return found;
+            }
+        if (tables_ && std::any_of(left.begin(), left.end(),
+                                   [&](const Map& other) { return is_within(map, other); }))
+            return found;
+        const auto leaving = search_.leaving(map);
+        if (!tables_) {
+            found.apart = apart(map, !leaving);
+            if (!found.apart.empty()) return found;
+        }
+        if (!leaving) throw Error("a closed map by which words have ancestors in common");
+        found.word = leaving->word;
+        for (const std::size_t number : leaving->classes)
+            found.images.push_back(search_.representative(number));
+        for (const Map& next : without(map, *leaving))
+            found.cases.push_back(proof(next, left, size));
+        return found;
+    }
+
+private:
+    static bool is_within(const Map& map, const Map& other) {
+        for (std::size_t i = 0; i < map.size(); ++i)
+            if ((map[i] & ~other[i]) != 0) return false;
+        return true;
+    }
+
+    std::vector<Word> apart(const Map& map, bool is_closed) const {
+        return search_.apart({map}, is_closed ? words_looked_at : words_looked_at_before);
+    }
+
+    /// The map without one of the pairs of the choice each, in the order in which they first stand there.
+    std::vector<Map> without(const Map& map, const ClassSearch::Leaving& leaving) const {
+        std::vector<Map> all;
+        std::set<std::pair<Symbol, std::size_t>> done;
+        for (std::size_t i = 0; i < leaving.word.size(); ++i) {
+            if (!done.emplace(leaving.word[i], leaving.classes[i]).second) continue;
+            const auto letter =
+                std::find(search_.letters().begin(), search_.letters().end(), leaving.word[i]);
+            all.push_back(map);
+            all.back()[static_cast<std::size_t>(letter - search_.letters().begin())] &=
+                ~(Classes{1} << leaving.classes[i]);
+        }
+        return all;
+    }
+
+    void visit(const Map& map) {
+        if (seen_.size() >= most_cases || !seen_.insert(map).second) return;
+        if (std::find(map.begin(), map.end(), Classes{0}) != map.end()) return;
+        if (std::any_of(closed_.begin(), closed_.end(),
+                        [&](const Map& other) { return is_within(map, other); }))
+            return;
+        const auto leaving = search_.leaving(map);
+        if (!tables_ && !apart(map, !leaving).empty()) return;
+        if (!leaving) {
+            closed_.push_back(map);
+            return;
+        }
+        for (const Map& next : without(map, *leaving)) visit(next);
+    }
+
+    const ClassSearch& search_;
+    bool tables_;
+    std::set<Map> seen_;
+    std::vector<Map> closed_;
+};
+
+/// Whether there are more than a bounded number of words of some lengths: two cycles of useful states share a state, or one leads to another.
+bool is_dense(const Dfa& automaton) {
+    const std::size_t states = automaton.states();
+    const std::vector<std::size_t> distance = distances(automaton);
+    const auto is_useful = [&](std::size_t s) { return distance[s] < states; };
+    // Every state of a minimal automaton is reachable.
+    std::vector<std::vector<char>> reaches(states, std::vector<char>(states, 0));
+    for (std::size_t s = 0; s < states; ++s) {
+        if (!is_useful(s)) continue;
+        std::vector<std::size_t> open{s};
+        while (!open.empty()) {
+            const std::size_t at = open.back();
+            open.pop_back();
+            for (Symbol a = 0; a < automaton.letters; ++a) {
+                const std::size_t to = automaton.step(at, a);
+                if (!is_useful(to) || reaches[s][to]) continue;
+                reaches[s][to] = 1;
+                open.push_back(to);
+            }
+        }
+    }
+    for (std::size_t s = 0; s < states; ++s) {
+        if (!reaches[s][s]) continue;
+        std::size_t ways = 0;  // that come back
+        for (Symbol a = 0; a < automaton.letters; ++a) {
+            const std::size_t to = automaton.step(s, a);
+            ways += is_useful(to) && (to == s || reaches[to][s]) ? 1 : 0;
+        }
+        if (ways > 1) return true;
+        for (std::size_t t = 0; t < states; ++t)
+            if (reaches[s][t] && reaches[t][t] && !reaches[t][s]) return true;
+    }
+    return false;
+}
+
+/// The letters that stand any number of times in words: those on cycles of useful states.
+std::vector<Symbol> letters_on_cycles(const RegularLanguage& language) {
+    const Dfa& automaton = language.automaton();
+    const std::vector<std::size_t> distance = distances(automaton);
+    std::set<Symbol> found;
+    for (std::size_t s = 0; s < automaton.states(); ++s)
+        for (Symbol a = 0; a < automaton.letters; ++a) {
+            std::vector<char> seen(automaton.states(), 0);
+            std::vector<std::size_t> open{automaton.step(s, a)};
+            while (!open.empty()) {
+                const std::size_t at = open.back();
+                open.pop_back();
+                if (seen[at] || distance[at] == automaton.states()) continue;
+                seen[at] = 1;
+                for (Symbol b = 0; b < automaton.letters; ++b)
+                    open.push_back(automaton.step(at, b));
+            }
+            if (seen[s]) found.insert(a);
+        }
+    return {found.begin(), found.end()};
+}
+
+/// Whether the numbers of letters in all words are multiples of one vector: |w|_a v_b = |w|_b v_a for all w and a, b.
+bool is_proportional(const RegularLanguage& language, const std::vector<Symbol>& letters) {
+    const Dfa& automaton = language.automaton();
+    const std::vector<std::size_t> distance = distances(automaton);
+    Word sample;
+    for (const Word& word : words_up_to(language, automaton.states())) sample = word;
+    const auto count = [&](Symbol a) {
+        return static_cast<std::int64_t>(std::count(sample.begin(), sample.end(), a));
+    };
+    for (const Symbol b : letters) {
+        if (b == letters.front()) continue;
+        // The value of |u|_a v_b - |u|_b v_a is to depend on the state that u leads to only, and to be 0 where words end.
+        std::vector<std::optional<std::int64_t>> value(automaton.states());
+        value[automaton.initial] = 0;
+        std::vector<std::size_t> open{automaton.initial};
+        while (!open.empty()) {
+            const std::size_t s = open.back();
+            open.pop_back();
+            if (automaton.accepting[s] && *value[s] != 0) return false;
+            for (const Symbol c : letters) {
+                const std::size_t to = automaton.step(s, c);
+                if (distance[to] == automaton.states()) continue;
+                const std::int64_t next = *value[s] + (c == letters.front() ? count(b) : 0) -
+                                          (c == b ? count(letters.front()) : 0);
+                if (value[to] && *value[to] != next) return false;
+                if (value[to]) continue;
+                value[to] = next;
+                open.push_back(to);
+            }
+        }
+    }
+    return true;
+}
+
+class RegularFamilyJudge {
+public:
+    RegularFamilyJudge(const Language& language, const RegularLanguage& value,
+                       const FamilyQuestion& question, const SystemForm& form,
+                       const Alphabet& alphabet, const Budget& budget)
+        : language_(language),
+          value_(value),
+          question_(question),
+          form_(form),
+          alphabet_(alphabet),
+          budget_(budget),
+          search_(value, form.propagating, budget),
+          marked_(marked_once(value, budget)) {}
+
+    Answer judge() {
+        const std::string name = to_string(language_, alphabet_);
+        if (form_.deterministic) {
+            if (!form_.tables && is_dense(value_.automaton()))
+                return refuted(steps::Dense{language_, question_.family});
+            if (!form_.tables)
+                if (const auto word = shortest_word(
+                        intersected(value_, all_words(letters_on_cycles(value_)), budget_)))
+                    return refuted(steps::LettersOnCycles{language_, question_.family, *word});
+            if (is_proportional(value_, search_.letters()))
+                return refuted(steps::Proportional{language_, question_.family});
+        }
+        ClosedMaps closed(search_, form_.tables);
+        const auto maps = closed.find();
+        if (maps) {
+            if (auto found = refutation(closed, *maps)) return *found;
+            if (auto found =
+                    form_.deterministic ? by_single_successors(*maps) : by_successors(*maps))
+                return *found;
+        }
+        if (auto found = by_narrower_family()) return *found;
+        if (!maps)
+            return undecided("the successors of systems for " + name + " make more than " +
+                             std::to_string(most_cases) + " cases");
+        return undecided("no " + question_.family + " system for " + name +
+                         " was found among those with successors of at most " +
+                         std::to_string(tried_) + (tried_ == 1 ? " letter" : " letters") +
+                         ", and the classes of its words do not show that there is none");
+    }
+
+private:
+    std::optional<Answer> refutation(const ClosedMaps& closed, const std::vector<Map>& maps) const {
+        steps::ByClasses found{language_, question_.family, search_.representatives(), {}, {}, 0};
+        if (form_.tables) {
+            found.apart = search_.apart(maps, words_looked_at);
+            if (found.apart.empty()) return std::nullopt;
+        } else if (!maps.empty()) {
+            return std::nullopt;
+        }
+        found.root = closed.proof(search_.whole(), maps, found.size);
+        return refuted(std::move(found));
+    }
+
+    /// A system without tables, or one that does not erase, is of the family too.
+    std::optional<Answer> by_narrower_family() const {
+        for (const char letter : {'T', 'P'}) {
+            SystemForm narrower = form_;
+            FamilyQuestion question = question_;
+            const auto place = question.family.find('T');
+            if (letter == 'T' && form_.tables) {
+                question.family.erase(place, 1);
+                narrower.tables = false;
+            } else if (letter == 'P' && !form_.propagating) {
+                question.family.insert(question.family.begin(), 'P');
+                narrower.propagating = true;
+            } else {
+                continue;
+            }
+            Answer found =
+                RegularFamilyJudge(language_, value_, question, narrower, alphabet_, budget_)
+                    .judge();
+            if (found.truth != Truth::proved) continue;
+            auto generated = std::get<steps::GeneratedBy>(found.proof->step);
+            generated.family = question_.family;
+            return proved(std::move(generated));
+        }
+        return std::nullopt;
+    }
+
+    /// The tables make a system that generates the language, with the first axiom by which all words are derived.
+    std::optional<SourceSystem> system_of(const std::vector<Table>& tables) const {
+        const auto induction = regular_induction(value_, marked_, tables, 30, budget_);
+        if (!induction) return std::nullopt;
+        ET0L system{std::make_shared<const Alphabet>(alphabet_), {}, tables,
+                    std::vector<char>(alphabet_.size(), 1),      {}, {}};
+        for (std::size_t t = 0; t < tables.size(); ++t)
+            system.table_names.push_back(std::to_string(t + 1));
+        std::size_t tried = 0;
+        for (const Word& axiom : search_.words()) {
+            if (axiom.empty()) continue;
+            if (++tried > axioms_tried || axiom.size() > longest_axiom) break;
+            system.axiom = axiom;
+            if (std::all_of(induction->base.begin(), induction->base.end(), [&](const Word& word) {
+                    return membership(system, word, budget_).member;
+                }))
+                return SourceSystem{"G", system, std::nullopt, {}, {}};
+        }
+        return std::nullopt;
+    }
+
+    Table table_of(const std::vector<std::vector<Word>>& successors) const {
+        Table table(alphabet_.size());
+        for (Symbol a = 0; a < table.size(); ++a) table[a] = {{a}};
+        for (std::size_t i = 0; i < successors.size(); ++i)
+            table[search_.letters()[i]] = successors[i];
+        return table;
+    }
+
+    std::optional<Answer> by_successors(const std::vector<Map>& maps) {
+        for (tried_ = 2; tried_ <= longest_successor; ++tried_) {
+            std::vector<Table> tables;
+            for (const Map& map : maps) {
+                std::vector<std::vector<Word>> successors;
+                for (const Classes set : map) {
+                    const auto words = search_.words_of(set, tried_);
+                    if (!words) {
+                        --tried_;
+                        return std::nullopt;
+                    }
+                    if (words->empty()) break;
+                    successors.push_back(*words);
+                }
+                if (successors.size() < map.size()) continue;
+                tables.push_back(table_of(successors));
+                if (auto found = system_of({tables.back()})) return generated_by(*found);
+            }
+            if (form_.tables && tables.size() > 1 && tables.size() <= most_tables)
+                if (auto found = system_of(tables)) return generated_by(*found);
+        }
+        --tried_;
+        return std::nullopt;
+    }
+
+    /// With one successor for each letter.
+    std::optional<Answer> by_single_successors(const std::vector<Map>& maps) {
+        std::set<Table> seen;
+        for (tried_ = 2; tried_ <= longest_successor; ++tried_) {
+            std::vector<Table> tables;
+            for (const Map& map : maps) {
+                std::vector<std::vector<Word>> words;
+                double choices = 1;
+                for (const Classes set : map) {
+                    const auto found = search_.words_of(set, tried_);
+                    choices *= found ? static_cast<double>(found->size()) : 1e9;
+                    if (found) words.push_back(*found);
+                }
+                if (choices > static_cast<double>(most_choices)) {
+                    --tried_;
+                    return std::nullopt;
+                }
+                std::vector<std::size_t> choice(words.size(), 0);
+                for (bool more = choices > 0; more;) {
+                    std::vector<std::vector<Word>> successors;
+                    for (std::size_t i = 0; i < choice.size(); ++i)
+                        successors.push_back({words[i][choice[i]]});
+                    const Table table = table_of(successors);
+                    tables.push_back(table);
+                    if (seen.insert(table).second)
+                        if (auto found = system_of({table})) return generated_by(*found);
+                    more = false;
+                    for (std::size_t i = 0; i < choice.size() && !more; ++i) {
+                        more = ++choice[i] < words[i].size();
+                        if (!more) choice[i] = 0;
+                    }
+                }
+            }
+            if (form_.tables && tables.size() > 1 && tables.size() <= most_tables)
+                if (auto found = system_of(tables)) return generated_by(*found);
+        }
+        --tried_;
+        return std::nullopt;
+    }
+
+    /// If it is to be small, leaves out tables and successors, the longest first, as long as the system generates the language.
+    Answer generated_by(SourceSystem system) const {
+        const auto try_without = [&](std::vector<Table> tables) {
+            auto found = system_of(tables);
+            if (found) system = std::move(*found);
+            return found.has_value();
+        };
+        for (std::size_t t = question_.small ? system.tables->tables.size() : 0; t-- > 0;) {
+            std::vector<Table> tables = system.tables->tables;
+            if (tables.size() == 1) break;
+            tables.erase(tables.begin() + static_cast<std::ptrdiff_t>(t));
+            try_without(std::move(tables));
+        }
+        for (std::size_t t = 0; question_.small && t < system.tables->tables.size(); ++t)
+            for (const Symbol a : search_.letters())
+                for (std::size_t i = system.tables->tables[t][a].size(); i-- > 0;) {
+                    std::vector<Table> tables = system.tables->tables;
+                    if (tables[t][a].size() == 1) break;
+                    tables[t][a].erase(tables[t][a].begin() + static_cast<std::ptrdiff_t>(i));
+                    try_without(std::move(tables));
+                }
+        const auto shared = std::make_shared<const SourceSystem>(std::move(system));
+        const Answer equal =
+            judge_equality(generated_language(shared), language_, alphabet_, budget_);
+        if (equal.truth != Truth::proved)
+            return undecided("a system was found, but not that it generates the language");
+        return proved(steps::GeneratedBy{shared, question_.family, language_, equal.proof, true});
+    }
+
+    const Language& language_;
+    const RegularLanguage& value_;
+    const FamilyQuestion& question_;
+    const SystemForm& form_;
+    const Alphabet& alphabet_;
+    const Budget& budget_;
+    ClassSearch search_;
+    RegularLanguage marked_;
+    std::size_t tried_ = 1;  // letters of successors
+};
+
+}  // namespace
+
+Answer judge_regular_family(const Language& language, const RegularLanguage& value,
+                            const FamilyQuestion& question, const Alphabet& alphabet,
+                            const Budget& budget) {
+    return RegularFamilyJudge(language, value, question, *system_form(question.family), alphabet,
+                              budget)
+        .judge();
+}
+
+}  // namespace algae

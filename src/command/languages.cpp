@@ -9,6 +9,7 @@
 // With `--certificate` the answer is written as the certificate of a claim whose theorem is the question. The claim is
 // decided like any other, so a certificate has the proof that the rooms of claims find, and `verify` checks it as such.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -271,10 +272,40 @@ int equal(const EqualOptions& options) {
     }
 }
 
+// Languages as expressions
+
+WrittenLanguage read_expression(const std::string& expression,
+                                const std::vector<std::string>& alphabet, const Budget& budget) {
+    return read_language(expression, systems_from({"."}, budget), "expression", alphabet);
+}
+
+/// Which letters complements are over, where there are any.
+std::string complement_line(const WrittenLanguage& written) {
+    const std::string text = complement_text(written.letters, *written.alphabet);
+    return text.empty() ? text : text + '\n';
+}
+
+void set_complement_letters(Json& out, const WrittenLanguage& written) {
+    if (written.letters.empty()) return;
+    std::vector<std::string> names;
+    for (const Symbol letter : written.letters) names.push_back(written.alphabet->name(letter));
+    std::ranges::sort(names);
+    out.set("complement_letters", names);
+}
+
+void add_expression_options(Verb& verb, std::string& expression,
+                            std::vector<std::string>& alphabet) {
+    verb.option("EXPR", expression, "TEXT",
+                "a language as in claims: {a, aa}, /a(ab)*/, L(NAME), | & \\ . * + ~")
+        .required = true;
+    verb.option("--alphabet", alphabet, letters, "LETTERS", alphabet_help);
+}
+
 // is
 
 struct IsOptions {
     std::string family, expression, certificate;
+    std::vector<std::string> alphabet;
     bool empty_axiom = false, json = false;
     Bounds bounds;
 };
@@ -308,6 +339,7 @@ void certify_is(const IsOptions& options, const WrittenLanguage& written, const 
                 const Budget& budget) {
     Claim claim;
     claim.alphabet = written.alphabet;
+    claim.letters = written.letters;
     claim.empty_axiom = options.empty_axiom;
     add_systems(written.language, claim.systems);
     Statement said{InFamily{written.language, family_of(options)}};
@@ -321,7 +353,7 @@ void certify_is(const IsOptions& options, const WrittenLanguage& written, const 
 
 int is(const IsOptions& options) {
     const Budget budget = options.bounds.budget();
-    const WrittenLanguage written = read_language(options.expression, systems_from({"."}, budget));
+    const WrittenLanguage written = read_expression(options.expression, options.alphabet, budget);
     const Answer found = judged(options, written, budget);
     certify_is(options, written, found, budget);
     std::string text = found.truth == Truth::proved    ? "yes"
@@ -330,8 +362,10 @@ int is(const IsOptions& options) {
     text += '\n';
     const std::vector<std::string> argument = sentences(found, *written.alphabet);
     for (const std::string& line : argument) text += line + '\n';
+    text += complement_line(written);
     if (options.json) {
         Json out{{"verdict", to_string(found.truth)}, {"argument", argument}};
+        set_complement_letters(out, written);
         if (found.proof)
             out.set(found.truth == Truth::proved ? "witness" : "obstruction",
                     certificate(found, *written.alphabet));
@@ -398,9 +432,7 @@ void add_is(Verbs& verbs) {
                 "finite|infinite|empty",
                 "a family of languages, or what else a language may be")
         .required = true;
-    verb.option("EXPR", options.expression, "TEXT",
-                "a language as in claims: {a, aa}, /a(ab)*/, L(NAME), | & \\ . * + ~")
-        .required = true;
+    add_expression_options(verb, options.expression, options.alphabet);
     verb.flag("--allow-empty-axiom", options.empty_axiom,
               "systems may have the empty word as axiom");
     add_certificate_option(verb, options.certificate);

@@ -142,6 +142,9 @@ std::vector<Symbol> letters_of(const Language& language);
 /// Example: to_string(words_language({{}}), Alphabet()) == "{ε}"
 std::string to_string(const Language& language, const Alphabet& alphabet);
 
+/// "~ is over the letters a, b." for the letters that complements are over; empty where there are none.
+std::string complement_text(const std::vector<Symbol>& letters, const Alphabet& alphabet);
+
 /// What the name of a family says of the form of its systems: E extended, P propagating, D deterministic,
 /// T with tables, then 0L, or with context IL, 1L, 2L, (k,l)L.
 struct SystemForm {
@@ -780,6 +783,9 @@ struct Claim {
     std::vector<Language> languages;  // defined by the claim, each with its name
     std::vector<ClaimedStatement> statements;
     std::vector<ClosureFact> closure;
+    /// The letters that complements are over: all of the file; none where nothing is a complement. In an instance of a
+    /// statement about all values those of the values are added.
+    std::vector<Symbol> letters = {};
 };
 
 struct Proof;

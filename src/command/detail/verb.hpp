@@ -217,6 +217,7 @@ void add_member(Verbs& verbs);
 void add_finite(Verbs& verbs);
 void add_equal(Verbs& verbs);
 void add_is(Verbs& verbs);
+void add_list(Verbs& verbs);
 void add_check(Verbs& verbs);
 void add_closure(Verbs& verbs);
 void add_verify(Verbs& verbs);

@@ -53,15 +53,16 @@ std::vector<std::string> claim_files(const std::string& path) {
 /// The claim in a file, in one of the theory that comes with algae, or "-" for standard input; systems
 /// that it names are those of the gallery or of files beside it. Throws Error, Diagnostics or
 /// BoundReached.
-Claim open_claim(const std::string& file, const Budget& budget) {
+Claim open_claim(const std::string& file, const Budget& budget,
+                 const std::vector<std::string>& letters = {}) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         for (const GalleryEntry& claim : theory_claims())
             if (claim.path == file)
-                return read_claim(claim.text, file, systems_from({"."}, budget));
+                return read_claim(claim.text, file, systems_from({"."}, budget), letters);
     const std::string text = file_text(file, budget);
     return read_claim(text, file == "-" ? "standard input" : file,
-                      systems_from({folder_of(file)}, budget));
+                      systems_from({folder_of(file)}, budget), letters);
 }
 
 // check
@@ -69,6 +70,7 @@ Claim open_claim(const std::string& file, const Budget& budget) {
 struct CheckOptions {
     std::vector<std::string> paths;
     std::string statement, certificate, accept, checkpoint, resume;
+    std::vector<std::string> alphabet;
     std::uint64_t instances = SearchLimits().instances, size = SearchLimits().size;
     bool explain = false, json = false;
     Bounds bounds;
@@ -123,6 +125,9 @@ std::string summary(const CheckedClaim& checked) {
                                                    : sentences(found.answer, *claim.alphabet);
         for (const std::string& line : lines) text += "        " + line + '\n';
     }
+    if (checked.worst() != Outcome::holds)
+        if (const std::string over = complement_text(claim.letters, *claim.alphabet); !over.empty())
+            text += "  " + over + '\n';
     return text;
 }
 
@@ -163,6 +168,12 @@ Json as_json(const CheckedClaim& checked) {
     Json out{{"claim", claim.title},
              {"file", claim.name},
              {"verdict", std::string(to_string(checked.verdict()))}};
+    if (!claim.letters.empty()) {
+        std::vector<std::string> names;
+        for (const Symbol letter : claim.letters) names.push_back(claim.alphabet->name(letter));
+        std::ranges::sort(names);
+        out.set("complement_letters", names);
+    }
     if (theorem)
         out.set("theorem", theorem_json(checked.statements[*theorem], claim.statements[*theorem],
                                         *claim.alphabet));
@@ -185,14 +196,14 @@ std::vector<Claim> asked_claims(const CheckOptions& options, const Budget& budge
                     std::string(options.paths.empty() ? "neither" : "both"));
     if (!options.statement.empty()) {
         const std::string text = "theorem " + options.statement + "\nclaim " + options.statement;
-        return {read_claim(text, "--say", systems_from({"."}, budget))};
+        return {read_claim(text, "--say", systems_from({"."}, budget), options.alphabet)};
     }
     std::vector<std::string> files;
     for (const std::string& path : options.paths)
         for (std::string& file : claim_files(path)) files.push_back(std::move(file));
     std::vector<Claim> claims;
     for (const std::string& file : files) {
-        claims.push_back(open_claim(file, budget));
+        claims.push_back(open_claim(file, budget, options.alphabet));
         if (claims.back().statements.empty())
             throw Error(file +
                         ": expected a statement (theorem, show, lemma or refute), found none");
@@ -667,6 +678,7 @@ void add_check(Verbs& verbs) {
                 "claim files, folders of them, - for standard input, or theory, the claims that "
                 "come with algae");
     verb.option("--say", options.statement, "STATEMENT", "a statement instead of files");
+    verb.option("--alphabet", options.alphabet, letters, "LETTERS", alphabet_help);
     verb.option(
         "--instances", options.instances, natural, "N",
         "how many instances of a statement about all values are searched, 100000 if not given");

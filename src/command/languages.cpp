@@ -1,5 +1,5 @@
 // Questions about languages: is a word in one (`member`), is it finite (`finite`), have two systems the same
-// one (`equal`), is it of a family (`is`).
+// one (`equal`), is it of a family (`is`), which are its words (`list`).
 //
 // Every answer comes with what proves it and ends with the status of a question: 0 yes, 1 no, 3 undecided.
 // `equal` proves a difference by a word or a length, and equality of sequences by a bound on how far one
@@ -9,6 +9,7 @@
 // With `--certificate` the answer is written as the certificate of a claim whose theorem is the question. The claim is
 // decided like any other, so a certificate has the proof that the rooms of claims find, and `verify` checks it as such.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -271,10 +272,40 @@ int equal(const EqualOptions& options) {
     }
 }
 
+// Languages as expressions
+
+WrittenLanguage read_expression(const std::string& expression,
+                                const std::vector<std::string>& alphabet, const Budget& budget) {
+    return read_language(expression, systems_from({"."}, budget), "expression", alphabet);
+}
+
+/// Which letters complements are over, where there are any.
+std::string complement_line(const WrittenLanguage& written) {
+    const std::string text = complement_text(written.letters, *written.alphabet);
+    return text.empty() ? text : text + '\n';
+}
+
+void set_complement_letters(Json& out, const WrittenLanguage& written) {
+    if (written.letters.empty()) return;
+    std::vector<std::string> names;
+    for (const Symbol letter : written.letters) names.push_back(written.alphabet->name(letter));
+    std::ranges::sort(names);
+    out.set("complement_letters", names);
+}
+
+void add_expression_options(Verb& verb, std::string& expression,
+                            std::vector<std::string>& alphabet) {
+    verb.option("EXPR", expression, "TEXT",
+                "a language as in claims: {a, aa}, /a(ab)*/, L(NAME), | & \\ . * + ~")
+        .required = true;
+    verb.option("--alphabet", alphabet, letters, "LETTERS", alphabet_help);
+}
+
 // is
 
 struct IsOptions {
     std::string family, expression, certificate;
+    std::vector<std::string> alphabet;
     bool empty_axiom = false, json = false;
     Bounds bounds;
 };
@@ -308,6 +339,7 @@ void certify_is(const IsOptions& options, const WrittenLanguage& written, const 
                 const Budget& budget) {
     Claim claim;
     claim.alphabet = written.alphabet;
+    claim.letters = written.letters;
     claim.empty_axiom = options.empty_axiom;
     add_systems(written.language, claim.systems);
     Statement said{InFamily{written.language, family_of(options)}};
@@ -321,7 +353,7 @@ void certify_is(const IsOptions& options, const WrittenLanguage& written, const 
 
 int is(const IsOptions& options) {
     const Budget budget = options.bounds.budget();
-    const WrittenLanguage written = read_language(options.expression, systems_from({"."}, budget));
+    const WrittenLanguage written = read_expression(options.expression, options.alphabet, budget);
     const Answer found = judged(options, written, budget);
     certify_is(options, written, found, budget);
     std::string text = found.truth == Truth::proved    ? "yes"
@@ -330,8 +362,10 @@ int is(const IsOptions& options) {
     text += '\n';
     const std::vector<std::string> argument = sentences(found, *written.alphabet);
     for (const std::string& line : argument) text += line + '\n';
+    text += complement_line(written);
     if (options.json) {
         Json out{{"verdict", to_string(found.truth)}, {"argument", argument}};
+        set_complement_letters(out, written);
         if (found.proof)
             out.set(found.truth == Truth::proved ? "witness" : "obstruction",
                     certificate(found, *written.alphabet));
@@ -339,6 +373,128 @@ int is(const IsOptions& options) {
     }
     print(text);
     return status_of(found.truth);
+}
+
+// list
+
+struct ListOptions {
+    std::string expression;
+    std::vector<std::string> alphabet;
+    std::optional<std::uint64_t> length, words, random, seed;
+    bool counts = false, json = false;
+    Bounds bounds;
+};
+
+Json words_json(const std::vector<Word>& words, const Alphabet& alphabet) {
+    Json all = Json::array();
+    for (const Word& word : words) all.add(spell(alphabet, word));
+    return all;
+}
+
+Json reason_json(const std::string& stopped) { return stopped.empty() ? Json() : Json(stopped); }
+
+/// What the list is of the language, as a sentence.
+std::string standing(const WordList& list) {
+    const std::string letters = list.decided == 0
+                                    ? ""
+                                    : " of at most " + std::to_string(list.decided - 1) +
+                                          (list.decided == 2 ? " letter" : " letters");
+    if (!list.stopped.empty()) {
+        const std::string known =
+            list.words.empty() ? "No word is found" : "At least these are words of the language";
+        return known +
+               (list.decided == 0 ? ", and others" : ": all words" + letters + "; longer ones") +
+               " may be missing: " + list.stopped + ".";
+    }
+    if (list.whole)
+        return list.words.empty() ? "The language has no word." : "These are all words.";
+    if (!list.full)
+        return (list.words.empty() ? "There is no word" : "These are all words") + letters + ".";
+    return list.words.size() == 1
+               ? "This is the first word."
+               : "These are the first " + std::to_string(list.words.size()) + " words.";
+}
+
+int list_first_words(const ListOptions& options, const WrittenLanguage& written,
+                     const Budget& budget) {
+    constexpr std::uint64_t some = 100, far = 1000, all = std::uint64_t{1} << 62;
+    ListLimits limits;
+    limits.length = options.length.value_or(options.words ? far : some);
+    limits.words = options.words.value_or(options.length ? all : some);
+    const WordList list = list_words(written.language, *written.alphabet, limits, budget);
+    if (options.json) {
+        Json out{{"words", words_json(list.words, *written.alphabet)}};
+        out.set("length", list.decided == 0 ? Json() : Json(list.decided - 1));
+        out.set("full", list.full);
+        out.set("whole", list.whole);
+        out.set("stopped", reason_json(list.stopped));
+        set_complement_letters(out, written);
+        print(out.text());
+    } else {
+        std::string text;
+        for (const Word& word : list.words) text += spell(*written.alphabet, word) + '\n';
+        print(text + standing(list) + '\n' + complement_line(written));
+    }
+    return list.stopped.empty() ? success : undecided;
+}
+
+int list_counts(const ListOptions& options, const WrittenLanguage& written, const Budget& budget) {
+    constexpr std::uint64_t some = 12;
+    const std::uint64_t longest = options.length.value_or(some);
+    const WordCounts found = count_words(written.language, *written.alphabet, longest, budget);
+    if (options.json) {
+        Json out{{"counts", found.counts}, {"whole", found.whole}};
+        out.set("generating_function",
+                found.function ? Json{{"numerator", found.function->numerator.coefficients()},
+                                      {"denominator", found.function->denominator.coefficients()}}
+                               : Json());
+        out.set("stopped", reason_json(found.stopped));
+        set_complement_letters(out, written);
+        print(out.text());
+    } else {
+        std::string text;
+        for (std::size_t length = 0; length < found.counts.size(); ++length)
+            text += std::to_string(length) + (length == 1 ? " letter: " : " letters: ") +
+                    to_string(found.counts[length]) +
+                    (found.counts[length] == 1 ? " word" : " words") + '\n';
+        if (found.whole) text += "No word is longer.\n";
+        if (found.function) text += "generating function: " + to_string(*found.function) + '\n';
+        if (!found.stopped.empty())
+            text +=
+                "Of longer words it is not decided how many there are: " + found.stopped + ".\n";
+        print(text + complement_line(written));
+    }
+    return found.stopped.empty() ? success : undecided;
+}
+
+int list_random(const ListOptions& options, const WrittenLanguage& written, const Budget& budget) {
+    const std::uint64_t seed = options.seed.value_or(1);
+    const std::vector<Word> drawn = draw_words(written.language, *written.alphabet, *options.length,
+                                               *options.random, seed, budget);
+    const bool is_none = drawn.empty() && *options.random > 0;
+    if (options.json) {
+        Json out{{"words", words_json(drawn, *written.alphabet)},
+                 {"length", *options.length},
+                 {"seed", seed}};
+        set_complement_letters(out, written);
+        print(out.text());
+    } else if (is_none) {
+        print("The language has no word of " + std::to_string(*options.length) +
+              (*options.length == 1 ? " letter.\n" : " letters.\n") + complement_line(written));
+    } else {
+        std::string text;
+        for (const Word& word : drawn) text += spell(*written.alphabet, word) + '\n';
+        print(text);
+    }
+    return is_none ? refuted : success;
+}
+
+int list_language(const ListOptions& options) {
+    const Budget budget = options.bounds.budget();
+    const WrittenLanguage written = read_expression(options.expression, options.alphabet, budget);
+    if (options.counts) return list_counts(options, written, budget);
+    if (options.random) return list_random(options, written, budget);
+    return list_first_words(options, written, budget);
 }
 
 }  // namespace
@@ -398,12 +554,37 @@ void add_is(Verbs& verbs) {
                 "finite|infinite|empty",
                 "a family of languages, or what else a language may be")
         .required = true;
-    verb.option("EXPR", options.expression, "TEXT",
-                "a language as in claims: {a, aa}, /a(ab)*/, L(NAME), | & \\ . * + ~")
-        .required = true;
+    add_expression_options(verb, options.expression, options.alphabet);
     verb.flag("--allow-empty-axiom", options.empty_axiom,
               "systems may have the empty word as axiom");
     add_certificate_option(verb, options.certificate);
+    verb.json_flag(options.json);
+    verb.bounded_by(options.bounds);
+}
+
+void add_list(Verbs& verbs) {
+    auto [verb, options] = verbs.add(
+        "list", "The words of a language, shortest first, or how many there are of each length",
+        {"algae list 'L(fibonacci) | /a*/' --words 10", "algae list '~/(a|b)*bb(a|b)*/' --counts",
+         "algae list '/(a|bb)*/' --random 5 --length 40"},
+        list_language);
+    add_expression_options(verb, options.expression, options.alphabet);
+    verb.option(
+        "--length", options.length, natural, "N",
+        "up to N letters: 100 if neither this nor --words is given, 1000 with --words, 12 with "
+        "--counts; of --random just this length");
+    verb.option("--words", options.words, natural, "K",
+                "at most K words: 100 if neither this nor --length is given")
+        .excludes = {"--counts", "--random"};
+    verb.flag("--counts", options.counts,
+              "how many words of each length there are; of a regular language also the generating "
+              "function");
+    Option& random = verb.option("--random", options.random, natural, "K",
+                                 "K words of a length, all equally likely");
+    random.needs = {"--length"};
+    random.excludes = {"--counts"};
+    verb.option("--seed", options.seed, natural, "S", "which words these are, 1 if not given")
+        .needs = {"--random"};
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }

@@ -105,6 +105,20 @@ std::vector<std::string> list(const std::string& option, const std::string& text
     return parts;
 }
 
+std::vector<std::string> letters(const std::string& option, const std::string& text) {
+    std::vector<std::string> found{{}};
+    for (const char c : text) {
+        const bool is_between = c == ',' || c == ' ' || c == '\t' || c == '\n';
+        if (!is_between)
+            found.back() += c;
+        else if (!found.back().empty())
+            found.emplace_back();
+    }
+    if (found.back().empty()) found.pop_back();
+    if (found.empty()) refuse(option, "letters such as 'a b c'", text);
+    return found;
+}
+
 Range range(const std::string& option, const std::string& text) {
     const auto dots = text.find("..");
     if (dots == std::string::npos) {

@@ -179,6 +179,8 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
     for (const Language& language : claim.languages)
         page += wrapped(
             "Let " + language->name + " = " + unnamed_text(language, *claim.alphabet) + ".", 0);
+    if (const std::string over = complement_text(claim.letters, *claim.alphabet); !over.empty())
+        page += wrapped("In what follows, " + over, 0);
     std::set<std::string> said;  // what a statement begins with is not repeated for the next one
     std::size_t number = 0;
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {

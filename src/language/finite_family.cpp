@@ -39,17 +39,17 @@ public:
     using Image = std::uint32_t;  // number of a factor
     using Node = std::uint32_t;   // number of a beginning; 0 is the empty one
     static constexpr std::uint32_t none = 0xffffffff;
+    struct Step {
+        Image image;
+        Node end;
+    };
 
-    /// Throws BoundReached if the factors take more than the budget's memory. Quadratic in the
-    /// lengths of the words.
+    /// Throws BoundReached if the factors take more than the budget's memory. What words share counts once: the factors are
+    /// found along the tree of beginnings, one for each beginning and each node above it.
     FiniteWords(const FiniteLanguage& language, const Budget& budget)
         : letters(letters_of(language)) {
+        constexpr const char* what = "the factors of the words of the language";
         std::uint64_t bytes = 0;
-        for (const Word& word : language.words)
-            bytes += (std::uint64_t{word.size()} + 1) * (word.size() + 2) *
-                     (word.size() * sizeof(Symbol) + 100) / 2;
-        budget.check_memory(bytes, "the factors of the words of the language");
-
         std::vector<std::uint32_t> number(language.alphabet->size(), none);
         for (std::uint32_t i = 0; i < letters.size(); ++i) number[letters[i]] = i;
 
@@ -66,9 +66,11 @@ public:
                 if (is_new) {
                     next.emplace_back();
                     word_at.push_back(none);
+                    bytes += path.size() * sizeof(Step);
                 }
                 path.push_back(node);
             }
+            budget.check_memory(bytes, what);
             word_at[path.back()] = static_cast<std::uint32_t>(words.size() - 1);
         }
 
@@ -76,11 +78,28 @@ public:
             return shortlex_less(left, right);
         };
         std::map<Word, Image, decltype(shorter)> numbered(shorter);
-        numbered[{}] = 0;
-        for (const Word& word : language.words)
-            for (auto from = word.begin(); from != word.end(); ++from)
-                for (auto to = from + 1; to <= word.end(); ++to)
-                    numbered.try_emplace(Word(from, to), 0);
+        // Calls use(image, end) with every factor that leads from a beginning to another one.
+        const auto each_below = [&](Node start, const auto& use) {
+            budget.check();
+            std::vector<std::pair<Word, Node>> open{{Word{}, start}};
+            while (!open.empty()) {
+                const auto [image, node] = std::move(open.back());
+                open.pop_back();
+                use(image, node);
+                for (const auto& [symbol, child] : next[node]) {
+                    Word longer = image;
+                    longer.push_back(symbol);
+                    open.emplace_back(std::move(longer), child);
+                }
+            }
+        };
+        for (Node start = 0; start < next.size(); ++start) {
+            each_below(start, [&](const Word& image, Node) {
+                if (numbered.try_emplace(image, 0).second)
+                    bytes += 2 * image.size() * sizeof(Symbol) + 100;  // here and in `images`
+            });
+            budget.check_memory(bytes, what);
+        }
         for (auto& [image, place] : numbered) {
             place = static_cast<Image>(images.size());
             images.push_back(image);
@@ -88,27 +107,13 @@ public:
 
         below.resize(next.size());
         for (Node start = 0; start < next.size(); ++start) {
-            budget.check();
-            std::vector<std::pair<Word, Node>> open{{Word{}, start}};
-            while (!open.empty()) {
-                const auto [image, node] = std::move(open.back());
-                open.pop_back();
-                below[start].push_back({numbered.at(image), node});
-                for (const auto& [symbol, child] : next[node]) {
-                    Word longer = image;
-                    longer.push_back(symbol);
-                    open.emplace_back(std::move(longer), child);
-                }
-            }
+            each_below(start, [&](const Word& image, Node end) {
+                below[start].push_back({numbered.at(image), end});
+            });
             std::sort(below[start].begin(), below[start].end(),
                       [](const Step& left, const Step& right) { return left.image < right.image; });
         }
     }
-
-    struct Step {
-        Image image;
-        Node end;
-    };
 
     std::vector<Symbol> letters;
     std::vector<std::vector<std::uint32_t>> words;  // with letters by number

@@ -152,7 +152,7 @@ private:
         const auto& letters = language->letters;
         for (const Symbol a : word)
             if (!std::binary_search(letters.begin(), letters.end(), a))
-                return from(language, word, refuted(steps::OtherLetters{a}));
+                return from(language, word, refuted(steps::OtherLetters{letters, a}));
         return from(language, word, opposite(judge(language->parts[0], word)));
     }
 

@@ -19,6 +19,9 @@
 // bounds nothing but a witness decides it here. An undecided instance neither refutes nor supports anything; a
 // witness is the least one if no instance before it is undecided.
 //
+// Complements are over the letters of the file, to which those of the values are added: one alphabet for all complements of an
+// instance, so that ~(A | B) == ~A & ~B holds for all of them.
+//
 // A renaming of letters does not change whether a statement holds, unless it names letters itself, in a word or in a
 // system of the claim. Then each instance is tried under all names: its letters go, in every way, to those that the
 // statement names and to new ones.
@@ -75,8 +78,7 @@ public:
         for (Word& word : closed.words) word = replaced(word);
         if (tree.kind == Kind::words) return renamed(words_language(std::move(closed.words)), tree);
         if (tree.system) closed.system = system(tree.system);
-        if (tree.kind == Kind::complement && tree.letters.empty())
-            closed.letters = letters_of(closed.parts[0]);
+        if (tree.kind == Kind::complement) closed.letters = with_letters_of_values(tree.letters);
         if (tree.kind == Kind::image || tree.kind == Kind::inverse_image) {
             const BoundValue* value = tree.variable ? find(tree.variable->number) : nullptr;
             if (value && std::holds_alternative<Images>(value->is))
@@ -99,6 +101,35 @@ private:
         for (const BoundValue& value : values_)
             if (value.variable == variable) return &value;
         return nullptr;
+    }
+
+    /// The letters of the file and those of all values, which complements are over.
+    std::vector<Symbol> with_letters_of_values(const std::vector<Symbol>& letters) const {
+        std::set<Symbol> all(letters.begin(), letters.end());
+        const auto add = [&](const std::vector<Symbol>& more) {
+            all.insert(more.begin(), more.end());
+        };
+        for (const BoundValue& value : values_) {
+            if (const auto* words = std::get_if<Language>(&value.is)) {
+                add(letters_of(*words));
+            } else if (const auto* of =
+                           std::get_if<std::shared_ptr<const SourceSystem>>(&value.is)) {
+                add(letters_of(generated_language(*of)));
+            } else if (const auto* morphism = std::get_if<Morphism>(&value.is)) {
+                for (const Symbol a : morphism->domain()) {
+                    all.insert(a);
+                    add((*morphism)[a]);
+                }
+            } else if (const auto* images = std::get_if<Images>(&value.is)) {
+                for (const auto& [letter, words_of_letter] : *images) {
+                    all.insert(letter);
+                    for (const Word& word : words_of_letter) add(word);
+                }
+            } else if (const auto* word = std::get_if<Word>(&value.is)) {
+                add(*word);
+            }
+        }
+        return {all.begin(), all.end()};
     }
 
     static Language renamed(Language language, const LanguageTree& from) {

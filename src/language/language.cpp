@@ -212,6 +212,15 @@ std::string to_string(const Language& language, const Alphabet& alphabet) {
     return text(language, alphabet, sum);
 }
 
+std::string complement_text(const std::vector<Symbol>& letters, const Alphabet& alphabet) {
+    if (letters.empty()) return {};
+    std::vector<std::string> names;
+    for (const Symbol letter : letters) names.push_back(alphabet.name(letter));
+    std::sort(names.begin(), names.end());
+    return (names.size() == 1 ? "~ is over the letter " : "~ is over the letters ") +
+           joined(names, ", ") + ".";
+}
+
 std::string unnamed_text(const Language& language, const Alphabet& alphabet) {
     return operation_text(*language, alphabet);
 }

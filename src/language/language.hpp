@@ -28,6 +28,7 @@
 namespace algae {
 
 class DimensionValue;
+struct GeneratingFunction;
 struct Model;
 
 // --- Languages as values ---
@@ -141,6 +142,9 @@ std::vector<Symbol> letters_of(const Language& language);
 ///
 /// Example: to_string(words_language({{}}), Alphabet()) == "{ε}"
 std::string to_string(const Language& language, const Alphabet& alphabet);
+
+/// "~ is over the letters a, b." for the letters that complements are over; empty where there are none.
+std::string complement_text(const std::vector<Symbol>& letters, const Alphabet& alphabet);
 
 /// What the name of a family says of the form of its systems: E extended, P propagating, D deterministic,
 /// T with tables, then 0L, or with context IL, 1L, 2L, (k,l)L.
@@ -341,6 +345,61 @@ TablesFiniteness finiteness(const ET0L& system, const Budget& budget = {});
 ///
 /// Example: number_of_words(et0l("aa", {{{'a', "b"}, {'a', "c"}}, {{'a', ""}}})) == 6
 Integer number_of_words(const ET0L& system, const Budget& budget = {});
+
+// --- The words of a language ---
+//
+// Regular languages are listed, counted and drawn from by their minimal automaton. Of other languages all words up to a length are
+// worked out from those of their parts: of a system without context by what each letter derives within that length, until nothing
+// new comes. What cannot be worked out so is left open: words that are found are words of the language, and it is said from
+// which length on others may be missing. All functions throw Interrupted.
+
+/// How far words are wanted.
+struct ListLimits {
+    std::uint64_t length = 100;  // letters of the longest
+    std::uint64_t words = 100;
+};
+
+/// The first words of a language: shorter ones first, those of one length in the order of the names of their letters.
+struct WordList {
+    std::vector<Word> words;
+    /// So many lengths 0, 1, 2, ... are decided: the list has all words of these lengths, or the first of them where it is full.
+    /// Longer words of the list are words of the language too, but others may be missing.
+    std::uint64_t decided = 0;
+    bool full = false;   // there are as many words as were wanted
+    bool whole = false;  // the language has no other words
+    std::string stopped =
+        {};  // why no more lengths are decided; empty where as many are as were wanted
+};
+
+/// Time and memory: those of the words of each part up to this length, for complements of what is not regular of all words.
+///
+/// Example: list_words(words_language({{1}, {0, 0}, {}}), *ol("ab", {}).alphabet, {1, 10}).words.size() == 2
+WordList list_words(const Language& language, const Alphabet& alphabet,
+                    const ListLimits& limits = {}, const Budget& budget = {});
+
+/// How many words of each length a language has.
+struct WordCounts {
+    std::vector<Integer> counts;  // of lengths 0, 1, 2, ... as far as they are decided
+    bool whole = false;           // no word is longer
+    std::shared_ptr<const GeneratingFunction> function =
+        {};                    // of all counts; of a regular language only
+    std::string stopped = {};  // as in WordList
+};
+
+/// Up to this length. Of a regular language O(length * size of the automaton) additions, and the function from the
+/// shortest recurrence of the counts.
+///
+/// Example: count_words(words_language({{1}, {0, 0}, {}}), *ol("ab", {}).alphabet, 5).counts[2] == 1
+WordCounts count_words(const Language& language, const Alphabet& alphabet, std::uint64_t longest,
+                       const Budget& budget = {});
+
+/// Words of this length, each drawn by itself and all equally likely; none if there is no word of this length. The same on every
+/// machine. Throws BoundReached if it is not known which words of this length the language has.
+///
+/// Example: draw_words(words_language({{1}, {0, 0}, {}}), *ol("ab", {}).alphabet, 2, 3, 1).size() == 3
+std::vector<Word> draw_words(const Language& language, const Alphabet& alphabet,
+                             std::uint64_t length, std::uint64_t count, std::uint64_t seed,
+                             const Budget& budget = {});
 
 // --- Equality of D0L sequences and languages ---
 
@@ -780,6 +839,9 @@ struct Claim {
     std::vector<Language> languages;  // defined by the claim, each with its name
     std::vector<ClaimedStatement> statements;
     std::vector<ClosureFact> closure;
+    /// The letters that complements are over: all of the file; none where nothing is a complement. In an instance of a
+    /// statement about all values those of the values are added.
+    std::vector<Symbol> letters = {};
 };
 
 struct Proof;

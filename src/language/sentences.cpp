@@ -160,7 +160,9 @@ public:
         say(is_in(said, true) + ": " + marked(values) + ".");
     }
     void operator()(const steps::OtherLetters& said) {
-        say("The complement is over other letters than " + letter(said.letter) + ".");
+        say("The complement is over the letters " +
+            joined(said.letters, ", ", [&](Symbol a) { return letter(a); }) + ", and " +
+            letter(said.letter) + " is another one.");
     }
     void operator()(const steps::HasNoImage& said) {
         say("A letter of " + word(said.word) + " has no image.");

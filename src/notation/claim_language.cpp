@@ -55,6 +55,13 @@ Word parse_letters(std::string_view text, ClaimReading& reading) {
     return parse_symbols(text, reading.lexicon);
 }
 
+/// The same, whose letters are letters of the file.
+Word parse_counted_letters(std::string_view text, ClaimReading& reading) {
+    Word word = parse_letters(text, reading);
+    reading.add_letters(word);
+    return word;
+}
+
 /// A comment in a set, up to the end of its line.
 const ByHand comment([](const char*& here, const char* end) {
     if (here == end || *here != '#' || !is_blank(static_cast<unsigned char>(here[-1])))
@@ -79,7 +86,7 @@ Language parse_set(const char*& here, const char* end, ClaimReading& reading) {
                 throw SyntaxError{std::find(parts[0].end(), text.end(), '|'),
                                   "expected ',' between words, found '|'; as a letter it is "
                                   "written without blanks"};
-        const Word letters = parse_letters(text, reading);
+        const Word letters = parse_counted_letters(text, reading);
         words.back().insert(words.back().end(), letters.begin(), letters.end());
         is_there = true;
     });
@@ -126,6 +133,8 @@ Morphism parse_morphism(const char*& here, const char* end, ClaimReading& readin
                                   "letter it is written without blanks"};
         refuse_slips(right, reading.lexicon, true);
         Word image = parse_symbols(right, reading.lexicon);
+        reading.add_letters(letter);
+        reading.add_letters(image);
         if (!morphism.add(letter[0], std::move(image)))
             throw SyntaxError{clause.text.data(), "the letter " + quoted(left) + " has two images"};
     }
@@ -170,33 +179,10 @@ LanguageOperand combined_operand(Kind kind, std::vector<LanguageOperand> parts, 
     return out;
 }
 
-/// Whether a bound name stands in the language, whose letters are known of no instance.
-bool is_open(const Language& language) {
-    return language->variable || (language->system && language->system->variable) ||
-           std::any_of(language->parts.begin(), language->parts.end(), is_open);
-}
-
-/// The words that are not in the language, over the letters that the claim declares or else those of the
-/// language. Throws `SyntaxError` if there are none, or it has others.
-LanguageOperand complement_operand(LanguageOperand part, const ClaimReading& reading,
-                                   const char* where) {
+/// The words that are not in the language, over the letters of the file.
+LanguageOperand complement_operand(LanguageOperand part, ClaimReading& reading, const char* where) {
     LanguageOperand out = measured({part}, where);
-    // Without `alphabet`, the letters of an instance are found when it is put in.
-    std::vector<Symbol> letters =
-        is_open(part.language) ? std::vector<Symbol>() : letters_of(part.language);
-    if (!reading.declared.empty()) {
-        for (const Symbol letter : letters)
-            if (!std::binary_search(reading.declared.begin(), reading.declared.end(), letter))
-                throw SyntaxError{
-                    where, "expected a language over the letters of 'alphabet', found the letter " +
-                               reading.alphabet->name(letter)};
-        letters = reading.declared;
-    }
-    if (letters.empty() && !is_open(part.language))
-        throw SyntaxError{where,
-                          "expected a language with letters after '~', found one without; "
-                          "'alphabet a b' says what letters there are"};
-    out.language = complement_language(std::move(part.language), std::move(letters));
+    out.language = reading.complement(std::move(part.language), where);
     return out;
 }
 
@@ -232,12 +218,7 @@ LanguageOperand image_operand(LanguageOperand part, const MorphismOperand& by,
         return bound_operand(Kind::image, std::move(part), *by.variable, name, reading);
     const Morphism& morphism = by.morphism;
     LanguageOperand out = measured({part}, name.data());
-    for (const Symbol letter : letters_of(part.language))
-        if (!morphism.maps(letter))
-            throw SyntaxError{name.data(),
-                              "expected a morphism with an image for each letter of the language, "
-                              "found none for " +
-                                  reading.alphabet->name(letter)};
+    reading.check_images(part.language, morphism, name.data());
     out.language = image_language(std::move(part.language), morphism);
     return out;
 }
@@ -336,6 +317,7 @@ LanguageOperand parse_regular(const char*& here, const char* end, ClaimReading& 
         stack.open([at](Parts parts) { return closed(parts[0].finish(), at.data()); });
     });
     const auto add = [&](Word letter) {
+        reading.add_letters(letter);
         stack.operand({Kind::concatenated, where, {std::move(letter)}});
     };
     const auto on_empty = [&](auto&) { add({}); };

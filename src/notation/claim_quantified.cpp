@@ -351,6 +351,7 @@ private:
                 throw SyntaxError{letter.data(),
                                   "the letter " + quoted(letter) + " stands there twice"};
             said_.over->push_back(symbol);
+            reading_.add_letters({symbol});
             if (comma == std::string_view::npos) break;
             rest.remove_prefix(comma + 1);
         }

@@ -15,7 +15,8 @@
 // keeps what each name stands for; `find` throws where a use stands too early, and `DependsOnError` where the
 // definition was faulty. All systems of a claim are put over one alphabet, which grows while the claim is
 // read: so each is kept over its own alphabet and put over the common one when it is added, and once more in
-// the end (`finish`), when all letters are known.
+// the end (`finish`), when all letters are known. Complements are over the letters of the whole file, so they get these in the
+// end too, and what depends on the letters of a complement is looked at only then (`finish_complements`).
 
 namespace algae {
 
@@ -378,6 +379,79 @@ void ClaimReading::put_over_alphabet(Owned& owned) const {
     owned.system->grammar = owned.own.grammar;
     if (owned.own.tables) owned.system->tables = over(*owned.own.tables, alphabet);
     if (owned.own.interactive) owned.system->interactive = over(*owned.own.interactive, alphabet);
+}
+
+bool is_open(const Language& language) {
+    return language->variable || (language->system && language->system->variable) ||
+           std::any_of(language->parts.begin(), language->parts.end(), is_open);
+}
+
+void ClaimReading::add_letters(const Word& word) {
+    for (const Symbol letter : word) {
+        if (letters.contains(letter)) continue;
+        if (std::find(bound_letters.begin(), bound_letters.end(), letter) != bound_letters.end()) {
+            const auto named = names_.find(alphabet->name(letter));
+            if (named != names_.end() && named->second.variable &&
+                named->second.kind == ClaimName::Kind::word)
+                continue;
+        }
+        letters.insert(letter);
+    }
+}
+
+Language ClaimReading::complement(Language language, const char* where) {
+    auto tree = std::make_shared<LanguageTree>(*complement_language(std::move(language), Word()));
+    complements_.push_back({tree, where});
+    return tree;
+}
+
+Language ClaimReading::with_name(Language language, std::string name) {
+    Language known = named(language, std::move(name));
+    if (known->kind != LanguageTree::Kind::complement) return known;
+    auto tree = std::make_shared<LanguageTree>(*known);
+    for (const Complement& each : complements_)
+        if (each.tree == language) {
+            complements_.push_back({tree, each.where});
+            break;
+        }
+    return tree;
+}
+
+namespace {
+
+bool has_complement(const Language& language) {
+    return language->kind == LanguageTree::Kind::complement ||
+           std::any_of(language->parts.begin(), language->parts.end(), has_complement);
+}
+
+}  // namespace
+
+void ClaimReading::check_images(const Language& language, const Morphism& morphism,
+                                const char* where) {
+    for (const Symbol letter : letters_of(language))
+        if (!morphism.maps(letter))
+            throw SyntaxError{where,
+                              "expected a morphism with an image for each letter of the language, "
+                              "found none for " +
+                                  alphabet->name(letter)};
+    if (has_complement(language)) images_.push_back({language, morphism, where});
+}
+
+std::vector<Symbol> ClaimReading::finish_complements() {
+    if (complements_.empty()) return {};
+    add_letters(declared);
+    for (const Owned& owned : systems_) add_letters(letters_of(generated_language(owned.system)));
+    const std::vector<Symbol> all(letters.begin(), letters.end());
+    for (const Complement& each : complements_) {
+        each.tree->letters = all;
+        if (all.empty() && !is_open(each.tree))
+            throw SyntaxError{each.where,
+                              "expected letters for the words of a complement, found none; "
+                              "'alphabet a b' says what letters there are"};
+    }
+    for (const Images& each : std::exchange(images_, {}))
+        check_images(each.language, each.morphism, each.where);
+    return all;
 }
 
 void ClaimReading::finish() {

@@ -304,6 +304,7 @@ public:
             (left.ends_with("not") && is_blank(static_cast<unsigned char>(left[left.size() - 4])));
         if (statement_.negated) word = between(text_.data(), left.data() + left.size() - 3);
         HasWord said{nullptr, parse_claimed_word(word, reading_)};
+        reading_.add_letters(said.word);
         text_ = text_.substr(in + 2);
         return read(language(said.language) >> says(said));
     }
@@ -324,7 +325,9 @@ public:
             known && known->kind != ClaimName::Kind::word)
             throw SyntaxError{name.data(), "expected a word, found the name " + quoted(name)};
         statement_.negated = denied;
-        statement_.says = IsPalindrome{parse_claimed_word(before(text_, is), reading_)};
+        IsPalindrome said{parse_claimed_word(before(text_, is), reading_)};
+        reading_.add_letters(said.word);
+        statement_.says = std::move(said);
         return true;
     }
 

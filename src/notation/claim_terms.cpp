@@ -389,6 +389,7 @@ private:
         if (text.empty()) throw unexpected("a word", where);
         WordFactor letters;
         letters.word = parse_claimed_word(text, reading_);
+        reading_.add_letters(letters.word);
         return letters.word.empty() ? Factors{} : Factors{letters};
     }
 

@@ -416,7 +416,9 @@ private:
                                   "expected letters, found " + quoted(number.name) +
                                       ", a number of the condition: exponents of several signs "
                                       "stand between brackets, a^(2n)"};
-        return parse_symbols(text, reading_.lexicon);
+        Word word = parse_symbols(text, reading_.lexicon);
+        reading_.add_letters(word);
+        return word;
     }
 
     bool is_number(std::string_view name) const {
@@ -718,6 +720,10 @@ LanguageOperand parse_grammar(const char*& here, const char* end, ClaimReading& 
     const char* const close = closing_brace(open, end);
     const Grammar grammar = parse_rules(between(open + 1, close), reading);
     here = close + 1;
+    for (const auto& [left, successors] : grammar.rules)
+        for (const auto& [right, where] : successors)
+            for (const Symbol a : right)
+                if (!grammar.rewrites(a)) reading.add_letters({a});
     if (*begin == 'r') return Equations(grammar, reading).solve(begin);
     const std::string text = grammar_text(grammar, *reading.alphabet);
     return {generated_language(reading.add_grammar(

@@ -162,21 +162,28 @@ using SystemSource = std::function<Model(const std::string& name)>;
 /// `file_name`. Throws `Diagnostics` with everything that is wrong with the text, at most twenty findings
 /// and then how many more there are. Linear time but for the letters that images and complements are about.
 ///
+/// Complements are over the letters of the whole text: of its languages and words, of the words of its systems, of its clause
+/// `alphabet`, and `letters`, which count like that. Throws Error if one of these cannot be a letter.
+///
 /// Example: read_claim("claim T; show {a} is 0L", "x.claim", {}).statements.size() == 1
-Claim read_claim(std::string_view text, const std::string& file_name, const SystemSource& open);
+/// Example: read_claim("claim T; let A = {a}; let B = {b}; show ~A == ~B", "x.claim", {}, {"c"}).letters.size() == 3
+Claim read_claim(std::string_view text, const std::string& file_name, const SystemSource& open,
+                 const std::vector<std::string>& letters = {});
 
 /// A language and the alphabet that its words are over.
 struct WrittenLanguage {
     std::shared_ptr<const Alphabet> alphabet;
     Language language;
+    std::vector<Symbol> letters = {};  // that complements are over; none if nothing is a complement
 };
 
-/// The language that an expression says, as in a claim, but that `L(NAME)` opens the system. Throws
-/// `Diagnostics`.
+/// The language that an expression says, as in a claim, but that `L(NAME)` opens the system. Complements are over the letters
+/// of the expression and `letters`. Throws `Diagnostics`, and Error if one of these cannot be a letter.
 ///
 /// Example: read_language("/a*/ & {a, b}", {}).language->kind == LanguageTree::Kind::intersected
 WrittenLanguage read_language(std::string_view text, const SystemSource& open,
-                              const std::string& file_name = "expression");
+                              const std::string& file_name = "expression",
+                              const std::vector<std::string>& letters = {});
 
 /// Names of families, from which messages suggest one.
 const std::vector<std::string>& common_families();

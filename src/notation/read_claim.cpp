@@ -235,7 +235,8 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
 void refuse_unknown_family(std::string_view value) {
     const std::string_view word = first_word(value);
     const std::string_view rest = trimmed(value.substr(word.size()));
-    if (word.empty() || !is_morphism(rest.data(), rest.data() + rest.size()) ||
+    if (word.empty() || word.starts_with('~') ||
+        !is_morphism(rest.data(), rest.data() + rest.size()) ||
         is_grammar(value.data(), value.data() + value.size()))
         return;
     std::vector<std::string> families = common_families();
@@ -289,9 +290,24 @@ void read_definition(const ClaimDefinition& definition, ClaimReading& reading, C
         meaning.language = parse_language(here, end, reading);
     }
     if (here != end) throw unexpected("an operator or the end of the definition", here);
-    meaning.language.language = named(meaning.language.language, std::string(definition.name));
+    meaning.language.language =
+        reading.with_name(meaning.language.language, std::string(definition.name));
     meaning.kind = ClaimName::Kind::language;
     claim.languages.push_back(meaning.language.language);
+}
+
+/// Declares letters that do not stand in the text. Throws Error if one cannot be a letter.
+void declare_given(const std::vector<std::string>& letters, ClaimReading& reading) {
+    for (const std::string& name : letters) {
+        try {
+            if (name.empty()) throw SyntaxError{name.data(), "expected a letter, found none"};
+            check_symbol_name(name, 0, "{}");
+        } catch (const SyntaxError& error) {
+            throw Error("the alphabet: " + error.message);
+        }
+        reading.declared.push_back(reading.declare(name));
+    }
+    std::sort(reading.declared.begin(), reading.declared.end());
 }
 
 /// Reads the clauses of one claim: the alphabet first, then systems, as both say how words are cut into
@@ -303,8 +319,10 @@ public:
         claim_.name = file_name;
     }
 
-    Claim read() {
+    /// `letters` count as letters of the file, besides those that are in it.
+    Claim read(const std::vector<std::string>& letters) {
         const std::vector<ClaimClause> clauses = claim_clauses(text_);
+        declare_given(letters, reading_);
         for (const ClaimClause& clause : clauses)
             if (clause.keyword == "alphabet") guarded([&] { read_alphabet(clause); });
         std::sort(reading_.declared.begin(), reading_.declared.end());
@@ -334,6 +352,7 @@ public:
             reading_.findings.add(
                 text_.data() + text_.size(),
                 "expected a title, 'claim TEXT', before the end of the file, found none");
+        guarded([&] { claim_.letters = reading_.finish_complements(); });
         reading_.findings.throw_if_any();
         if (reading_.binds) choose_instance_letters();
         claim_.systems.insert(claim_.systems.end(), reading_.grammars.begin(),
@@ -455,24 +474,28 @@ private:
 
 }  // namespace
 
-Claim read_claim(std::string_view text, const std::string& file_name, const SystemSource& open) {
+Claim read_claim(std::string_view text, const std::string& file_name, const SystemSource& open,
+                 const std::vector<std::string>& letters) {
     return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
         ClaimReading reading(source, findings, open);
-        return ClaimReader(text, file_name, reading).read();
+        return ClaimReader(text, file_name, reading).read(letters);
     });
 }
 
 WrittenLanguage read_language(std::string_view text, const SystemSource& open,
-                              const std::string& file_name) {
+                              const std::string& file_name,
+                              const std::vector<std::string>& letters) {
     return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
         ClaimReading reading(source, findings, open);
         reading.opens_systems = true;
+        declare_given(letters, reading);
         const char* here = text.data();
         const char* const end = here + text.size();
         const Language language = parse_language(here, end, reading).language;
         if (here != end) throw unexpected("an operator", here);
+        std::vector<Symbol> over = reading.finish_complements();
         reading.finish();
-        return WrittenLanguage{reading.alphabet, language};
+        return WrittenLanguage{reading.alphabet, language, std::move(over)};
     });
 }
 

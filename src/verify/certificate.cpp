@@ -190,6 +190,21 @@ std::set<Symbol> letters_of(const Language& language) {
 
 }  // namespace
 
+std::set<Symbol> Reader::letters_of_values() const {
+    std::set<Symbol> all;
+    for (const auto& [name, language] : bound_.languages) all.merge(letters_of(language));
+    for (const auto& [name, system] : bound_.systems)
+        if (system) all.merge(letters_of(generated_by(system, name)));
+    for (const auto& [name, images] : bound_.morphisms)
+        if (images)
+            for (const auto& [letter, words] : *images) {
+                all.insert(letter);
+                for (const Word& word : words) all.insert(word.begin(), word.end());
+            }
+    for (const auto& [letter, word] : bound_.words) all.insert(word.begin(), word.end());
+    return all;
+}
+
 Language Reader::language(const Field& field) const {
     if (field.has("words")) {
         field.only({"words"});
@@ -223,12 +238,20 @@ Language Reader::language(const Field& field) const {
         } else {
             tree.parts = {language(field.at(each.name))};
         }
-        if (each.with == "letters" && field.has(each.with)) {
-            tree.letters = letters(field.at(each.with));
-        } else if (each.with == "letters") {
-            const std::set<Symbol> own = letters_of(tree.parts[0]);
-            tree.letters = {own.begin(), own.end()};
-            tree.name = "its letters";
+        if (each.with == "letters") {
+            const bool has_names =
+                !bound_.languages.empty() || !bound_.systems.empty() || !bound_.morphisms.empty();
+            std::set<Symbol> all = letters_of_values();
+            if (field.has(each.with)) {
+                const std::vector<Symbol> given = letters(field.at(each.with));
+                all.insert(given.begin(), given.end());
+                if (has_names)
+                    tree.name = spell(alphabet_, given) + " and the letters of the values";
+            } else {
+                all.merge(letters_of(tree.parts[0]));
+                tree.name = has_names ? "the letters of the values" : "its letters";
+            }
+            tree.letters = {all.begin(), all.end()};
         }
         if (each.with == "morphism") tree.morphism = morphism(field.at(each.with));
         return std::make_shared<const Tree>(std::move(tree));

@@ -42,24 +42,16 @@ public:
     using Possible = std::map<Symbol, std::set<Word>>;
     using Rules = std::set<LetterRule>;
 
-    /// Both must outlive this. Throws BoundReached if the factors of the words would take too much.
+    /// Both must outlive this. Throws BoundReached if a word is too long.
     StepCheck(const FamilyObstruction& proof, const Budget& budget)
         : proof_(proof),
           budget_(budget),
           words_(proof.language.words.begin(), proof.language.words.end()) {
-        double bytes = 0;
-        for (const Word& word : words_) {
-            const auto size = static_cast<double>(word.size() + 1);
-            bytes +=
-                size * size * (50 + size);  // of the factors, which are the images of each letter
+        for (const Word& word : words_)
             if (word.size() > longest)
                 throw BoundReached(Bound::method, "a proof by cases with words of more than " +
                                                       std::to_string(longest) +
                                                       " letters is not checked");
-        }
-        bytes *= static_cast<double>(letters_of(proof.language).size() + 1);
-        budget.check_memory(static_cast<std::uint64_t>(std::min(bytes, 1e18)),
-                            "the factors of the words");
         for (const Word& word : words_)
             for (auto end = word.begin();; ++end) {
                 beginnings_.emplace(word.begin(), end);
@@ -77,16 +69,20 @@ public:
         return spelled(Word{rule.letter}) + " -> " + spelled(rule.image);
     }
 
-    /// The factors of words, the first possible images of every letter.
+    /// The factors of words, the first possible images of every letter: what beginnings of words, each taken once, end
+    /// with. Throws BoundReached if they take too much.
     Possible factors() const {
         std::set<Word> all;
         if (!proof_.family.propagating) all.insert(Word{});
-        for (const Word& word : words_)
-            for (auto from = word.begin(); from != word.end(); ++from)
-                for (auto to = from + 1;; ++to) {
-                    all.emplace(from, to);
-                    if (to == word.end()) break;
-                }
+        const std::uint64_t copies = letters_of(proof_.language).size() + 1;
+        std::uint64_t bytes = 0;
+        for (const Word& beginning : beginnings_) {
+            for (auto from = beginning.begin(); from != beginning.end(); ++from)
+                if (all.emplace(from, beginning.end()).second)
+                    bytes += copies * (100 + beginning.size() * sizeof(Symbol));
+            budget_.check();
+            budget_.check_memory(bytes, "the factors of the words");
+        }
         Possible possible;
         for (const Word& word : words_)
             for (const Symbol a : word) possible.emplace(a, all);

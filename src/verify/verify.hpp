@@ -468,6 +468,8 @@ private:
     Symbol symbol(const Field& field, std::string_view name) const;
     /// Distinct letters, increasing.
     std::vector<Symbol> letters(const Field& field) const;
+    /// The letters of the values of bound names.
+    std::set<Symbol> letters_of_values() const;
     std::map<Symbol, Word> morphism(const Field& field) const;
     System::Successors table(const Field& field) const;
     System with_context(const Field& field) const;

@@ -177,6 +177,38 @@ TEST_CASE("twelve words of up to eight letters over three letters are decided at
     }
 }
 
+TEST_CASE("factors that words share count once against the memory") {
+    std::vector<std::string> words;
+    for (std::size_t n = 1; n <= 300; ++n) words.emplace_back(n, 'a');
+    const FiniteLanguage language = finite_language(words);
+    for (const char* const name : {"0L", "D0L", "PT0L"}) {
+        const FamilyAnswer answer = decide_family(language, family_named(name));
+        INFO(name, " ", answer.tried);
+        REQUIRE(answer.truth == Truth::refuted);
+        CHECK(flaw_in(answer.obstruction.value()).value_or("sound") == "sound");
+    }
+    words.emplace_back();
+    const FamilyAnswer with_empty = decide_family(finite_language(words), Family{});
+    REQUIRE(with_empty.truth == Truth::proved);
+    CHECK(generates(with_empty.witness.value(), finite_language(words), Family{}));
+
+    // The factors of one long word without repetitions are counted too: there are 5 million letters in them.
+    std::mt19937_64 generator(18);
+    std::string word;
+    while (word.size() < 300) word += "abcdef"[generator() % 6];
+    Budget budget;
+    budget.memory = 10'000'000;
+    const FamilyAnswer bounded = decide_family(finite_language({word}), Family{}, {}, budget);
+    CHECK(bounded.truth == Truth::undecided);
+    CHECK(bounded.tried.find("the factors of the words of the language would take more than") !=
+          std::string::npos);
+    const auto obstruction = decide_family(language, Family{}).obstruction.value();
+    budget.memory = 10'000;
+    CHECK_THROWS_WITH_AS(static_cast<void>(flaw_in(obstruction, budget)),
+                         doctest::Contains("the factors of the words would take more than"),
+                         BoundReached);
+}
+
 TEST_CASE("reversal changes nothing, and the largest family has what the smaller ones have") {
     CHECK(rc::check([] {
         const auto words = *rc::gen::container<std::vector<std::string>>(

@@ -485,3 +485,33 @@ TEST_CASE("a proof of something false is not checked") {
     CHECK(outcome(lines, equal(powers(2, 1))) == Outcome::wrong);
     CHECK(outcome(lines, equal(powers(1, 2))) == Outcome::wrong);
 }
+
+TEST_CASE("De Morgan's rules hold in every file, whatever letters its languages have") {
+    int proved = 0;
+    CHECK(rc::check("laws", [&] {
+        const auto any = [] {
+            const auto letter = [] {
+                return std::string(1, *rc::gen::elementOf(std::string("abcd")));
+            };
+            const std::string x = letter(), y = letter();
+            return *rc::gen::elementOf(std::vector<std::string>{
+                "{" + x + "}", "{ε, " + x + y + "}", "/" + x + "*" + y + "/",
+                "/(" + x + "|" + y + ")*" + x + "/", "{}", "~{" + x + "}",
+                "{ " + x + " -> " + y + " }({" + x + x + "})"});
+        };
+        const std::string lets = *rc::gen::resize(
+            100, rc::gen::exec([&] {
+                return "let A = " + any() + "\nlet B = " + any() + "\nlet C = {c}\n";
+            }));
+        for (const Verdict& law :
+             all_judged(lets + "show ~(A | B) == ~A & ~B\nshow ~(A & B) == ~A | ~B\n"
+                               "show A \\ B == A & ~B\nshow ~~A == A\nshow ~(B | C) == ~B & ~C\n"
+                               "show ~A | A == ~{}\nshow c in ~{} & ~{cc}\n")) {
+            RC_ASSERT(law.truth == Truth::proved);
+            RC_ASSERT(law.is_checked());
+            ++proved;
+        }
+    }));
+    MESSAGE(proved << " laws proved and checked");
+    CHECK(proved > 0);
+}

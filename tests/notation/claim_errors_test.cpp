@@ -95,12 +95,14 @@ TEST_CASE("expressions") {
     CHECK(claim_messages("show {a;b} is 0L") == "2:8: expected a symbol, found ';'");
     CHECK(claim_messages("show {a#b} is 0L") ==
           "2:8: expected a symbol, found '#'; a comment needs a blank before");
-    CHECK(claim_messages("show ~{} is 0L") ==
-          "2:6: expected a language with letters after '~', found one without; 'alphabet a b' says "
-          "what letters "
-          "there are");
-    CHECK(claim_messages("alphabet a\nshow ~{b} is 0L") ==
-          "3:6: expected a language over the letters of 'alphabet', found the letter b");
+    CHECK(
+        claim_messages("show ~{} is 0L") ==
+        "2:6: expected letters for the words of a complement, found none; 'alphabet a b' says what "
+        "letters there are");
+    CHECK(claim_messages("alphabet a\nshow ~{b} is 0L") == "");
+    CHECK(
+        claim_messages("let h = { a -> a }\nlet A = h(~{a})\nshow b in {b}") ==
+        "3:9: expected a morphism with an image for each letter of the language, found none for b");
     CHECK(claim_messages("let h = { a -> b; a -> c }") == "2:19: the letter 'a' has two images");
     CHECK(claim_messages("let h = { ab -> b }") ==
           "2:11: expected one letter before the arrow, found 'ab'");

@@ -49,8 +49,9 @@ Language any_language(std::size_t letters, int depth) {
     }
     const Language inner = part();
     if (kind == 7) {
-        const std::vector<Symbol> known = letters_of(inner);
-        return known.empty() ? inner : complement_language(inner, known);
+        std::vector<Symbol> all;
+        for (Symbol a = 0; a < letters; ++a) all.push_back(a);
+        return complement_language(inner, std::move(all));
     }
     Morphism morphism;
     for (Symbol a = 0; a < letters; ++a) morphism.add(a, any_word(letters));
@@ -120,7 +121,29 @@ TEST_CASE("names are what their definitions say") {
     CHECK(read.languages[3]->parts[0]->parts[1]->system == read.systems.at(0));
 }
 
-TEST_CASE("complements are over the letters of the operand or of the alphabet") {
+TEST_CASE("complements are over all letters of the text, and those of the alphabet") {
+    const auto letters = [](const std::string& lines) {
+        const Claim read = claim(lines);
+        return joined(read.letters, "", [&](Symbol a) { return read.alphabet->name(a); });
+    };
+    CHECK(letters("let A = {a}; let B = {b}; show ~A == ~B") == "ab");
+    CHECK(letters("show ~{a} != {}; show c in /c|d/") == "acd");
+    CHECK(letters("let A = ~{a}; let G = 0L { axiom b; b -> c }; let h = { d -> e }") == "bcade");
+    CHECK(letters("let A = ~CF { S -> aSb | ε }; let B = regular { T -> cT | d }") == "abcd");
+    CHECK(letters("let A = ~{a^n b^n : n >= 0}; let E = E0L { axiom S; S -> c; terminals c }") ==
+          "cab");
+    CHECK(letters("let A = ~{a}; theorem for all words x: x in A or x not in A") == "a");
+    CHECK(letters("theorem for all languages A over {p, q}: ~~A == A") == "pq");
+    CHECK(letters("alphabet z\nlet A = ~{a}") == "za");
+    CHECK(letters("let A = {a}; show A is finite") == "");
+    const Claim two = claim("let A = ~{a}; let B = A; let C = ~A\nshow b in {b}");
+    for (const Language& language : two.languages) CHECK(letters_of(language).size() == 2);
+    const WrittenLanguage more = read_language("~{a} | {b}", gallery_system, "x", {"c", "wall"});
+    CHECK(more.letters.size() == 4);
+    CHECK(more.language->parts[0]->letters == more.letters);
+    CHECK(read_language("{a}", gallery_system, "x", {"c"}).letters.empty());
+    CHECK_THROWS_WITH_AS(read_language("~{a}", gallery_system, "x", {"b("}),
+                         "the alphabet: expected names without '('", Error);
     const WrittenLanguage own = read_language("~{ab}", gallery_system);
     CHECK(own.language->letters == std::vector<Symbol>{0, 1});
     const Claim read = claim("alphabet a wall b\nlet A = ~{wall b} | ~{}");

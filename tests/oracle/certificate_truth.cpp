@@ -126,7 +126,9 @@ private:
             return morphism(value["morphism"]) + "(" + language(value["image"]) + ")";
         if (value.contains("inverse image"))
             return morphism(value["morphism"]) + "^-1(" + language(value["inverse image"]) + ")";
-        if (!value.contains("letters")) return "~(" + language(value.at("complement")) + ")";
+        // Within a quantifier the letters of the values are added, which no text without ~ says.
+        if (value.contains("letters") == is_quantified_) throw Unsayable();
+        if (is_quantified_) return "~(" + language(value.at("complement")) + ")";
         std::string letters;
         for (const char letter : plain(value["letters"]))
             letters += (letters.empty() ? "" : ", ") + std::string(1, letter);
@@ -191,6 +193,7 @@ private:
     }
 
     std::string quantified(const Json& said) {
+        is_quantified_ = true;
         const bool universal = said.contains("for all");
         std::string text;
         for (const Json& name : said[universal ? "for all" : "for some"]) {
@@ -269,6 +272,7 @@ private:
     std::string lets_;
     std::map<std::string, std::string> systems_;
     std::set<std::string> bound_;
+    bool is_quantified_ = false;
     std::size_t names_ = 0;
 };
 

@@ -256,17 +256,26 @@ TEST_CASE("letters of a quantifier within another one are not renamed") {
     CHECK(found(true_one).outcome == Outcome::checked);
 }
 
-TEST_CASE("a complement of a bound name is over the letters of its value") {
+TEST_CASE("complements of bound names are over the letters of all values and of the file") {
     const Json written =
         certificate_of("for all finite languages A up to size 3: ~A is infinite or A <= {ε}");
     CHECK(written["statements"][0]["verdict"] == "proved");
     const verify::Finding one = found(written);
     CHECK(one.outcome == Outcome::checked);
     CHECK(one.statement ==
-          "for all finite languages A up to size 3: (complement of A over its letters is not "
-          "finite) or (A <= {ε})");
+          "for all finite languages A up to size 3: (complement of A over the letters of the "
+          "values is not finite) or (A <= {ε})");
     const Json other = certificate_of("for some finite language A up to size 3: a in ~A");
     CHECK(found(other).outcome == Outcome::checked);
+    for (const char* const law :
+         {"~(A | B) == ~A & ~B", "~(A & B) == ~A | ~B", "~~A == A", "A \\ B == A & ~B",
+          "~(A | C) == ~A & ~C", "A & ~A is empty", "~A <= ~B | B"}) {
+        const Json all = certificate_of(
+            "for all finite languages A, B up to size 2: " + std::string(law), "let C = {c}\n");
+        INFO(law);
+        CHECK(all["statements"][0]["verdict"] == "proved");
+        CHECK(found(all).outcome == Outcome::checked);
+    }
 }
 
 TEST_CASE(

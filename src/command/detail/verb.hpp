@@ -54,6 +54,11 @@ std::uint64_t bytes(const std::string& option, const std::string& text);
 /// The parts of a list with commas between, none of them empty.
 std::vector<std::string> list(const std::string& option, const std::string& text);
 
+/// Letters with blanks or commas between: "a b c".
+std::vector<std::string> letters(const std::string& option, const std::string& text);
+inline constexpr const char* alphabet_help =
+    "letters that ~ is over besides those that occur, with blanks or commas between";
+
 /// Generations or seeds, "5" or "0..6".
 struct Range {
     std::uint64_t first = 0, last = 0;
@@ -212,6 +217,7 @@ void add_member(Verbs& verbs);
 void add_finite(Verbs& verbs);
 void add_equal(Verbs& verbs);
 void add_is(Verbs& verbs);
+void add_list(Verbs& verbs);
 void add_check(Verbs& verbs);
 void add_closure(Verbs& verbs);
 void add_verify(Verbs& verbs);

@@ -136,6 +136,7 @@ struct OfPowers {
 
 /// A complement is over other letters.
 struct OtherLetters {
+    std::vector<Symbol> letters;  // of the complement
     static constexpr const char* rule = "membership";
     Symbol letter = 0;
 };

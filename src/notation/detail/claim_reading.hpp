@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -56,6 +57,7 @@ public:
     std::shared_ptr<Alphabet> alphabet;  // common to all
     Lexicon lexicon;
     std::vector<Symbol> declared;  // by `alphabet`
+    std::set<Symbol> letters;      // of the words of languages, as far as they are read
     std::vector<std::string>
         long_names;                 // the symbols that are read as one because they are declared
     bool opens_systems = false;     // `L(NAME)` of a name that is not defined opens a system
@@ -98,10 +100,30 @@ public:
                                                     const std::string& grammar);
     /// The system that `open` knows by this name, which stands at `where`.
     Model opened(const std::string& name, const char* where) const;
+    /// Adds letters of the file, but those that are names of bound words.
+    void add_letters(const Word& word);
+    /// The complement of the language, whose letters come with `finish_complements`; the sign stands at `where`.
+    Language complement(Language language, const char* where);
+    /// The language with a name.
+    Language with_name(Language language, std::string name);
+    /// That the morphism has an image for each letter of the language is looked at when the letters are known.
+    void check_images(const Language& language, const Morphism& morphism, const char* where);
     /// Puts all systems over the alphabet as it is now.
     void finish();
+    /// Puts all complements over the letters of the file, those of systems' words and of `alphabet` too, and gives them; none if
+    /// nothing is a complement. Throws `SyntaxError` at a complement if there are no letters, and where images are missing.
+    std::vector<Symbol> finish_complements();
 
 private:
+    struct Complement {
+        std::shared_ptr<LanguageTree> tree;
+        const char* where;
+    };
+    struct Images {
+        Language language;
+        Morphism morphism;
+        const char* where;
+    };
     struct Owned {
         std::shared_ptr<SourceSystem> system;
         SourceSystem own;  // over its own alphabet
@@ -117,6 +139,8 @@ private:
     std::vector<Hidden> hidden_;
     std::unordered_map<std::string, std::shared_ptr<const SourceSystem>> opened_;
     std::vector<Owned> systems_;
+    std::vector<Complement> complements_;
+    std::vector<Images> images_;
 };
 
 /// The brace that closes the one at `open`; nullptr if there is none before `end`.
@@ -125,7 +149,11 @@ const char* closing_brace(const char* open, const char* end);
 /// Where `word` stands in the text between blanks (or the ends) and outside braces; npos if nowhere.
 std::size_t find_word(std::string_view text, std::string_view word);
 
-/// The word that is the whole of the text; ε is the empty word, a text without anything is none.
+/// Whether a bound name stands in the language, whose letters are known of no instance.
+bool is_open(const Language& language);
+
+/// The word that is the whole of the text; ε is the empty word, a text without anything is none. Its letters are not counted
+/// among those of the file.
 Word parse_claimed_word(std::string_view text, ClaimReading& reading);
 
 /// Whether a morphism between braces stands at `here`, not a set of words: there is an arrow between them.

@@ -327,8 +327,8 @@ GraphLayout::Line arc_between(const Graph& graph, const Graph::Edge& edge,
     const Point start = lower_corner(edge.from, way), end = lower_corner(edge.to, -way);
     const double across = end.x - start.x;
     // Two letters may see each other: one arc hangs lower.
-    const double depth = std::clamp(std::fabs(across) * steepness, least_depth, largest_depth) +
-                         (way < 0 ? 4 : 0);
+    const double depth =
+        std::clamp(std::fabs(across) * steepness, least_depth, largest_depth) + (way < 0 ? 4 : 0);
     const Point first{start.x + across * 0.2, start.y + depth},
         second{end.x - across * 0.2, end.y + depth};
     const double x = second.x - end.x, y = second.y - end.y, length = std::hypot(x, y);
@@ -490,9 +490,8 @@ GraphLayout tree_layout(const Graph& graph, const Budget& budget) {
             }
         }
     const double row_height =
-        widest > wide
-            ? std::clamp(flattest * slope_of_modules, least_row, largest_row_of_modules)
-            : std::clamp(flattest * least_slope, least_row, largest_row);
+        widest > wide ? std::clamp(flattest * slope_of_modules, least_row, largest_row_of_modules)
+                      : std::clamp(flattest * least_slope, least_row, largest_row);
     double tallest = 0;
     for (std::size_t row = 0; row < graph.rows.size(); ++row)
         for (const std::size_t i : graph.rows[row]) {

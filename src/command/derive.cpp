@@ -9,6 +9,7 @@
 
 #include <map>
 
+#include "command/detail/choices.hpp"
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -90,18 +91,8 @@ void print_lines(bool json, std::uint64_t first, std::uint64_t last,
     if (json) print("  ]\n}\n");
 }
 
-constexpr std::uint64_t usual_seed = 1;
-
 RewritingChoices choices(const DeriveOptions& options, const LSystem& system) {
-    RewritingChoices out;
-    out.seed = options.seed.value_or(usual_seed);
-    // A seed says that rules without probabilities may be picked too.
-    const bool seeded = options.seed || options.seeds;
-    out.evenly = !class_of(system).stochastic && seeded;
-    out.random_tables = seeded;
-    // What an environment answers is measured on a figure, which keeps doubles.
-    out.arithmetic = class_of(system).open ? Arithmetic::doubles : Arithmetic::exact;
-    return out;
+    return derivation_choices(system, options.seed, options.seed || options.seeds);
 }
 
 std::uint64_t one_generation(const DeriveOptions& options, const std::string& option) {
@@ -112,14 +103,7 @@ std::uint64_t one_generation(const DeriveOptions& options, const std::string& op
 }
 
 std::vector<std::size_t> tables(const DeriveOptions& options, const LSystem& system) {
-    if (options.tables.empty()) {
-        if (leaves_tables_open(system) && !options.seed && !options.seeds)
-            throw Error(
-                "it has " + std::to_string(system.tables.size()) +
-                " tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
-        return {};
-    }
-    return table_sequence(system.tables, options.tables);
+    return derivation_tables(system, options.tables, options.seed || options.seeds);
 }
 
 /// The word of one generation after the other. Numbers are exact while words are not long: from then on they are doubles, as
@@ -167,12 +151,6 @@ private:
     const Budget& budget_;
     std::optional<OpenDevelopment> development_;
 };
-
-void check_long_enough(const std::vector<std::size_t>& sequence, std::uint64_t n) {
-    if (!sequence.empty() && sequence.size() < n)
-        throw Error("--tables: expected a table for each of " + std::to_string(n) +
-                    " steps, found " + std::to_string(sequence.size()));
-}
 
 void derive_modules(const DeriveOptions& options, const Model& system, const Budget& budget) {
     const auto sequence = tables(options, system);
@@ -400,6 +378,33 @@ int letter(const LetterOptions& options) {
 }
 
 }  // namespace
+
+RewritingChoices derivation_choices(const LSystem& system, std::optional<std::uint64_t> seed,
+                                    bool seeded) {
+    constexpr std::uint64_t usual_seed = 1;
+    RewritingChoices out;
+    out.seed = seed.value_or(usual_seed);
+    out.evenly = !class_of(system).stochastic && seeded;
+    out.random_tables = seeded;
+    // What an environment answers is measured on a figure, which keeps doubles.
+    out.arithmetic = class_of(system).open ? Arithmetic::doubles : Arithmetic::exact;
+    return out;
+}
+
+std::vector<std::size_t> derivation_tables(const LSystem& system, const std::string& tables,
+                                           bool seeded) {
+    if (!tables.empty()) return table_sequence(system.tables, tables);
+    if (leaves_tables_open(system) && !seeded)
+        throw Error("it has " + std::to_string(system.tables.size()) +
+                    " tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
+    return {};
+}
+
+void check_long_enough(const std::vector<std::size_t>& sequence, std::uint64_t n) {
+    if (!sequence.empty() && sequence.size() < n)
+        throw Error("--tables: expected a table for each of " + std::to_string(n) +
+                    " steps, found " + std::to_string(sequence.size()));
+}
 
 void add_derive(Verbs& verbs) {
     auto [verb, options] = verbs.add("derive", "The word of a generation, or its boxes",

@@ -1,4 +1,4 @@
-// Questions about languages: is a word in one (`member`), is it finite (`finite`), have two systems the same
+// Questions about languages: is a word in one (`member`) and by how many derivations, is it finite (`finite`), have two systems the same
 // one (`equal`), is it of a family (`is`), which are its words (`list`).
 //
 // Every answer comes with what proves it and ends with the status of a question: 0 yes, 1 no, 3 undecided.
@@ -65,9 +65,69 @@ void add_certificate_option(Verb& verb, std::string& file) {
 
 struct MemberOptions {
     std::string file, word, certificate;
-    bool brief = false, json = false;
+    std::optional<Range> steps;
+    std::optional<std::uint64_t> most;
+    bool brief = false, count = false, all = false, json = false;
     Bounds bounds;
 };
+
+void check_usage(const MemberOptions& options) {
+    if (options.steps && !options.count && !options.all)
+        throw Error("-n goes with --count or --all: derivations of so many steps");
+    if (options.most && !options.all) throw Error("--max-derivations goes with --all");
+    if (options.brief && options.all)
+        throw Error("--brief leaves out the derivations that --all asks for");
+}
+
+/// The derivations of the word by their numbers of steps: those of -n, otherwise all, or the first ones where they are
+/// infinitely many.
+DerivationCounts asked_counts(const MemberOptions& options, const ET0L& system, const Word& word,
+                              const Budget& budget) {
+    if (!options.steps) return derivation_counts(system, word, 10, budget);
+    DerivationCounts found;
+    found.total = 0;
+    for (std::uint64_t n = options.steps->first; n <= options.steps->last; ++n) {
+        Integer count = number_of_derivations(system, word, n, budget);
+        *found.total += count;
+        found.by_steps.push_back({n, std::move(count)});
+    }
+    return found;
+}
+
+/// Prints the numbers of derivations of a member, and with --all the derivations.
+void print_derivations(const MemberOptions& options, const Membership& found, const ET0L& system,
+                       const Word& word, const Budget& budget) {
+    constexpr std::uint64_t usual_most = 20;
+    const std::uint64_t most = options.most.value_or(usual_most);
+    const DerivationCounts counts = asked_counts(options, system, word, budget);
+    std::string text = "yes: " + spell(*system.alphabet, word) +
+                       " is in the language, first in generation " + std::to_string(found.step) +
+                       '\n' + to_text(counts);
+    Json out{{"member", true}, {"step", found.step}};
+    out.update(to_json(counts));
+    if (options.all) {
+        Json list = Json::array();
+        std::uint64_t shown = 0;
+        for (const auto& [steps, count] : counts.by_steps) {
+            if (shown == most) break;
+            std::uint64_t number = 0;
+            for (const Derivation& one :
+                 derivations(system, word, steps, static_cast<std::size_t>(most - shown), budget)) {
+                text += "derivation " + std::to_string(++number) + " of " + std::to_string(steps) +
+                        (steps == 1 ? " step\n" : " steps\n") + to_text(one, system);
+                list.add(Json{{"steps", steps}, {"derivation", to_json(one, system)}});
+            }
+            shown += number;
+        }
+        const bool is_all = counts.total && *counts.total == Integer(shown);
+        if (!is_all)
+            text += (counts.total ? readable(*counts.total - Integer(shown)) : "infinitely many") +
+                    " more; --max-derivations shows more than " + std::to_string(most) + '\n';
+        out.set("derivations", std::move(list));
+        out.set("complete", is_all);
+    }
+    print(options.json ? out.text() : text);
+}
 
 /// Writes that the word is in L(A), or not, for a system A.
 void certify_member(const MemberOptions& options, const Model& system, const Word& word,
@@ -83,6 +143,7 @@ void certify_member(const MemberOptions& options, const Model& system, const Wor
 }
 
 int member(const MemberOptions& options) {
+    check_usage(options);
     const Budget budget = options.bounds.budget();
     const Model written = open_model(options.file, budget);
     const View<ET0L> system = as_et0l(written);
@@ -92,6 +153,11 @@ int member(const MemberOptions& options) {
         throw Error("WORD has parameters, and the words of a system without parameters have none");
     const Word& word = read.letters;
     const Membership found = membership(*system, word, budget);
+    if (found.member && (options.count || options.all)) {
+        certify_member(options, written, word, alphabet, budget);
+        print_derivations(options, found, *system, word, budget);
+        return success;
+    }
     std::optional<Derivation> witness;
     if (found.member && !options.brief) witness = derivation(*system, word, found, budget);
     certify_member(options, written, word, alphabet, budget);
@@ -101,6 +167,7 @@ int member(const MemberOptions& options) {
         out.set("step", found.member ? Json(found.step) : Json());
         if (witness) out.set("derivation", to_json(*witness, *system));
         if (!found.member) out.set("reason", reason(found, alphabet, word));
+        if (!found.member && options.count) out.update(to_json(DerivationCounts{{}, Integer(0)}));
         print(out.text());
     } else if (found.member) {
         print("yes: " + text + " is in the language, first in " + "generation " +
@@ -500,14 +567,23 @@ int list_language(const ListOptions& options) {
 }  // namespace
 
 void add_member(Verbs& verbs) {
-    auto [verb, options] =
-        verbs.add("member", "Whether a word is in the language, with its derivation",
-                  {"algae member fibonacci abaab", "algae member my.lsys ε --json",
-                   "algae member fibonacci abaab --certificate my.json"},
-                  member);
+    auto [verb, options] = verbs.add(
+        "member", "Whether a word is in the language, with its derivation",
+        {"algae member fibonacci abaab", "algae member my.lsys ε --json",
+         "algae member all-powers aaaa --count", "algae member all-powers aaaa --all -n 3",
+         "algae member fibonacci abaab --certificate my.json"},
+        member);
     verb.option("FILE", options.file, file_type, file_help).required = true;
     verb.option("WORD", options.word, "TEXT", "the word; ε is the empty word").required = true;
     verb.flag("--brief", options.brief, "leave the derivation out");
+    verb.flag("--count", options.count,
+              "how many derivations there are, exactly, by their numbers of steps: choices of a "
+              "rule for each letter and of a table for each step");
+    verb.flag("--all", options.all, "the different derivations, fewest steps first");
+    verb.option("-n", options.steps, range, "N",
+                "with --count and --all: derivations of N steps, or of a range such as 0..6");
+    verb.option("--max-derivations", options.most, natural, "K",
+                "with --all: derivations that are shown (default 20)");
     add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);

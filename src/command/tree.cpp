@@ -3,12 +3,16 @@
 //
 // The size of a tree is computed before the tree is made. A tree that is too large is refused with its size and
 // with trees that would fit: a smaller depth, or --dag, which draws equal subtrees of one generation once.
+//
+// Of a D0L system sizes follow from the rules. Systems with parameters, chance, tables or contexts are derived as `derive`
+// derives them, with the same choices, as far as words stay short; the tree is made of what came of each module.
 
 #include <algorithm>
 #include <cctype>
 #include <functional>
 #include <optional>
 
+#include "command/detail/choices.hpp"
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/pictures.hpp"
@@ -17,14 +21,16 @@
 #include "language/language.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
+#include "rewrite/rewrite.hpp"
+#include "system/system.hpp"
 
 namespace algae::command {
 
 namespace {
 
 struct Options {
-    std::string file, word, output, format, background;
-    std::optional<std::uint64_t> generation, depth;
+    std::string file, word, tables, output, format, background;
+    std::optional<std::uint64_t> generation, depth, seed;
     std::optional<double> width, height;
     std::uint64_t most_nodes = 2000;
     bool shared = false, graph = false, families = false, json = false;
@@ -66,6 +72,8 @@ void check_usage(const Options& options) {
                         : std::string("FILE is missing: ") + file_help);
     if (!tree && (options.shared || options.depth))
         throw Error("--dag and --depth are for trees: -n or --word");
+    if (!options.generation && (options.seed || !options.tables.empty()))
+        throw Error("--seed and --tables go with -n: they say how the generation is derived");
 }
 
 /// Throws BoundReached with the size, and with shapes that are smaller, if the tree is too large to show.
@@ -84,7 +92,11 @@ void check_size(const Options& options, std::uint64_t n, const TreeShape& shape,
     std::string message = std::string("the tree has ") + found + ", more than the " +
                           std::to_string(most) + " of --max-nodes";
     const auto suggest = [&](const std::string& option, const TreeShape& smaller) {
-        message += "; " + option + " has " + readable(size(smaller));
+        try {
+            message += "; " + option + " has " + readable(size(smaller));
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+        }
     };
     const std::uint64_t last = std::min(n, shape.depth.value_or(n));
     if (const auto depth = depth_within(last, most, size, shape.shared))
@@ -103,13 +115,45 @@ Drawing drawing_of(const DerivationTree& tree, std::uint64_t generation) {
             {{"generation", generation},
              {"nodes", tree.nodes.size()},
              {"edges", edge_count(tree)},
-             {"depth", depth(tree)}}};
+             {"depth", depth(tree)},
+             {"contexts", context_count(tree)},
+             {"tables", tree.tables}}};
+}
+
+/// The tree of the generation that `derive` derives with the same options.
+Drawing module_tree(const Options& options, const LSystem& system, const TreeShape& shape,
+                    const Budget& budget) {
+    constexpr std::uint64_t most_modules = 200'000;  // of all words, those below a cut too
+    const Class kind = class_of(system);
+    if (kind.shape)
+        throw Error("it has shape rules, which divide boxes; tree draws derivations of words");
+    if (kind.open)
+        throw Error(
+            "it has communication modules, which an environment fills between two steps; "
+            "tree draws derivations by rules alone");
+    const std::uint64_t n = *options.generation;
+    const bool seeded = options.seed.has_value();
+    const std::vector<std::size_t> tables = derivation_tables(system, options.tables, seeded);
+    check_long_enough(tables, n);
+    const Rewriting rewriting(system, derivation_choices(system, options.seed, seeded), budget);
+    const ModuleTrace trace =
+        traced(rewriting, n, tables, std::max(most_modules, options.most_nodes), budget);
+    const std::uint64_t last = trace.goes_on ? trace.lengths.size() : n;
+    check_size(options, last, shape,
+               [&](const TreeShape& asked) { return tree_size(rewriting, trace, asked, budget); });
+    Drawing drawing = drawing_of(derivation_tree(rewriting, trace, shape, budget), n);
+    if (seeded || kind.stochastic) drawing.facts.set("seed", options.seed.value_or(1));
+    return drawing;
 }
 
 Drawing generation_tree(const Options& options, const TreeShape& shape, const Budget& budget) {
     const LSystem written = open_system(options.file, budget);
     const View<D0L> system = as_d0l(written);
-    if (!system) throw Error(system.reason() + "; --word draws the derivation of one word");
+    const bool picked = options.seed || !options.tables.empty();
+    if (!system && !picked && as_ol(written))
+        throw Error(system.reason() +
+                    "; --word draws the derivation of one word, --seed one picked at random");
+    if (!system || picked) return module_tree(options, written, shape, budget);
     const std::uint64_t n = *options.generation;
     check_size(options, n, shape,
                [&](const TreeShape& asked) { return tree_size(*system, n, asked, budget); });
@@ -119,6 +163,7 @@ Drawing generation_tree(const Options& options, const TreeShape& shape, const Bu
 Drawing member_tree(const Options& options, const TreeShape& shape, const Budget& budget) {
     const LSystem written = open_system(options.file, budget);
     const View<ET0L> system = as_et0l(written);
+    if (!system) throw Error("--word: " + system.reason() + "; -n draws the tree of a generation");
     Alphabet alphabet = *system->alphabet;
     const ModuleWord read = read_word(options.word, alphabet);
     if (!read.arguments.empty())
@@ -195,11 +240,18 @@ void add_tree(Verbs& verbs) {
         "tree", "The derivation tree of a generation or of a word, the digraph of growth",
         {"algae tree anabaena -n 4 -o anabaena.pdf",
          "algae tree all-powers --word aaa -o derivation.svg",
+         "algae tree my.lsys -n 4 --seed 7 -o picked.svg",
          "algae tree fibonacci --graph -o growth.png", "algae tree --families -o families.pdf"},
         tree);
     verb.option("FILE", options.file, file_type, file_help);
     verb.option("-n", options.generation, natural, "N",
-                "the tree of this generation of a D0L system");
+                "the tree of this generation, with contexts as thin arcs");
+    verb.option("--seed", options.seed, natural, "S",
+                "with -n: what is picked at random, as in derive (1 for systems with "
+                "probabilities)");
+    verb.option("--tables", options.tables, "SEQUENCE",
+                "with -n: the table of each step: light,dark or, of one character each, abab or "
+                "1212");
     verb.option("--word", options.word, "WORD",
                 "the tree of a derivation of this word, in as few steps as possible");
     verb.flag(
@@ -224,7 +276,8 @@ void add_tree(Verbs& verbs) {
                 "of the picture, in points (png: pixels)");
     verb.option("--background", options.background, "COLOUR",
                 "a colour, or transparent (default: white in png, none elsewhere)");
-    verb.json_flag(options.json, "print nodes, edges and depth as one JSON object");
+    verb.json_flag(options.json,
+                   "print nodes, edges, depth, contexts and tables as one JSON object");
     verb.bounded_by(options.bounds);
 }
 

@@ -5,14 +5,16 @@
 
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "rewrite/rewrite.hpp"
 #include "system/system.hpp"
 
-// Derivations as trees, of D0L systems generation by generation and of given derivations, whole, cut at a
+// Derivations as trees, of D0L systems generation by generation, of given derivations and of modules, whole, cut at a
 // depth, or with equal subtrees shared.
 //
 // Sizes are known without the tree: a system in which every letter leaves one more letter behind has as many
 // letters in generation n as the tree has nodes. With shared subtrees a generation has each letter once, and
-// the sets of letters of the generations repeat.
+// the sets of letters of the generations repeat. Of systems with parameters, chance or contexts nothing is known without
+// the derivation, so they are derived first, and the tree is made of what came of each module.
 
 namespace algae {
 
@@ -231,6 +233,120 @@ DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
     return shape.shared ? with_shared_subtrees(tree, budget) : tree;
 }
 
+namespace {
+
+/// The last generation of a trace that is shown, and whether something is left out below it. Throws BoundReached if the
+/// trace ends before.
+std::pair<std::uint64_t, bool> extent(const ModuleTrace& trace, const TreeShape& shape) {
+    const std::uint64_t steps = trace.lengths.size();
+    if (!trace.goes_on) return extent(steps, shape);
+    if (!shape.depth || *shape.depth > steps)
+        throw BoundReached(Bound::letters, "the words of the derivation are too long after " +
+                                               std::to_string(steps) + " steps");
+    return {*shape.depth, true};
+}
+
+/// How many modules of the last word stand below each module of a generation; -1 where the trace ends before the last
+/// word.
+std::vector<Integer> modules_below(const ModuleTrace& trace, std::size_t generation) {
+    if (trace.goes_on)
+        return std::vector<Integer>(trace.words[generation].kinds.size(), Integer(-1));
+    std::vector<std::uint64_t> counts(trace.words.back().kinds.size(), 1);
+    for (std::size_t t = trace.lengths.size(); t-- > generation;) {
+        std::vector<std::uint64_t> above;
+        std::size_t next = 0;
+        for (const std::uint32_t length : trace.lengths[t]) {
+            std::uint64_t sum = 0;
+            for (std::uint32_t k = 0; k < length; ++k) sum += counts.at(next++);
+            above.push_back(sum);
+        }
+        counts = std::move(above);
+    }
+    return {counts.begin(), counts.end()};
+}
+
+}  // namespace
+
+Integer tree_size(const Rewriting& rewriting, const ModuleTrace& trace, const TreeShape& shape,
+                  const Budget& budget) {
+    if (shape.shared) return Integer(derivation_tree(rewriting, trace, shape, budget).nodes.size());
+    const auto [last, cut] = extent(trace, shape);
+    if (trace.words.front().kinds.empty()) return 1;
+    std::uint64_t nodes = 0;
+    for (std::size_t t = 0; t <= last; ++t) {
+        nodes += trace.words[t].kinds.size();
+        if (t < last) nodes += static_cast<std::uint64_t>(std::ranges::count(trace.lengths[t], 0U));
+    }
+    return Integer(cut ? nodes + trace.words[static_cast<std::size_t>(last)].kinds.size() : nodes);
+}
+
+DerivationTree derivation_tree(const Rewriting& rewriting, const ModuleTrace& trace,
+                               const TreeShape& shape, const Budget& budget) {
+    using enum Node::Kind;
+    const auto [last, cut] = extent(trace, shape);
+    const CompiledRules& rules = rewriting.rules();
+    const ModuleText text(rules.system->alphabet, rules.kinds);
+    DerivationTree tree;
+    tree.alphabet = std::make_shared<const Alphabet>(rules.system->alphabet);
+    const auto add = [&](Node node) {
+        if (tree.nodes.size() >= budget.letters)
+            throw BoundReached(Bound::letters,
+                               "the tree has more than " + std::to_string(budget.letters) +
+                                   " nodes, the letters allowed" + budget.by(Bound::letters));
+        tree.nodes.push_back(std::move(node));
+        return tree.nodes.size() - 1;
+    };
+    // The module at a position of generation t, whose parameters begin there.
+    const auto add_module = [&](std::size_t t, std::size_t position, std::size_t values) {
+        const ModuleString& word = trace.words[t];
+        const ModuleKind kind = word.kinds[position];
+        Node node{letter, rules.kinds.letter(kind), t, 0, {}};
+        if (rules.kinds.arity(kind) > 0) node.text = text.text(kind, word.values.data() + values);
+        return add(std::move(node));
+    };
+
+    std::vector<std::size_t> row;  // the nodes of one generation, by position
+    std::size_t values = 0;
+    for (std::size_t i = 0; i < trace.words.front().kinds.size(); ++i) {
+        row.push_back(add_module(0, i, values));
+        values += rules.kinds.arity(trace.words.front().kinds[i]);
+    }
+    if (row.empty()) add({erased, 0, 0, 0, {}});
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i) tree.roots.push_back(i);
+    for (std::size_t t = 0; t < last && !row.empty(); ++t) {
+        budget.check();
+        std::vector<std::size_t> next;
+        values = 0;
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            for (const std::size_t position : trace.seen[t][i])
+                tree.nodes[row[i]].seen.push_back(row[position]);
+            for (std::uint32_t k = 0; k < trace.lengths[t][i]; ++k) {
+                const ModuleKind kind = trace.words[t + 1].kinds[next.size()];
+                next.push_back(add_module(t + 1, next.size(), values));
+                values += rules.kinds.arity(kind);
+                tree.nodes[row[i]].children.push_back(next.back());
+            }
+            if (trace.lengths[t][i] == 0) {
+                const std::size_t mark = add({erased, 0, t + 1, 0, {}});
+                tree.nodes[row[i]].children.push_back(mark);
+            }
+        }
+        row = std::move(next);
+    }
+    if (cut) {
+        const std::vector<Integer> below = modules_below(trace, static_cast<std::size_t>(last));
+        for (std::size_t i = 0; i < row.size(); ++i) {
+            const std::size_t mark =
+                add({omitted, tree.nodes[row[i]].letter, last + 1, below.at(i), {}});
+            tree.nodes[row[i]].children.push_back(mark);
+        }
+    }
+    if (rules.system->tables.size() > 1)
+        for (std::size_t t = 0; t < last; ++t)
+            tree.tables.push_back(rules.system->tables.at(trace.tables[t]));
+    return shape.shared ? with_shared_subtrees(tree, budget) : tree;
+}
+
 std::optional<std::uint64_t> depth_within(std::uint64_t n, std::uint64_t most_nodes,
                                           const std::function<Integer(const TreeShape&)>& size,
                                           bool shared) {
@@ -251,7 +367,8 @@ std::optional<std::uint64_t> depth_within(std::uint64_t n, std::uint64_t most_no
 }
 
 DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& budget) {
-    using Key = std::tuple<std::uint64_t, Node::Kind, Symbol, Integer, std::vector<std::size_t>>;
+    using Key = std::tuple<std::uint64_t, Node::Kind, Symbol, std::string, Integer,
+                           std::vector<std::size_t>>;
     std::map<Key, std::size_t> classes;
     std::vector<std::size_t> of_node(tree.nodes.size());
     for (std::size_t i = tree.nodes.size(); i-- > 0;) {
@@ -260,8 +377,8 @@ DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& bu
         std::vector<std::size_t> children;
         for (const std::size_t child : node.children) children.push_back(of_node[child]);
         of_node[i] = classes
-                         .try_emplace({node.generation, node.kind, node.letter, node.leaves,
-                                       std::move(children)},
+                         .try_emplace({node.generation, node.kind, node.letter, node.text,
+                                       node.leaves, std::move(children)},
                                       classes.size())
                          .first->second;
     }
@@ -275,8 +392,18 @@ DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& bu
         place[of_node[i]] = shared.nodes.size();
         shared.nodes.push_back(tree.nodes[i]);
     }
-    for (Node& node : shared.nodes)
+    for (Node& node : shared.nodes) {
         for (std::size_t& child : node.children) child = place[of_node[child]];
+        node.seen.clear();
+    }
+    // What any of the letters that are one now saw.
+    for (std::size_t i = 0; i < tree.nodes.size(); ++i)
+        for (const std::size_t other : tree.nodes[i].seen)
+            shared.nodes[place[of_node[i]]].seen.push_back(place[of_node[other]]);
+    for (Node& node : shared.nodes) {
+        std::ranges::sort(node.seen);
+        node.seen.erase(std::ranges::unique(node.seen).begin(), node.seen.end());
+    }
     for (const std::size_t root : tree.roots) shared.roots.push_back(place[of_node[root]]);
     return shared;
 }
@@ -292,6 +419,12 @@ std::uint64_t edge_count(const DerivationTree& tree) {
     std::uint64_t edges = 0;
     for (const Node& node : tree.nodes) edges += node.children.size();
     return edges;
+}
+
+std::uint64_t context_count(const DerivationTree& tree) {
+    std::uint64_t seen = 0;
+    for (const Node& node : tree.nodes) seen += node.seen.size();
+    return seen;
 }
 
 Word leaves(const DerivationTree& tree, const Budget& budget) {

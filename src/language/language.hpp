@@ -29,7 +29,9 @@ namespace algae {
 
 class DimensionValue;
 struct GeneratingFunction;
+class Rewriting;
 struct Model;
+struct ModuleTrace;
 
 // --- Languages as values ---
 
@@ -537,6 +539,9 @@ struct DerivationTree {
         std::uint64_t generation = 0;  // of the letter; erased and omitted: one more than above
         Integer leaves = 0;  // omitted: letters of the last generation, -1 if beyond count
         std::vector<std::size_t> children;  // from left to right, as places in `nodes`
+        std::string text = {};              // the letter with its parameters; empty without them
+        /// Nodes of the same generation that the rule of this one looked at: its contexts.
+        std::vector<std::size_t> seen = {};
         bool operator==(const Node&) const = default;
     };
     std::shared_ptr<const Alphabet> alphabet;
@@ -573,6 +578,14 @@ Integer tree_size(const ET0L& system, const Derivation& derivation, const TreeSh
 DerivationTree derivation_tree(const ET0L& system, const Derivation& derivation,
                                const TreeShape& shape = {}, const Budget& budget = {});
 
+/// The same of a derivation of modules, by the rewriting that made it. Below a cut, letters of the last
+/// generation are not counted where the trace ends before it. Throws BoundReached for the size at a depth where the
+/// trace ends before.
+Integer tree_size(const Rewriting& rewriting, const ModuleTrace& trace, const TreeShape& shape = {},
+                  const Budget& budget = {});
+DerivationTree derivation_tree(const Rewriting& rewriting, const ModuleTrace& trace,
+                               const TreeShape& shape = {}, const Budget& budget = {});
+
 /// A depth below n at which a tree is small enough to show, and the next depth is not, if depth 0
 /// is: `size` gives the size of the tree in a shape. O(log n) calls.
 ///
@@ -590,11 +603,55 @@ std::uint64_t depth(const DerivationTree& tree);
 /// How many edges there are; a letter twice in a successor counts twice.
 std::uint64_t edge_count(const DerivationTree& tree);
 
+/// How many modules of contexts rules looked at: pairs of nodes of one generation.
+std::uint64_t context_count(const DerivationTree& tree);
+
 /// The word that the leaves spell from left to right, erased letters left out. Throws Error if the
 /// tree is cut or has more leaves than budget.letters.
 ///
 /// Example: leaves(derivation_tree(d0l("a", {{'a', "ab"}, {'b', ""}}), 2)) == Word{0, 1}
 Word leaves(const DerivationTree& tree, const Budget& budget = {});
+
+// --- All derivations of a word ---
+
+/// How many derivations of a word in L(G) there are. A derivation of n steps is a choice of a table for each step and of a
+/// rule for each letter of each word before the last; equal rules are one. Without tables that is a derivation tree of depth n.
+struct DerivationCounts {
+    struct Steps {
+        std::uint64_t steps = 0;
+        Integer count;
+        bool operator==(const Steps&) const = default;
+    };
+    /// The numbers of steps in which there are derivations, fewest first: all of them, or the first
+    /// ones where they are infinitely many.
+    std::vector<Steps> by_steps;
+    std::optional<Integer> total;  // nothing: there are infinitely many derivations
+};
+
+/// The number of derivations of exactly n steps, by the numbers of derivation trees of all factors of the word from
+/// all letters (Earley 1970 and others count parses so): O(n |word|^3 * size of the rules) operations on numbers with one table. With
+/// several tables all sequences of them are followed, those with equal numbers as one. Throws BoundReached if that
+/// takes more than budget.memory.
+///
+/// Example: number_of_derivations(as_et0l(ol("a", {{'a', "a"}, {'a', "aa"}})), {0, 0}, 5) == 5
+Integer number_of_derivations(const ET0L& system, const Word& word, std::uint64_t n,
+                              const Budget& budget = {});
+
+/// The derivations of a word by their numbers of steps. Which factors letters derive by a sequence of tables
+/// is one of finitely many relations, a state; there are infinitely many derivations if and only if a
+/// state comes again on the way to one in which the axiom derives the word. Where they are infinitely many, the first `listed` numbers of
+/// steps are counted. Throws as number_of_derivations does.
+///
+/// Example: *derivation_counts(as_et0l(ol("aa", {{'a', "b"}, {'a', "bb"}, {'b', "bb"}})), {1, 1, 1, 1}).total == 2
+DerivationCounts derivation_counts(const ET0L& system, const Word& word, std::size_t listed = 10,
+                                   const Budget& budget = {});
+
+/// Different derivations of exactly n steps, at most so many, in a fixed order: by tables, then by the rules of the letters
+/// as the tree is gone through from left to right. Throws as number_of_derivations does.
+///
+/// Example: derivations(as_et0l(ol("a", {{'a', "a"}, {'a', "aa"}})), {0, 0}, 5, 100).size() == 5
+std::vector<Derivation> derivations(const ET0L& system, const Word& word, std::uint64_t n,
+                                    std::size_t most, const Budget& budget = {});
 
 // --- Claims ---
 

@@ -71,12 +71,12 @@ constexpr double margin = 12;
 constexpr double line_below = 18;  // height of keys, and of the caption
 constexpr double swatch = 9;
 constexpr double key_gap = 16;  // between two keys
-constexpr double thin = 0.7, thick = 0.9;
-constexpr double arrow_half = 2.6;
+constexpr double thinnest = 0.5, thin = 0.7, thick = 0.9;
+constexpr double arrow_half = 2.6, thin_arrow_half = 1.7;
 constexpr GraphFont small_font{graph_small_letters, false};
 
 const Colour ink{0.1, 0.1, 0.12}, line_ink{0.38, 0.40, 0.44}, faint_ink{0.45, 0.47, 0.5};
-const Colour guide{0.91, 0.92, 0.93}, paper{1, 1, 1};
+const Colour thin_ink{0.55, 0.57, 0.61}, guide{0.91, 0.92, 0.93}, paper{1, 1, 1};
 
 Colour darker(const Colour& colour, double share) {
     return {colour.red * share, colour.green * share, colour.blue * share};
@@ -93,10 +93,10 @@ void rounded_box(cairo_t* context, double left, double top, double right, double
     cairo_close_path(context);
 }
 
-void arrow_head(cairo_t* context, const Point& from, const Point& to) {
+void arrow_head(cairo_t* context, const Point& from, const Point& to, double half) {
     const double x = to.x - from.x, y = to.y - from.y, size = std::hypot(x, y);
     if (size == 0) return;
-    const double across_x = -y / size * arrow_half, across_y = x / size * arrow_half;
+    const double across_x = -y / size * half, across_y = x / size * half;
     cairo_move_to(context, to.x, to.y);
     cairo_line_to(context, from.x + across_x, from.y + across_y);
     cairo_line_to(context, from.x - across_x, from.y - across_y);
@@ -114,6 +114,8 @@ public:
     GraphPage(const Graph& graph, const GraphLayout& layout) : graph_(graph), layout_(layout) {
         double labels = 0;
         for (const std::string& label : graph.row_labels)
+            labels = std::max(labels, text_width(label, "", small_font));
+        for (const std::string& label : graph.step_labels)
             labels = std::max(labels, text_width(label, "", small_font));
         const double beside = labels > 0 ? labels + 14 : 0;
         for (const Graph::Key& key : graph.keys)
@@ -151,6 +153,13 @@ private:
             set_colour(context, faint_ink);
             write_text(context, graph_.row_labels[i], "", small_font, -12, y, 1);
         }
+        for (std::size_t i = 0; i < graph_.step_labels.size() && i + 1 < graph_.rows.size(); ++i) {
+            if (graph_.rows[i].empty() || graph_.rows[i + 1].empty()) continue;
+            const double above = layout_.nodes[graph_.rows[i].front()].y,
+                         below = layout_.nodes[graph_.rows[i + 1].front()].y;
+            set_colour(context, ink);
+            write_text(context, graph_.step_labels[i], "", small_font, -12, (above + below) / 2, 1);
+        }
     }
     void draw_groups(cairo_t* context) const {
         for (std::size_t i = 0; i < graph_.groups.size(); ++i) {
@@ -168,8 +177,8 @@ private:
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
             const Graph::Edge& edge = graph_.edges[i];
             const GraphLayout::Line& line = layout_.edges[i];
-            set_colour(context, line_ink);
-            cairo_set_line_width(context, thick);
+            set_colour(context, edge.thin ? thin_ink : line_ink);
+            cairo_set_line_width(context, edge.thin ? thinnest : thick);
             if (!line.points.empty()) cairo_move_to(context, line.points[0].x, line.points[0].y);
             for (std::size_t k = 1; k + 2 < line.points.size(); k += 3)
                 cairo_curve_to(context, line.points[k].x, line.points[k].y, line.points[k + 1].x,
@@ -177,7 +186,9 @@ private:
             if (edge.dashed) cairo_set_dash(context, dashes, 2, 0);
             cairo_stroke(context);
             cairo_set_dash(context, nullptr, 0, 0);
-            if (line.tip) arrow_head(context, line.points.back(), *line.tip);
+            if (line.tip)
+                arrow_head(context, line.points.back(), *line.tip,
+                           edge.thin ? thin_arrow_half : arrow_half);
             if (edge.label.empty()) continue;
             if (graph_.straight) {
                 const double half = text_width(edge.label, "", small_font) / 2 + 1.5;

@@ -23,6 +23,7 @@
 // The layout of trees goes over the rows twice, in linear time. From the last row up, each node learns how wide the tree below it
 // is and where it stands in it: over the middle between its first and its last child, as far as its own width allows. From the first
 // row down, the trees are put side by side. The height of a row then makes the flattest edge steep enough, between two bounds.
+// Thin edges, from a letter to another one of its row, have no part in either layout: they are arcs that hang below the row.
 
 namespace algae {
 
@@ -115,9 +116,11 @@ Agiddisc_t numbered_names{Names::open,  Names::map,   Names::allocate, Names::fr
 /// The graph in Graphviz's hands.
 class Handed {
 public:
-    explicit Handed(const Graph& graph, Agiodisc_t* writing = &AgIoDisc)
+    /// Thin edges are written, and not placed.
+    explicit Handed(const Graph& graph, Agiodisc_t* writing = nullptr)
         : graph_(graph),
-          discipline_{&AgMemDisc, &numbered_names, writing},
+          with_thin_(writing),
+          discipline_{&AgMemDisc, &numbered_names, writing ? writing : &AgIoDisc},
           handed_(agopen(text("algae"), Agdirected, &discipline_)) {
         if (!handed_) throw std::bad_alloc();
         add_defaults();
@@ -185,6 +188,8 @@ private:
             const std::vector<std::size_t>& row = graph_.rows[i];
             Agraph_t* added = agsubg(handed_, text("row" + std::to_string(i)), 1);
             set(added, "rank", "same");
+            if (i > 0 && i <= graph_.step_labels.size())
+                set(added, "comment", escaped("table " + graph_.step_labels[i - 1]));
             for (std::size_t k = 0; k < row.size(); ++k) {
                 agsubnode(added, nodes_[row[k]], 1);
                 if (k == 0 || !graph_.ordered) continue;
@@ -213,6 +218,10 @@ private:
     void add_edges() {
         for (std::size_t i = 0; i < graph_.edges.size(); ++i) {
             const Graph::Edge& edge = graph_.edges[i];
+            if (edge.thin && !with_thin_) {
+                edges_.push_back(nullptr);
+                continue;
+            }
             Agedge_t* added = agedge(handed_, nodes_[edge.from], nodes_[edge.to],
                                      text("e" + std::to_string(i)), 1);
             edges_.push_back(added);
@@ -222,10 +231,16 @@ private:
             if (!edge.arrow) set(added, "dir", "none");
             if (edge.dashed) set(added, "style", "dashed");
             if (!edge.places) set(added, "constraint", "false");
+            if (edge.thin) {
+                set(added, "color", "gray60");
+                set(added, "penwidth", "0.5");
+                set(added, "arrowsize", "0.4");
+            }
         }
     }
 
     const Graph& graph_;
+    bool with_thin_;
     Agdisc_t discipline_;
     Agraph_t* handed_;
     std::vector<Agnode_t*> nodes_;
@@ -295,6 +310,32 @@ GraphLayout::Line line_of(Agedge_t* edge, const Page& page) {
     return line;
 }
 
+/// The arc of a thin edge, from the lower corner of a node that looks at the other one to the lower corner of that.
+GraphLayout::Line arc_between(const Graph& graph, const Graph::Edge& edge,
+                              const GraphLayout& layout) {
+    constexpr double least_depth = 7, largest_depth = 15, steepness = 0.3, head = 4;
+    constexpr double corner =
+        0.70710678118654752;  // of a radius: where a circle is crossed at 45 degrees
+    const Point &from = layout.nodes[edge.from], &to = layout.nodes[edge.to];
+    const double way = to.x < from.x ? -1 : 1;
+    const auto lower_corner = [&](std::size_t node, double side) {
+        const Point size = node_size(graph.nodes[node]);
+        const double radius = size.y / 2, arm = std::max(0.0, size.x / 2 - radius);
+        return Point{layout.nodes[node].x + side * (arm + corner * radius),
+                     layout.nodes[node].y + corner * radius};
+    };
+    const Point start = lower_corner(edge.from, way), end = lower_corner(edge.to, -way);
+    const double across = end.x - start.x;
+    // Two letters may see each other: one arc hangs lower.
+    const double depth =
+        std::clamp(std::fabs(across) * steepness, least_depth, largest_depth) + (way < 0 ? 4 : 0);
+    const Point first{start.x + across * 0.2, start.y + depth},
+        second{end.x - across * 0.2, end.y + depth};
+    const double x = second.x - end.x, y = second.y - end.y, length = std::hypot(x, y);
+    const Point last{end.x + x / length * head, end.y + y / length * head};
+    return {{start, first, second, last}, end, {(start.x + end.x) / 2, start.y + depth}};
+}
+
 int put_text(void* into, const char* piece) {
     static_cast<std::string*>(into)->append(piece);
     return 0;
@@ -346,7 +387,8 @@ GraphLayout graph_layout(const Graph& graph, const Budget& budget) {
     for (std::size_t i = 0; i < graph.nodes.size(); ++i)
         layout.nodes.push_back(page(ND_coord(handed.node(i))));
     for (std::size_t i = 0; i < graph.edges.size(); ++i)
-        layout.edges.push_back(line_of(handed.edge(i), page));
+        layout.edges.push_back(graph.edges[i].thin ? arc_between(graph, graph.edges[i], layout)
+                                                   : line_of(handed.edge(i), page));
     for (std::size_t i = 0; i < graph.groups.size(); ++i) {
         const boxf frame = GD_bb(handed.group(i));
         const Point low = page(frame.LL), high = page(frame.UR);
@@ -373,9 +415,11 @@ std::string dot_text(const Graph& graph) {
 
 namespace {
 
-constexpr double gap = 8;  // between two leaves
-constexpr double least_row = 40, largest_row = 80;
+constexpr double plain_gap = 8, gap_with_arcs = 15;  // between two leaves
+constexpr double least_row = 40, largest_row = 80, largest_row_of_modules = 110;
 constexpr double least_slope = 0.2;  // of the flattest edge, as long as rows do not get too high
+constexpr double slope_of_modules = 0.32;  // where labels are wide, so that edges do not cross them
+constexpr double wide = 40;
 
 /// Where an edge leaves a node of this size: on the circle or pill around it.
 Point edge_end(const Point& from, const Point& to, const Graph::Node& node) {
@@ -397,7 +441,12 @@ GraphLayout tree_layout(const Graph& graph, const Budget& budget) {
     const std::size_t count = graph.nodes.size();
     std::vector<std::vector<std::size_t>> children(count);
     std::vector<char> is_child(count, 0);
+    double gap = plain_gap;
     for (const Graph::Edge& edge : graph.edges) {
+        if (edge.thin) {
+            gap = gap_with_arcs;
+            continue;
+        }
         children[edge.from].push_back(edge.to);
         is_child[edge.to] = 1;
     }
@@ -423,7 +472,7 @@ GraphLayout tree_layout(const Graph& graph, const Budget& budget) {
     GraphLayout layout;
     layout.nodes.resize(count);
     std::vector<double> lefts(count);
-    double flattest = 0;
+    double flattest = 0, widest = 0;
     for (const std::vector<std::size_t>& row : graph.rows)
         for (const std::size_t i : row) {
             if (!is_child[i]) {
@@ -431,6 +480,7 @@ GraphLayout tree_layout(const Graph& graph, const Budget& budget) {
                 layout.width += widths[i];
             }
             layout.nodes[i].x = lefts[i] + places[i];
+            widest = std::max(widest, node_size(graph.nodes[i]).x);
             double left = lefts[i] + shifts[i];
             for (const std::size_t child : children[i]) {
                 lefts[child] = left;
@@ -439,7 +489,9 @@ GraphLayout tree_layout(const Graph& graph, const Budget& budget) {
                     std::max(flattest, std::fabs(lefts[child] + places[child] - layout.nodes[i].x));
             }
         }
-    const double row_height = std::clamp(flattest * least_slope, least_row, largest_row);
+    const double row_height =
+        widest > wide ? std::clamp(flattest * slope_of_modules, least_row, largest_row_of_modules)
+                      : std::clamp(flattest * least_slope, least_row, largest_row);
     double tallest = 0;
     for (std::size_t row = 0; row < graph.rows.size(); ++row)
         for (const std::size_t i : graph.rows[row]) {
@@ -452,6 +504,10 @@ GraphLayout tree_layout(const Graph& graph, const Budget& budget) {
     layout.height += tallest / 2;
 
     for (const Graph::Edge& edge : graph.edges) {
+        if (edge.thin) {
+            layout.edges.push_back(arc_between(graph, edge, layout));
+            continue;
+        }
         const Point &from = layout.nodes[edge.from], &to = layout.nodes[edge.to];
         const Point start = edge_end(from, to, graph.nodes[edge.from]);
         const Point end = edge_end(to, from, graph.nodes[edge.to]);

@@ -17,7 +17,8 @@
 // has first what occurs in others.
 //
 // A derivation tree has a row for each generation, in word order. Shared subtrees make it a graph that is no tree: then `dot` places
-// it, and an edge says how often its letter occurs. Letters that are rewritten have a colour each where there are few of them.
+// it, and an edge says how often its letter occurs. Letters that are rewritten have a colour each where there are few of them; a
+// module is labelled as words are printed, and thin arcs come from what its rule saw. A table stands between the rows of its step.
 //
 // The inclusions between families are a table from the literature, without those that follow from others.
 
@@ -184,8 +185,8 @@ std::vector<Symbol> rewritten_letters(const DerivationTree& tree) {
         if (node.children.empty()) continue;
         const auto& child = tree.nodes[node.children.front()];
         if (child.kind == Kind::omitted) continue;
-        const bool same =
-            node.children.size() == 1 && child.kind == Kind::letter && child.letter == node.letter;
+        const bool same = node.children.size() == 1 && child.kind == Kind::letter &&
+                          child.letter == node.letter && child.text == node.text;
         const auto known = stays.emplace(node.letter, same).first;
         known->second = known->second && same;
     }
@@ -215,7 +216,10 @@ Graph tree_graph(const DerivationTree& tree) {
             drawn.label = leaves_text(node.leaves);
             drawn.shape = Graph::Node::Shape::triangle;
         } else {
-            drawn = letter_node(*tree.alphabet, node.letter);
+            if (node.text.empty())
+                drawn = letter_node(*tree.alphabet, node.letter);
+            else
+                drawn.label = node.text;
             const auto found = std::ranges::find(rewritten, node.letter);
             if (found == rewritten.end())
                 drawn.shape = Graph::Node::Shape::bare;
@@ -237,15 +241,22 @@ Graph tree_graph(const DerivationTree& tree) {
         }
         for (const auto& [child, times] : below)
             graph.edges.push_back(counted_edge(i, child, times, false));
+        for (const std::size_t other : node.seen) {
+            Graph::Edge seen;
+            seen.from = other;
+            seen.to = i;
+            seen.arrow = seen.thin = true;
+            seen.places = false;
+            graph.edges.push_back(seen);
+        }
     }
     // Rows of nothing but marks are no generation of their own.
     for (std::size_t t = 0; t < graph.rows.size(); ++t) {
         const bool letters = std::ranges::any_of(
             graph.rows[t], [&](std::size_t i) { return tree.nodes[i].kind != Kind::omitted; });
-        std::string label = letters ? std::to_string(t) : "";
-        if (letters && t > 0 && t <= tree.tables.size()) label = tree.tables[t - 1] + "  " + label;
-        graph.row_labels.push_back(std::move(label));
+        graph.row_labels.push_back(letters ? std::to_string(t) : "");
     }
+    graph.step_labels = tree.tables;
     return graph;
 }
 

@@ -309,6 +309,7 @@ struct Graph {
         bool arrow = false;
         bool dashed = false;
         bool places = true;  // whether it influences which node stands above which
+        bool thin = false;   // a thin arc beside the others; it influences no place
         bool operator==(const Edge&) const = default;
     };
     /// Nodes in a frame.
@@ -330,6 +331,7 @@ struct Graph {
     std::vector<Group> groups;
     std::vector<std::vector<std::size_t>> rows;  // nodes on one height
     std::vector<std::string> row_labels;         // beside the rows; may be empty
+    std::vector<std::string> step_labels;        // between a row and the next; may be empty
     std::vector<Key> keys;
     std::string caption;    // underneath
     bool ordered = false;   // each row is in its order, from left to right
@@ -380,7 +382,8 @@ Graph growth_graph(const D0L& system, const Budget& budget = {});
 /// The picture of a derivation tree: one row for each generation, every row in word order, so that the
 /// last row reads as the word. Letters that are rewritten have a colour each if there are few of
 /// them; letters that stay as they are have no frame, erased letters end in ε, and a triangle stands for
-/// a part that is cut off, with the number of letters that it derives. If subtrees are shared (several edges
+/// a part that is cut off, with the number of letters that it derives. Modules have their parameters beside them, and thin
+/// arcs lead to a letter from the contexts that its rule looked at. If subtrees are shared (several edges
 /// lead to a letter), an edge says how often the letter below occurs in the
 /// successor.
 ///

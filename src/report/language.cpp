@@ -6,6 +6,8 @@
 
 #include "report/report.hpp"
 
+#include <algorithm>
+
 #include "language/language.hpp"
 
 namespace algae {
@@ -112,6 +114,35 @@ Json to_json(const Derivation& found, const ET0L& system) {
         steps.add(std::move(step));
     }
     return steps;
+}
+
+std::string to_text(const DerivationCounts& counts) {
+    const auto derivations = [](const Integer& count) {
+        return to_string(count) + (count == 1 ? " derivation" : " derivations");
+    };
+    constexpr std::size_t shown = 20;
+    std::string text;
+    for (std::size_t i = 0; i < std::min(shown, counts.by_steps.size()); ++i) {
+        const auto& [steps, count] = counts.by_steps[i];
+        text += "of " + std::to_string(steps) + (steps == 1 ? " step: " : " steps: ") +
+                derivations(count) + '\n';
+    }
+    if (counts.by_steps.size() > shown)
+        text += "... and of " + std::to_string(counts.by_steps.size() - shown) +
+                " other numbers of steps, up to " + std::to_string(counts.by_steps.back().steps) +
+                '\n';
+    if (!counts.total)
+        return text +
+               "infinitely many derivations: there are some of infinitely many numbers of "
+               "steps\n";
+    return counts.by_steps.size() == 1 ? text : text + derivations(*counts.total) + " in all\n";
+}
+
+Json to_json(const DerivationCounts& counts) {
+    Json list = Json::array();
+    for (const auto& [steps, count] : counts.by_steps)
+        list.add({{"steps", steps}, {"count", count}});
+    return Json{{"counts", list}, {"total", counts.total}, {"infinite", !counts.total}};
 }
 
 namespace {

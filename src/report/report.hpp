@@ -204,6 +204,10 @@ std::string reason(const Membership& found, const Alphabet& alphabet, const Word
 std::string to_text(const Derivation& found, const ET0L& system);
 Json to_json(const Derivation& found, const ET0L& system);
 
+/// The derivations of a word by their numbers of steps.
+std::string to_text(const DerivationCounts& counts);
+Json to_json(const DerivationCounts& counts);
+
 /// Why a language is infinite.
 std::string to_text(const EndlessRound& round, const OL& system);
 Json to_json(const EndlessRound& round, const OL& system);

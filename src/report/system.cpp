@@ -1,5 +1,8 @@
 // The class of a system and the content of its file, as a page and as JSON.
 //
+// Whether a system is deterministic depends on whether conditions exclude each other, which is not always decided: then it
+// is "possibly" deterministic, null in JSON. Rules that both match are named, with parameters for which they do.
+//
 // Only the page shortens a word that is too long for a screen. The page leaves out settings that the file
 // does not have; in JSON they are empty.
 
@@ -7,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "model/model.hpp"
@@ -68,6 +73,119 @@ std::string axiom_text(const LSystem& system, const Printer& printer) {
     return fmt::format("{} ... ({} letters)", printer.word(beginning), system.axiom.letters.size());
 }
 
+/// A module with these values or names, `A(2,1)`.
+std::string module_text(const std::string& name, const std::vector<std::string>& parameters) {
+    return name + (parameters.empty() ? "" : "(" + joined(parameters, ",") + ")");
+}
+
+/// The left side of a rule with the values of an overlap: "B(1) < A(2)".
+std::string matched_text(const LSystem& system, const Production& rule,
+                         const std::vector<std::pair<std::string, Rational>>& values) {
+    const auto pattern_text = [&](const Pattern& pattern) {
+        return joined(pattern, "", [&](const ModulePattern& module) {
+            std::vector<std::string> shown;
+            for (const std::string& parameter : module.parameters)
+                for (const auto& [name, value] : values)
+                    if (name == parameter) shown.push_back(shortest_text(value));
+            return module_text(system.alphabet.name(module.symbol), shown);
+        });
+    };
+    std::string text = pattern_text({rule.predecessor});
+    if (!rule.left.empty()) text = pattern_text(rule.left) + " < " + text;
+    if (!rule.right.empty()) text += " > " + pattern_text(rule.right);
+    if (!rule.elsewhere.empty()) text += " ? " + pattern_text(rule.elsewhere);
+    return text;
+}
+
+/// What rules leave open in a system and those within it.
+struct OpenRules {
+    struct Overlap {
+        std::string first, second;  // places of rules
+        std::string matched;        // a module that both match; empty where that was not decided
+    };
+    struct Unmatched {
+        std::string module;
+        std::size_t parameters;
+        std::vector<std::size_t> expected;
+    };
+    std::vector<Overlap> overlaps;
+    std::vector<Unmatched> unmatched;
+};
+
+OpenRules open_rules(const LSystem& system) {
+    OpenRules all;
+    const auto add = [&](const LSystem& one) {
+        for (const RuleOverlap& overlap : overlaps(one)) {
+            const Production &first = one.rules[overlap.first], &second = one.rules[overlap.second];
+            all.overlaps.push_back(
+                {to_string(first.place), to_string(second.place),
+                 overlap.both ? matched_text(one, first, *overlap.both) : std::string()});
+        }
+        for (const UnmatchedModule& module : unmatched_modules(one)) {
+            std::vector<std::string> places(module.parameters, "_");
+            all.unmatched.push_back({module_text(one.alphabet.name(module.letter), places),
+                                     module.parameters, module.expected});
+        }
+    };
+    add(system);
+    for (const InnerSystem& inner : system.inner) {
+        LSystem within = inner.system;
+        within.alphabet = system.alphabet;
+        within.constants = system.constants;
+        add(within);
+    }
+    return all;
+}
+
+/// Nothing where it is not decided.
+std::optional<bool> is_deterministic(const Class& kind, const OpenRules& found) {
+    if (kind.deterministic || kind.stochastic) return kind.deterministic;
+    const bool is_decided = std::ranges::any_of(
+        found.overlaps, [](const auto& overlap) { return !overlap.matched.empty(); });
+    return is_decided || found.overlaps.empty() ? std::optional(false) : std::nullopt;
+}
+
+std::string deterministic_text(const Class& kind, const OpenRules& found) {
+    const std::optional<bool> is = is_deterministic(kind, found);
+    if (is == true) return "yes";
+    if (is == false && (kind.stochastic || !kind.parametric)) return "no";
+    const auto named = std::ranges::find_if(found.overlaps, [&](const auto& overlap) {
+        return is.has_value() == !overlap.matched.empty();
+    });
+    if (named == found.overlaps.end()) return "no";
+    const std::string rules = "the rules at " + named->first + " and " + named->second;
+    return is ? "no: " + rules + " both match " + named->matched
+              : "possibly: whether " + rules + " can match the same module is not decided";
+}
+
+/// "no rule matches A(_,_): the rules for A take 1 parameter".
+std::string unmatched_text(const OpenRules::Unmatched& module) {
+    const std::string name = module.module.substr(0, module.module.find('('));
+    std::string counts;
+    for (std::size_t i = 0; i < module.expected.size(); ++i)
+        counts += (i == 0                            ? ""
+                   : i + 1 == module.expected.size() ? " or "
+                                                     : ", ") +
+                  std::to_string(module.expected[i]);
+    return "no rule matches " + module.module + ": the rules for " + name + " take " + counts +
+           (counts == "1" ? " parameter" : " parameters");
+}
+
+/// "h = sqrt(p*q), about 0.458": as written, then the value where that is not the same.
+std::vector<std::string> constants_text(const LSystem& system) {
+    std::vector<std::string> lines;
+    for (const auto& [name, value] : system.constants) {
+        const std::string written = to_text(value.expression);
+        std::string line = name + " = " + written;
+        if (!value.exact)
+            line += fmt::format(", about {}", value.value);
+        else if (const std::string exact = shortest_text(*value.exact); exact != written)
+            line += " = " + exact;
+        lines.push_back(std::move(line));
+    }
+    return lines;
+}
+
 /// The systems within, as they are written.
 std::vector<std::string> systems_text(const LSystem& system, const Printer& printer) {
     std::vector<std::string> lines;
@@ -95,7 +213,27 @@ Json to_json(const SystemReport& report) {
     out.set("axiom", print_word(system.alphabet, system.axiom));
     const Printer printer(system.alphabet);
     out.set("rules", rules_text(system, printer));
-    out.set("deterministic", kind.deterministic);
+    Json constants = Json::array();
+    for (const auto& [name, value] : system.constants) {
+        Json one{{"name", name}, {"written", to_text(value.expression)}};
+        one.set("exact", value.exact ? Json(shortest_text(*value.exact)) : Json());
+        one.set("value", value.value);
+        constants.add(std::move(one));
+    }
+    out.set("constants", std::move(constants));
+    const OpenRules found = open_rules(system);
+    out.set("deterministic", is_deterministic(kind, found));
+    Json overlaps = Json::array();
+    for (const auto& [first, second, matched] : found.overlaps) {
+        Json one{{"rules", Json::array({first, second})}};
+        one.set("match", matched.empty() ? Json() : Json(matched));
+        overlaps.add(std::move(one));
+    }
+    out.set("overlaps", std::move(overlaps));
+    Json unmatched = Json::array();
+    for (const auto& [module, parameters, expected] : found.unmatched)
+        unmatched.add({{"module", module}, {"parameters", parameters}, {"expected", expected}});
+    out.set("unmatched", std::move(unmatched));
     out.set("propagating", kind.propagating);
     out.set("stochastic", kind.stochastic);
     out.set("parametric", kind.parametric);
@@ -147,6 +285,7 @@ std::string to_text(const SystemReport& report) {
         for (const std::string& value : values) line(std::exchange(label, ""), value);
     };
     line("axiom", axiom_text(system, printer));
+    list("constants", constants_text(system));
     list("rules", rules_text(system, printer));
     list("systems within", systems_text(system, printer));
     line("tables", joined(system.tables, " "));
@@ -168,7 +307,11 @@ std::string to_text(const SystemReport& report) {
     for (const SurfaceSetting& surface : system.drawing.surfaces)
         surfaces.push_back(system.alphabet.name(surface.symbol) + ' ' + print_surface(surface));
     list("surfaces", surfaces);
-    line("deterministic", answer(kind.deterministic));
+    const OpenRules found = open_rules(system);
+    std::vector<std::string> notes;
+    for (const auto& module : found.unmatched) notes.push_back(unmatched_text(module));
+    list("notes", notes);
+    line("deterministic", deterministic_text(kind, found));
     line("propagating", answer(kind.propagating));
     line("bracketed", answer(kind.bracketed));
     const auto& drawing = system.drawing;

@@ -480,6 +480,15 @@ struct RewritingChoices {
     Arithmetic arithmetic = Arithmetic::doubles;
 };
 
+/// A step of a derivation and what came of each module.
+struct TracedStep {
+    ModuleString word;                   // after the step
+    std::vector<std::uint32_t> lengths;  // by position before it: how many modules it became
+    /// By position before it: where the modules of the contexts stand that its rule looked at, those elsewhere in
+    /// the word with them; each once, from left to right. Brackets of contexts are not among them.
+    std::vector<std::vector<std::size_t>> seen;
+};
+
 /// Derivation of parametric, stochastic and conditional systems, with and without contexts: any
 /// LSystem but shape rules (Prusinkiewicz and Lindenmayer 1990, 1.7 to 1.10).
 ///
@@ -508,6 +517,10 @@ public:
     /// words where there are no modules elsewhere. Throws as said above, and BoundReached if the word
     /// has more than budget.letters modules or takes more than budget.memory.
     ModuleString next(const ModuleString& word, std::uint64_t generation, std::size_t table = 0,
+                      const Budget& budget = {}) const;
+
+    /// The same step and what came of each module. Takes the time of a step with contexts.
+    TracedStep traced(const ModuleString& word, std::uint64_t generation, std::size_t table = 0,
                       const Budget& budget = {}) const;
 
     /// The table that a step from this generation picks at random, all equally likely.
@@ -541,13 +554,14 @@ private:
                                   std::uint64_t generation) const;
     const Alternatives* matching(const RuleSet& set, const class Surroundings& around,
                                  ModuleKind kind, std::size_t position, std::uint64_t generation,
-                                 std::vector<double>& parameters,
-                                 std::vector<double>& others) const;
+                                 std::vector<double>& parameters, std::vector<double>& others,
+                                 std::vector<std::size_t>* seen = nullptr) const;
     std::uint32_t pick(const Alternatives& alternatives, std::uint64_t number) const;
     void check_choice(const Alternatives& alternatives, ModuleKind kind, const double* values,
                       std::size_t position, std::uint64_t generation) const;
     ModuleString next_in_context(const RuleSet& set, const ModuleString& word,
-                                 std::uint64_t generation, const Budget& budget) const;
+                                 std::uint64_t generation, const Budget& budget,
+                                 TracedStep* trace = nullptr) const;
 
     friend class FreeStep;
 
@@ -561,6 +575,26 @@ private:
 /// Example: derive(Rewriting(read_lsystem("axiom A(1); A(x) -> A(x*2)A(x)", "")), 3).kinds.size() == 8
 ModuleString derive(const Rewriting& rewriting, std::uint64_t n,
                     const std::vector<std::size_t>& tables = {}, const Budget& budget = {});
+
+/// The words of generations 0 to n, the table of each step, and what came of each module.
+struct ModuleTrace {
+    std::vector<ModuleString> words;
+    std::vector<std::size_t> tables;
+    std::vector<std::vector<std::uint32_t>> lengths;  // by step, as TracedStep has them
+    std::vector<std::vector<std::vector<std::size_t>>> seen;
+    /// Generation n would have taken more than `most` modules in all words together, so the trace
+    /// ends before.
+    bool goes_on = false;
+};
+
+/// The derivation that `derive` makes, step by step, as long as its words have at most `most` modules together. Throws as
+/// Rewriting::next does otherwise.
+///
+/// Example: traced(Rewriting(read_lsystem("axiom A(1); A(x) -> A(x*2)A(x)", "")), 3).lengths[2].size() == 4
+/// Example: traced(Rewriting(read_lsystem("axiom A(1); A(x) -> A(x*2)A(x)", "")), 30, {}, 100).goes_on
+ModuleTrace traced(const Rewriting& rewriting, std::uint64_t n,
+                   const std::vector<std::size_t>& tables = {}, std::uint64_t most = 1'000'000,
+                   const Budget& budget = {});
 
 /// By symbol, the expected number of its occurrences in generation n, exactly: the counts of the
 /// axiom times the n-th power of the mean matrix, whose rows are the expected counts of what a

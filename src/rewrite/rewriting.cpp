@@ -33,9 +33,10 @@ public:
     /// those of the contexts are in `parameters`, the ones of modules elsewhere too: of the
     /// combinations of modules that make the condition true the first, where each module is sought
     /// from left to right and that of the last item moves on first. One module may stand for two
-    /// items; the rewritten one itself stands for none. Throws `Undefined`.
-    bool match(const Alternatives& rules, std::size_t position,
-               std::vector<double>& parameters) const;
+    /// items; the rewritten one itself stands for none. Throws `Undefined`. With `seen`, the positions of
+    /// these modules, as they are found.
+    bool match(const Alternatives& rules, std::size_t position, std::vector<double>& parameters,
+               std::vector<std::size_t>* seen = nullptr) const;
 
     /// The first parameter of the module at this position.
     const double* values_at(std::size_t position) const {
@@ -46,13 +47,25 @@ private:
     static constexpr std::size_t none = ~std::size_t{0};
     struct Search;
 
+    using Seen = std::vector<std::size_t>*;
+
+    /// A module that is seen while the rest is tried, and forgotten if that fails.
+    template <class Rest>
+    static bool with(Seen seen, std::size_t position, Rest rest) {
+        if (!seen) return rest();
+        seen->push_back(position);
+        if (rest()) return true;
+        seen->pop_back();
+        return false;
+    }
+
     void find_left();
     void find_right();
     void bind(std::size_t position, std::vector<double>& parameters, std::size_t& filled) const;
     bool match_left(const Alternatives& rules, std::size_t position,
-                    std::vector<double>& parameters, std::size_t& filled) const;
+                    std::vector<double>& parameters, std::size_t& filled, Seen seen) const;
     bool match_elsewhere(const Alternatives& rules, std::size_t position, std::size_t item,
-                         std::size_t filled, std::vector<double>& parameters) const;
+                         std::size_t filled, std::vector<double>& parameters, Seen seen) const;
 
     const CompiledRules& rules_;
     const ModuleString& word_;
@@ -150,12 +163,13 @@ struct Surroundings::Search {
     const Alternatives& rules;
     std::size_t position;
     std::vector<double>& parameters;
+    Seen seen;
     std::vector<std::size_t> inside = {};  // the closing brackets of the branches gone into
 
     bool match(std::size_t item, std::size_t from, std::size_t filled) {
         const auto& context = rules.right;
         if (item == context.size())
-            return around.match_elsewhere(rules, position, 0, filled, parameters);
+            return around.match_elsewhere(rules, position, 0, filled, parameters, seen);
         if (around.trees_ && around.rules_.opens[context[item]])
             return match_branch(item, from, filled);
         if (around.trees_ && around.rules_.closes[context[item]]) {
@@ -168,7 +182,7 @@ struct Surroundings::Search {
         const std::size_t next = around.axis_[from];
         if (next == none || around.word_.kinds[next] != context[item]) return false;
         around.bind(next, parameters, filled);
-        return match(item + 1, next + 1, filled);
+        return with(seen, next, [&] { return match(item + 1, next + 1, filled); });
     }
 
     bool match_branch(std::size_t item, std::size_t from, std::size_t filled) {
@@ -187,7 +201,8 @@ struct Surroundings::Search {
 };
 
 bool Surroundings::match_left(const Alternatives& rules, std::size_t position,
-                              std::vector<double>& parameters, std::size_t& filled) const {
+                              std::vector<double>& parameters, std::size_t& filled,
+                              Seen seen) const {
     std::size_t total = 0;
     for (const ModuleKind kind : rules.left) total += rules_.kinds.arity(kind);
     std::size_t end = filled + total;
@@ -196,6 +211,7 @@ bool Surroundings::match_left(const Alternatives& rules, std::size_t position,
     for (auto wanted = rules.left.rbegin(); wanted != rules.left.rend(); ++wanted) {
         at = left_[at];
         if (at == none || word_.kinds[at] != *wanted) return false;
+        if (seen) seen->push_back(at);
         const std::uint32_t arity = rules_.kinds.arity(*wanted);
         end -= arity;
         std::copy_n(values_at(at), arity, parameters.begin() + static_cast<std::ptrdiff_t>(end));
@@ -205,7 +221,7 @@ bool Surroundings::match_left(const Alternatives& rules, std::size_t position,
 
 bool Surroundings::match_elsewhere(const Alternatives& rules, std::size_t position,
                                    std::size_t item, std::size_t filled,
-                                   std::vector<double>& parameters) const {
+                                   std::vector<double>& parameters, Seen seen) const {
     if (rules.elsewhere.empty())
         return !rules.condition || rules.condition->run(parameters.data()) != 0;
     for (const auto& conjunct : rules.conjuncts)
@@ -216,18 +232,22 @@ bool Surroundings::match_elsewhere(const Alternatives& rules, std::size_t positi
         if (at == position) continue;
         std::size_t end = filled;
         bind(at, parameters, end);
-        if (match_elsewhere(rules, position, item + 1, end, parameters)) return true;
+        const auto rest = [&] {
+            return match_elsewhere(rules, position, item + 1, end, parameters, seen);
+        };
+        if (with(seen, at, rest)) return true;
     }
     return false;
 }
 
 bool Surroundings::match(const Alternatives& rules, std::size_t position,
-                         std::vector<double>& parameters) const {
+                         std::vector<double>& parameters, std::vector<std::size_t>* seen) const {
     parameters.resize(rules.parameters);
+    if (seen) seen->clear();
     std::size_t filled = 0;
     bind(position, parameters, filled);
-    if (!match_left(rules, position, parameters, filled)) return false;
-    return Search{*this, rules, position, parameters}.match(0, position + 1, filled);
+    if (!match_left(rules, position, parameters, filled, seen)) return false;
+    return Search{*this, rules, position, parameters, seen}.match(0, position + 1, filled);
 }
 
 namespace {
@@ -289,7 +309,8 @@ std::uint32_t Rewriting::pick(const Alternatives& alternatives, std::uint64_t nu
 const Alternatives* Rewriting::matching(const RuleSet& set, const Surroundings& around,
                                         ModuleKind kind, std::size_t position,
                                         std::uint64_t generation, std::vector<double>& parameters,
-                                        std::vector<double>& others) const {
+                                        std::vector<double>& others,
+                                        std::vector<std::size_t>* seen) const {
     const Alternatives* found = nullptr;
     const auto rule_of = [&](const Alternatives& alternatives) -> const Production& {
         return *rules_.successors[alternatives.successors.front()].rule;
@@ -298,7 +319,8 @@ const Alternatives* Rewriting::matching(const RuleSet& set, const Surroundings& 
         if (found && found->context != next.context) break;
         if (found && !found->has_same_context(next)) continue;
         try {
-            if (!around.match(next, position, found ? others : parameters)) continue;
+            if (!around.match(next, position, found ? others : parameters, found ? nullptr : seen))
+                continue;
         } catch (const Undefined& undefined) {
             refuse(undefined.reason, rule_of(next), kind, around.values_at(position), position,
                    generation);
@@ -358,7 +380,8 @@ std::vector<std::vector<Rewriting::Outcome>> Rewriting::outcomes(const ModuleStr
 }
 
 ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& word,
-                                        std::uint64_t generation, const Budget& budget) const {
+                                        std::uint64_t generation, const Budget& budget,
+                                        TracedStep* trace) const {
     const std::string name = name_of(generation);
     const Surroundings around(rules_, word, name, budget);
     const Draws draws(choices_.seed, generation);
@@ -367,16 +390,25 @@ ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& 
     out.values.reserve(word.values.size());
     Outcome outcome;
     std::vector<double> others;
+    std::vector<std::size_t> seen;
     std::size_t offset = 0;
     for (std::size_t i = 0; i < word.kinds.size(); ++i) {
         if (i % 4096 == 0) budget.check();
         const ModuleKind kind = word.kinds[i];
         const Alternatives* found =
-            set.of[kind].empty()
-                ? nullptr
-                : matching(set, around, kind, i, generation, outcome.parameters, others);
+            set.of[kind].empty() ? nullptr
+                                 : matching(set, around, kind, i, generation, outcome.parameters,
+                                            others, trace ? &seen : nullptr);
         outcome.successor = found ? pick(*found, draws.at(i)) : 0;
+        const std::size_t before = out.kinds.size();
         append(outcome, word, i, offset, generation, out);
+        if (trace) {
+            trace->lengths.push_back(static_cast<std::uint32_t>(out.kinds.size() - before));
+            if (!found) seen.clear();
+            std::sort(seen.begin(), seen.end());
+            seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
+            trace->seen.push_back(seen);
+        }
         offset += rules_.kinds.arity(kind);
         if (out.kinds.size() > budget.letters)
             throw BoundReached(Bound::letters,
@@ -400,6 +432,15 @@ ModuleString Rewriting::next(const ModuleString& word, std::uint64_t generation,
     return FreeStep(*this, set, word, generation, budget).next();
 }
 
+TracedStep Rewriting::traced(const ModuleString& word, std::uint64_t generation, std::size_t table,
+                             const Budget& budget) const {
+    if (rules_.inner) rules_.inner->set_budget(budget);
+    if (rules_.kinds.words()) rules_.kinds.held()->set_memory(budget.memory);
+    TracedStep step;
+    step.word = next_in_context(rules_.tables.at(table), word, generation, budget, &step);
+    return step;
+}
+
 std::size_t Rewriting::random_table(std::uint64_t generation) const {
     return Draws::scaled(Draws(choices_.seed, generation).of_table(), rules_.tables.size());
 }
@@ -420,6 +461,36 @@ ModuleString derive(const Rewriting& rewriting, std::uint64_t n,
         word = rewriting.next(word, generation, table, budget);
     }
     return word;
+}
+
+ModuleTrace traced(const Rewriting& rewriting, std::uint64_t n,
+                   const std::vector<std::size_t>& tables, std::uint64_t most,
+                   const Budget& budget) {
+    ModuleTrace trace;
+    trace.words.push_back(rewriting.axiom());
+    std::uint64_t modules = rewriting.axiom().kinds.size();
+    for (std::uint64_t generation = 0; generation < n; ++generation) {
+        budget.check();
+        const std::size_t table = tables.empty() ? rewriting.own_table(generation)
+                                                 : tables.at(static_cast<std::size_t>(generation));
+        Budget rest = budget;
+        const bool is_least = modules < most && most - modules < budget.letters;
+        if (is_least) rest.letters = most - modules;
+        try {
+            if (modules >= most) throw BoundReached(Bound::letters, "");
+            TracedStep step = rewriting.traced(trace.words.back(), generation, table, rest);
+            modules += step.word.kinds.size() + 1;  // words without modules are counted too
+            trace.words.push_back(std::move(step.word));
+            trace.tables.push_back(table);
+            trace.lengths.push_back(std::move(step.lengths));
+            trace.seen.push_back(std::move(step.seen));
+        } catch (const BoundReached& bound) {
+            if (bound.bound() != Bound::letters || (!is_least && modules < most)) throw;
+            trace.goes_on = true;
+            break;
+        }
+    }
+    return trace;
 }
 
 }  // namespace algae

@@ -2,6 +2,7 @@
 #include <set>
 #include <tuple>
 
+#include "system/detail/determinism.hpp"
 #include "system/system.hpp"
 #include "word/word.hpp"
 
@@ -97,26 +98,6 @@ Word letters(const Pattern& pattern) {
     return word;
 }
 
-/// Whether two rules could both apply to a letter. Equal rules written twice are one rule.
-bool has_choice(const LSystem& system) {
-    using Key = std::tuple<std::size_t, Symbol, std::size_t, Word, Word>;
-    std::set<Key> seen;
-    std::vector<const Production*> unconditional;
-    for (const Production& rule : system.rules)
-        if (!rule.condition && rule.elsewhere.empty()) unconditional.push_back(&rule);
-    // Twice the same rule: sorted by what they rewrite, then compared.
-    std::set<std::pair<Key, Word>> successors;
-    for (const Production* rule : unconditional) {
-        const Key key{rule->table, rule->predecessor.symbol, rule->predecessor.parameters.size(),
-                      letters(rule->left), letters(rule->right)};
-        const bool fresh_key = seen.insert(key).second;
-        const bool fresh_rule = successors.insert({key, rule->successor.letters}).second;
-        if (!fresh_key && (fresh_rule || rule->shape || !rule->successor.arguments.empty()))
-            return true;
-    }
-    return false;
-}
-
 }  // namespace
 
 Class class_of(const LSystem& system) {
@@ -125,7 +106,7 @@ Class class_of(const LSystem& system) {
     kind.extended = !system.terminals.empty();
     kind.bracketed = system.alphabet.find("[") && system.alphabet.find("]");
     kind.parametric = !system.axiom.arguments.empty();
-    kind.deterministic = !has_choice(system);
+    kind.deterministic = first_overlaps(system, 1).empty();
     for (Symbol a = 0; a < system.alphabet.size(); ++a) {
         kind.open = kind.open || is_communication(system.alphabet.name(a));
     }

@@ -250,8 +250,8 @@ std::vector<std::string> schedule_names(const LSystem& system);
 
 /// What kind of L-system a file describes, as read off its rules. Nothing is derived.
 struct Class {
-    bool deterministic = true;  // at most one rule for a letter, arity and context in each table;
-                                // rules with conditions are taken to exclude each other
+    bool deterministic = true;  // at most one rule for a letter, arity and context in each table,
+                                // or several with conditions that are seen to exclude each other
     bool propagating = true;    // no rule has the empty successor
     bool stochastic = false;    // some rule has a probability
     bool parametric = false;    // some module has parameters, or some rule a condition
@@ -270,8 +270,38 @@ struct Class {
     std::string name() const;
 };
 
-/// O(size of the system).
+/// O(size of the system), and what `overlaps` takes.
 Class class_of(const LSystem& system);
+
+/// Two rules of one table with the same modules on their left sides, which can both match one module where `both`
+/// says so: then no rule of a system without probabilities says which of them is used.
+struct RuleOverlap {
+    std::size_t first = 0, second = 0;  // places in LSystem::rules
+    /// Parameters of the first rule, by their names there, for which both conditions hold; nothing
+    /// where it was not decided whether there are any.
+    std::optional<std::vector<std::pair<std::string, Rational>>> both;
+};
+
+/// The pairs of rules that are not seen to exclude each other: of conditions, linear comparisons are decided
+/// exactly (Fourier and Motzkin), and other terms stand for numbers of which only a little is known,
+/// as floor(x) <= x. A pair with probabilities is left out, and so are equal rules without parameters. At most 1,000 pairs.
+///
+/// Example: overlaps(read_lsystem("axiom A(1); A(x) : x < 2 -> A(x+1); A(x) : x >= 2 -> B", "")).empty()
+/// Example: overlaps(read_lsystem("axiom A(1); A(x) : x < 2 -> A(x+1); A(x) : x > 1 -> B", "")).size() == 1
+std::vector<RuleOverlap> overlaps(const LSystem& system);
+
+/// Modules that a word may have, though no rule for their letter takes so many parameters.
+struct UnmatchedModule {
+    Symbol letter = 0;
+    std::size_t parameters = 0;
+    std::vector<std::size_t> expected;  // of the rules for this letter, each once, ascending
+};
+
+/// The modules of the axiom and of successors that no rule matches because of the number of their parameters,
+/// in order of first occurrence. Letters without rules stay, and are left out. O(n log n).
+///
+/// Example: unmatched_modules(read_lsystem("axiom A(1); A(x) -> A(x,1)", "")).front().parameters == 2
+std::vector<UnmatchedModule> unmatched_modules(const LSystem& system);
 
 /// A system seen as a narrower type, or the reason why it cannot be: "rule at a.lsys:3:1 has a
 /// context". Functions of the theory take the narrow types, so what they need is checked once.

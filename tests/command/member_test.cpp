@@ -146,3 +146,79 @@ TEST_CASE("member and finite refuse systems with context or parameters, and say 
         CHECK(run(verb, "printf 'axiom A(1); A(x) -> A(x+1)' |").status == 2);
     }
 }
+
+TEST_CASE("member counts derivations exactly") {
+    const std::string powers = "printf 'axiom a; a -> a; a -> aa' |";
+    CHECK(run("member - aaa --count -n 2..4", powers).out ==
+          "yes: aaa is in the language, first in generation 2\n"
+          "of 2 steps: 2 derivations\n"
+          "of 3 steps: 6 derivations\n"
+          "of 4 steps: 12 derivations\n"
+          "20 derivations in all\n");
+    const Run infinite = run("member - aaa --count", powers);
+    CHECK(infinite.status == 0);
+    CHECK(infinite.out.find("of 11 steps: 110 derivations\ninfinitely many derivations: there are "
+                            "some of infinitely many numbers of steps\n") != std::string::npos);
+    const auto counted = nlohmann::json::parse(run("member - aaa --count --json", powers).out);
+    CHECK(counted["infinite"] == true);
+    CHECK(counted["total"].is_null());
+    CHECK(counted["counts"][1] == nlohmann::json({{"steps", 3}, {"count", 6}}));
+    // c(n, t) = c(n, t-1) + sum over i of c(i, t-1) c(n-i, t-1), worked out in another language.
+    CHECK(run("member - aaaaaaaaaaaaaaaaaaaaaaaa --count -n 60", powers).out ==
+          "yes: aaaaaaaaaaaaaaaaaaaaaaaa is in the language, first in generation 5\nof 60 steps: "
+          "26713989030050157853461660800834698711974 derivations\n");
+    CHECK(run("member - b --count", powers).status == 1);
+    CHECK(nlohmann::json::parse(run("member - b --count --json", powers).out)["total"] == 0);
+    CHECK(run("member - aa --count", "printf 'axiom a; a -> b; b -> aa' |").out ==
+          "yes: aa is in the language, first in generation 2\nof 2 steps: 1 derivation\n");
+}
+
+TEST_CASE("member lists all derivations, each once") {
+    const std::string system = "printf 'axiom a; a -> b; a -> bb; b -> cc; b -> c; c -> d' |";
+    CHECK(run("member - ccc --all", system).out ==
+          "yes: ccc is in the language, first in generation 2\n"
+          "of 2 steps: 2 derivations\n"
+          "derivation 1 of 2 steps\n"
+          "     0  a\n"
+          "        a -> bb\n"
+          "     1  bb\n"
+          "        b -> c, b -> cc\n"
+          "     2  ccc\n"
+          "derivation 2 of 2 steps\n"
+          "     0  a\n"
+          "        a -> bb\n"
+          "     1  bb\n"
+          "        b -> cc, b -> c\n"
+          "     2  ccc\n");
+    const auto all = nlohmann::json::parse(run("member - cc --all --json", system).out);
+    CHECK(all["derivations"].size() == 2);
+    CHECK(all["complete"] == true);
+    CHECK(all["total"] == 2);
+    const std::string powers = "printf 'axiom a; a -> a; a -> aa' |";
+    const Run some = run("member - aaa --all -n 6 --max-derivations 3", powers);
+    CHECK(some.out.ends_with("27 more; --max-derivations shows more than 3\n"));
+    CHECK(some.out.find("derivation 3 of 6 steps\n") != std::string::npos);
+    CHECK(run("member - aaa --all", powers)
+              .out.ends_with("infinitely many more; --max-derivations shows more than 20\n"));
+    const std::string tables = "printf 'axiom a; table s; a -> b; table t; a -> b; b -> c' |";
+    const Run named = run("member - c --all", tables);
+    CHECK(named.out.find("infinitely many derivations") != std::string::npos);
+    CHECK(named.out.find("        table s: a -> b\n     1  b\n        table t: b -> c\n") !=
+          std::string::npos);
+}
+
+TEST_CASE("member says which options go together") {
+    const std::string system = "printf 'axiom a; a -> aa' |";
+    const auto refused = [&](const std::string& options, const std::string& message) {
+        const Run asked = run("member - aa " + options, system);
+        CHECK(asked.status == 2);
+        CHECK(asked.err == "algae: " + message + '\n');
+    };
+    refused("-n 3", "-n goes with --count or --all: derivations of so many steps");
+    refused("--max-derivations 3", "--max-derivations goes with --all");
+    refused("--all --brief", "--brief leaves out the derivations that --all asks for");
+    refused("--count -n x", "-n: expected a whole number from 0 on, found \"x\"");
+    CHECK(run("member - aaaaaaaaaaaaaaaaaaaaaaaa --count --max-memory 500",
+              "printf 'axiom a; a -> aa; a -> aaa' |")
+              .status == 3);
+}

@@ -7,6 +7,7 @@
 namespace {
 
 const std::string fibonacci = "printf 'axiom b; a -> ab; b -> a' |";
+const std::string tables = "printf 'axiom a; table s; a -> ab; table t; a -> b; b -> bb' |";
 const std::string choices = "printf 'axiom ab; a -> a; a -> aa; b -> ; b -> b' |";
 
 }  // namespace
@@ -49,6 +50,97 @@ TEST_CASE("tree draws the derivation of a member") {
           5);
     CHECK(run("tree - --word S -o /dev/null --format svg", terminals).status == 2);
     CHECK(run("tree - --word 'A(1)' -o /dev/null --format svg", choices).status == 2);
+}
+
+namespace {
+
+nlohmann::json facts_of(const std::string& options, const std::string& before) {
+    return nlohmann::json::parse(
+        run("tree - --json -o /dev/null --format svg " + options, before).out);
+}
+
+/// The labels of the nodes in Graphviz's language, in their order.
+std::string labels(const std::string& options, const std::string& before) {
+    const std::string dot = run("tree - -o - --format dot " + options, before).out;
+    std::string found;
+    for (std::size_t at = 0; (at = dot.find("label=", at)) != std::string::npos;) {
+        at += 6;
+        const bool quoted = dot[at] == '"';
+        const std::size_t from = at + quoted, to = dot.find_first_of(quoted ? "\"" : ",]", from);
+        found += dot.substr(from, to - from) + ' ';
+    }
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("tree draws modules with their exact parameters") {
+    const std::string thirds = "printf 'axiom A(1); A(x) : x > 0.2 -> A(x/3)B' |";
+    CHECK(labels("-n 3", thirds) == "A(1) A(1/3) B A(1/9) B B A(1/9) B B ");
+    CHECK(run("derive - -n 3", thirds).out == "A(1/9)BB\n");
+    const auto facts = facts_of("-n 3", thirds);
+    CHECK(facts["nodes"] == 9);
+    CHECK(facts["contexts"] == 0);
+    CHECK_FALSE(facts.contains("seed"));
+    CHECK(facts_of("-n 3 --dag", thirds)["nodes"] == 7);
+    CHECK(facts_of("-n 3 --depth 1", thirds)["nodes"] == 5);
+    const Run large =
+        run("tree - -n 60 -o /dev/null --format svg", "printf 'axiom A(1); A(x) -> A(x+1)A(x)' |");
+    CHECK(large.status == 3);
+    CHECK(large.err ==
+          "algae: the tree has more nodes than can be counted, more than the 2000 of --max-nodes; "
+          "--depth 9 has 1535\n");
+    CHECK(facts_of("-n 60 --depth 3", "printf 'axiom A(1); A(x) -> A(x+1)A(x)' |")["nodes"] == 23);
+}
+
+TEST_CASE("tree draws the derivation that derive picks by the same seed") {
+    const std::string system =
+        "printf 'axiom a; a -(1/2)-> ab; a -(1/2)-> ba; b -(1/3)-> a; "
+        "b -(2/3)-> bb' |";
+    for (const char* seed : {"1", "2", "7"}) {
+        const std::string options = std::string("-n 4 --seed ") + seed;
+        std::string word = run("derive - " + options, system).out, last;
+        word.pop_back();
+        for (const char letter : labels(options, system))
+            if (letter != ' ') last += letter;
+        CHECK(last.ends_with(word));
+        CHECK(facts_of(options, system)["seed"] == std::stoi(seed));
+    }
+    CHECK(facts_of("-n 4", system)["seed"] == 1);
+    CHECK(labels("-n 2", system) == labels("-n 2 --seed 1", system));
+    // Rules without probabilities and tables are picked only if a seed is given.
+    CHECK(facts_of("-n 3 --seed 4", choices)["seed"] == 4);
+    CHECK(facts_of("-n 3 --seed 4", tables)["tables"].size() == 3);
+}
+
+TEST_CASE("tree names the tables of the steps") {
+    CHECK(facts_of("-n 3 --tables sts", tables)["tables"] == nlohmann::json({"s", "t", "s"}));
+    CHECK(labels("-n 3 --tables sts", tables) == "a a b b b b b b b ");
+    const std::string scheduled =
+        "printf 'axiom a; table s; a -> ab; table t; a -> b; b -> bb; schedule s s t' |";
+    CHECK(facts_of("-n 4", scheduled)["tables"] == nlohmann::json({"s", "s", "t", "s"}));
+    CHECK(
+        run("tree - -n 2 --tables st -o - --format dot", tables).out.find("comment=\"table t\"") !=
+        std::string::npos);
+}
+
+TEST_CASE("tree draws contexts as thin arcs") {
+    const std::string signal = "printf 'axiom baaa; b < a -> b; b -> a' |";
+    const auto facts = facts_of("-n 3", signal);
+    CHECK(facts["nodes"] == 16);
+    CHECK(facts["edges"] == 12);
+    CHECK(facts["contexts"] == 3);
+    CHECK(labels("-n 3", signal) == "b a a a a b a a a a b a a a a b ");
+    const std::string dot = run("tree - -n 1 -o - --format dot", signal).out;
+    CHECK(dot.find("penwidth=0.5") != std::string::npos);
+    CHECK(dot.find("gray60") != std::string::npos);
+    const Scratch folder;
+    for (const char* end : {"svg", "pdf", "png", "ps", "eps", "dot"})
+        for (const char* shape : {"", " --dag", " --depth 1"}) {
+            const std::string file = folder.file(std::string("t.") + end);
+            CHECK(run("tree - -n 3 -o " + file + shape, signal).status == 0);
+            CHECK(!text_of(file).empty());
+        }
 }
 
 TEST_CASE("tree merges, cuts, and refuses what is too large with its size") {
@@ -117,6 +209,22 @@ TEST_CASE("tree says what is wrong with what was asked") {
     refused("- -n 3 --width 5 -o t.svg", fibonacci,
             "the width must be from 10 to 14400 points in svg, not 5");
     refused("- -n 3 -o t.svg", choices, "--word draws the derivation of one word");
+    refused("- -n 3 -o t.svg", choices, "--seed one picked at random");
+    refused("- --word aaa --seed 3 -o t.svg", choices,
+            "--seed and --tables go with -n: they say how the generation is derived");
+    refused("- --word aaa --tables st -o t.svg", choices, "--seed and --tables go with -n");
+    refused("- -n 2 -o t.svg", tables,
+            "it has 2 tables and no schedule; say --tables SEQUENCE, or --seed S for random ones");
+    refused("- -n 2 --tables s -o t.svg", tables,
+            "--tables: expected a table for each of 2 steps, found 1");
+    refused("- -n 2 --tables sx -o t.svg", tables, "expected a table (s, t, or a number");
+    refused("- --word b -o t.svg", "printf 'axiom ab; a < b -> c' |",
+            "-n draws the tree of a generation");
+    refused("- -n 1 -o t.svg", "printf 'axiom A(1); A(x) : x > 0 -> B; A(x) -> C' |",
+            "matches too");
+    refused("- -n 1 -o t.svg", "printf 'axiom A(1); A(x) -> B(1/(x-1))' |", "division by 0");
+    refused("- -n 1 -o t.svg", "printf 'axiom F?P(0,0)' |",
+            "it has communication modules, which an environment fills between two steps");
     refused("- --graph -o t.svg", choices, "");
     refused("no-such-system -n 3 -o t.svg", "", "nothing of that name in the gallery");
     CHECK(run("tree - -n 2000 --max-nodes 100000000 --timeout 0.001 -o /dev/null --format svg",

@@ -38,6 +38,72 @@ TEST_CASE("show names the class of every kind of system") {
           "parametric PD0L");
 }
 
+TEST_CASE("show says of parametric rules whether they exclude each other") {
+    const auto line = [](const std::string& system, const std::string& label) {
+        const std::string page = run("show -", "printf '" + system + "' |").out;
+        const std::size_t at = page.find(label);
+        return at == std::string::npos ? "" : page.substr(at, page.find('\n', at) - at);
+    };
+    const auto deterministic = [&](const std::string& rules) {
+        return line("axiom A(1); " + rules, "deterministic");
+    };
+    CHECK(deterministic("A(x) : x < 2 -> A(x+1); A(x) : x >= 2 -> B") == "deterministic  yes");
+    CHECK(deterministic("A(x) : x < 3 -> A(x+1); A(x) : x > 2 -> B") ==
+          "deterministic  no: the rules at standard input:1:13 and standard input:1:37 both match "
+          "A(2.5)");
+    CHECK(deterministic("A(x) -> A(x+1); A(x) -> B") ==
+          "deterministic  no: the rules at standard input:1:13 and standard input:1:29 both match "
+          "A(0)");
+    CHECK(deterministic("A(x) : x*x < 0 -> B; A(x) -> C") ==
+          "deterministic  possibly: whether the rules at standard input:1:13 and standard "
+          "input:1:34 can match the same module is not decided");
+    CHECK(deterministic("B(y) < A(x) : y > x -> C; B(y) < A(x) -> A(x)") ==
+          "deterministic  no: the rules at standard input:1:13 and standard input:1:39 both match "
+          "B(1) < A(0)");
+    CHECK(line("axiom A(1); A(x) : x*x < 0 -> B; A(x) -> C", "class") ==
+          "class          parametric P0L");
+    CHECK(line("axiom a; a -> b; a -> c", "deterministic") == "deterministic  no");
+    const auto shown = [](const std::string& system) {
+        return json::parse(run("show - --json", "printf '" + system + "' |").out);
+    };
+    const json both = shown("axiom A(1); A(x) : x < 3 -> A(x+1); A(x) : x > 2 -> B");
+    CHECK(both["deterministic"] == false);
+    CHECK(both["overlaps"].size() == 1);
+    CHECK(both["overlaps"][0]["rules"] == json({"standard input:1:13", "standard input:1:37"}));
+    CHECK(both["overlaps"][0]["match"] == "A(2.5)");
+    const json open = shown("axiom A(1); A(x) : x*x < 0 -> B; A(x) -> C");
+    CHECK(open["deterministic"].is_null());
+    CHECK(open["overlaps"][0]["match"].is_null());
+    CHECK(shown("axiom A(1); A(x) -> B")["overlaps"] == json::array());
+}
+
+TEST_CASE("show prints constants, and modules that no rule can match") {
+    const std::string system =
+        "printf 'let k = 1/3\nlet h = sqrt(k*6)\nlet d = k*3\naxiom A(1)\nA(x) -> A(x,h)A\n' |";
+    const std::string page = run("show -", system).out;
+    CHECK(page.find("constants      k = 1/3\n"
+                    "               h = sqrt(k*6), about 1.4142135623730951\n"
+                    "               d = k*3 = 1\n") != std::string::npos);
+    CHECK(page.find("notes          no rule matches A(_,_): the rules for A take 1 parameter\n"
+                    "               no rule matches A: the rules for A take 1 parameter\n") !=
+          std::string::npos);
+    const json shown = json::parse(run("show - --json", system).out);
+    CHECK(shown["constants"][0] ==
+          json({{"name", "k"}, {"written", "1/3"}, {"exact", "1/3"}, {"value", 1.0 / 3}}));
+    CHECK(shown["constants"][1]["exact"].is_null());
+    CHECK(shown["unmatched"][0] ==
+          json({{"module", "A(_,_)"}, {"parameters", 2}, {"expected", {1}}}));
+    CHECK(run("show koch").out.find("notes") == std::string::npos);
+    CHECK(run("show koch").out.find("constants") == std::string::npos);
+    // A system within has rules of its own.
+    const json within = json::parse(run("show - --json",
+                                        "printf 'axiom F(leaf(1)); system leaf { axiom A(1); A(x) "
+                                        "-> A(x,1); A(y) : y > 3 -> B }' |")
+                                        .out);
+    CHECK(within["unmatched"].size() == 1);
+    CHECK(within["overlaps"].size() == 1);
+}
+
 TEST_CASE("fmt prints the canonical form and can check it") {
     const Scratch scratch;
     const std::string file =

@@ -9,10 +9,13 @@
 
 #include "exact/exact.hpp"
 #include "language/language.hpp"
+#include "model/model.hpp"
+#include "notation/notation.hpp"
 #include "oracle/random_systems.hpp"
 #include "render/detail/graph.hpp"
 #include "render/dot_reader.hpp"
 #include "render/pixels.hpp"
+#include "rewrite/rewrite.hpp"
 
 using namespace algae;
 
@@ -133,6 +136,51 @@ TEST_CASE("what a tree shows") {
     CHECK(shared.nodes.size() == 4);
     CHECK(shared.edges[0].label == "×4");
     CHECK(shared.edges[1].label == "×2");
+}
+
+TEST_CASE("modules, tables and contexts in a tree") {
+    const Rewriting rewriting(
+        read_lsystem("axiom bA(1)aa; table s; b < A(x) -> A(x/2)a; A(x) > a -> A(9); table t; "
+                     "a < a > a -> b",
+                     "tables.lsys"),
+        {.arithmetic = Arithmetic::exact});
+    const Graph graph = tree_graph(derivation_tree(rewriting, traced(rewriting, 2, {0, 1})));
+    CHECK(graph.step_labels == std::vector<std::string>{"s", "t"});
+    CHECK(graph.row_labels == std::vector<std::string>{"0", "1", "2"});
+    std::string labels, arcs;
+    for (const Graph::Node& node : graph.nodes) labels += node.label + ' ';
+    CHECK(labels == "b A(1) a a b A(0.5) a a a b A(0.5) a b a ");
+    for (const Graph::Edge& edge : graph.edges)
+        if (edge.thin) {
+            arcs += std::to_string(edge.from) + ">" + std::to_string(edge.to) + ' ';
+            CHECK(edge.arrow);
+            CHECK_FALSE(edge.places);
+        }
+    CHECK(arcs == "0>1 6>7 8>7 ");
+    // Arcs hang below their row, from the one node to the other, and reach neither the next row nor a node.
+    for (const bool shared : {false, true}) {
+        const Graph drawn_graph =
+            tree_graph(derivation_tree(rewriting, traced(rewriting, 2, {0, 1}), {{}, shared}));
+        const GraphLayout layout = shared ? graph_layout(drawn_graph) : tree_layout(drawn_graph);
+        std::size_t seen = 0;
+        for (std::size_t i = 0; i < drawn_graph.edges.size(); ++i) {
+            const Graph::Edge& edge = drawn_graph.edges[i];
+            if (!edge.thin) continue;
+            ++seen;
+            const GraphLayout::Line& line = layout.edges[i];
+            const Point from = layout.nodes[edge.from], to = layout.nodes[edge.to];
+            REQUIRE(line.points.size() == 4);
+            CHECK(from.y == to.y);
+            for (const Point& point : line.points) {
+                CHECK(point.y > from.y);
+                CHECK(point.y < from.y + 36);
+            }
+            CHECK(std::fabs(line.tip->x - to.x) < node_size(drawn_graph.nodes[edge.to]).x / 2);
+        }
+        CHECK(seen >= 2);
+    }
+    const ReadDot dot(dot_text(graph));
+    CHECK(dot.labels.at(1) == "A(1)");
 }
 
 TEST_CASE("subscripts are lowered, and turtle symbols are names like any other") {

@@ -1,0 +1,530 @@
+#include <algorithm>
+#include <functional>
+#include <map>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "language/detail/letters.hpp"
+#include "language/language.hpp"
+#include "system/system.hpp"
+
+// How many derivations a word has, and all of them.
+//
+// For a sequence of tables, let c(a, u) be the number of derivations of the factor u of a word from the letter a by
+// these tables. Those of the sequence with one more table in front are sums, over the successors of a, of products over
+// the ways to cut u: a product of factors a rule, as in the decision of membership. The number of derivations of n steps is the
+// sum over all sequences of n tables; sequences with equal numbers are followed as one. Whether c(a, u) > 0 for which a and u is a
+// state, of which there are finitely many: if a state from which one can be reached that derives the word from the axiom lies on a
+// cycle, there are infinitely many derivations, and otherwise sequences of tables that derive the word have bounded length.
+// A derivation is told from the others by its number: those below a letter are counted, rule by rule and cut by cut,
+// until the number is reached, so each comes once and none is tried in vain.
+
+namespace algae {
+
+namespace {
+
+/// Truth with the operations of numbers: whether there is a derivation.
+struct Some {
+    unsigned char is = 0;
+    Some() = default;
+    explicit Some(int number) : is(number != 0) {}
+    bool is_zero() const { return is == 0; }
+    Some& operator+=(Some other) {
+        is = static_cast<unsigned char>(is | other.is);
+        return *this;
+    }
+    Some operator*(Some other) const { return Some(is & other.is); }
+    auto operator<=>(const Some&) const = default;
+};
+
+/// What letters derive within one word by a sequence of tables, counted by numbers of a kind: for every
+/// accessible letter and every factor a number. The system must outlive it.
+template <class Number>
+class FactorCounts {
+public:
+    using State = std::vector<Number>;
+
+    FactorCounts(const ET0L& system, const Word& word, const Budget& budget)
+        : system_(system),
+          word_(word),
+          budget_(budget),
+          letters_(accessible_letters(system)),
+          place_(system.alphabet->size(), letters_.size()),
+          places_(word.size() + 1) {
+        for (std::size_t i = 0; i < letters_.size(); ++i) place_[letters_[i]] = i;
+        budget.check_memory(4 * bytes(), "the numbers of derivations of factors");
+        for (const Table& table : system.tables) {
+            rules_.emplace_back();
+            for (const Symbol a : letters_) {
+                std::vector<std::uint32_t>& choices = rules_.back().emplace_back();
+                for (std::uint32_t k = 0; k < table[a].size(); ++k)
+                    if (std::find(table[a].begin(), table[a].begin() + k, table[a][k]) ==
+                        table[a].begin() + k)
+                        choices.push_back(k);
+            }
+        }
+    }
+
+    std::uint64_t bytes() const { return letters_.size() * places_ * places_ * sizeof(Number); }
+
+    /// By no table every letter derives itself.
+    State first() const {
+        State state(letters_.size() * places_ * places_, Number(0));
+        for (std::size_t i = 0; i < word_.size(); ++i)
+            if (place_[word_[i]] < letters_.size()) state[at(word_[i], i) + i + 1] = Number(1);
+        return state;
+    }
+
+    /// By one more table, which comes before the others.
+    State next(const State& state, std::size_t table) const {
+        State following(state.size(), Number(0));
+        for (std::size_t i = 0; i < letters_.size(); ++i)
+            for (const std::uint32_t choice : rules_[table][i])
+                for (std::size_t from = 0; from < places_; ++from) {
+                    budget_.check();
+                    const State ends =
+                        ends_of(state, system_.tables[table][letters_[i]][choice], from);
+                    Number* const to = following.data() + at(letters_[i], from);
+                    for (std::size_t end = from; end < places_; ++end)
+                        if (!ends[end].is_zero()) to[end] += ends[end];
+                }
+        return following;
+    }
+
+    /// The derivations of the whole word from the axiom.
+    Number of_axiom(const State& state) const { return ends_of(state, system_.axiom, 0).back(); }
+
+    /// The different choices of a letter in a table.
+    const std::vector<std::uint32_t>& choices(std::size_t table, Symbol a) const {
+        return rules_[table][place_[a]];
+    }
+    const Number& number(const State& state, Symbol a, std::size_t from, std::size_t to) const {
+        return state[at(a, from) + to];
+    }
+
+    /// By number of letters left out at the beginning and place: the derivations of what stands from there up to `to` from
+    /// the other letters.
+    std::vector<State> from_the_right(const State& state, const Word& letters,
+                                      std::size_t to) const {
+        std::vector<State> rests(letters.size() + 1, State(to + 1, Number(0)));
+        rests.back()[to] = Number(1);
+        for (std::size_t k = letters.size(); k-- > 0;)
+            for (std::size_t from = 0; from <= to; ++from)
+                for (std::size_t end = from; end <= to; ++end) {
+                    const Number& begun = number(state, letters[k], from, end);
+                    if (!begun.is_zero() && !rests[k + 1][end].is_zero())
+                        rests[k][from] += begun * rests[k + 1][end];
+                }
+        return rests;
+    }
+
+private:
+    std::size_t at(Symbol a, std::size_t from) const {
+        return (place_[a] * places_ + from) * places_;
+    }
+
+    /// By place: the derivations from these letters of what stands before it from `from` on.
+    State ends_of(const State& state, const Word& letters, std::size_t from) const {
+        State ends(places_, Number(0));
+        ends[from] = Number(1);
+        for (const Symbol a : letters) {
+            State further(places_, Number(0));
+            for (std::size_t begin = from; begin < places_; ++begin) {
+                if (ends[begin].is_zero()) continue;
+                for (std::size_t end = begin; end < places_; ++end) {
+                    const Number& more = state[at(a, begin) + end];
+                    if (!more.is_zero()) further[end] += ends[begin] * more;
+                }
+            }
+            ends = std::move(further);
+        }
+        return ends;
+    }
+
+    const ET0L& system_;
+    const Word& word_;
+    const Budget& budget_;
+    std::vector<Symbol> letters_;
+    std::vector<std::size_t> place_;  // by symbol: its place in letters_
+    std::size_t places_;              // one more than the word has letters
+    std::vector<std::vector<std::vector<std::uint32_t>>> rules_;  // by table and letter
+};
+
+/// Which factors letters derive, by all sequences of up to so many tables: the states and how they follow.
+class DerivingStates {
+public:
+    static constexpr std::uint64_t any = ~std::uint64_t{0};
+
+    DerivingStates(const ET0L& system, const Word& word, std::uint64_t most, const Budget& budget) {
+        const FactorCounts<Some> counts(system, word, budget);
+        std::map<FactorCounts<Some>::State, std::size_t> known;
+        std::vector<decltype(known)::const_iterator> states;
+        const auto number = [&](FactorCounts<Some>::State state) {
+            const auto [found, is_new] = known.try_emplace(std::move(state), known.size());
+            if (is_new) {
+                budget.check_memory(known.size() * (counts.bytes() + 200),
+                                    "which factors letters derive by sequences of tables");
+                states.push_back(found);
+                derives.push_back(!counts.of_axiom(found->first).is_zero());
+            }
+            return found->second;
+        };
+        number(counts.first());
+        std::size_t level =
+            states.size();  // states before this one come by fewer than `length` tables more
+        for (std::uint64_t i = 0, length = 0; i < states.size(); ++i) {
+            if (i == level) {
+                level = states.size();
+                ++length;
+            }
+            if (length == most) break;
+            next.emplace_back();
+            for (std::size_t table = 0; table < system.tables.size(); ++table)
+                next.back().push_back(
+                    number(counts.next(states[static_cast<std::size_t>(i)]->first, table)));
+        }
+    }
+
+    /// The states from which some more tables lead to one that derives the word from the axiom.
+    std::vector<char> useful() const {
+        std::vector<char> found = derives;
+        for (bool changes = true; changes;) {
+            changes = false;
+            for (std::size_t state = next.size(); state-- > 0;)
+                for (const std::size_t to : next[state])
+                    if (found[to] && !found[state]) {
+                        found[state] = 1;
+                        changes = true;
+                    }
+        }
+        return found;
+    }
+
+    std::vector<std::vector<std::size_t>> next;  // by state and table
+    std::vector<char> derives;                   // by state: the word from the axiom
+};
+
+/// Whether some of these states lie on a cycle of such states.
+bool has_cycle(const DerivingStates& states, const std::vector<char>& useful) {
+    std::vector<std::size_t> entering(useful.size(), 0);
+    std::size_t left = 0;
+    for (std::size_t state = 0; state < useful.size(); ++state) {
+        if (!useful[state]) continue;
+        ++left;
+        for (const std::size_t to : states.next[state])
+            if (useful[to]) ++entering[to];
+    }
+    std::vector<std::size_t> open;
+    for (std::size_t state = 0; state < useful.size(); ++state)
+        if (useful[state] && entering[state] == 0) open.push_back(state);
+    for (; !open.empty(); --left) {
+        const std::size_t state = open.back();
+        open.pop_back();
+        for (const std::size_t to : states.next[state])
+            if (useful[to] && --entering[to] == 0) open.push_back(to);
+    }
+    return left > 0;
+}
+
+bool can_be_member(const ET0L& system, const Word& word) {
+    return std::ranges::all_of(
+        word, [&](Symbol a) { return a < system.terminal.size() && system.terminal[a]; });
+}
+
+/// The numbers of derivations of 0, 1, ... steps, one after the other. With several tables the
+/// sequences are followed together, those with equal numbers as one.
+class StepCounts {
+public:
+    StepCounts(const ET0L& system, const Word& word, const Budget& budget)
+        : tables_(system.tables.size()), counts_(system, word, budget), budget_(budget) {
+        now_.emplace(counts_.first(), Group{1, 0});
+    }
+
+    Integer count() const {
+        Integer sum = 0;
+        for (const auto& [state, group] : now_) sum += group.times * counts_.of_axiom(state);
+        return sum;
+    }
+    /// Goes on by one table. With `states`, only where the word can still be derived.
+    void step(const DerivingStates* states = nullptr, const std::vector<char>* useful = nullptr) {
+        std::map<FactorCounts<Integer>::State, Group> following;
+        for (const auto& [state, group] : now_)
+            for (std::size_t table = 0; table < tables_; ++table) {
+                const std::size_t to = states ? states->next[group.state][table] : 0;
+                if (useful && !(*useful)[to]) continue;
+                const auto [found, is_new] =
+                    following.try_emplace(counts_.next(state, table), Group{0, to});
+                found->second.times += group.times;
+                budget_.check_memory(following.size() * (counts_.bytes() + 200),
+                                     "the numbers of derivations by sequences of tables");
+            }
+        now_ = std::move(following);
+    }
+    bool is_over() const { return now_.empty(); }
+
+private:
+    struct Group {
+        Integer times;      // sequences of tables
+        std::size_t state;  // which of these numbers are above 0
+    };
+    std::size_t tables_;
+    FactorCounts<Integer> counts_;
+    const Budget& budget_;
+    std::map<FactorCounts<Integer>::State, Group> now_;
+};
+
+/// The numbers of steps in which a system without choices derives a word: `step`, and every `period` more.
+struct OnlyDerivations {
+    std::optional<std::uint64_t> step;
+    std::optional<Integer> period;
+};
+
+/// Nothing where the system has choices, or letters that are not terminals.
+std::optional<OnlyDerivations> only_derivations(const ET0L& system, const Word& word,
+                                                const Budget& budget) {
+    if (system.tables.size() > 1 || !has_only_terminals(system)) return std::nullopt;
+    const OL plain = without_terminals(system);
+    if (!is_deterministic(plain)) return std::nullopt;
+    OnlyDerivations found;
+    const Membership member = membership(plain, word, budget);
+    if (!member.member) return found;
+    found.step = member.step;
+    // The words of an infinite language are all different.
+    if (!finiteness(plain).finite) return found;
+    const Repetition words = repetition(plain, budget);
+    if (member.step >= words.preperiod) found.period = words.period;
+    return found;
+}
+
+}  // namespace
+
+Integer number_of_derivations(const ET0L& system, const Word& word, std::uint64_t n,
+                              const Budget& budget) {
+    if (!can_be_member(system, word)) return 0;
+    if (const auto only = only_derivations(system, word, budget)) {
+        if (!only->step || n < *only->step) return 0;
+        if (!only->period) return n == *only->step;
+        return remainder(Integer(n - *only->step), *only->period).is_zero();
+    }
+    StepCounts counts(system, word, budget);
+    for (std::uint64_t t = 0; t < n; ++t) counts.step();
+    return counts.count();
+}
+
+DerivationCounts derivation_counts(const ET0L& system, const Word& word, std::size_t listed,
+                                   const Budget& budget) {
+    DerivationCounts found;
+    found.total = 0;
+    if (!can_be_member(system, word)) return found;
+    if (const auto only = only_derivations(system, word, budget)) {
+        if (!only->step) return found;
+        found.total = 1;
+        if (only->period) found.total.reset();
+        Integer steps = *only->step;
+        for (std::size_t i = 0; i < (only->period ? listed : 1) && steps.fits_uint64(); ++i) {
+            found.by_steps.push_back({steps.to_uint64(), 1});
+            if (only->period) steps += *only->period;
+        }
+        return found;
+    }
+    const DerivingStates states(system, word, DerivingStates::any, budget);
+    const std::vector<char> useful = states.useful();
+    const bool infinite = has_cycle(states, useful);
+    StepCounts counts(system, word, budget);
+    for (std::uint64_t n = 0; useful.front() && !counts.is_over(); ++n) {
+        if (infinite && found.by_steps.size() == listed) break;
+        if (Integer count = counts.count(); !count.is_zero()) {
+            *found.total += count;
+            found.by_steps.push_back({n, std::move(count)});
+        }
+        counts.step(&states, &useful);
+    }
+    if (infinite) found.total.reset();
+    return found;
+}
+
+namespace {
+
+/// The derivations by one sequence of tables, which are told apart by their numbers.
+class NumberedDerivations {
+public:
+    NumberedDerivations(const ET0L& system, const Word& word, std::vector<std::uint32_t> tables,
+                        const Budget& budget)
+        : system_(system),
+          word_(word),
+          tables_(std::move(tables)),
+          budget_(budget),
+          counts_(system, word, budget) {
+        budget.check_memory((tables_.size() + 4) * counts_.bytes(),
+                            "the numbers of derivations of factors, by steps");
+        states_.push_back(counts_.first());
+        for (std::size_t t = tables_.size(); t-- > 0;)
+            states_.push_back(counts_.next(states_.back(), tables_[t]));
+    }
+
+    Integer count() const { return counts_.of_axiom(states_.back()); }
+
+    Derivation derivation(const Integer& number) const {
+        const std::size_t n = tables_.size();
+        Derivation found;
+        found.words.resize(n + 1);
+        found.choices.resize(n);
+        if (system_.tables.size() > 1) found.tables = tables_;
+        std::vector<Part> open;
+        cut(system_.axiom, 0, word_.size(), n, number, open);
+        std::uint64_t letters = 0;
+        while (!open.empty()) {
+            const Part part = std::move(open.back());
+            open.pop_back();
+            if (++letters > budget_.letters)
+                throw BoundReached(Bound::letters, "the words of the derivation have more than " +
+                                                       std::to_string(budget_.letters) +
+                                                       " letters together, the bound set" +
+                                                       budget_.by(Bound::letters));
+            const std::size_t step = n - part.left;
+            found.words[step].push_back(part.letter);
+            if (part.left == 0) continue;
+            Integer rest = part.number;
+            const Table& table = system_.tables[tables_[step]];
+            for (const std::uint32_t choice : counts_.choices(tables_[step], part.letter)) {
+                const Word& successor = table[part.letter][choice];
+                const Integer ways =
+                    counts_.from_the_right(states_[part.left - 1], successor, part.to)
+                        .front()
+                        .at(part.from);
+                if (rest < ways) {
+                    found.choices[step].push_back(choice);
+                    cut(successor, part.from, part.to, part.left - 1, rest, open);
+                    break;
+                }
+                rest -= ways;
+            }
+        }
+        return found;
+    }
+
+private:
+    /// A letter that derives a factor by the last `left` tables, in the way of this number.
+    struct Part {
+        Symbol letter;
+        std::size_t from, to, left;
+        Integer number;
+    };
+
+    /// Puts the letters with the factors that they derive on the stack, the first on top.
+    void cut(const Word& letters, std::size_t from, std::size_t to, std::size_t left,
+             Integer number, std::vector<Part>& open) const {
+        budget_.check();
+        const auto& state = states_[left];
+        const auto rests = counts_.from_the_right(state, letters, to);
+        const std::size_t below = open.size();
+        for (std::size_t k = 0; k < letters.size(); ++k)
+            for (std::size_t end = from; end <= to; ++end) {
+                const Integer& others = rests[k + 1][end];
+                const Integer ways = counts_.number(state, letters[k], from, end) * others;
+                if (number < ways) {
+                    open.push_back({letters[k], from, end, left, floor_divide(number, others)});
+                    number = remainder(number, others);
+                    from = end;
+                    break;
+                }
+                number -= ways;
+            }
+        std::reverse(open.begin() + static_cast<std::ptrdiff_t>(below), open.end());
+    }
+
+    const ET0L& system_;
+    const Word& word_;
+    std::vector<std::uint32_t> tables_;
+    const Budget& budget_;
+    FactorCounts<Integer> counts_;
+    std::vector<FactorCounts<Integer>::State> states_;  // by number of tables left
+};
+
+/// Goes through the sequences of n tables by which the word is derived, smaller tables first, until `visit` says
+/// that it is enough.
+void each_sequence(const ET0L& system, const Word& word, std::uint64_t n, const Budget& budget,
+                   const std::function<bool(std::vector<std::uint32_t>)>& visit) {
+    if (system.tables.size() == 1) {
+        budget.check_memory(n * sizeof(std::uint32_t), "a sequence of tables");
+        visit(std::vector<std::uint32_t>(static_cast<std::size_t>(n), 0));
+        return;
+    }
+    const DerivingStates states(system, word, n, budget);
+    const std::size_t size = states.derives.size();
+    budget.check_memory((n + 1) * size, "which states come by how many tables");
+    // By number of tables: the states that come by so many.
+    std::vector<std::vector<char>> comes(static_cast<std::size_t>(n) + 1,
+                                         std::vector<char>(size, 0));
+    comes[0][0] = 1;
+    for (std::size_t t = 0; t < n; ++t) {
+        budget.check();
+        for (std::size_t state = 0; state < states.next.size(); ++state)
+            if (comes[t][state])
+                for (const std::size_t to : states.next[state]) comes[t + 1][to] = 1;
+    }
+    // The first tables of a sequence are the last that lead to a state: by them, the states that the
+    // other tables may come to.
+    struct Begun {
+        std::vector<char> rest;
+        std::uint32_t table = 0;  // that is tried next
+    };
+    std::vector<Begun> begun(1);
+    for (std::size_t state = 0; state < size; ++state)
+        begun[0].rest.push_back(comes.back()[state] && states.derives[state]);
+    std::vector<std::uint32_t> sequence;
+    if (std::ranges::count(begun[0].rest, 0) == static_cast<std::ptrdiff_t>(size)) return;
+    while (!begun.empty()) {
+        budget.check();
+        Begun& here = begun.back();
+        const std::size_t left = static_cast<std::size_t>(n) - sequence.size();
+        if (left == 0 && !visit(sequence)) return;
+        if (left == 0 || here.table == system.tables.size()) {
+            begun.pop_back();
+            if (!sequence.empty()) sequence.pop_back();
+            continue;
+        }
+        const std::uint32_t table = here.table++;
+        Begun further;
+        bool is_any = false;
+        for (std::size_t state = 0; state < size; ++state) {
+            const bool leads = state < states.next.size() && comes[left - 1][state] &&
+                               here.rest[states.next[state][table]];
+            further.rest.push_back(leads);
+            is_any = is_any || leads;
+        }
+        if (!is_any) continue;
+        sequence.push_back(table);
+        begun.push_back(std::move(further));
+    }
+}
+
+}  // namespace
+
+std::vector<Derivation> derivations(const ET0L& system, const Word& word, std::uint64_t n,
+                                    std::size_t most, const Budget& budget) {
+    std::vector<Derivation> found;
+    if (most == 0 || !can_be_member(system, word)) return found;
+    if (only_derivations(system, word, budget)) {
+        if (number_of_derivations(system, word, n, budget).is_zero()) return found;
+        const OL plain = without_terminals(system);
+        found.push_back(derivation(plain, word, n, budget));
+        return found;
+    }
+    std::uint64_t letters = 0;
+    each_sequence(system, word, n, budget, [&](std::vector<std::uint32_t> tables) {
+        const NumberedDerivations all(system, word, std::move(tables), budget);
+        const Integer count = all.count();
+        for (Integer number = 0; number < count && found.size() < most; ++number) {
+            found.push_back(all.derivation(number));
+            for (const Word& one : found.back().words) letters += one.size() + 8;
+            budget.check_memory(letters * 2 * sizeof(Symbol), "the derivations");
+        }
+        return found.size() < most;
+    });
+    return found;
+}
+
+}  // namespace algae

@@ -299,15 +299,22 @@ void derive_shapes(const DeriveOptions& options, const LSystem& system, const Bu
     derive_boxes(system, options.all ? 0 : first, last, options.json, budget);
 }
 
+template <class System>
+std::vector<Word> all_words(const DeriveOptions& options, const System& system,
+                            const Budget& budget) {
+    if (!options.generation) return words_up_to(system, *options.longest, budget);
+    return words_of_generation(system, natural("-n", options.generation->written), options.longest,
+                               budget);
+}
+
 void derive_all_words(const DeriveOptions& options, const LSystem& system, const Budget& budget) {
     const View<OL> rules = as_ol(system);
+    const View<IL> interactive = as_il(system);
     if (!options.generation && !options.longest)
         throw Error("--all-words needs a generation (-n) or a greatest length (--longest)");
     print_words(options.json, system.alphabet,
-                !options.generation
-                    ? words_up_to(*rules, *options.longest, budget)
-                    : words_of_generation(*rules, natural("-n", options.generation->written),
-                                          options.longest, budget));
+                !rules && interactive ? all_words(options, *interactive, budget)
+                                      : all_words(options, *rules, budget));
 }
 
 int derive_verb(const DeriveOptions& options) {
@@ -340,7 +347,10 @@ int derive_verb(const DeriveOptions& options) {
     if (const View<OL> choices = as_ol(system); !picked && !rules && choices)
         throw Error(rules.reason() +
                     "; say --all-words for all words, or --seed S for one picked at random");
-    const View<IL> interactive = as_il(system);
+    const View<IL> interactive = as_dil(system);
+    if (!picked && !rules && !interactive && as_il(system))
+        throw Error(interactive.reason() +
+                    "; say --all-words for all words, or --seed S for one picked at random");
     if (picked || (!rules && !interactive)) {
         derive_modules(options, system, budget);
         return success;
@@ -364,11 +374,28 @@ struct LetterOptions {
     Bounds bounds;
 };
 
+/// Of a system with context, whose words are derived whole.
+Word derived_letters(const IL& system, const LetterOptions& options, const Budget& budget) {
+    Development development(system, budget);
+    development.steps(options.generation);
+    const Word& word = development.word();
+    if (options.at >= Integer(word.size()))
+        throw Error("generation " + std::to_string(options.generation) + " has no letter at " +
+                    to_string(options.at) + ": it has " + std::to_string(word.size()) + " letters");
+    const std::uint64_t at = options.at.to_uint64();
+    const std::uint64_t count = std::min<std::uint64_t>(options.count, word.size() - at);
+    const auto first = word.begin() + static_cast<std::ptrdiff_t>(at);
+    return {first, first + static_cast<std::ptrdiff_t>(count)};
+}
+
 int letter(const LetterOptions& options) {
     const Budget budget = options.bounds.budget();
     const LSystem system = open_system(options.file, budget);
-    const Word letters =
-        letters_at(*as_d0l(system), options.generation, options.at, options.count, budget);
+    const View<D0L> rules = as_d0l(system);
+    const View<IL> interactive = as_dil(system);
+    const Word letters = !rules && interactive ? derived_letters(*interactive, options, budget)
+                                               : letters_at(*rules, options.generation, options.at,
+                                                            options.count, budget);
     const std::string text = spell(system.alphabet, letters);
     if (options.json)
         print(Json{{"letters", text}}.text());
@@ -416,7 +443,7 @@ void add_derive(Verbs& verbs) {
     verb.option("-n", options.generation, range, "N", "the generation, or a range such as 0..6");
     verb.flag("--all", options.all, "all generations from 0 on, a line each");
     verb.flag("--all-words", options.all_words,
-              "every word of the generation, in shortlex order (0L systems)");
+              "every word of the generation, in shortlex order (0L and IL systems)");
     verb.flag("--language", options.language,
               "the words over the terminals of generations up to N, in shortlex order");
     verb.option("--longest", options.longest, natural, "M",

@@ -14,6 +14,7 @@
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "language/language.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
@@ -39,21 +40,57 @@ struct Options {
 
 // Systems with interactions.
 
-/// Lengths that are derived one generation after the other: there is no matrix, and no formula is fitted.
+/// What is proved of all lengths, in words; empty if nothing is.
+std::string beyond_lengths(const ContextGrowth& known) {
+    if (known.repetition) {
+        const auto& [preperiod, period] = *known.repetition;
+        const std::string since = "from generation " + std::to_string(preperiod) + " on the word ";
+        return "But the words repeat: " +
+               (period == 1 ? since + "stays the same"
+                            : since + "is that of " + to_string(period) + " steps before") +
+               ", so the lengths are bounded.\n";
+    }
+    if (known.rises_from)
+        return "But from generation " + std::to_string(*known.rises_from) +
+               " on every word is longer than the one before: an automaton accepts all these "
+               "words, and "
+               "every step makes what it accepts longer.\n";
+    if (known.endless)
+        return "But no word comes twice, so the lengths have no bound: an automaton accepts all "
+               "words, and every "
+               "step raises the sum of weights along its transitions.\n";
+    return {};
+}
+
+/// Lengths that are derived one generation after the other: there is no matrix, and no formula is fitted. What is known beyond
+/// them is that words repeat, or never do.
 int growth_interaction(const IL& system, const Range& generations, bool json,
                        const Budget& budget) {
     auto lengths = derived_lengths(system, generations.last, budget);
     lengths.erase(lengths.begin(),
                   lengths.begin() + static_cast<std::ptrdiff_t>(generations.first));
-    if (json)
-        print(Json{{"class", "unknown"}, {"from", generations.first}, {"lengths", lengths}}.text());
-    else
+    const ContextGrowth known = system.brackets ? ContextGrowth{} : context_growth(system, budget);
+    const std::string beyond = beyond_lengths(known);
+    if (json) {
+        Json all{{"class", known.repetition ? "bounded"
+                           : beyond.empty() ? "unknown"
+                                            : "unbounded"},
+                 {"from", generations.first},
+                 {"lengths", lengths}};
+        if (known.repetition)
+            all.set("preperiod", known.repetition->preperiod)
+                .set("period", known.repetition->period);
+        if (known.rises_from) all.set("rises_from", *known.rises_from);
+        print(all.text());
+    } else {
         print(
             fmt::format("lengths, n = {}..{}\n{}\n"
                         "Letters look at their neighbours, so there is no growth matrix and no "
                         "recurrence to go by:\n"
-                        "these lengths are derived, and nothing is claimed beyond them.\n",
-                        generations.first, generations.last, fmt::join(lengths, ", ")));
+                        "these lengths are derived{}.\n{}",
+                        generations.first, generations.last, fmt::join(lengths, ", "),
+                        beyond.empty() ? ", and nothing is claimed beyond them" : "", beyond));
+    }
     return success;
 }
 
@@ -186,7 +223,9 @@ int print_bounds(const LSystem& system, const Options& options, const Budget& bu
 D0L with_growth_function(const LSystem& system) {
     View<D0L> rules = as_d0l(system);
     if (rules) return *rules;
-    throw Error("no growth function: " + rules.reason() +
+    const View<IL> interactive = as_dil(system);
+    const bool has_choices = !interactive && as_il(system) && !as_ol(system);
+    throw Error("no growth function: " + (has_choices ? interactive.reason() : rules.reason()) +
                 (as_ol(system)
                      ? "; --bounds gives the least and the greatest length of each generation"
                      : ""));
@@ -205,7 +244,7 @@ int growth(const Options& options) {
         return report.order.is_decided() ? success : undecided;
     }
     if (options.bounds_wanted) return print_bounds(system, options, budget);
-    if (const View<IL> context = as_il(system); context && !as_ol(system) && options.plot.empty())
+    if (const View<IL> context = as_dil(system); context && !as_ol(system) && options.plot.empty())
         return growth_interaction(*context, options.generations("0..100"), options.json, budget);
     const D0L rules = with_growth_function(system);
     if (!options.plot.empty()) {

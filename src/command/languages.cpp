@@ -6,6 +6,8 @@
 // morphism may be ahead of the other, with the automaton of what is ahead; an undecided comparison is an
 // answer in JSON too. `is` takes a language as claims write it, which may name systems as L(NAME).
 //
+// Questions about systems with context are decided as claims, and answered in their sentences.
+//
 // With `--certificate` the answer is written as the certificate of a claim whose theorem is the question. The claim is
 // decided like any other, so a certificate has the proof that the rooms of claims find, and `verify` checks it as such.
 
@@ -29,14 +31,19 @@ namespace {
 
 // Certificates
 
+/// Whether it is a system with context, which the functions for other families do not take.
+bool has_context(const LSystem& system) { return !as_et0l(system) && as_il(system); }
+
 /// A claim about systems, which are called A, B, ... there, and about words with these letters.
+/// Of a system with context the family is IL, whatever is given.
 Claim claim_about(const std::vector<const Model*>& systems, const std::string& family,
                   const std::set<std::string>& letters = {}) {
     std::string text = "claim T\n";
     if (!letters.empty()) text += "alphabet " + joined(letters, " ") + '\n';
     std::string name = "A";
     for (std::size_t i = 0; i < systems.size(); ++i, ++name[0])
-        text += "let " + name + " = " + family + ' ' + name + '\n';
+        text +=
+            "let " + name + " = " + (has_context(*systems[i]) ? "IL" : family) + ' ' + name + '\n';
     return read_claim(text, "the certificate", [&](const std::string& called) {
         return *systems.at(static_cast<std::size_t>(called[0] - 'A'));
     });
@@ -55,6 +62,36 @@ void write_certificate(const std::string& file, Claim claim, Statement statement
     else
         checked = check(std::move(claim), budget);
     write_file(file, Json(certificate(checked)).text(1));
+}
+
+/// The answer to a question about systems with context, decided as a claim and in its sentences. `fields`: of the JSON, before
+/// the others.
+int answer_with_context(Claim claim, Statement statement, std::string text, const std::string& file,
+                        bool json, const std::function<Json(Truth)>& fields, const Budget& budget) {
+    const Alphabet alphabet = *claim.alphabet;
+    Answer found = decide(statement, claim, budget);
+    const std::vector<std::string> argument = sentences(found, alphabet);
+    std::string shown = found.truth == Truth::proved    ? "yes: "
+                        : found.truth == Truth::refuted ? "no: "
+                                                        : "undecided: ";
+    for (std::size_t i = 0; i < argument.size(); ++i) shown += argument[i] + '\n';
+    if (json) {
+        Json out = fields(found.truth);
+        out.set("argument", argument);
+        if (found.proof) out.set("proof", Json(certificate(found, alphabet)));
+        shown = out.text();
+    }
+    const Truth truth = found.truth;
+    if (truth != Truth::undecided)
+        write_certificate(file, std::move(claim), std::move(statement), std::move(text), budget,
+                          std::move(found));
+    print(shown);
+    return status_of(truth);
+}
+
+/// true, false, or null where it is undecided.
+Json known(Truth truth) {
+    return truth == Truth::undecided ? Json() : Json(truth == Truth::proved);
 }
 
 void add_certificate_option(Verb& verb, std::string& file) {
@@ -129,23 +166,46 @@ void print_derivations(const MemberOptions& options, const Membership& found, co
     print(options.json ? out.text() : text);
 }
 
-/// Writes that the word is in L(A), or not, for a system A.
-void certify_member(const MemberOptions& options, const Model& system, const Word& word,
-                    const Alphabet& alphabet, const Budget& budget) {
-    if (options.certificate.empty()) return;
+/// The claim about L(A) for a system A, and that it has the word.
+std::pair<Claim, Statement> claim_of_member(const Model& system, const Word& word,
+                                            const Alphabet& alphabet) {
     std::set<std::string> letters;
     for (const Symbol a : word) letters.insert(alphabet.name(a));
     Claim claim = claim_about({&system}, "ET0L", letters);
     HasWord said{generated_language(claim.systems.front()), {}};
     for (const Symbol a : word) said.word.push_back(claim.alphabet->find(alphabet.name(a)).value());
-    write_certificate(options.certificate, std::move(claim), {std::move(said)},
+    return {std::move(claim), {std::move(said)}};
+}
+
+/// Writes that the word is in L(A), or not, for a system A.
+void certify_member(const MemberOptions& options, const Model& system, const Word& word,
+                    const Alphabet& alphabet, const Budget& budget) {
+    if (options.certificate.empty()) return;
+    auto [claim, said] = claim_of_member(system, word, alphabet);
+    write_certificate(options.certificate, std::move(claim), std::move(said),
                       spell(alphabet, word) + " in L(A)", budget);
+}
+
+int member_with_context(const MemberOptions& options, const Model& system, const Budget& budget) {
+    Alphabet alphabet = system.alphabet;
+    const ModuleWord read = read_word(options.word, alphabet);
+    if (!read.arguments.empty())
+        throw Error("WORD has parameters, and the words of a system without parameters have none");
+    auto [claim, said] = claim_of_member(system, read.letters, alphabet);
+    return answer_with_context(
+        std::move(claim), std::move(said), spell(alphabet, read.letters) + " in L(A)",
+        options.certificate, options.json,
+        [](Truth truth) {
+            return Json{{"member", known(truth)}};
+        },
+        budget);
 }
 
 int member(const MemberOptions& options) {
     check_usage(options);
     const Budget budget = options.bounds.budget();
     const Model written = open_model(options.file, budget);
+    if (has_context(written)) return member_with_context(options, written, budget);
     const View<ET0L> system = as_et0l(written);
     Alphabet alphabet = *system->alphabet;
     const ModuleWord read = read_word(options.word, alphabet);
@@ -223,6 +283,16 @@ int finite_of_0l(const FiniteOptions& options, const OL& system, const Budget& b
 int finite(const FiniteOptions& options) {
     const Budget budget = options.bounds.budget();
     const Model written = open_model(options.file, budget);
+    if (has_context(written)) {
+        Claim claim = claim_about({&written}, "IL");
+        Statement said{IsFinite{generated_language(claim.systems.front())}};
+        return answer_with_context(
+            std::move(claim), std::move(said), "L(A) is finite", options.certificate, options.json,
+            [](Truth truth) {
+                return Json{{"finite", known(truth)}};
+            },
+            budget);
+    }
     const View<ET0L> system = as_et0l(written);
     if (!options.certificate.empty()) {
         Claim claim = claim_about({&written}, "ET0L");
@@ -321,6 +391,19 @@ int equal(const EqualOptions& options) {
     const Budget budget = options.bounds.budget();
     const Model left_model = open_model(options.left, budget),
                 right_model = open_model(options.right, budget);
+    if (options.as == As::language && (has_context(left_model) || has_context(right_model))) {
+        Claim claim = claim_about({&left_model, &right_model}, "ET0L");
+        Statement said{EqualLanguages{generated_language(claim.systems.at(0)),
+                                      generated_language(claim.systems.at(1))}};
+        return answer_with_context(
+            std::move(claim), std::move(said), "L(A) == L(B)", options.certificate, options.json,
+            [](Truth truth) {
+                return Json{{"verdict", truth == Truth::proved    ? "equal"
+                                        : truth == Truth::refuted ? "different"
+                                                                  : "undecided"}};
+            },
+            budget);
+    }
     const View<D0L> left = as_d0l(left_model), right = as_d0l(right_model);
     try {
         certify_equal(options, left_model, right_model, budget);
@@ -603,7 +686,8 @@ void add_finite(Verbs& verbs) {
 
 void add_equal(Verbs& verbs) {
     auto [verb, options] = verbs.add(
-        "equal", "Whether two D0L systems have the same language, sequence of words, or growth",
+        "equal",
+        "Whether two systems have the same language, or D0L systems the same sequence or growth",
         {"algae equal koch my.lsys", "algae equal a.lsys b.lsys --as sequence --json",
          "algae equal koch my.lsys --certificate my.json"},
         equal);

@@ -490,6 +490,8 @@ struct ProofWriter {
     Json operator()(const steps::InSomeStep& said) const {
         if (const auto* derived = std::get_if<steps::Generated>(&said.membership->step))
             return (*this)(steps::Derives{derived->system, derived->derivation});
+        if (std::holds_alternative<steps::Invariant>(said.membership->step))
+            return of(said.membership);
         return {{"by", "exhausted"}};
     }
     Json operator()(const steps::SameSequence& said) const {
@@ -580,6 +582,49 @@ struct ProofWriter {
     }
     Json operator()(const steps::BothInclusions& said) const {
         return {{"by", "both"}, {"proofs", Json::array({of(said.there), of(said.back)})}};
+    }
+    /// The transitions of an automaton that lead to acceptance; state 0 is the first.
+    Json automaton_json(const Dfa& automaton, const std::vector<std::int64_t>& weights = {}) const {
+        const std::vector<std::size_t> ways = distances(automaton);
+        std::vector<std::size_t> order{automaton.initial}, numbers(automaton.states(), 0);
+        std::vector<char> seen(automaton.states(), 0);
+        seen[automaton.initial] = 1;
+        Json accepting = Json::array(), moves = Json::array();
+        for (std::size_t i = 0; i < order.size(); ++i) {
+            if (automaton.accepting[order[i]]) accepting.push_back(i);
+            for (Symbol a = 0; a < automaton.letters; ++a) {
+                const std::size_t to = automaton.step(order[i], a);
+                if (ways[to] == automaton.states()) continue;
+                if (!seen[to]) {
+                    seen[to] = 1;
+                    numbers[to] = order.size();
+                    order.push_back(to);
+                }
+                Json move{{"from", i}, {"letter", alphabet.name(a)}, {"to", numbers[to]}};
+                if (!weights.empty())
+                    move["weight"] = std::to_string(weights[order[i] * automaton.letters + a]);
+                moves.push_back(std::move(move));
+            }
+        }
+        return {{"accepting", std::move(accepting)}, {"moves", std::move(moves)}};
+    }
+    Json operator()(const steps::Invariant& said) const {
+        Json automata = Json::object();
+        for (const auto& [system, automaton] : said.closed)
+            automata[system->name] = automaton_json(*automaton);
+        return {{"by", "invariant"}, {"automata", std::move(automata)}};
+    }
+    Json operator()(const steps::Measured& said) const {
+        Json rules = Json::array();
+        for (const auto& [a, rule] : said.rules)
+            rules.push_back({{"left", text(rule.left)},
+                             {"letter", alphabet.name(a)},
+                             {"right", text(rule.right)},
+                             {"successor", text(rule.successor)}});
+        return {{"by", "measure"},
+                {"words", words_json(said.start.words, alphabet)},
+                {"rules", std::move(rules)},
+                {"automaton", automaton_json(*said.automaton, said.weights)}};
     }
     Json operator()(const steps::ByFacts& said) const {
         Json facts = Json::array();

@@ -124,12 +124,20 @@ std::string rules_text(const Table& table, const std::vector<Symbol>& letters,
 std::string system_text(const SourceSystem& system, const Alphabet& alphabet) {
     if (!system.tables) {
         std::string text = "the system with axiom " + spell(alphabet, system.interactive->axiom);
-        for (Symbol a = 0; a < system.interactive->rules.size(); ++a)
-            for (const IL::Rule& rule : system.interactive->rules[a])
-                text += "; " + (rule.left.empty() ? "" : spell(alphabet, rule.left) + " < ") +
-                        alphabet.name(a) +
-                        (rule.right.empty() ? "" : " > " + spell(alphabet, rule.right)) + " -> " +
-                        spell(alphabet, rule.successor);
+        for (Symbol a = 0; a < system.interactive->rules.size(); ++a) {
+            const IL::Rule* before = nullptr;
+            for (const IL::Rule& rule : system.interactive->rules[a]) {
+                if (before && before->left == rule.left && before->right == rule.right)
+                    text += " | ";
+                else
+                    text += "; " + (rule.left.empty() ? "" : spell(alphabet, rule.left) + " < ") +
+                            alphabet.name(a) +
+                            (rule.right.empty() ? "" : " > " + spell(alphabet, rule.right)) +
+                            " -> ";
+                text += spell(alphabet, rule.successor);
+                before = &rule;
+            }
+        }
         return text;
     }
     const ET0L& tables = *system.tables;

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "growth/growth.hpp"
+#include "language/detail/interactive.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
@@ -24,10 +25,11 @@ namespace {
 
 using Kind = LanguageTree::Kind;
 
-constexpr std::size_t first_tried = 30;    // short words that are looked at before theorems are
-constexpr std::size_t most_tried = 600;    // short words that are looked at for a difference
-constexpr std::size_t longest_short = 30;  // letters of these
-constexpr std::size_t longest_tried = 60;  // letters of a word of a generation that is looked at
+constexpr std::size_t first_tried = 30;       // short words that are looked at before theorems are
+constexpr std::size_t most_tried = 600;       // short words that are looked at for a difference
+constexpr std::size_t longest_short = 30;     // letters of these
+constexpr std::size_t longest_witness = 200;  // letters of a word that shows a difference
+constexpr std::size_t longest_tried = 60;     // letters of a word of a generation that is looked at
 constexpr std::uint64_t most_generations = 12;
 
 /// The language of a linear system: in its words all letters are constant but one at most, which is the last one, or
@@ -107,6 +109,10 @@ public:
     /// The same where a theorem applies.
     std::optional<Answer> decided_inclusion() {
         if (is_identical()) return proved(steps::Identical{});
+        const bool with_context = has_context(left_);
+        if (with_context)  // a difference among the first words is found sooner than that there are no others
+            if (const auto right = regular_value(right_, alphabet_, budget_))
+                if (auto found = derived_outside(*right)) return found;
         if (const auto known = finite_value(left_, alphabet_, budget_))
             return finite_inclusion(*known);
         const auto regular_left = regular_value(left_, alphabet_, budget_);
@@ -116,6 +122,9 @@ public:
                 return witness(*word);
             return proved(steps::NothingOutside{left_, right_});
         }
+        if (regular_right && with_context)
+            if (auto found = by_invariants(left_, right_, {}, alphabet_, budget_))
+                return proved(*std::move(found));
         if (regular_right)
             if (auto found = generated_in_regular(*regular_right)) return found;
         if (auto found = linear(regular_left, regular_right, false)) return found;
@@ -174,7 +183,15 @@ public:
 private:
     std::string text(const Language& language) const { return to_string(language, alphabet_); }
 
-    bool is_identical() const { return to_json(left_, alphabet_) == to_json(right_, alphabet_); }
+    /// The same expressions, or languages of systems with context that have the same axiom and rules.
+    bool is_identical() const {
+        const auto has_rules = [](const LanguageTree& tree) {
+            return tree.kind == Kind::generated && tree.system->interactive;
+        };
+        if (has_rules(*left_) && has_rules(*right_))
+            return to_json(*left_->system, alphabet_) == to_json(*right_->system, alphabet_);
+        return to_json(left_, alphabet_) == to_json(right_, alphabet_);
+    }
 
     Answer witness(const Word& word) const {
         return refuted(steps::Distinguished{word, judge_membership(left_, word, alphabet_, budget_),
@@ -261,30 +278,46 @@ private:
     }
 
     std::optional<Answer> regular_in_generated(const RegularLanguage& left) const {
-        if (right_->kind != Kind::generated || !right_->system->tables) return std::nullopt;
-        const ET0L& system = *right_->system->tables;
-        if (!has_only_terminals(system)) return std::nullopt;
-        const auto found = regular_induction(left, system.tables, 100, budget_);
+        if (right_->kind != Kind::generated || right_->system->variable) return std::nullopt;
+        const auto found = induction(left, *right_->system);
         if (!found) return std::nullopt;
         steps::ByInduction induction{left_, {}, {}, {}};
-        if (found->counted.size() < system.tables.front().size())
+        if (const auto& system = right_->system->tables;
+            system && found->counted.size() < system->tables.front().size())
             induction.counted = found->counted;
         for (const Word& word : found->base) {
             Answer member = judge_membership(right_, word, alphabet_, budget_);
             if (member.truth == Truth::refuted) return witness(word);
+            if (member.truth == Truth::undecided) return std::nullopt;
             induction.base.push_back(word);
             induction.members.push_back(std::move(member));
         }
         return proved(std::move(induction));
     }
 
+    std::optional<RegularInduction> induction(const RegularLanguage& left,
+                                              const SourceSystem& system) const {
+        constexpr std::size_t most = 100;
+        if (system.interactive) {
+            const auto longer = longer_successors(*system.interactive, left, budget_);
+            if (!longer) return std::nullopt;
+            const RegularLanguage base = algae::difference(left, *longer, budget_);
+            const auto count = number_of_words(base);
+            if (!count || *count > Integer(most)) return std::nullopt;
+            return RegularInduction{words_up_to(base, base.automaton().states(), budget_), {}};
+        }
+        const ET0L& tables = *system.tables;
+        if (!has_only_terminals(tables)) return std::nullopt;
+        return regular_induction(left, tables.tables, most, budget_);
+    }
+
     /// A word that is in one of the languages only, in the left one if `left_only`, among these.
     std::optional<Answer> difference(const std::vector<Word>& words, bool left_only) const {
         for (const Word& word : words) {
             budget_.check();
-            const Truth in_left = judge_membership(left_, word, alphabet_, budget_).truth;
+            const Truth in_left = judge_membership(left_, word, alphabet_, budget_, false).truth;
             if (in_left == Truth::undecided || (left_only && in_left == Truth::refuted)) continue;
-            const Truth in_right = judge_membership(right_, word, alphabet_, budget_).truth;
+            const Truth in_right = judge_membership(right_, word, alphabet_, budget_, false).truth;
             if (in_right != Truth::undecided && in_left != in_right) return witness(word);
         }
         return std::nullopt;
@@ -315,6 +348,9 @@ private:
 
     void add_generations(const LanguageTree& tree, std::vector<Word>& words) const {
         for (const Language& part : tree.parts) add_generations(*part, words);
+        if (tree.kind == Kind::generated && tree.system->interactive)
+            for (const Word& word : derived_words(tree))
+                if (word.size() <= longest_tried) words.push_back(word);
         if (tree.kind == Kind::powers) add_powers(*tree.powers, words);
         if (tree.kind != Kind::generated || !tree.system->tables) return;
         for (const Table& table : tree.system->tables->tables) {
@@ -327,6 +363,25 @@ private:
                 word = std::move(next);
             }
         }
+    }
+
+    /// A word of the left side that is not in the right one, among the first words of its systems with context.
+    std::optional<Answer> derived_outside(const RegularLanguage& right) const {
+        for (const Word& word : derived_words(*left_))
+            if (word.size() <= longest_witness && !right.contains(word) &&
+                judge_membership(left_, word, alphabet_, budget_, false).truth == Truth::proved)
+                return witness(word);
+        return std::nullopt;
+    }
+
+    /// First words of the systems with context in an expression.
+    std::vector<Word> derived_words(const LanguageTree& tree) const {
+        std::vector<Word> words;
+        for (const Language& part : tree.parts)
+            for (Word& word : derived_words(*part)) words.push_back(std::move(word));
+        if (tree.kind == Kind::generated && tree.system->interactive)
+            words = found_words(*tree.system->interactive, {200, 20'000, {}}, budget_).words;
+        return words;
     }
 
     /// The words for small values of the numbers.

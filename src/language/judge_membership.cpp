@@ -3,13 +3,16 @@
 #include <algorithm>
 #include <map>
 
+#include "language/detail/interactive.hpp"
 #include "language/detail/powers.hpp"
 #include "word/word.hpp"
 
 // Whether a word is in a language, by the definition of each operation.
 //
 // For L(G) of a system without context the decision is complete (membership.cpp, tables_membership.cpp). A
-// system with context is derived until its words repeat or, where no rule erases, are longer than the word.
+// deterministic system with context is derived until its words repeat or, where no rule erases, are longer than the word;
+// one with choices is searched breadth first, completely where no rule erases. Otherwise an invariant may keep the word out
+// (interactive.cpp).
 //
 // Of a concatenation or star all ways to cut the word are tried, each factor decided once. Of an image all
 // words with this image: one by one where they are finitely many, otherwise by automata or by a system that
@@ -27,12 +30,14 @@ Answer judge_tables(const SourceSystem& system, const Word& word, const Budget& 
     return proved(steps::Generated{system.name, derivation(*system.tables, word, found, budget)});
 }
 
-/// Follows the generations. Where no rule has the empty successor, no generation is shorter than the
+/// Follows the generations of a deterministic system. Where no rule has the empty successor, no generation is shorter than the
 /// one before, so the first that is longer than the word ends the search: without this the words of
 /// a growing system are followed to the bound, for each of the hundreds of short words in which two
 /// languages may differ.
-Answer judge_interactive(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
-                         const Budget& budget) {
+Answer judge_sequence(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
+                      bool thorough, const Budget& budget) {
+    const std::uint64_t most_letters =
+        thorough ? budget.letters / 1000 : std::min<std::uint64_t>(budget.letters / 1000, 20'000);
     using Reason = Membership::Reason;
     Derivation walk{{system.interactive->axiom}, {}};
     const bool propagating = has_form(system, *system_form("PIL"));
@@ -47,7 +52,7 @@ Answer judge_interactive(const SourceSystem& system, const Word& word, const Alp
             return refuted(steps::NotGenerated{
                 system.name, word, {false, Reason::periodic, n, before->second}});
         seen.emplace(current, n);
-        if (seen.size() * (current.size() + 1) > budget.letters / 1000) break;
+        if (seen.size() * (current.size() + 1) > most_letters) break;
         walk.words.push_back(next_word(*system.interactive, current));
     }
     return undecided("the first " + std::to_string(walk.words.size()) + " words of L(" +
@@ -55,12 +60,41 @@ Answer judge_interactive(const SourceSystem& system, const Word& word, const Alp
                      ", and they do not repeat");
 }
 
+/// Looks at all words, breadth first. Where no rule has the empty successor those that are longer than the word are left out with
+/// their descendants, so the answer is complete.
+Answer judge_choices(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
+                     bool thorough, const Budget& budget) {
+    using Reason = Membership::Reason;
+    const IL& rules = *system.interactive;
+    const bool propagating = is_propagating(rules);
+    SearchOfWords search;
+    search.words = !thorough ? 1000 : propagating ? 1'000'000 : 20'000;
+    search.letters = search.words * 20;
+    if (propagating) search.longest = word.size();
+    const FoundWords found = found_words(rules, search, budget, word);
+    if (const auto number = found.numbers.find(word); number != found.numbers.end())
+        return proved(steps::Generated{system.name, found.derivation(number->second)});
+    if (!found.is_all)
+        return undecided("the first " + std::to_string(found.words.size()) + " words of L(" +
+                         system.name + ") are not " + spell(alphabet, word));
+    Membership why{false, propagating ? Reason::short_words : Reason::all_words};
+    why.states = found.words.size();
+    return refuted(steps::NotGenerated{system.name, word, why});
+}
+
+Answer judge_interactive(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
+                         bool thorough, const Budget& budget) {
+    return is_deterministic(*system.interactive)
+               ? judge_sequence(system, word, alphabet, thorough, budget)
+               : judge_choices(system, word, alphabet, thorough, budget);
+}
+
 }  // namespace
 
 Answer judge_generated(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
-                       const Budget& budget) {
+                       const Budget& budget, bool thorough) {
     return system.tables ? judge_tables(system, word, budget)
-                         : judge_interactive(system, word, alphabet, budget);
+                         : judge_interactive(system, word, alphabet, thorough, budget);
 }
 
 namespace {
@@ -71,8 +105,8 @@ constexpr std::size_t most_preimages = 10'000;
 
 class Members {
 public:
-    Members(const Alphabet& alphabet, const Budget& budget)
-        : alphabet_(alphabet), budget_(budget) {}
+    Members(const Alphabet& alphabet, bool thorough, const Budget& budget)
+        : alphabet_(alphabet), thorough_(thorough), budget_(budget) {}
 
     Answer judge(const Language& language, const Word& word) {
         budget_.check();
@@ -83,7 +117,7 @@ public:
                     language, word,
                     std::find(tree.words.begin(), tree.words.end(), word) != tree.words.end());
             case Kind::generated:
-                return judge_generated(*tree.system, word, alphabet_, budget_);
+                return judge_generated(*tree.system, word, alphabet_, budget_, thorough_);
             case Kind::united:
                 return either(language, word, false, false);
             case Kind::intersected:
@@ -252,6 +286,7 @@ private:
     }
 
     const Alphabet& alphabet_;
+    bool thorough_;
     const Budget& budget_;
     std::map<std::pair<const LanguageTree*, Word>, Truth> known_;
 };
@@ -259,8 +294,19 @@ private:
 }  // namespace
 
 Answer judge_membership(const Language& language, const Word& word, const Alphabet& alphabet,
-                        const Budget& budget) {
-    return Members(alphabet, budget).judge(language, word);
+                        const Budget& budget, bool thorough) {
+    const bool with_context = has_context(language);
+    Answer found = Members(alphabet, thorough && !with_context, budget).judge(language, word);
+    if (!thorough || found.truth != Truth::undecided || !with_context) return found;
+    if (auto invariant = by_invariants(language, nullptr, word, alphabet, budget))
+        return refuted(*std::move(invariant));
+    found = Members(alphabet, true, budget).judge(language, word);
+    if (found.truth != Truth::undecided) return found;
+    found.tried.push_back(
+        "no regular language was found that is closed under the steps of its system and keeps the "
+        "word out; membership is "
+        "undecidable for systems with context that erase letters (Rozenberg and Salomaa 1980, VI)");
+    return found;
 }
 
 }  // namespace algae

@@ -24,8 +24,56 @@ namespace algae {
 
 namespace {
 
+constexpr std::uint64_t most_steps_with_context = 100'000;
+
+Answer too_many_steps() {
+    return undecided("with contexts at most " + std::to_string(most_steps_with_context) +
+                     " steps are followed");
+}
+
+/// Whether a system with context and choices derives the word in exactly so many steps: all words of each generation, of which too
+/// long ones have no descendants that matter where no rule erases.
+Answer chosen_walk(const SourceSystem& system, const Word& word, std::uint64_t steps,
+                   const Budget& budget) {
+    constexpr std::uint64_t most_letters = 50'000'000;
+    if (steps > most_steps_with_context) return too_many_steps();
+    const IL& rules = *system.interactive;
+    const auto longest =
+        is_propagating(rules) ? std::optional<std::size_t>(word.size()) : std::nullopt;
+    ContextStep step(rules);
+    std::vector<std::map<Word, Word>> levels(1);  // each word, and one that it comes from
+    levels[0].emplace(rules.axiom, Word{});
+    std::uint64_t letters = 0;
+    for (std::uint64_t n = 0; n < steps; ++n) {
+        std::map<Word, Word> next;
+        for (const auto& [from, before] : levels.back()) {
+            budget.check();
+            for (Word& each : step.next(from, longest, budget)) {
+                letters += each.size() + from.size() + 16;
+                next.emplace(std::move(each), from);
+            }
+            if (letters > most_letters)
+                return undecided("the words of " + std::to_string(n + 1) +
+                                 " generations are too long or too many");
+        }
+        levels.push_back(std::move(next));
+    }
+    if (levels.back().count(word) == 0)
+        return refuted(
+            steps::DerivesNot{system.name, rules.axiom, word, steps, std::nullopt, true, false});
+    Derivation walk{{word}, {}};
+    for (std::size_t n = levels.size(); n-- > 1;) {
+        Word before = levels[n].at(walk.words.back());
+        walk.words.push_back(std::move(before));
+    }
+    std::reverse(walk.words.begin(), walk.words.end());
+    return proved(steps::Derives{system.name, std::move(walk), true});
+}
+
 Answer walked(const SourceSystem& system, const Word& word, std::uint64_t steps,
               const Budget& budget) {
+    if (!is_deterministic(*system.interactive)) return chosen_walk(system, word, steps, budget);
+    if (steps > most_steps_with_context) return too_many_steps();
     const Word& from = system.interactive->axiom;
     Derivation walk{{from}, {}};
     for (std::uint64_t n = 0; n < steps; ++n) {
@@ -135,7 +183,8 @@ Answer judge_derivation(const Derives& said, const Alphabet& alphabet, const Bud
         SourceSystem moved = *source;
         if (from) moved.interactive->axiom = *from;
         if (steps) return walked(moved, word, *steps, budget);
-        Answer found = judge_generated(moved, word, alphabet, budget);
+        Answer found = from ? judge_generated(moved, word, alphabet, budget)
+                            : judge_membership(generated_language(source), word, alphabet, budget);
         if (found.proof) found.proof = proof_by(steps::InSomeStep{found.proof});
         return found;
     }

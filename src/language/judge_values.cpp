@@ -1,3 +1,4 @@
+#include "language/detail/interactive.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
@@ -66,7 +67,10 @@ Answer endless_round(const std::string& name, const OL& system) {
 
 std::optional<Answer> infinite_generated(const Language& language, const Budget& budget) {
     const SourceSystem& source = *language->system;
-    if (!source.tables) return std::nullopt;
+    if (!source.tables) {
+        if (auto found = endless_measure(source, budget)) return refuted(*std::move(found));
+        return std::nullopt;
+    }
     const TablesFiniteness found = finiteness(*source.tables, budget);
     if (found.finite) return std::nullopt;
     if (source.tables->tables.size() == 1 && has_only_terminals(*source.tables))
@@ -171,6 +175,10 @@ Answer judge_empty(const Language& language, const Alphabet& alphabet, const Bud
         const Meeting meeting = first_word(tables->system, budget);
         if (meeting.derivation) return has(meeting.derivation->words.back());
         return proved(steps::NoTerminals{std::move(*tables)});
+    }
+    if (has_context(language)) {
+        Answer compared = judge_inclusion(language, words_language({}), alphabet, budget);
+        if (compared.truth != Truth::undecided) return compared;
     }
     Answer compared = judge_equality(language, words_language({}), alphabet, budget);
     if (compared.truth == Truth::refuted) return compared;

@@ -258,6 +258,17 @@ std::optional<Answer> judge_all_words(const Quantified& said, const Claim& claim
                      (has_method ? "; no morphism takes both sides to the next ones." : "."));
 }
 
+// Codes and palindromes.
+//
+// A language is a code if no word is a product of its words in two ways (Berstel, Perrin and Reutenauer 2009). For a
+// regular language this is a search in its automaton taken twice: both copies read the same word, each may cut it and
+// begin again wherever it accepts, and two factorisations differ if at some place one is cut and the other is not. The
+// search goes by length, so it finds a shortest word with two factorisations. For finite languages this is the test of
+// Sardinas and Patterson (1953), with states of an automaton in the place of remainders.
+//
+// A prefix code is a code of which no word begins with another one. If no word does and the empty word is none of
+// them, the language is a code, so only the two words are looked for. The empty word is in no code.
+
 namespace {
 
 /// The copies of the automaton after some letters, and whether they have been cut at different places.

@@ -261,6 +261,7 @@ bool has_form(const IL& system, const SystemForm& form) {
             erasing = erasing || rule.successor.empty();
         }
     if (form.propagating && erasing) return false;
+    if (form.deterministic && !is_deterministic(system)) return false;
     if (form.one_sided) return left + right <= 1;
     return !form.context || (left <= form.context->first && right <= form.context->second);
 }

@@ -36,7 +36,7 @@ struct ModuleTrace;
 // --- Languages as values ---
 
 /// An L-system that a language or a statement speaks of: without context (ET0L and all that it
-/// includes) or deterministic with context (IL), over the symbols of a common alphabet.
+/// includes) or with context (IL), over the symbols of a common alphabet.
 struct SourceSystem {
     std::string name;  // as it is called in text
     std::optional<ET0L> tables;
@@ -172,7 +172,7 @@ bool has_form(const SourceSystem& system, const SystemForm& form);
 /// word. words.front() is the axiom; letter i of words[t] becomes its successor number choices[t][i].
 struct Derivation {
     std::vector<Word> words;
-    std::vector<std::vector<std::uint32_t>> choices;  // one fewer than words
+    std::vector<std::vector<std::uint32_t>> choices;  // one fewer than words; none with context
     std::vector<std::uint32_t> tables = {};  // of each step; empty where the system has one table
 };
 
@@ -193,6 +193,8 @@ struct Membership {
         nonterminal,  // no: letter number `position` of the word is not a terminal
         exhausted,  // no: what the letters derive within the word by any `step` tables is what they derive
                     // by fewer, so nothing new comes, and none of the `states` families seen has it
+        short_words,  // no: none of the `states` words with at most as many letters is it, and rules erase nothing (IL)
+        all_words,  // no: none of the `states` words of the language is it (IL)
     };
     bool member = false;
     Reason reason = Reason::derived;
@@ -402,6 +404,24 @@ WordCounts count_words(const Language& language, const Alphabet& alphabet, std::
 std::vector<Word> draw_words(const Language& language, const Alphabet& alphabet,
                              std::uint64_t length, std::uint64_t count, std::uint64_t seed,
                              const Budget& budget = {});
+
+// --- Systems with context ---
+
+/// What is known of the sequence of words of a deterministic system with context: one of the three, or nothing where no proof
+/// is found.
+struct ContextGrowth {
+    std::optional<Repetition> repetition;  // the words repeat, so lengths are bounded
+    /// From this generation on every word is longer than the one before.
+    std::optional<std::uint64_t> rises_from;
+    bool endless = false;  // no word comes twice, so lengths have no bound
+};
+
+/// Found by deriving words until one comes again, otherwise by a measure of words that every step raises, over an automaton that
+/// accepts all words from some generation on. Throws Error if the system is not deterministic or has brackets, and what budget.check
+/// throws; bounds of letters and memory only end the search.
+///
+/// Example: context_growth(il("ab", {"a > b -> aa"})).rises_from == 0
+ContextGrowth context_growth(const IL& system, const Budget& budget = {});
 
 // --- Equality of D0L sequences and languages ---
 

@@ -192,6 +192,10 @@ public:
             say((said.with_context ? marked(said.system) + ": " : "") + word(said.from) + " ==> " +
                 word(*said.reached) + " in " + several(*said.steps, "step") +
                 ", and nothing else.");
+        else if (said.with_context)
+            say("No choice of rules of " + marked(said.system) + " makes " + word(said.word) +
+                " of " + word(said.from) + " in " + several(*said.steps, "step") +
+                ": all words were derived.");
         else
             say((said.several_tables ? "No choice of tables and rules makes "
                                      : "No choice of rules makes ") +
@@ -439,6 +443,31 @@ public:
         add_new(of(*said.back));
     }
 
+    void operator()(const steps::Invariant& said) {
+        for (const auto& [system, automaton] : said.closed)
+            say("An automaton with " + several(automaton->states(), "state") +
+                " accepts the axiom of " + marked(system->name) +
+                " and all that a word which it accepts becomes in one step, so every word of " +
+                generated(system->name) + ".");
+        const bool is_itself = said.left->kind == Kind::generated && said.left->name.empty();
+        const std::string words =
+            is_itself
+                ? "It accepts no word"
+                : "With " +
+                      std::string(said.closed.size() == 1 ? "it in the place of the system "
+                                                          : "them in the place of the systems ") +
+                      language(said.left) + " has no word";
+        const bool is_empty =
+            !said.word &&
+            (!said.right || (said.right->kind == Kind::words && said.right->words.empty()));
+        if (said.word)
+            say((is_itself ? "It does not accept "
+                           : words.substr(0, words.size() - std::string("has no word").size()) +
+                                 "does not have ") +
+                word(*said.word) + ".");
+        else
+            say(words + (is_empty ? "." : " outside " + language(said.right) + "."));
+    }
     void operator()(const steps::LinearSystems& said) {
         for (const Language& side : {said.left, said.right})
             if (side->kind == Kind::generated)
@@ -494,6 +523,27 @@ public:
         say(generated(said.system) + " is infinite: by " + rules + " the letter " +
             letter(said.rules.front().first) + " comes back with " + letter(said.other) +
             " beside it, which never disappears; so n rounds give n letters and more.");
+    }
+    void operator()(const steps::Measured& said) {
+        const std::string start = word(said.start.words.back());
+        const bool by_length =
+            std::all_of(said.weights.begin(), said.weights.end(),
+                        [](std::int64_t weight) { return weight == 0 || weight == 1; });
+        std::string rules;
+        for (const auto& [a, rule] : said.rules) {
+            if (!rules.empty()) rules += ", ";
+            if (!rule.left.empty()) rules += word(rule.left) + " < ";
+            rules += letter(a) + (rule.right.empty() ? "" : " > " + word(rule.right)) + " -> " +
+                     word(rule.successor);
+        }
+        say(generated(said.system) + " is infinite: an automaton with " +
+            several(said.automaton->states(), "state") + " accepts " + start + " of generation " +
+            number(said.start.words.size() - 1) + " and what each word that it accepts becomes" +
+            (rules.empty() ? "" : " where letters choose " + rules) + ", and " +
+            (by_length
+                 ? "every such step makes words longer."
+                 : "every such step raises the sum of weights along the transitions that a word "
+                   "takes, so no word comes twice."));
     }
     void operator()(const steps::InfiniteTables& said) {
         if (said.constructed) say(construction(*said.tables));
@@ -1004,6 +1054,13 @@ private:
                 return "what the letters derive within it by any " + several(found.step, "table") +
                        " they derive by fewer, and none of the " + number(found.states) +
                        " families of factors has it";
+            case short_words:
+                if (found.states == 0) return "no rule erases, and the axiom is longer";
+                return "no rule erases, so words do not get shorter, and none of the " +
+                       number(found.states) + " words with at most " +
+                       several(word.size(), "letter") + " is it";
+            case all_words:
+                return "none of the " + number(found.states) + " words of the language is it";
             default:
                 return "the factors of it that the letters derive in " +
                        several(found.step, "step") + " are those that they derive in " +

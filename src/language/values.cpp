@@ -3,6 +3,7 @@
 
 #include "exact/exact.hpp"
 #include "language/detail/construct.hpp"
+#include "language/detail/interactive.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/powers.hpp"
 #include "language/detail/proof.hpp"
@@ -161,24 +162,9 @@ private:
     }
 
     std::optional<std::vector<Word>> generated(const SourceSystem& system) {
-        if (!system.tables) return repeating(*system.interactive);
+        if (!system.tables) return all_words_of(*system.interactive, budget_);
         if (!finiteness(*system.tables, budget_).finite) return std::nullopt;
         return listed(finite_words(*system.tables, budget_), budget_);
-    }
-
-    /// The words of a system with context whose words repeat soon.
-    std::optional<std::vector<Word>> repeating(const IL& system) {
-        std::vector<Word> words{system.axiom};
-        std::size_t letters = words.back().size();
-        while (words.size() < 1000 && letters < 1'000'000) {
-            budget_.check();
-            Word next = next_word(system, words.back());
-            letters += next.size();
-            if (std::find(words.begin(), words.end(), next) != words.end())
-                return sorted(std::move(words));
-            words.push_back(std::move(next));
-        }
-        return std::nullopt;
     }
 
     /// Of an expression of regular parts, or one for which a system is constructed.

@@ -345,8 +345,8 @@ std::shared_ptr<const SourceSystem> ClaimReading::add_system(const std::string& 
             written.rules.begin(), written.rules.end(),
             [](const Production& rule) { return !rule.left.empty() || !rule.right.empty(); });
         throw SyntaxError{
-            where, "expected a system without context or a deterministic one with context, but " +
-                       name + " is " +
+            where, "expected a system without context or one with plain contexts, but " + name +
+                       " is " +
                        (interactive   ? "one with context whose words have brackets"
                         : has_context ? interactive.reason()
                                       : tables.reason())};

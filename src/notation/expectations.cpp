@@ -59,7 +59,7 @@ public:
           budget_(budget),
           d0l_(as_d0l(system)),
           ol_(as_ol(system)),
-          il_(as_il(system)),
+          il_(as_dil(system)),
           is_in_space_(leaves_plane(system)) {
         if (system.drawing.seeds) choices_.seed = system.drawing.seeds->first;
     }

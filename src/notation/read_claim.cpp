@@ -91,11 +91,8 @@ std::string misfit_without_context(const LSystem& system, const SystemForm& form
 }
 
 std::string misfit_with_context(const LSystem& system, const SystemForm& form) {
-    if (const View<IL> view = as_il(system); !view) {
-        const View<ET0L> tables = as_et0l(system);
-        const bool is_ol = tables && tables->tables.size() == 1 && has_only_terminals(*tables);
-        if (!is_ol || form.deterministic) return "it is " + view.reason();
-    }
+    if (const View<IL> view = form.deterministic ? as_dil(system) : as_il(system); !view)
+        return "it is " + view.reason();
     const auto [left, right] = class_of(system).context;
     const bool fits = form.one_sided ? left + right <= 1
                                      : !form.context || (left <= form.context->first &&
@@ -222,7 +219,7 @@ void read_system_definition(const ClaimDefinition& definition, ClaimReading& rea
     }
     if (const std::string reason = misfit(system, *system_form(family)); !reason.empty())
         refuse(reason);
-    if (const View<IL> interactive = as_il(system);
+    if (const View<IL> interactive = as_dil(system);
         interactive && interactive->brackets && !as_et0l(system))
         return add_rewriting(definition, std::move(system), claim);
     definition.meaning->system =

@@ -41,6 +41,12 @@ std::string reason(const Membership& found, const Alphabet& alphabet, const Word
             return "what the letters derive within it by " + std::to_string(found.step) +
                    " tables they derive by fewer too, so nothing new comes, and in none of the " +
                    std::to_string(found.states) + " cases before is it derived";
+        case short_words:
+            if (found.states == 0) return "no rule erases letters, and the axiom is longer";
+            return "no rule erases letters, and of the " + std::to_string(found.states) +
+                   " words with no more letters none is it";
+        case all_words:
+            return "of the " + std::to_string(found.states) + " words of the language none is it";
         default:
             return {};
     }

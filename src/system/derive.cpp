@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <iterator>
+#include <set>
 #include <string>
 
 #include "system/system.hpp"
@@ -326,6 +328,76 @@ std::vector<Word> words_up_to(const OL& system, std::size_t longest, const Budge
         }
     }
     return by_name(std::move(found), *system.alphabet);
+}
+
+namespace {
+
+std::uint64_t bytes_of(const std::vector<Word>& words) {
+    std::uint64_t bytes = 0;
+    for (const Word& word : words) bytes += 3 * sizeof(Word) + word.size() * sizeof(Symbol);
+    return bytes;
+}
+
+}  // namespace
+
+std::vector<Word> words_of_generation(const IL& system, std::uint64_t n,
+                                      std::optional<std::size_t> longest, const Budget& budget) {
+    // Where nothing is erased, words that are too long have only descendants that are.
+    const std::optional<std::size_t> most = is_propagating(system) ? longest : std::nullopt;
+    ContextStep step(system);
+    std::vector<Word> words;
+    if (!most || system.axiom.size() <= *most) words.push_back(system.axiom);
+    for (std::uint64_t t = 0; t < n && !words.empty(); ++t) {
+        std::set<Word> next;
+        std::uint64_t bytes = 0;
+        for (const Word& word : words) {
+            std::vector<Word> found = step.next(word, most, budget);
+            bytes += bytes_of(found);
+            budget.check_memory(bytes, "the words of a generation");
+            next.insert(std::make_move_iterator(found.begin()),
+                        std::make_move_iterator(found.end()));
+        }
+        std::vector<Word> sorted(next.begin(), next.end());
+        if (sorted == words) break;  // and so for ever
+        words = std::move(sorted);
+    }
+    if (longest) std::erase_if(words, [&](const Word& word) { return word.size() > *longest; });
+    return by_name(std::move(words), *system.alphabet);
+}
+
+std::vector<Word> words_up_to(const IL& system, std::size_t longest, const Budget& budget) {
+    const bool propagating = is_propagating(system);
+    const std::optional<std::size_t> most = propagating ? std::optional(longest) : std::nullopt;
+    ContextStep step(system);
+    std::set<Word> known;
+    std::vector<const Word*> open;
+    std::uint64_t bytes = 0;
+    const auto add = [&](Word word) {
+        const std::uint64_t size = 4 * sizeof(Word) + word.size() * sizeof(Symbol);
+        const auto [place, is_new] = known.insert(std::move(word));
+        if (!is_new) return;
+        open.push_back(&*place);
+        bytes += size;
+        if (propagating) return budget.check_memory(bytes, "the words up to that length");
+        constexpr std::uint64_t part = 64;
+        if (bytes > budget.memory / part)
+            throw BoundReached(Bound::method,
+                               "rules erase letters, so longer words may have short descendants, "
+                               "and no method finds all of "
+                               "them; of the " +
+                                   std::to_string(known.size()) +
+                                   " words seen none is left out for its length; the words of one "
+                                   "generation can be asked for");
+    };
+    if (!most || system.axiom.size() <= *most) add(system.axiom);
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        budget.check();
+        for (Word& word : step.next(*open[i], most, budget)) add(std::move(word));
+    }
+    std::vector<Word> words;
+    for (const Word& word : known)
+        if (word.size() <= longest) words.push_back(word);
+    return by_name(std::move(words), *system.alphabet);
 }
 
 }  // namespace algae

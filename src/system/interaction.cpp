@@ -11,7 +11,8 @@
 
 // Systems with interactions (IL): generations by derivation, one step in time linear in the word.
 //
-// What a letter becomes depends on its neighbours, so there is no fold. `Development` chooses an engine by the word at hand: the
+// What a letter becomes depends on its neighbours, so there is no fold. `ContextStep` is the relation of derivation where
+// letters have choices; its words are the product of what the letters may become. `Development` chooses an engine by the word at hand: the
 // automaton of contexts for any system (interaction_fast.cpp), bit planes for cellular automata, whose words keep their length,
 // and a table of windows for long words over few letters that grow. All engines give the same words; tests compare
 // each with the others and with a slow oracle.
@@ -228,6 +229,17 @@ bool WindowTable::step(const Budget& budget) {
     return true;
 }
 
+namespace {
+
+void must_be_deterministic(const IL& system) {
+    if (!is_deterministic(system))
+        throw Error(
+            (system.name.empty() ? "the system" : system.name) +
+            " has a choice between rules with the same contexts, so no generation is one word");
+}
+
+}  // namespace
+
 /// A word and what rewrites it: the automaton, until so many letters have been rewritten that it was
 /// worth while to work out what becomes of every window of letters.
 class Development::Engines {
@@ -238,6 +250,7 @@ public:
           automaton_(system_),
           windows_(windows(system_)),
           word_(system_.axiom) {
+        must_be_deterministic(system_);
         check_length(length(), 0);
     }
 
@@ -325,11 +338,107 @@ std::uint64_t Development::length() const { return engines_->length(); }
 const Word& Development::word() { return engines_->word(); }
 
 Word next_word(const IL& system, const Word& word) {
+    must_be_deterministic(system);
     ContextAutomaton automaton(system);
     automaton.choose(word, "the word", {});
     Word next;
     automaton.write(next);
     return next;
+}
+
+/// The automaton, and what stands behind the number that it chooses: the first of the rules with the same contexts.
+class ContextStep::Matcher {
+public:
+    explicit Matcher(const IL& system) : automaton_(system) {
+        for (Symbol a = 0; a < system.alphabet->size(); ++a) successors_.push_back({Word{a}});
+        for (const auto& rules : system.rules)
+            for (std::size_t i = 0; i < rules.size(); ++i) {
+                auto& all = successors_.emplace_back();
+                for (std::size_t j = i; j < rules.size() && rules[j].left == rules[i].left &&
+                                        rules[j].right == rules[i].right;
+                     ++j)
+                    all.push_back(rules[j].successor);
+            }
+    }
+
+    std::vector<const std::vector<Word>*> successors(const Word& word, const Budget& budget) {
+        automaton_.choose(word, "the word", budget);
+        std::vector<const std::vector<Word>*> found;
+        for (const std::uint32_t number : automaton_.chosen())
+            found.push_back(&successors_[number]);
+        return found;
+    }
+
+private:
+    ContextAutomaton automaton_;
+    std::vector<std::vector<Word>> successors_;
+};
+
+ContextStep::ContextStep(const IL& system) : matcher_(std::make_unique<Matcher>(system)) {}
+
+ContextStep::~ContextStep() = default;
+
+std::vector<const std::vector<Word>*> ContextStep::successors(const Word& word) {
+    return matcher_->successors(word, {});
+}
+
+std::vector<Word> ContextStep::next(const Word& word, std::optional<std::size_t> longest,
+                                    const Budget& budget) {
+    const auto choices = matcher_->successors(word, budget);
+    std::vector<std::size_t> rest(choices.size() + 1,
+                                  0);  // the least that letters from here on become
+    for (std::size_t i = choices.size(); i-- > 0;) {
+        const auto shortest = std::min_element(
+            choices[i]->begin(), choices[i]->end(),
+            [](const Word& one, const Word& other) { return one.size() < other.size(); });
+        rest[i] = rest[i + 1] + shortest->size();
+    }
+    std::vector<Word> made;
+    if (!longest || rest[0] <= *longest) made.emplace_back();
+    for (std::size_t i = 0; i < choices.size() && !made.empty(); ++i) {
+        if (choices[i]->size() == 1) {
+            const Word& successor = choices[i]->front();
+            if (longest)
+                std::erase_if(made, [&](const Word& start) {
+                    return start.size() + successor.size() + rest[i + 1] > *longest;
+                });
+            for (Word& start : made) start.insert(start.end(), successor.begin(), successor.end());
+            continue;
+        }
+        std::vector<Word> longer;
+        std::uint64_t bytes = 0;
+        for (const Word& start : made)
+            for (const Word& successor : *choices[i]) {
+                if (longest && start.size() + successor.size() + rest[i + 1] > *longest) continue;
+                Word& next = longer.emplace_back(start);
+                next.insert(next.end(), successor.begin(), successor.end());
+                bytes += sizeof(Word) + next.size() * sizeof(Symbol);
+                if (longer.size() % 1024 == 0) budget.check();
+                budget.check_memory(bytes * 2, "the words after one step");
+            }
+        std::sort(longer.begin(), longer.end(), shortlex_less);
+        longer.erase(std::unique(longer.begin(), longer.end()), longer.end());
+        made = std::move(longer);
+    }
+    std::sort(made.begin(), made.end(), shortlex_less);
+    return made;
+}
+
+bool ContextStep::gives(const Word& from, const Word& to) {
+    std::vector<char> reached(to.size() + 1,
+                              0);  // how much of `to` the letters so far may have become
+    reached[0] = 1;
+    for (const std::vector<Word>* const choices : matcher_->successors(from, {})) {
+        std::vector<char> next(to.size() + 1, 0);
+        for (std::size_t start = 0; start <= to.size(); ++start)
+            for (const Word& successor : *choices)
+                if (reached[start] && successor.size() <= to.size() - start &&
+                    std::equal(successor.begin(), successor.end(),
+                               to.begin() + static_cast<std::ptrdiff_t>(start)))
+                    next[start + successor.size()] = 1;
+        reached = std::move(next);
+    }
+    return reached[to.size()] != 0;
 }
 
 std::vector<std::uint64_t> derived_lengths(const IL& system, std::uint64_t n,

@@ -492,11 +492,19 @@ std::size_t letters_in(const IL::Rule& rule, const std::optional<Brackets>& brac
     return count;
 }
 
+bool has_same_contexts(const IL::Rule& one, const IL::Rule& other) {
+    return one.left == other.left && one.right == other.right;
+}
+
+bool has_choice(const std::vector<IL::Rule>& rules) {
+    return std::adjacent_find(rules.begin(), rules.end(), has_same_contexts) != rules.end();
+}
+
 }  // namespace
 
 View<IL> as_il(const LSystem& system) {
     const auto refused = [](const std::string& reason) {
-        return View<IL>::refused("not a deterministic IL system: " + reason);
+        return View<IL>::refused("not an IL system: " + reason);
     };
     const std::string reason =
         beyond_letters(system, [](const Production& rule) { return beyond_letters(rule, true); });
@@ -512,12 +520,14 @@ View<IL> as_il(const LSystem& system) {
     for (const Production& rule : system.rules) {
         auto& known = il.rules[rule.predecessor.symbol];
         IL::Rule fresh{letters(rule.left), letters(rule.right), rule.successor.letters};
-        for (const IL::Rule& other : known)
-            if (other.left == fresh.left && other.right == fresh.right &&
-                other.successor != fresh.successor)
-                return refused(system.alphabet.name(rule.predecessor.symbol) +
-                               " has two rules with the same contexts");
-        known.push_back(std::move(fresh));
+        auto place = known.end();  // behind the rules with the same contexts
+        bool is_new = true;
+        for (auto other = known.begin(); other != known.end(); ++other) {
+            if (!has_same_contexts(*other, fresh)) continue;
+            place = other + 1;
+            is_new = is_new && other->successor != fresh.successor;
+        }
+        if (is_new) known.insert(place, std::move(fresh));
     }
     for (auto& known : il.rules)
         std::stable_sort(known.begin(), known.end(),
@@ -525,6 +535,68 @@ View<IL> as_il(const LSystem& system) {
                              return letters_in(left, il.brackets) > letters_in(right, il.brackets);
                          });
     return il;
+}
+
+View<IL> as_dil(const LSystem& system) {
+    const View<IL> view = as_il(system);
+    const auto refused = [](const std::string& reason) {
+        return View<IL>::refused("not a deterministic IL system: " + reason);
+    };
+    const std::string other = "not an IL system: ";
+    if (!view) return refused(view.reason().substr(other.size()));
+    for (Symbol a = 0; a < view->rules.size(); ++a)
+        if (has_choice(view->rules[a]))
+            return refused(system.alphabet.name(a) + " has two rules with the same contexts");
+    return view;
+}
+
+bool is_deterministic(const IL& system) {
+    return std::none_of(system.rules.begin(), system.rules.end(),
+                        [](const auto& rules) { return has_choice(rules); });
+}
+
+bool is_propagating(const IL& system) {
+    return std::all_of(system.rules.begin(), system.rules.end(), [](const auto& rules) {
+        return std::none_of(rules.begin(), rules.end(),
+                            [](const IL::Rule& rule) { return rule.successor.empty(); });
+    });
+}
+
+IL il(const std::string& axiom, const std::vector<std::string>& rules) {
+    LSystem system;
+    const auto word = [&](std::string text) {
+        std::erase(text, ' ');
+        Word letters;
+        for (const char c : text) letters.push_back(system.alphabet.symbol(std::string(1, c)));
+        return letters;
+    };
+    const auto pattern = [&](const std::string& text) {
+        Pattern modules;
+        for (const Symbol a : word(text)) modules.push_back({a, {}});
+        return modules;
+    };
+    system.axiom.letters = word(axiom);
+    for (const std::string& rule : rules) {
+        const std::size_t arrow = rule.find("->");
+        if (arrow == std::string::npos) throw Error("expected '->' in the rule '" + rule + "'");
+        std::string middle = rule.substr(0, arrow);
+        Production production;
+        if (const std::size_t mark = middle.find('<'); mark != std::string::npos) {
+            production.left = pattern(middle.substr(0, mark));
+            middle.erase(0, mark + 1);
+        }
+        if (const std::size_t mark = middle.find('>'); mark != std::string::npos) {
+            production.right = pattern(middle.substr(mark + 1));
+            middle.erase(mark);
+        }
+        const Word letter = word(middle);
+        if (letter.size() != 1)
+            throw Error("expected one letter before '->' in the rule '" + rule + "'");
+        production.predecessor.symbol = letter.front();
+        production.successor.letters = word(rule.substr(arrow + 2));
+        system.rules.push_back(std::move(production));
+    }
+    return *as_il(system);
 }
 
 IL over(const IL& system, std::shared_ptr<const Alphabet> alphabet) {

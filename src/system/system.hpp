@@ -452,13 +452,16 @@ ET0L et0l(const std::string& axiom,
           const std::vector<std::vector<std::pair<char, std::string>>>& tables,
           const std::string& terminals = "");
 
-/// A deterministic system with interactions, DIL: what a letter becomes depends on the letters
-/// around it (Rozenberg and Salomaa 1980, VI; Prusinkiewicz and Lindenmayer 1990, 1.8).
+/// A system with interactions, IL: what a letter becomes depends on the letters around it (Rozenberg and
+/// Salomaa 1980, VI; Prusinkiewicz and Lindenmayer 1990, 1.8).
 ///
 /// A rule `left < a > right -> successor` matches a letter a of a word if its left context ends
 /// just before a and its right context begins just behind a. All letters are rewritten at once.
 /// - Of the rules that match, the one with the most letters in its contexts is used (brackets are
 ///   not counted), and of equally long ones the first in the file; a letter that none matches stays.
+/// - Rules of one letter with the same two contexts are a choice: each letter where they are used takes one of them,
+///   whatever the others take. A system without choices is deterministic, DIL. The (k,l)-systems of the
+///   literature, in which all contexts have k and l letters except near the ends of words, are systems of this kind.
 /// - Beyond the ends of a word stands nothing, and no context matches there.
 /// - Ignored letters are not seen when contexts are matched, but are rewritten as all others; a
 ///   context that names one matches nowhere.
@@ -487,16 +490,30 @@ struct IL {
     };
     std::shared_ptr<const Alphabet> alphabet;
     Word axiom;
-    std::vector<std::vector<Rule>> rules;  // by symbol, in the order in which they are tried
-    std::vector<char> ignored;             // by symbol: not seen when contexts are matched
+    /// By symbol, in the order in which they are tried; those with the same contexts stand together, each successor once.
+    std::vector<std::vector<Rule>> rules;
+    std::vector<char> ignored;  // by symbol: not seen when contexts are matched
     std::string name;
     std::optional<Brackets> brackets = std::nullopt;  // where words are axial trees
 };
 
-/// The system as a deterministic IL system over plain letters, if it is one. Two rules with the
-/// same letter and contexts are refused, and contexts whose brackets do not fence branches.
-/// O(size of the system).
+/// The system as an IL system over plain letters, if it is one. Contexts whose brackets do not fence branches are
+/// refused. O(size of the system).
 View<IL> as_il(const LSystem& system);
+
+/// The same if it is deterministic: two rules with the same letter and contexts are refused.
+View<IL> as_dil(const LSystem& system);
+
+/// Whether no two rules of a letter have the same contexts (a DIL system).
+bool is_deterministic(const IL& system);
+/// Whether no rule has the empty successor (a PIL system).
+bool is_propagating(const IL& system);
+
+/// An IL system with one character a letter, for tests and examples: rules such as "a < b > c -> d", contexts where
+/// there are any.
+///
+/// Example: !is_deterministic(il("ab", {"a > b -> aa", "a > b -> b"}))
+IL il(const std::string& axiom, const std::vector<std::string>& rules);
 
 /// The same system over another alphabet that has all its symbols by name: letters that it does not
 /// know stay as they are. Throws Error if a symbol is missing there.
@@ -794,7 +811,50 @@ std::vector<Word> words_of_generation(const OL& system, std::uint64_t n,
 /// Example: words_up_to(ol("a", {{'a', "a"}, {'a', "aa"}}), 5).size() == 5
 std::vector<Word> words_up_to(const OL& system, std::size_t longest, const Budget& budget = {});
 
-/// The generations of a system with interactions, one after the other, from the axiom on; what
+/// What words of a system with interactions become in one step, where letters may have choices: the relation
+/// of derivation. What rules, contexts and trees mean is said at IL.
+class ContextStep {
+public:
+    explicit ContextStep(const IL& system);
+    ~ContextStep();
+
+    /// Of each letter of the word the successors that it may take, in the order of the rules; they live as long as this does.
+    /// O(length of the word). Throws Error if the brackets of a tree do not match.
+    std::vector<const std::vector<Word>*> successors(const Word& word);
+
+    /// All words after one step, each once, in shortlex order by symbol numbers; with `longest` only those of at most so
+    /// many letters. There may be exponentially many: throws BoundReached if they take more than budget.memory, and Error as
+    /// `successors` does.
+    ///
+    /// Example: ContextStep(il("ab", {"a > b -> aa", "a > b -> b"})).next({0, 1}).size() == 2
+    std::vector<Word> next(const Word& word, std::optional<std::size_t> longest = std::nullopt,
+                           const Budget& budget = {});
+
+    /// Whether the first word may become the second one in one step. O(product of both lengths).
+    bool gives(const Word& from, const Word& to);
+
+private:
+    class Matcher;
+    std::unique_ptr<Matcher> matcher_;
+};
+
+/// All words of generation n of a system with interactions, each once, in shortlex order of their names; with `longest`
+/// only those of at most so many letters. Throws BoundReached if the sets take more than budget.memory.
+///
+/// Example: words_of_generation(il("ab", {"a > b -> aa", "a > b -> b"}), 1).size() == 2
+std::vector<Word> words_of_generation(const IL& system, std::uint64_t n,
+                                      std::optional<std::size_t> longest = std::nullopt,
+                                      const Budget& budget = {});
+
+/// All words of the language with at most `longest` letters, in shortlex order of their names. Complete where no rule is
+/// erasing, as words do not get shorter then, and where the language is finite; otherwise longer words may have short
+/// descendants, and no method finds all of them: throws BoundReached when the words seen take more than a part of the
+/// budget's memory.
+///
+/// Example: words_up_to(il("ab", {"a > b -> aa", "a > b -> b"}), 3).size() == 5
+std::vector<Word> words_up_to(const IL& system, std::size_t longest, const Budget& budget = {});
+
+/// The generations of a deterministic system with interactions, one after the other, from the axiom on; what
 /// rules, contexts and trees mean is said at IL. There is no fold here: what a letter becomes is no
 /// function of the letter alone.
 ///
@@ -803,7 +863,7 @@ std::vector<Word> words_up_to(const OL& system, std::size_t longest, const Budge
 /// where their length stays (CellPlanes), by a table of windows where it does not (WindowTable).
 class Development {
 public:
-    /// Throws as step does.
+    /// Throws as step does, and Error if the system is not deterministic.
     explicit Development(const IL& system, const Budget& budget = {});
     ~Development();
 
@@ -823,8 +883,8 @@ private:
     std::unique_ptr<Engines> engines_;
 };
 
-/// The word after one step of a system with interactions. Several steps are faster by Development.
-/// Throws Error if brackets do not match.
+/// The word after one step of a deterministic system with interactions. Several steps are faster by Development.
+/// Throws Error if brackets do not match, or if the system is not deterministic.
 Word next_word(const IL& system, const Word& word);
 
 /// The lengths of generations 0 to n, by deriving them. Throws as Development::step does.

@@ -148,7 +148,7 @@ std::unique_ptr<Figure> figure(const Model& system, std::uint64_t n, const Budge
     if (const View<D0L> rules = as_d0l(system); rules && plain)
         return plane_figure(system, *rules, n, n, budget);
     const bool picked = choices.seed || !choices.tables.empty();
-    if (const View<IL> rules = as_il(system); rules && plain && !picked) {
+    if (const View<IL> rules = as_dil(system); rules && plain && !picked) {
         check_choices(system, n, choices);
         return figure(system, derive(*rules, n, budget), n, budget);
     }

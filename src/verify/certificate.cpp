@@ -89,8 +89,7 @@ System Reader::with_context(const Field& field) const {
         System::Rule rule{word(each.at("left")), letter(each.at("letter")), word(each.at("right")),
                           word(each.at("successor"))};
         for (const System::Rule& other : system.rules)
-            if (other.left == rule.left && other.letter == rule.letter && other.right == rule.right)
-                each.fail("there is a rule for this letter between these contexts already");
+            if (other == rule) each.fail("the rule is there already");
         system.rules.push_back(std::move(rule));
     }
     return system;

@@ -40,8 +40,7 @@ void check_steps(const Obligation& task, const System& system, const Word& from,
         task.budget.check();
         const Word next = task.reader.word(words[i]);
         if (system.context) {
-            if (next_word(system, word) != next)
-                words[i].refuse("the word before gives another word");
+            if (!may_give(system, word, next)) words[i].refuse("the word before does not give it");
         } else {
             const std::uint64_t table = tables.empty() ? 0 : tables[i - 1].number();
             if (table >= system.tables.size()) tables[i - 1].refuse("there is no such table");

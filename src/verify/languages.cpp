@@ -10,7 +10,7 @@
 // regular expressions (Brzozowski 1964).
 //
 // Membership in L(G) without context goes by tables of which letters derive which factors of the word; with context it
-// derives the words one after the other. Everything is exponential in the worst case and bounded by the budget: a bound is a stop
+// derives all words up to the length wanted. Everything is exponential in the worst case and bounded by the budget: a bound is a stop
 // and judges nothing.
 
 namespace algae::verify {
@@ -315,45 +315,57 @@ Relations places(const std::vector<Symbol>& letters, const Images& images, const
     return start;
 }
 
-/// Whether the sequence of a system with context has a word that `wanted` is true of. Where no rule
-/// has the empty successor, words longer than `most` letters end the search.
+/// Whether a system with context derives a word that `wanted` is true of. Where no rule has the empty successor, words longer
+/// than `most` letters are not followed.
 template <class Wanted>
 bool some_word(const System& system, const Word& from, std::size_t most, const Budget& budget,
                Wanted wanted) {
-    const bool grows = never_shrinks(system);
-    std::set<Word> known;
+    const std::size_t longest_wanted = never_shrinks(system) ? most : SIZE_MAX;
+    if (from.size() > longest_wanted) return false;
+    std::set<Word> known{from};
+    std::vector<const Word*> open{&*known.begin()};
     std::uint64_t letters = 0;
-    for (Word word = from; !grows || word.size() <= most; word = next_word(system, word)) {
+    for (std::size_t i = 0; i < open.size(); ++i) {
         budget.check();
-        if (wanted(word)) return true;
-        letters += word.size() + 16;
+        if (wanted(*open[i])) return true;
+        letters += open[i]->size() + 16;
         if (letters > longest_sequence)
-            throw BoundReached(Bound::method, "the words of the sequence are too long");
-        if (!known.insert(word).second) return false;
+            throw BoundReached(Bound::method, "the words derived are too long or too many");
+        for (const Word& next : next_words(system, *open[i], longest_wanted, budget))
+            if (const auto [place, is_new] = known.insert(next); is_new) open.push_back(&*place);
     }
     return false;
 }
 
-Word word_after(const System& system, Word word, const Integer& steps, const Budget& budget) {
-    std::map<Word, std::size_t> known;
-    std::vector<Word> all;
+/// Whether a system with context derives one word from the other in so many steps.
+bool derives_in(const System& system, const Word& from, const Word& to, const Integer& steps,
+                const Budget& budget) {
+    const std::size_t most = never_shrinks(system) ? to.size() : SIZE_MAX;
+    std::map<std::set<Word>, std::size_t> known;
+    std::vector<const std::set<Word>*> levels;
+    std::set<Word> level;
+    if (from.size() <= most) level.insert(from);
     std::uint64_t letters = 0;
-    while (steps != all.size()) {
+    for (;;) {
         budget.check();
-        letters += word.size() + 16;
-        if (letters > longest_sequence)
-            throw BoundReached(Bound::method, "the words of the sequence are too long");
-        const auto [place, is_new] = known.emplace(word, all.size());
-        if (!is_new) {  // it comes round again
-            const std::size_t first = place->second;
-            return all[first +
-                       static_cast<std::size_t>(
-                           remainder(steps - first, Integer(all.size() - first)).to_uint64())];
+        const auto [place, is_new] = known.emplace(level, levels.size());
+        if (!is_new) {  // from the level before on they come round again
+            const std::size_t first = place->second, period = levels.size() - first;
+            return levels[first + static_cast<std::size_t>(
+                                      remainder(steps - first, Integer(period)).to_uint64())]
+                ->contains(to);
         }
-        all.push_back(word);
-        word = next_word(system, word);
+        if (steps == levels.size()) return level.contains(to);
+        levels.push_back(&place->first);
+        std::set<Word> next;
+        for (const Word& word : place->first) {
+            next.merge(next_words(system, word, most, budget));
+            letters += word.size() + 16;
+            if (letters > longest_sequence)
+                throw BoundReached(Bound::method, "the words derived are too long or too many");
+        }
+        level = std::move(next);
     }
-    return word;
 }
 
 class Membership {
@@ -573,7 +585,7 @@ std::optional<Word> image_of(const Word& word, const std::map<Symbol, Word>& mor
 bool derives(const System& system, const Word& from, const Word& to,
              const std::optional<Integer>& steps, const Budget& budget) {
     if (system.context)
-        return steps ? word_after(system, from, *steps, budget) == to
+        return steps ? derives_in(system, from, to, *steps, budget)
                      : some_word(system, from, to.size(), budget,
                                  [&](const Word& word) { return word == to; });
     if (!steps && from == to) return true;
@@ -638,7 +650,7 @@ Set derived(const System& system, const Budget& budget) {
         const Word word = std::move(open.back());
         open.pop_back();
         Set next;
-        if (system.context) next.insert(next_word(system, word));
+        if (system.context) next = next_words(system, word, SIZE_MAX, budget);
         for (const auto& table : system.tables) next.merge(successors(table, word, budget));
         for (const Word& each : next)
             if (known.insert(each)) open.push_back(each);

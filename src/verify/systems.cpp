@@ -140,27 +140,64 @@ bool matches(const System& system, Letter at, Letter end, Wanted wanted, Wanted 
 
 }  // namespace
 
-Word next_word(const System& system, const Word& word) {
-    Word next;
-    for (std::size_t i = 0; i < word.size(); ++i) {
-        const System::Rule* best = nullptr;
-        for (const System::Rule& rule : system.rules) {
-            if (rule.letter != word[i]) continue;
-            if (best &&
-                rule.left.size() + rule.right.size() <= best->left.size() + best->right.size())
-                continue;
-            const auto here = word.begin() + static_cast<std::ptrdiff_t>(i);
-            if (matches(system, std::make_reverse_iterator(here), word.rend(), rule.left.rbegin(),
-                        rule.left.rend()) &&
-                matches(system, here + 1, word.end(), rule.right.begin(), rule.right.end()))
-                best = &rule;
-        }
-        if (best)
-            next.insert(next.end(), best->successor.begin(), best->successor.end());
-        else
-            next.push_back(word[i]);
+std::vector<Word> successors_at(const System& system, const Word& word, std::size_t place) {
+    const System::Rule* best = nullptr;
+    for (const System::Rule& rule : system.rules) {
+        if (rule.letter != word[place]) continue;
+        if (best && rule.left.size() + rule.right.size() <= best->left.size() + best->right.size())
+            continue;
+        const auto here = word.begin() + static_cast<std::ptrdiff_t>(place);
+        if (matches(system, std::make_reverse_iterator(here), word.rend(), rule.left.rbegin(),
+                    rule.left.rend()) &&
+            matches(system, here + 1, word.end(), rule.right.begin(), rule.right.end()))
+            best = &rule;
     }
-    return next;
+    if (!best) return {{word[place]}};
+    std::vector<Word> all;
+    for (const System::Rule& rule : system.rules)
+        if (rule.letter == best->letter && rule.left == best->left && rule.right == best->right)
+            all.push_back(rule.successor);
+    return all;
+}
+
+std::set<Word> next_words(const System& system, const Word& word, std::size_t most,
+                          const Budget& budget) {
+    std::vector<Word> made{Word{}};
+    for (std::size_t i = 0; i < word.size(); ++i) {
+        if (i % 64 == 0) budget.check();
+        const std::vector<Word> choices = successors_at(system, word, i);
+        if (choices.size() == 1) {
+            for (Word& each : made) each.insert(each.end(), choices[0].begin(), choices[0].end());
+            std::erase_if(made, [&](const Word& each) { return each.size() > most; });
+            continue;
+        }
+        std::set<Word> longer;
+        std::uint64_t bytes = 0;
+        for (const Word& start : made)
+            for (const Word& successor : choices) {
+                if (start.size() + successor.size() > most) continue;
+                Word next = start;
+                next.insert(next.end(), successor.begin(), successor.end());
+                bytes += 80 + next.size() * sizeof(Symbol);
+                budget.check_memory(bytes, "the words after one step");
+                longer.insert(std::move(next));
+            }
+        made.assign(longer.begin(), longer.end());
+    }
+    return {made.begin(), made.end()};
+}
+
+bool may_give(const System& system, const Word& from, const Word& to) {
+    std::set<std::size_t> reached{0};  // how much of `to` the letters so far can have become
+    for (std::size_t i = 0; i < from.size(); ++i) {
+        std::set<std::size_t> next;
+        for (const Word& successor : successors_at(system, from, i))
+            for (const std::size_t start : reached)
+                if (stands_at(successor, to, start)) next.insert(start + successor.size());
+        reached = std::move(next);
+        if (reached.empty()) return false;
+    }
+    return reached.contains(to.size());
 }
 
 bool may_give(const System::Successors& table, const Word& from, const Word& to) {

@@ -119,7 +119,7 @@ private:
 };
 
 /// An L-system as a certificate has it: a word and tables of successors, with terminals; or
-/// deterministic rules with context.
+/// rules with context, of which those with the same contexts are a choice.
 struct System {
     /// The successors of each letter, by symbol: at least one.
     using Successors = std::vector<std::vector<Word>>;
@@ -167,8 +167,13 @@ bool rewrites_singly(const System& system);
 std::optional<std::string> beyond_form(const System& system, const std::string& family,
                                        bool empty_axiom);
 
-/// The next word of a system with context.
-Word next_word(const System& system, const Word& word);
+/// What the letter at this place of a word may become by a system with context: its successors, each once.
+std::vector<Word> successors_at(const System& system, const Word& word, std::size_t place);
+/// The next words of a system with context, those of at most so many letters. Throws BoundReached if they take more than the budget.
+std::set<Word> next_words(const System& system, const Word& word, std::size_t most,
+                          const Budget& budget);
+/// Whether a step of a system with context can take one word to the other.
+bool may_give(const System& system, const Word& from, const Word& to);
 /// Whether a step by this table can take one word to the other.
 bool may_give(const System::Successors& table, const Word& from, const Word& to);
 /// Whether no rule has the empty successor.

@@ -34,8 +34,8 @@ BooleanMatrix transposed(const BooleanMatrix& matrix) {
 
 class Paths {
 public:
-    Paths(const Alphabet& alphabet, const Budget& budget)
-        : budget_(budget), derivatives_(alphabet, budget) {}
+    Paths(const Alphabet& alphabet, const Invariants& invariants, const Budget& budget)
+        : invariants_(invariants), budget_(budget), derivatives_(alphabet, budget) {}
 
     Derivatives::Automaton automaton(const Language& language) {
         return derivatives_.automaton(derivatives_.term(language));
@@ -94,7 +94,7 @@ public:
             throw Error(
                 "the left side is not made of systems and powers by union, concatenation, star, "
                 "plus, image, reversal, and intersection and difference with regular expressions");
-        return within_both(language, false, nullptr, letters, states);
+        return within_both(automaton(language), false, nullptr, letters, states);
     }
 
 private:
@@ -111,6 +111,8 @@ private:
 
     BooleanMatrix generated(const Tree& leaf, const Letters& letters, std::size_t states) {
         const System& system = *leaf.system;
+        if (const auto known = invariants_.find(&system); known != invariants_.end())
+            return within_both(known->second, false, nullptr, letters, states);
         if (system.context) return of_words(finite_values_of_leaf(leaf, budget_), letters, states);
         Relations start;
         for (const Symbol a : accessible_letters(system, system.axiom))
@@ -141,15 +143,15 @@ private:
         const bool is_difference = tree.kind == Tree::Kind::difference;
         for (const std::size_t filter : {1u, 0u})
             if (is_regular(tree.parts[filter]) && (filter == 1 || !is_difference))
-                return within_both(tree.parts[filter], is_difference, &tree.parts[1 - filter],
-                                   letters, states);
+                return within_both(automaton(tree.parts[filter]), is_difference,
+                                   &tree.parts[1 - filter], letters, states);
         throw Error("no part of an intersection or difference is a regular expression");
     }
 
-    /// Where the words of a regular language lead, or those not in it if `outside`; of these only words of `part`, if there is one.
-    BooleanMatrix within_both(const Language& filter, bool outside, const Language* part,
-                              const Letters& letters, std::size_t states) {
-        const auto other = automaton(filter);
+    /// Where the words that an automaton accepts lead, or those that it does not if `outside`; of these only words of `part`, if
+    /// there is one.
+    BooleanMatrix within_both(const Derivatives::Automaton& other, bool outside,
+                              const Language* part, const Letters& letters, std::size_t states) {
         const std::size_t count = other.next.size(), pairs = states * count;
         budget_.check_memory(static_cast<std::uint64_t>(pairs) * pairs / 8 * (letters.size() + 4),
                              "the relations between pairs of derivatives");
@@ -176,6 +178,7 @@ private:
         return all;
     }
 
+    const Invariants& invariants_;
     const Budget& budget_;
     Derivatives derivatives_;
 };
@@ -183,8 +186,8 @@ private:
 }  // namespace
 
 bool within_regular(const Language& left, const Language& right, const Alphabet& alphabet,
-                    const Budget& budget) {
-    Paths paths(alphabet, budget);
+                    const Budget& budget, const Invariants& invariants) {
+    Paths paths(alphabet, invariants, budget);
     const auto automaton = paths.automaton(right);
     const std::size_t states = automaton.next.size();
     budget.check_memory(static_cast<std::uint64_t>(states) * states / 8 * (alphabet.size() + 4),

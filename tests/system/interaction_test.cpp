@@ -57,12 +57,51 @@ TEST_CASE("ignored letters are not seen") {
 
 TEST_CASE("what is no deterministic IL system says why") {
     const auto reason = [](const std::string& text) {
-        return as_il(read_lsystem(text, "w.lsys")).reason();
+        return as_dil(read_lsystem(text, "w.lsys")).reason();
     };
     CHECK(reason("axiom a; b < a -> x; b < a -> y") ==
           "not a deterministic IL system: a has two rules with the same contexts");
     CHECK(reason("axiom A(1); A(x) -> A(x+1)") ==
           "not a deterministic IL system: the axiom has parameters");
+    CHECK(as_il(read_lsystem("axiom A(1); A(x) -> A(x+1)", "w.lsys")).reason() ==
+          "not an IL system: the axiom has parameters");
+}
+
+TEST_CASE("rules with the same contexts are a choice") {
+    const IL system = system_of("axiom ab; a > b -> aa; b -> b; a > b -> b; a > b -> aa");
+    CHECK(!is_deterministic(system));
+    CHECK(is_propagating(system));
+    CHECK_THROWS_WITH_AS(derive(system, 1),
+                         "written.lsys has a choice between rules with the same contexts, so no "
+                         "generation is one word",
+                         Error);
+    CHECK_THROWS_AS(next_word(system, system.axiom), Error);
+    const auto words = [&](const std::vector<Word>& all) {
+        std::string text;
+        for (const Word& each : all) text += spell(*system.alphabet, each) + ' ';
+        return text;
+    };
+    CHECK(words(words_of_generation(system, 1)) == "bb aab ");
+    CHECK(words(words_of_generation(system, 2)) == "bb abb aaab ");
+    CHECK(words(words_of_generation(system, 2, 3)) == "bb abb ");
+    CHECK(words(words_up_to(system, 3)) == "ab bb aab abb bbb ");
+    ContextStep step(system);
+    CHECK(step.gives({0, 1}, {1, 1}));
+    CHECK(!step.gives({0, 1}, {0, 1}));
+    CHECK(words(step.next({0, 1}, 2)) == "bb ");
+    // Longer contexts still come first, and choose among themselves.
+    const IL longer =
+        system_of("axiom cab; a > b -> x; c < a > b -> y; c < a > b -> z; a > b -> b");
+    CHECK(words_of_generation(longer, 1).size() == 2);
+}
+
+TEST_CASE("all words of a system with context that erases are found where the language is finite") {
+    const IL finite = system_of("axiom aab; a > b -> ; a > b -> a");
+    CHECK(words_up_to(finite, 2).size() == 2);
+    Budget small;
+    small.memory = 1 << 20;
+    CHECK_THROWS_AS(words_up_to(system_of("axiom ab; a > b -> aa; b -> ; b -> b"), 2, small),
+                    BoundReached);
 }
 
 TEST_CASE("cellular automata are systems with interactions") {

@@ -104,12 +104,11 @@ TEST_CASE("brackets that do not match are refused, with the generation") {
                          "generation 1 has a '[' that is never closed, at letter 2", Error);
     CHECK_THROWS_WITH_AS(derive(system_of("axiom [b]; [ > b -> c"), 2),
                          "generation 1 has an unmatched ']'", Error);
-    CHECK(
-        reason("axiom a[b]; a[b] < c -> d") ==
-        "not a deterministic IL system: the rule at w.lsys:1:13 has a bracket in its left context, "
-        "which is a path and has no branches");
+    CHECK(reason("axiom a[b]; a[b] < c -> d") ==
+          "not an IL system: the rule at w.lsys:1:13 has a bracket in its left context, "
+          "which is a path and has no branches");
     CHECK(reason("axiom a[b]; a > b -> d; ignore [") ==
-          "not a deterministic IL system: it ignores one bracket and not the other");
+          "not an IL system: it ignores one bracket and not the other");
 }
 
 TEST_CASE("words with and without brackets, by the automaton and by building the tree") {

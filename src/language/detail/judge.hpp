@@ -84,19 +84,20 @@ std::string rewriting_text(const LSystem& system);
 
 /// Whether a system derives the word as a word of its language. Tables are followed exactly. A system with
 /// context is derived until its words repeat or, where no rule erases, are longer than the word; the answer is
-/// undecided where neither happens within a bound.
+/// undecided where neither happens within a bound, which is a small one unless the search is to be `thorough`.
 Answer judge_generated(const SourceSystem& system, const Word& word, const Alphabet& alphabet,
-                       const Budget& budget = {});
+                       const Budget& budget = {}, bool thorough = true);
 
 /// Whether the word is in the language, by the definition of each operation: of a star all ways to cut the
 /// word, of an image all words with this image. Complete where the parts can be decided: undecided are
 /// words that a system with context neither derives nor is seen to leave out within a bound, and images
 /// under morphisms that erase letters of languages that are neither regular nor of L-systems without
-/// context.
+/// context. What systems with context do not decide an invariant may, if the search is to be `thorough`; it is not where many words
+/// are asked for.
 ///
 /// Throws what budget.check throws, BoundReached where a table is too large.
 Answer judge_membership(const Language& language, const Word& word, const Alphabet& alphabet,
-                        const Budget& budget = {});
+                        const Budget& budget = {}, bool thorough = true);
 
 // What languages have in common with others. Decided where both sides are finite or regular, where the left
 // side of an inclusion is a language of a system without context (or made of such by operations under which

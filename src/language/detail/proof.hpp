@@ -25,6 +25,7 @@
 
 namespace algae {
 
+struct Dfa;
 struct ExactDimension;
 struct FamilyAnswer;
 
@@ -378,6 +379,19 @@ struct SamePowers {
     std::string sequence, system;
 };
 
+/// Each automaton accepts the axiom of its system with context and what every word that it accepts may become in one step, so all
+/// words of L(G). With the automata in the place of their systems no word of the left side is outside the right one: each is in
+/// `right`, or none is `word`, or there is none.
+struct Invariant {
+    struct Closed {
+        std::shared_ptr<const SourceSystem> system;
+        std::shared_ptr<const Dfa> automaton;
+    };
+    Language left, right;
+    std::optional<Word> word;
+    std::vector<Closed> closed;
+};
+
 struct BothInclusions {
     Part there, back;
 };
@@ -450,6 +464,17 @@ struct InfiniteRound {
     std::string system;
     std::vector<std::pair<Symbol, Word>> rules;
     Symbol other = 0;
+};
+
+/// L(G) of a system with context is infinite. The automaton accepts the last word of the derivation and what each word that
+/// it accepts becomes by `rules`, one for each choice; each such step raises the sum of the weights of the transitions that a word
+/// takes. So no word comes twice.
+struct Measured {
+    std::string system;
+    Derivation start;
+    std::vector<std::pair<Symbol, IL::Rule>> rules;
+    std::shared_ptr<const Dfa> automaton;
+    std::vector<std::int64_t> weights;  // of its transitions, in their order; all 1: by the length
 };
 
 /// The language of a system with tables, its own or constructed, is infinite.
@@ -767,16 +792,17 @@ struct Proof {
         steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
         steps::OtherValues, steps::SameAutomata, steps::NothingOutside, steps::Distinguished,
         steps::SameDeterministic, steps::WithinRegular, steps::ByInduction, steps::SamePowers,
-        steps::BothInclusions, steps::LinearSystems, steps::ByFacts, steps::Counted, steps::NoWord,
-        steps::FiniteConstruction, steps::FoundWord, steps::Disjoint, steps::NoTerminals,
-        steps::InfiniteRound, steps::InfiniteTables, steps::Pumped, steps::LongerPowers,
-        steps::InfinitePart, steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily,
-        steps::RegularOperations, steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord,
-        steps::Sparse, steps::FiniteFamily, steps::GeneratedBy, steps::ByClasses, steps::Dense,
-        steps::LettersOnCycles, steps::LinearBlocks, steps::NotGeometric, steps::Proportional,
-        steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
-        steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
-        steps::ByCases, steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
+        steps::Invariant, steps::BothInclusions, steps::LinearSystems, steps::ByFacts,
+        steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
+        steps::NoTerminals, steps::InfiniteRound, steps::Measured, steps::InfiniteTables,
+        steps::Pumped, steps::LongerPowers, steps::InfinitePart, steps::InfiniteSize,
+        steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations, steps::ContextFree,
+        steps::PowersBeyond, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
+        steps::GeneratedBy, steps::ByClasses, steps::Dense, steps::LettersOnCycles,
+        steps::LinearBlocks, steps::NotGeometric, steps::Proportional, steps::OfReversal,
+        steps::Constructed, steps::Code, steps::TwoFactorisations, steps::Beginning,
+        steps::Palindrome, steps::FromStatements, steps::ByInstance, steps::ByCases,
+        steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
         step;
 };
 

@@ -106,6 +106,10 @@ public:
     /// The next word of the one that rules were chosen for.
     void write(Word& next) const;
 
+    /// What was chosen for each letter: the letter itself if it stays, otherwise the number of letters and the number of the
+    /// rule, counted through the rules of all letters in their order.
+    const std::vector<std::uint32_t>& chosen() const { return chosen_; }
+
 private:
     using State = std::uint32_t;
     using Set = std::vector<std::uint64_t>;  // of places in contexts, a bit each

@@ -185,6 +185,7 @@ void check_infinite_part(const Obligation& task);
 void check_endless_round(const Obligation& task);
 void check_endless_tables(const Obligation& task);
 void check_pumping(const Obligation& task);
+void check_measure(const Obligation& task);
 void check_endless_powers(const Obligation& task);
 void check_part(const Obligation& task);
 // Of equality and inclusion:
@@ -198,6 +199,7 @@ void check_same_sequences(const Obligation& task);
 void check_sections(const Obligation& task);
 void check_induction(const Obligation& task);
 void check_relations(const Obligation& task);
+void check_invariant(const Obligation& task);
 void check_both(const Obligation& task);
 void check_same_powers(const Obligation& task);
 // Of codes and palindromes:

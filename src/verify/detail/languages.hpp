@@ -114,9 +114,11 @@ bool derives(const System& system, const Word& from, const Word& to,
 
 /// Whether every word of the left language is in the right one, a regular expression. The left language is made of
 /// languages of systems, powers and regular expressions by union, concatenation, star, plus, image, reversal, and intersection and difference
-/// with regular expressions. Throws Error if it is something else, BoundReached if systems in the right one are not finite.
+/// with regular expressions. Throws Error if it is something else, BoundReached if systems in the right one are not finite. The
+/// words of a system in `invariants` are all that its automaton accepts.
+using Invariants = std::map<const System*, Derivatives::Automaton>;
 bool within_regular(const Language& left, const Language& right, const Alphabet& alphabet,
-                    const Budget& budget);
+                    const Budget& budget, const Invariants& invariants = {});
 
 // Languages of powers.
 

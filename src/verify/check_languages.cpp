@@ -418,10 +418,12 @@ Language longer_words(const System::Successors& table, const std::vector<char>& 
 
 void check_induction(const Obligation& task) {
     const Language &left = task.language(0), &right = task.language(1);
-    if (right->kind != Tree::Kind::generated || right->system->context ||
-        !has_only_terminals(*right->system))
-        task.refuse("the right language is not given by a T0L system");
+    if (right->kind != Tree::Kind::generated ||
+        (!right->system->context && !has_only_terminals(*right->system)))
+        task.refuse("the right language is not given by a T0L system or one with context");
     const bool is_by_length = !task.proof.has("counted");
+    if (!is_by_length && right->system->context)
+        task.proof.at("counted").refuse("letters are counted for systems without context only");
     std::vector<char> counted(task.alphabet().size(), is_by_length ? 1 : 0);
     if (!is_by_length)
         for (const Field& letter : task.proof.at("counted").list())
@@ -433,6 +435,7 @@ void check_induction(const Obligation& task) {
         if (!task.contains(right, words.back()))
             each.refuse("the word is not in the right language");
     }
+    if (right->system->context) return check_context_induction(task, words);
     Derivatives derivatives(task.alphabet(), task.budget);
     Language all = words_of(std::move(words));
     for (const System::Successors& table : right->system->tables)

@@ -95,6 +95,7 @@ public:
     struct Way {
         std::size_t from, to;
         std::int64_t gain;  // of the sum of weights
+        Word successor;
     };
 
     Steps(const System& system, const Automaton& automaton, const Word& first, const Budget& budget)
@@ -186,8 +187,8 @@ private:
             }
             next.written = written;
             const std::size_t to = number(next);
-            bytes_ += sizeof(Way);
-            ways.push_back({from, to, gain});
+            bytes_ += sizeof(Way) + 2 * successor.size() * sizeof(Symbol);
+            ways.push_back({from, to, gain, successor});
         }
     }
 
@@ -332,6 +333,75 @@ void check_measure(const Obligation& task) {
     for (std::size_t i = 0; i < count; ++i)
         if (ends[i] && least[i] <= 0)
             field.refuse("a step may leave the sum of weights as it is, or lower it");
+}
+
+/// Each word of the left language that is not in the base comes in one step from a shorter one: all words are read at once, by the
+/// automaton of the language and by the set of all places in steps that can have made what was read. A place is a way and how much of
+/// its successor was read, or a state between two letters; and whether a successor was longer than a letter.
+void check_context_induction(const Obligation& task, const std::vector<Word>& base) {
+    const System& system = *task.language(1)->system;
+    Derivatives derivatives(task.alphabet(), task.budget);
+    const auto whole = derivatives.automaton(derivatives.term(task.language()));
+    Automaton left{whole.accepting, {}};
+    for (const auto& next : whole.next) {
+        auto& moves = left.moves.emplace_back();
+        for (Symbol a = 0; a < next.size(); ++a) moves[a] = {next[a], 0};
+    }
+    Word letters = system.axiom;  // those of the left language too
+    for (Symbol a = 0; a < task.alphabet().size(); ++a) letters.push_back(a);
+    const Steps steps(system, left, letters, task.budget);
+    std::vector<std::vector<std::size_t>> leaving(steps.states.size());
+    for (std::size_t i = 0; i < steps.ways.size(); ++i) leaving[steps.ways[i].from].push_back(i);
+    using Place = std::tuple<std::size_t, std::size_t, bool>;
+    using Read =
+        std::tuple<std::size_t, std::set<Place>, std::set<std::pair<std::size_t, std::size_t>>>;
+    const auto entered = [&](std::size_t way, std::size_t read, bool longer) {
+        return read == steps.ways[way].successor.size() ? Place{steps.ways[way].to, 0, longer}
+                                                        : Place{way, read, longer};
+    };
+    std::set<Place> places;
+    for (std::size_t i = 0; i < steps.beginnings; ++i) places.emplace(i, 0, false);
+    std::set<std::pair<std::size_t, std::size_t>> words;
+    for (std::size_t i = 0; i < base.size(); ++i) words.emplace(i, 0);
+    std::set<Read> known{{0, places, words}};
+    std::vector<const Read*> open{&*known.begin()};
+    std::uint64_t bytes = 0;
+    for (std::size_t i = 0; i < open.size(); ++i) {
+        task.budget.check();
+        const auto& [state, at, begun] = *open[i];
+        const bool is_made = std::any_of(at.begin(), at.end(), [&](const Place& place) {
+            const auto& [number, read, longer] = place;
+            return read == 0 && longer && steps.is_end(steps.states[number]);
+        });
+        const bool is_base = std::any_of(begun.begin(), begun.end(), [&](const auto& each) {
+            return base[each.first].size() == each.second;
+        });
+        if (whole.accepting[state] && !is_made && !is_base)
+            task.refuse("a word that is not in the base does not come from a shorter word");
+        for (Symbol a = 0; a < task.alphabet().size(); ++a) {
+            Read next{whole.next[state][a], {}, {}};
+            for (const auto& [number, read, longer] : at) {
+                if (read > 0) {
+                    if (steps.ways[number].successor[read] == a)
+                        std::get<1>(next).insert(entered(number, read + 1, longer));
+                    continue;
+                }
+                for (const std::size_t way : leaving[number]) {
+                    const Word& successor = steps.ways[way].successor;
+                    if (!successor.empty() && successor.front() == a)
+                        std::get<1>(next).insert(entered(way, 1, longer || successor.size() > 1));
+                }
+            }
+            for (const auto& [word, read] : begun)
+                if (read < base[word].size() && base[word][read] == a)
+                    std::get<2>(next).emplace(word, read + 1);
+            const auto [place, is_new] = known.insert(std::move(next));
+            if (!is_new) continue;
+            bytes += 200 + 80 * (std::get<1>(*place).size() + std::get<2>(*place).size());
+            task.budget.check_memory(bytes, "the words that are read and how they are made");
+            open.push_back(&*place);
+        }
+    }
 }
 
 }  // namespace algae::verify

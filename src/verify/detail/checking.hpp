@@ -200,6 +200,8 @@ void check_sections(const Obligation& task);
 void check_induction(const Obligation& task);
 void check_relations(const Obligation& task);
 void check_invariant(const Obligation& task);
+/// Induction on the length, where the right language is that of a system with context; the words of the base are in it.
+void check_context_induction(const Obligation& task, const std::vector<Word>& base);
 void check_both(const Obligation& task);
 void check_same_powers(const Obligation& task);
 // Of codes and palindromes:

@@ -17,6 +17,9 @@
 // form of F, or over finite languages where F has all of these; or X is the reversal of such a language, since the axiom
 // and the successors written backwards generate the words backwards.
 //
+// Two theorems on D0L systems: of lengths that grow faster than linearly, for languages that are not regular or context-free, and
+// of words that begin the next ones, for infinite languages.
+//
 // A body of several statements joined by `and` is proved statement by statement.
 //
 // What none of this proves is left to the search for a counterexample.
@@ -203,12 +206,72 @@ std::optional<std::vector<std::string>> by_rules(const Quantified& said, const L
                                     name.family + " system is an " + family + " system."};
 }
 
+// --- Systems whose languages are large ---
+
+/// The bound name whose system generates the language: one of D0L systems; nothing otherwise.
+const QuantifiedName* d0l_name(const Quantified& said, const Language& language) {
+    if (language->kind != Kind::generated || !language->system->variable) return nullptr;
+    const std::size_t number = *language->system->variable;
+    if (number < said.first || number >= said.first + said.bindings.size()) return nullptr;
+    const QuantifiedName& name = said.bindings[number - said.first];
+    const bool is_d0l = name.domain.kind == Domain::Kind::system && name.domain.deterministic &&
+                        !name.domain.tables;
+    return is_d0l ? &name : nullptr;
+}
+
+/// Not L(G) is REG, or CF, where the lengths of G grow faster than linearly.
+std::optional<Answer> judge_sparse(const Quantified& said, const InFamily& member) {
+    const QuantifiedName* name = d0l_name(said, member.language);
+    if (!name || (member.family != "REG" && member.family != "CF")) return std::nullopt;
+    for (const Statement& condition : said.conditions) {
+        const auto* growth = std::get_if<HasGrowthClass>(&condition.says);
+        if (!growth || condition.negated ||
+            growth->system->variable != member.language->system->variable)
+            continue;
+        if (growth->growth == "exponential" ||
+            (growth->growth == "polynomial" && growth->degree && *growth->degree > Integer(1)))
+            return proved(steps::AllSparse{name->name, member.family});
+    }
+    return std::nullopt;
+}
+
+/// Not L(G) is finite, where no rule of G erases and word(G, 1) begins with word(G, 0) and is another one.
+std::optional<Answer> judge_longer(const Quantified& said, const IsFinite& finite) {
+    const QuantifiedName* name = d0l_name(said, finite.language);
+    if (!name || !name->domain.propagating) return std::nullopt;
+    const auto is_generation = [&](const std::vector<WordFactor>& side, const Rational& number) {
+        return side.size() == 1 && side[0].system && side[0].images.empty() && !side[0].reversed &&
+               side[0].system->variable == finite.language->system->variable &&
+               side[0].generation.kind == Expression::Kind::number &&
+               side[0].generation.value == number;
+    };
+    bool begins = false, differs = false;
+    for (const Statement& condition : said.conditions) {
+        const auto* words = std::get_if<ComparesWords>(&condition.says);
+        if (!words || condition.negated) continue;
+        const bool in_order = is_generation(words->left, 1) && is_generation(words->right, 0);
+        begins = begins || (in_order && words->kind == ComparesWords::Kind::begins);
+        differs = differs ||
+                  (words->kind == ComparesWords::Kind::unequal &&
+                   (in_order || (is_generation(words->left, 0) && is_generation(words->right, 1))));
+    }
+    if (!begins || !differs) return std::nullopt;
+    return proved(steps::AllLonger{name->name});
+}
+
 }  // namespace
 
 std::optional<Answer> judge_symbolic(const Quantified& said, const Claim& claim,
                                      const Budget& budget) {
     const Statement& body = said.body.front();
-    if (!said.universal || body.negated) return std::nullopt;
+    if (!said.universal) return std::nullopt;
+    if (body.negated) {
+        if (const auto* member = std::get_if<InFamily>(&body.says))
+            return judge_sparse(said, *member);
+        if (const auto* finite = std::get_if<IsFinite>(&body.says))
+            return judge_longer(said, *finite);
+        return std::nullopt;
+    }
     if (const auto* member = std::get_if<InFamily>(&body.says)) {
         auto lines = by_rules(said, member->language, member->family, *claim.alphabet);
         if (!lines) return std::nullopt;

@@ -876,6 +876,25 @@ public:
         say("Each of the " + number(said.instances) + " instances was decided.");
     }
     void operator()(const steps::ByFamilyRules& said) { lines_ = said.lines; }
+    void operator()(const steps::AllSparse& said) {
+        say("The lengths of " + marked(said.system) +
+            " grow faster than linearly, so they are infinitely many, and the share of them among "
+            "the "
+            "numbers up to x tends to " +
+            number(0) + ".");
+        say("The lengths of an infinite " + chomsky(said.family) +
+            " language have all numbers of some arithmetic progression among them (Parikh 1966), "
+            "which is a share that does not tend to " +
+            number(0) + ".");
+    }
+    void operator()(const steps::AllLonger& said) {
+        const std::string name = marked(said.system);
+        say("The second word of " + name +
+            " is w x, w being the first one, and x is not empty. By n steps w x becomes the word "
+            "of "
+            "generation n and what x becomes, which is not empty, as no rule of " +
+            name + " erases. So each word is longer than the one before.");
+    }
     void operator()(const steps::ByDerivations& said) {
         using RuleKind = steps::DerivationRule::Kind;
         const auto uses = [](const auto& self, const steps::DerivationRule& rule,

@@ -125,6 +125,8 @@ const std::vector<Method>& methods() {
          check_instance},
         {"cases", {Kind::quantified}, either, {"instances", "cases"}, check_all_instances},
         {"families", {Kind::quantified}, holds, {}, check_by_families},
+        {"sparse", {Kind::quantified}, holds, {}, check_all_sparse},
+        {"longer", {Kind::quantified}, holds, {}, check_longer},
         {"letters", {Kind::quantified}, holds, {"letters", "proof"}, check_by_letters},
         {"each", {Kind::quantified}, holds, {"proofs"}, check_by_each},
         {"derivations", {Kind::quantified}, holds, {"split", "cases"}, check_derivations},

@@ -457,6 +457,68 @@ void check_by_families(const Obligation& task) {
         task.refuse("the families of the names do not show the statement");
 }
 
+namespace {
+
+/// The D0L systems' name whose languages the body is about; nothing if it is about others.
+const Quantified::Name* d0l_name(const Obligation& task) {
+    const Quantified& said = *task.statement.quantified;
+    const Statement& body = task.statement.parts.back();
+    if (!said.universal || !task.holds || !body.negated || body.languages.size() != 1)
+        return nullptr;
+    const Tree& language = *body.languages[0];
+    if (language.kind != Tree::Kind::generated || language.system) return nullptr;
+    for (const Quantified::Name& name : said.names)
+        if (name.name == language.name && (name.of == "D0L systems" || name.of == "PD0L systems"))
+            return &name;
+    return nullptr;
+}
+
+}  // namespace
+
+/// Where the lengths of all D0L systems G grow faster than linearly: L(G) is not REG, or not CF.
+void check_all_sparse(const Obligation& task) {
+    const Statement& body = task.statement.parts.back();
+    const Quantified::Name* name = d0l_name(task);
+    if (!name || body.kind != Statement::Kind::family ||
+        (body.family != "REG" && body.family != "CF"))
+        task.wrong_kind();
+    for (std::size_t i = 0; i + 1 < task.statement.parts.size(); ++i) {
+        const Statement& condition = task.statement.parts[i];
+        if (condition.kind == Statement::Kind::growth_class && !condition.negated &&
+            condition.systems[0].name == name->name &&
+            (condition.family == "exponential" ||
+             (condition.family == "polynomial" && condition.size && *condition.size > Integer(1))))
+            return;
+    }
+    task.refuse("no condition says that the lengths grow faster than n");
+}
+
+/// Where no rule of G erases, and generation 1 begins with generation 0 and is another word: L(G) is infinite.
+void check_longer(const Obligation& task) {
+    const Quantified::Name* name = d0l_name(task);
+    if (!name || name->of != "PD0L systems" ||
+        task.statement.parts.back().kind != Statement::Kind::finite)
+        task.wrong_kind();
+    const auto is_generation = [&](const std::vector<WordFactor>& side, const char* number) {
+        return side.size() == 1 && side[0].generation && side[0].images.empty() &&
+               !side[0].reversed && side[0].system.name == name->name &&
+               side[0].generation->text() == number;
+    };
+    bool begins = false, differs = false;
+    for (std::size_t i = 0; i + 1 < task.statement.parts.size(); ++i) {
+        const Statement& condition = task.statement.parts[i];
+        if (condition.kind != Statement::Kind::words || condition.negated) continue;
+        const auto is_pair = [&](const char* left, const char* right) {
+            return is_generation(condition.sides[0], left) &&
+                   is_generation(condition.sides[1], right);
+        };
+        begins = begins || (condition.family == "begins with" && is_pair("1", "0"));
+        differs = differs || (condition.family == "!=" && (is_pair("1", "0") || is_pair("0", "1")));
+    }
+    if (!begins || !differs)
+        task.refuse("no condition says that generation 1 is generation 0 and more");
+}
+
 void check_by_letters(const Obligation& task) {
     const Quantified& said = *task.statement.quantified;
     if (!said.universal || !task.holds) task.wrong_kind();

@@ -49,8 +49,9 @@ const std::vector<Known> claims{
     {"for all PD0L systems G with word(G, 1) begins with word(G, 0) and word(G, 1) != word(G, 0): "
      "L(G) is "
      "infinite",
-     Known::yes},
-    {"for all D0L systems G with growth(G) ~ exponential: L(G) is not context-free", Known::yes},
+     Known::yes, 0, "proved"},
+    {"for all D0L systems G with growth(G) ~ exponential: L(G) is not context-free", Known::yes, 0,
+     "proved"},
     {"for all T0L languages A, B: A & B is T0L or A & B is empty", Known::no, 6},
     // Its counterexamples are infinite, so none is found.
     {"for all 0L languages A: A* is 0L", Known::open},

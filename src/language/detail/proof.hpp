@@ -771,6 +771,19 @@ struct ByFamilyRules {
     std::vector<std::string> lines;
 };
 
+/// Of all D0L systems whose lengths grow faster than linearly: their languages are not of the family, REG or CF.
+struct AllSparse {
+    static constexpr const char* rule = "sparse";
+    std::string system, family;
+};
+
+/// Of all systems without erasing rules and choices whose first word begins the second one, which is another one: each word
+/// begins the next one and is shorter, so their languages are infinite.
+struct AllLonger {
+    static constexpr const char* rule = "longer";
+    std::string system;
+};
+
 /// The statement is true with different letters in the place of names, "A^R" being one of its own; so it is true of all
 /// languages.
 struct ByLetters {
@@ -802,7 +815,8 @@ struct Proof {
         steps::LinearBlocks, steps::NotGeometric, steps::Proportional, steps::OfReversal,
         steps::Constructed, steps::Code, steps::TwoFactorisations, steps::Beginning,
         steps::Palindrome, steps::FromStatements, steps::ByInstance, steps::ByCases,
-        steps::ByFamilyRules, steps::ByLetters, steps::ByEach, steps::ByDerivations>
+        steps::ByFamilyRules, steps::AllSparse, steps::AllLonger, steps::ByLetters, steps::ByEach,
+        steps::ByDerivations>
         step;
 };
 

@@ -237,6 +237,8 @@ void check_parts(const Obligation& task);
 void check_instance(const Obligation& task);
 void check_all_instances(const Obligation& task);
 void check_by_families(const Obligation& task);
+void check_all_sparse(const Obligation& task);
+void check_longer(const Obligation& task);
 void check_by_letters(const Obligation& task);
 void check_by_each(const Obligation& task);
 void check_derivations(const Obligation& task);

@@ -31,10 +31,11 @@ TEST_CASE(
     const std::string undecided = files.file("open.claim", open);
     const Run tried = run("check " + undecided);
     CHECK(tried.status == 3);
-    CHECK(tried.out == "claim star\n  examples: 0 of 1 hold\n    " + undecided +
-                           ":3:6: A* is 0L: undecided\n"
-                           "        A* was not found to be finite or regular; that no 0L system does "
-                           "is decided for few other languages\n");
+    CHECK(tried.out ==
+          "claim star\n  examples: 0 of 1 hold\n    " + undecided +
+              ":3:6: A* is 0L: undecided\n"
+              "        A* was not found to be finite or regular; that no 0L system does "
+              "is decided for few other languages\n");
     const std::string book = files.file("cited.claim", cited);
     const Run source = run("check " + book);
     CHECK(source.status == 3);

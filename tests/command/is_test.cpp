@@ -33,9 +33,10 @@ TEST_CASE("is says yes with the system, no with the proof by cases") {
 TEST_CASE("is says what it did not decide, and ends with 3") {
     const Run open = run("is 0L '{b a^(2^n) : n >= 0}*'");
     CHECK(open.status == 3);
-    CHECK(open.out ==
-          "undecided\n{b a^(2^n) : n >= 0}* was not found to be finite or regular; that no 0L system "
-          "does is decided for few other languages\n");
+    CHECK(
+        open.out ==
+        "undecided\n{b a^(2^n) : n >= 0}* was not found to be finite or regular; that no 0L system "
+        "does is decided for few other languages\n");
     const json found = json::parse(run("is 0L '{b a^(2^n) : n >= 0}*' --json").out);
     CHECK(found["verdict"] == "undecided");
     CHECK(found["argument"].size() == 1);

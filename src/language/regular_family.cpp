@@ -56,7 +56,10 @@ constexpr std::size_t longest_made = 63;     // letters of a word whose ancestor
 constexpr std::size_t most_places = 2'000;   // on the way to it
 constexpr std::size_t most_successors = 32;  // of one letter, that are tried at once
 constexpr std::size_t longest_successor = 12;
-constexpr std::size_t most_choices = 400;  // of successors of deterministic systems
+constexpr std::size_t instance_cases = 12;  // where one instance of many is looked at
+constexpr std::size_t instance_classes = 12;
+constexpr std::size_t instance_successor = 3;  // there too
+constexpr std::size_t most_choices = 400;      // of successors of deterministic systems
 constexpr std::size_t most_tables = 24;
 constexpr std::size_t axioms_tried = 40;
 constexpr std::size_t longest_axiom = 8;
@@ -91,6 +94,8 @@ public:
     const std::vector<Symbol>& letters() const { return letters_; }
     const std::vector<Word>& words() const { return words_; }
     const Map& whole() const { return whole_; }
+    /// How many classes there are.
+    std::size_t size() const { return classes_.size(); }
     const Word& representative(std::size_t number) const { return representatives_[number]; }
     std::vector<Word> representatives() const { return representatives_; }
 
@@ -330,13 +335,14 @@ private:
 /// The cases of the search for closed maps, and the closed maps.
 class ClosedMaps {
 public:
-    ClosedMaps(const ClassSearch& search, bool tables) : search_(search), tables_(tables) {}
+    ClosedMaps(const ClassSearch& search, bool tables, std::size_t most)
+        : search_(search), tables_(tables), most_(most) {}
 
     /// The largest closed maps; of one table only those by which all words may have an ancestor in common. Nothing if there are too
     /// many cases.
     std::optional<std::vector<Map>> find() {
         visit(search_.whole());
-        if (seen_.size() >= most_cases) return std::nullopt;
+        if (seen_.size() >= most_) return std::nullopt;
         std::vector<Map> largest;
         for (const Map& map : closed_)
             if (std::none_of(closed_.begin(), closed_.end(), [&](const Map& other) {
@@ -403,7 +409,7 @@ private:
     }
 
     void visit(const Map& map) {
-        if (seen_.size() >= most_cases || !seen_.insert(map).second) return;
+        if (seen_.size() >= most_ || !seen_.insert(map).second) return;
         if (std::find(map.begin(), map.end(), Classes{0}) != map.end()) return;
         if (std::any_of(closed_.begin(), closed_.end(),
                         [&](const Map& other) { return is_within(map, other); }))
@@ -419,6 +425,7 @@ private:
 
     const ClassSearch& search_;
     bool tables_;
+    std::size_t most_;  // cases
     std::set<Map> seen_;
     std::vector<Map> closed_;
 };
@@ -540,7 +547,10 @@ public:
             if (is_proportional(value_, search_.letters()))
                 return refuted(steps::Proportional{language_, question_.family});
         }
-        ClosedMaps closed(search_, form_.tables);
+        if (!question_.small && search_.size() > instance_classes)
+            return undecided("the words of " + name + " are of more than " +
+                             std::to_string(instance_classes) + " classes");
+        ClosedMaps closed(search_, form_.tables, limit(most_cases, instance_cases));
         const auto maps = closed.find();
         if (maps) {
             if (auto found = refutation(closed, *maps)) return *found;
@@ -548,10 +558,11 @@ public:
                     form_.deterministic ? by_single_successors(*maps) : by_successors(*maps))
                 return *found;
         }
-        if (auto found = by_narrower_family()) return *found;
+        if (question_.small)
+            if (auto found = by_narrower_family()) return *found;
         if (!maps)
             return undecided("the successors of systems for " + name + " make more than " +
-                             std::to_string(most_cases) + " cases");
+                             std::to_string(limit(most_cases, instance_cases)) + " cases");
         return undecided("no " + question_.family + " system for " + name +
                          " was found among those with successors of at most " +
                          std::to_string(tried_) + (tried_ == 1 ? " letter" : " letters") +
@@ -569,6 +580,10 @@ private:
         }
         found.root = closed.proof(search_.whole(), maps, found.size);
         return refuted(std::move(found));
+    }
+
+    std::size_t limit(std::size_t usual, std::size_t of_instance) const {
+        return question_.small ? usual : of_instance;
     }
 
     /// A system without tables, or one that does not erase, is of the family too.
@@ -627,7 +642,7 @@ private:
     }
 
     std::optional<Answer> by_successors(const std::vector<Map>& maps) {
-        for (tried_ = 2; tried_ <= longest_successor; ++tried_) {
+        for (tried_ = 2; tried_ <= limit(longest_successor, instance_successor); ++tried_) {
             std::vector<Table> tables;
             for (const Map& map : maps) {
                 std::vector<std::vector<Word>> successors;
@@ -654,7 +669,7 @@ private:
     /// With one successor for each letter.
     std::optional<Answer> by_single_successors(const std::vector<Map>& maps) {
         std::set<Table> seen;
-        for (tried_ = 2; tried_ <= longest_successor; ++tried_) {
+        for (tried_ = 2; tried_ <= limit(longest_successor, instance_successor); ++tried_) {
             std::vector<Table> tables;
             for (const Map& map : maps) {
                 std::vector<std::vector<Word>> words;

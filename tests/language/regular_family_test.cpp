@@ -264,7 +264,16 @@ TEST_CASE("no small system generates a regular language that is refuted") {
                 [](const auto& of) { return std::find(of.begin(), of.end(), "") != of.end(); });
             if (propagating && erases) continue;
             ++systems;
-            RC_ASSERT(derived(system, 5, 7) != expected);
+            if (derived(system, 5, 7) != expected) continue;
+            // They may differ in longer words.
+            std::string text = "let G = 0L { axiom " + system.axiom;
+            for (const char letter : {'a', 'b'})
+                for (const std::string& successor :
+                     system.tables[0][static_cast<std::size_t>(letter - 'a')])
+                    text +=
+                        std::string("; ") + letter + " -> " + (successor.empty() ? "ε" : successor);
+            const CheckedClaim equal = checked(text + " }\nshow L(G) == /" + expression.text + "/");
+            RC_ASSERT(equal.statements[0].answer.truth != Truth::proved);
         }
     }));
     MESSAGE(languages << " languages, " << systems << " systems");
@@ -335,6 +344,6 @@ TEST_CASE("what is not decided of an infinite language says what was tried") {
         return found.statements[0].answer.tried.at(0);
     };
     CHECK(said("/a*b*/ is DT0L") ==
-          "no DT0L system for {a}* . {b}* was found among those with successors of at most 5 "
+          "no DT0L system for {a}* . {b}* was found among those with successors of at most 7 "
           "letters, and the classes of its words do not show that there is none");
 }

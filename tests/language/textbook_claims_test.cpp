@@ -104,7 +104,7 @@ TEST_CASE("theorems on all D0L systems are refused where one of their conditions
     };
     const auto same = [](auto&) {};
     const std::string sparse =
-        "for all D0L systems G with growth(G) ~ polynomial of degree 2: L(G) is not regular";
+        "for all D0L systems G with growth(G) ~ polynomial 2: L(G) is not regular";
     CHECK(outcome(sparse, same) == Outcome::checked);
     CHECK(outcome(sparse, [](auto& json) { json.at("with")[0]["degree"] = 1; }) == Outcome::wrong);
     CHECK(outcome(sparse, [](auto& json) {

@@ -247,7 +247,7 @@ TEST_CASE(
         if (below(2)) text += "; ignore c";
         const LSystem system = read_lsystem(text, "random.lsys");
         RC_LOG() << text << "\n";
-        const View<IL> plain = as_il(system);
+        const View<IL> plain = as_dil(system);
         RC_PRE(bool(plain));
         const Rewriting rewriting(system);
         for (std::uint64_t n = 0; n <= 4; ++n)

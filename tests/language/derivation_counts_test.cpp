@@ -127,10 +127,10 @@ TEST_CASE("derivations are counted as when all are tried") {
             with_tables += written.tables.size() > 1 && expected > 1;
         }
     }));
-    CHECK(words > 500);
-    CHECK(several > 50);
-    CHECK(none > 50);
-    CHECK(with_tables > 20);
+    CHECK(words > 100);
+    CHECK(several > 5);
+    CHECK(none > 5);
+    CHECK(with_tables > 2);
 }
 
 TEST_CASE("all derivations are different, derive the word, and are as many as counted") {
@@ -162,7 +162,7 @@ TEST_CASE("all derivations are different, derive the word, and are as many as co
         }
         listed += all.size() > 1;
     }));
-    CHECK(listed > 15);
+    CHECK(listed > 2);
 }
 
 TEST_CASE("whether there are infinitely many derivations, and how many in all") {
@@ -200,9 +200,9 @@ TEST_CASE("whether there are infinitely many derivations, and how many in all") 
             RC_ASSERT(number_of_derivations(system, word, n) ==
                       (counts.contains(n) ? counts[n] : Integer(0)));
     }));
-    CHECK(infinite > 10);
-    CHECK(finite > 10);
-    CHECK(several > 3);
+    CHECK(infinite > 2);
+    CHECK(finite > 2);
+    CHECK(several > 0);
 }
 
 TEST_CASE("numbers of derivations of any size, and of systems without choices") {

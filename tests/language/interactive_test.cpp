@@ -210,7 +210,7 @@ TEST_CASE(
         }
     }));
     MESSAGE(words << " words");
-    CHECK(words > 200);
+    CHECK(words > 50);
 }
 
 TEST_CASE("membership in systems with context is that of a search through all words") {
@@ -250,7 +250,7 @@ TEST_CASE("membership in systems with context is that of a search through all wo
         CHECK(checked * 10 >= decided * 9);
         CHECK(members * 20 >= asked);
         CHECK(others * 20 >= asked);
-        CHECK(choices > 10);
+        CHECK(choices > 2);
     }
 }
 

@@ -275,7 +275,9 @@ Integer tree_size(const Rewriting& rewriting, const ModuleTrace& trace, const Tr
     std::uint64_t nodes = 0;
     for (std::size_t t = 0; t <= last; ++t) {
         nodes += trace.words[t].kinds.size();
-        if (t < last) nodes += static_cast<std::uint64_t>(std::ranges::count(trace.lengths[t], 0U));
+        if (t < last)
+            nodes += static_cast<std::uint64_t>(
+                std::count(trace.lengths[t].begin(), trace.lengths[t].end(), 0U));
     }
     return Integer(cut ? nodes + trace.words[static_cast<std::size_t>(last)].kinds.size() : nodes);
 }
@@ -401,8 +403,8 @@ DerivationTree with_shared_subtrees(const DerivationTree& tree, const Budget& bu
         for (const std::size_t other : tree.nodes[i].seen)
             shared.nodes[place[of_node[i]]].seen.push_back(place[of_node[other]]);
     for (Node& node : shared.nodes) {
-        std::ranges::sort(node.seen);
-        node.seen.erase(std::ranges::unique(node.seen).begin(), node.seen.end());
+        std::sort(node.seen.begin(), node.seen.end());
+        node.seen.erase(std::unique(node.seen.begin(), node.seen.end()), node.seen.end());
     }
     for (const std::size_t root : tree.roots) shared.roots.push_back(place[of_node[root]]);
     return shared;

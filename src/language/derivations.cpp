@@ -60,8 +60,8 @@ public:
             for (const Symbol a : letters_) {
                 std::vector<std::uint32_t>& choices = rules_.back().emplace_back();
                 for (std::uint32_t k = 0; k < table[a].size(); ++k)
-                    if (std::find(table[a].begin(), table[a].begin() + k, table[a][k]) ==
-                        table[a].begin() + k)
+                    if (const auto here = table[a].begin() + static_cast<std::ptrdiff_t>(k);
+                        std::find(table[a].begin(), here, *here) == here)
                         choices.push_back(k);
             }
         }
@@ -229,8 +229,8 @@ bool has_cycle(const DerivingStates& states, const std::vector<char>& useful) {
 }
 
 bool can_be_member(const ET0L& system, const Word& word) {
-    return std::ranges::all_of(
-        word, [&](Symbol a) { return a < system.terminal.size() && system.terminal[a]; });
+    return std::all_of(word.begin(), word.end(),
+                       [&](Symbol a) { return a < system.terminal.size() && system.terminal[a]; });
 }
 
 /// The numbers of derivations of 0, 1, ... steps, one after the other. With several tables the
@@ -475,7 +475,9 @@ void each_sequence(const ET0L& system, const Word& word, std::uint64_t n, const 
     for (std::size_t state = 0; state < size; ++state)
         begun[0].rest.push_back(comes.back()[state] && states.derives[state]);
     std::vector<std::uint32_t> sequence;
-    if (std::ranges::count(begun[0].rest, 0) == static_cast<std::ptrdiff_t>(size)) return;
+    if (std::count(begun[0].rest.begin(), begun[0].rest.end(), 0U) ==
+        static_cast<std::ptrdiff_t>(size))
+        return;
     while (!begun.empty()) {
         budget.check();
         Begun& here = begun.back();

@@ -847,7 +847,8 @@ std::optional<steps::Invariant> by_invariants(const Language& left, const Langua
                                        [](const auto& entry) { return entry.second.is_known; });
     if (!all_known) {
         if (wanted.size() > 1) return std::nullopt;
-        const auto& [key, entry] = *wanted.begin();
+        const auto& key = wanted.begin()->first;
+        const auto& entry = wanted.begin()->second;
         const bool is_found = use_free_invariants(*entry.system->interactive, budget,
                                                   [&](const RegularLanguage& invariant) {
                                                       found.insert_or_assign(key, invariant);

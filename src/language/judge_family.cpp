@@ -325,7 +325,9 @@ private:
             const auto [place, is_new] = known.try_emplace(length, Truth::undecided);
             if (is_new)
                 place->second =
-                    judge_membership(language_, Word(length, letters.front()), alphabet_, budget_)
+                    judge_membership(language_,
+                                     Word(static_cast<std::size_t>(length), letters.front()),
+                                     alphabet_, budget_)
                         .truth;
             return place->second;
         };

@@ -38,10 +38,14 @@ namespace {
 
 using Kind = LanguageTree::Kind;
 
+/// A length as an index; lengths of words that are kept fit.
+std::size_t at(std::uint64_t length) { return static_cast<std::size_t>(length); }
+
 struct Hash {
     std::size_t operator()(const Word& word) const {
         std::size_t hash = word.size();
-        for (const Symbol a : word) hash = (hash ^ a) * 0x9E3779B97F4A7C15u;
+        for (const Symbol a : word)
+            hash = (hash ^ a) * static_cast<std::size_t>(0x9E3779B97F4A7C15u);
         return hash ^ hash >> 29;
     }
 };
@@ -105,7 +109,7 @@ public:
         if (const auto known = known_.find(key); known != known_.end()) return known->second;
         Found found;
         if (const RegularLanguage* regular = automata_->of(language))
-            found = {words_up_to(*regular, longest, *budget_), longest + 1};
+            found = {words_up_to(*regular, at(longest), *budget_), longest + 1};
         else
             found = of(language, longest);
         found.decided = std::min(found.decided, longest + 1);
@@ -240,15 +244,15 @@ private:
         const bool has_empty = !base.words.empty() && base.words.front().empty();
         budget_->check_memory(bytes_ + (longest + 1) * sizeof(std::vector<Word>),
                               "the words up to that length");
-        std::vector<std::vector<Word>> by_length(longest + 1);
+        std::vector<std::vector<Word>> by_length(at(longest + 1));
         by_length[0] = {Word{}};
         std::uint64_t bytes = 0;
         for (std::uint64_t length = 1; length <= longest; ++length) {
-            std::vector<Word>& all = by_length[length];
+            std::vector<Word>& all = by_length[at(length)];
             for (const Word& first : base.words) {
                 if (first.empty()) continue;
                 if (first.size() > length) break;
-                for (const Word& rest : by_length[length - first.size()]) {
+                for (const Word& rest : by_length[at(length - first.size())]) {
                     all.push_back(first);
                     all.back().insert(all.back().end(), rest.begin(), rest.end());
                     bytes += bytes_of(all.back());
@@ -261,8 +265,8 @@ private:
         Found found{{}, base.decided};
         for (std::uint64_t length = 0; length <= longest; ++length) {
             if (length == 0 && kind == Kind::plus && !has_empty) continue;
-            found.words.insert(found.words.end(), by_length[length].begin(),
-                               by_length[length].end());
+            found.words.insert(found.words.end(), by_length[at(length)].begin(),
+                               by_length[at(length)].end());
         }
         return found;
     }
@@ -300,7 +304,7 @@ private:
             return {words_up_to(algae::image(algae::intersected(
                                                  *regular, all_words(morphism.domain()), *budget_),
                                              morphism.images(), *budget_),
-                                longest, *budget_),
+                                at(longest), *budget_),
                     longest + 1};
         const auto part = [&](std::size_t i) { return image(tree.parts[i], morphism, longest); };
         switch (tree.kind) {
@@ -693,10 +697,10 @@ WordList list_regular(const RegularLanguage& language, const Alphabet& alphabet,
             budget.check_memory(bytes, "the words of that length");
             // Depth first: the states on the way, and which letter was taken at each.
             std::vector<std::size_t> way{automaton.initial}, taken;
-            if (!accepts[length][automaton.initial]) way.clear();
+            if (!accepts[at(length)][automaton.initial]) way.clear();
             std::size_t next = 0;  // letter to be tried
             while (!way.empty() && list.words.size() < limits.words) {
-                const std::size_t left = length - taken.size();
+                const std::size_t left = at(length - taken.size());
                 if (left == 0) {
                     Word word;
                     for (const std::size_t i : taken) word.push_back(letters[i]);
@@ -797,7 +801,7 @@ WordList list_words(const Language& language, const Alphabet& alphabet, const Li
     const auto take = [&](std::vector<Word> words) {
         sort_by_name(words, alphabet);
         list.full = words.size() >= limits.words;
-        if (words.size() > limits.words) words.resize(limits.words);
+        if (words.size() > limits.words) words.resize(at(limits.words));
         list.words = std::move(words);
     };
     const auto decided_words = [](const Found& found) {
@@ -849,7 +853,7 @@ WordCounts count_words(const Language& language, const Alphabet& alphabet, std::
         language, alphabet, automata, longest, [](const Found&) { return false; }, budget);
     budget.check_memory(known.found.decided * sizeof(Integer),
                         "the numbers of words of each length");
-    found.counts.assign(std::min(known.found.decided, longest + 1), Integer(0));
+    found.counts.assign(at(std::min(known.found.decided, longest + 1)), Integer(0));
     for (const Word& word : known.found.words)
         if (word.size() < found.counts.size()) found.counts[word.size()] += 1;
     found.stopped = std::move(known.stopped);
@@ -875,15 +879,15 @@ std::vector<Word> draw_words(const Language& language, const Alphabet& alphabet,
             budget.check();
             budget.check_memory(bytes, "the numbers of words of each length");
         }
-        if (counts[length][automaton.initial] == 0) return drawn;
+        if (counts[at(length)][automaton.initial] == 0) return drawn;
         while (drawn.size() < count) {
             budget.check();
             Word word;
             std::size_t state = automaton.initial;
-            Integer place = below(counts[length][state], generator);
+            Integer place = below(counts[at(length)][state], generator);
             for (std::uint64_t left = length; left > 0; --left)
                 for (const Symbol a : letters) {
-                    const Integer& here = counts[left - 1][automaton.step(state, a)];
+                    const Integer& here = counts[at(left - 1)][automaton.step(state, a)];
                     if (place < here) {
                         word.push_back(a);
                         state = automaton.step(state, a);

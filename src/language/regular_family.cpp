@@ -203,10 +203,10 @@ public:
         for (std::size_t i = 0; i < std::min(count, words_.size()); ++i) {
             auto all = ancestors(words_[i], maps);
             if (!all) continue;
-            for (const auto& [word, others] : known)
+            for (const auto& one : known)
                 if (std::none_of(all->begin(), all->end(),
-                                 [&](const Word& each) { return others.contains(each); }))
-                    return {word, words_[i]};
+                                 [&](const Word& each) { return one.second.contains(each); }))
+                    return {one.first, words_[i]};
             known.emplace_back(words_[i], std::move(*all));
         }
         return {};

@@ -160,7 +160,7 @@ std::optional<std::map<std::size_t, Rational>> solution(Comparisons all) {
                 Rational(-floor_divide(-high->numerator(), high->denominator()) - 1));
         }
         if (low && high) candidates.push_back((*low + *high) / 2);
-        values[step->term] = *std::ranges::find_if(candidates, fits);
+        values[step->term] = *std::find_if(candidates.begin(), candidates.end(), fits);
     }
     return values;
 }
@@ -348,9 +348,9 @@ Conditions::Terms terms_of(const Production& rule, const Alphabet& alphabet,
         for (const std::string& parameter : module.parameters)
             names.emplace(parameter, "#" + mark + std::to_string(number++));
     };
-    const bool branches = std::ranges::any_of(rule.right, [&](const ModulePattern& module) {
-        return alphabet.name(module.symbol) == "[";
-    });
+    const bool branches = std::any_of(
+        rule.right.begin(), rule.right.end(),
+        [&](const ModulePattern& module) { return alphabet.name(module.symbol) == "["; });
     add(rule.predecessor, "");
     for (const ModulePattern& module : rule.left) add(module, "");
     for (const ModulePattern& module : rule.right) add(module, branches ? side : "");
@@ -366,7 +366,8 @@ bool is_logical(const Expression& expression) {
 }
 
 bool has_logic(const Expression& expression) {
-    return is_logical(expression) || std::ranges::any_of(expression.operands, has_logic);
+    return is_logical(expression) ||
+           std::any_of(expression.operands.begin(), expression.operands.end(), has_logic);
 }
 
 /// Whether a condition is true; nothing if some number on the way is not exact, or there is none. Throws Error where
@@ -505,8 +506,8 @@ std::vector<std::pair<Symbol, std::size_t>> kinds_of(const Pattern& pattern) {
 }
 
 bool has_parameters(const Pattern& pattern) {
-    return std::ranges::any_of(
-        pattern, [](const ModulePattern& module) { return !module.parameters.empty(); });
+    return std::any_of(pattern.begin(), pattern.end(),
+                       [](const ModulePattern& module) { return !module.parameters.empty(); });
 }
 
 bool is_plain(const Production& rule) {
@@ -545,8 +546,8 @@ std::vector<RuleOverlap> first_overlaps(const LSystem& system, std::size_t most)
                 if (auto overlap = compared(system, rules[i], rules[k]))
                     found.push_back(std::move(*overlap));
             }
-    std::ranges::sort(found, {}, [](const RuleOverlap& overlap) {
-        return std::pair(overlap.first, overlap.second);
+    std::sort(found.begin(), found.end(), [](const RuleOverlap& left, const RuleOverlap& right) {
+        return std::pair(left.first, left.second) < std::pair(right.first, right.second);
     });
     return found;
 }

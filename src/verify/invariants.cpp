@@ -90,7 +90,11 @@ public:
     struct State {
         Word left, right;  // visible letters: those before, those guessed to come
         std::size_t read, written;
-        auto operator<=>(const State&) const = default;
+        bool operator==(const State&) const = default;
+        bool operator<(const State& other) const {
+            return std::tie(left, right, read, written) <
+                   std::tie(other.left, other.right, other.read, other.written);
+        }
     };
     struct Way {
         std::size_t from, to;

@@ -489,7 +489,9 @@ void check_geometric(const Obligation& task) {
     std::map<std::uint64_t, bool> known;
     const auto in = [&](std::uint64_t n) {
         const auto [place, is_new] = known.try_emplace(n, false);
-        if (is_new) place->second = task.contains(task.language(), Word(n, *letters.begin()));
+        if (is_new)
+            place->second =
+                task.contains(task.language(), Word(static_cast<std::size_t>(n), *letters.begin()));
         return place->second;
     };
     if (length == 0 || !in(length)) field.refuse("no word has this length, or the empty word has");

@@ -179,6 +179,9 @@ void check_regular_family(const Obligation& task) {
 
 namespace {
 
+/// Whether no system occurs in the expression.
+bool is_seen_regular(const Obligation&, const Language& language) { return is_regular(language); }
+
 /// Whether all systems in the expression have finite languages, which may take long.
 bool is_of_finite_systems(const Obligation& task, const Language& language) {
     try {
@@ -216,13 +219,16 @@ void must_be_closed(const Obligation& task, const Language& language) {
             for (const Language& part : language->parts) must_be_closed(task, part);
             return;
         case Kind::intersection:
-            for (const std::size_t i : {0u, 1u})
-                if (is_regular(language->parts[i]))
-                    return must_be_closed(task, language->parts[1 - i]);
-            break;
+            for (const auto regular : {&is_seen_regular, &is_of_finite_systems})
+                for (const std::size_t i : {0u, 1u})
+                    if (regular(task, language->parts[i]))
+                        return must_be_closed(task, language->parts[1 - i]);
+            return task.refuse(why);
         case Kind::difference:
-            if (is_regular(language->parts[1])) return must_be_closed(task, language->parts[0]);
-            break;
+            for (const auto regular : {&is_seen_regular, &is_of_finite_systems})
+                if (regular(task, language->parts[1]))
+                    return must_be_closed(task, language->parts[0]);
+            return task.refuse(why);
         case Kind::inverse_image:
             if (family == "ET0L") return must_be_closed(task, language->parts[0]);
             break;

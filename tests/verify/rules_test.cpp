@@ -89,6 +89,13 @@ TEST_CASE("a family is shown by its operations only where it is closed under the
           Outcome::checked);
     CHECK(outcome("E0L", R"({"difference": [{"star": {"words": ["a"]}}, {"generated": "G"}]})") ==
           Outcome::wrong);
+    // Few words are a regular language, whatever gives them.
+    CHECK(outcome("E0L", R"({"difference": [{"generated": "G"}, {"generated": "C"}]})") ==
+          Outcome::checked);
+    CHECK(outcome("E0L", R"({"intersection": [{"generated": "G"}, {"generated": "C"}]})") ==
+          Outcome::checked);
+    CHECK(outcome("E0L", R"({"intersection": [{"generated": "C"}, {"generated": "G"}]})") ==
+          Outcome::checked);
 }
 
 TEST_CASE("a rule for all values passes only where its side condition holds") {

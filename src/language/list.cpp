@@ -7,6 +7,7 @@
 #include <unordered_set>
 
 #include "growth/growth.hpp"
+#include "language/detail/interactive.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/letters.hpp"
 #include "language/detail/powers.hpp"
@@ -421,28 +422,17 @@ private:
 
     /// Generation after generation, as long as words are not too long. Where nothing is erased they never become shorter again.
     Found of_interactive(const SourceSystem& system, std::uint64_t longest) {
-        constexpr std::uint64_t most_generations = 10'000;
         const bool shrinks = !has_form(system, *system_form("PIL"));
-        Word word = system.interactive->axiom;
-        WordSet seen;
-        Found found{{}, longest + 1};
-        std::uint64_t bytes = 0;
-        bool is_decided = false;
-        for (std::uint64_t n = 0; n < most_generations && !is_decided; ++n) {
-            budget_->check();
-            if (word.size() <= longest) found.words.push_back(word);
-            is_decided = (!shrinks && word.size() > longest) || !seen.insert(word).second;
-            bytes += bytes_of(word);
-            if (bytes > budget_->letters / 100) break;
-            if (!is_decided) word = next_word(*system.interactive, word);
-        }
-        found.words = sorted(std::move(found.words));
-        if (!is_decided) {
-            found.decided = 0;
-            reason_ = "the first " + std::to_string(seen.size()) + " words of L(" + system.name +
-                      ") do not repeat, and later ones may be shorter";
-        }
-        return found;
+        SearchOfWords search{shrinks ? std::size_t{10'000} : std::size_t{1'000'000},
+                             budget_->letters / 100};
+        if (!shrinks) search.longest = at(longest);
+        FoundWords derived = found_words(*system.interactive, search, *budget_);
+        if (!derived.is_all)
+            reason_ = "the first " + std::to_string(derived.words.size()) + " words of L(" +
+                      system.name + ") are not all, and later ones may be " +
+                      (shrinks ? "shorter" : "as short");
+        std::erase_if(derived.words, [&](const Word& word) { return word.size() > longest; });
+        return {sorted(std::move(derived.words)), derived.is_all ? longest + 1 : 0};
     }
 
     /// Of the words, or of their images. The terminals of a constructed system have the numbers that they have elsewhere.

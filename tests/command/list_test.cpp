@@ -77,6 +77,19 @@ TEST_CASE("list --random draws words of a length") {
     CHECK(run("list '/a*/' --random 3 --length 2 --counts").status == 2);
 }
 
+TEST_CASE("list follows all choices of a system with context") {
+    const Scratch files;
+    const auto of = [&](const std::string& rules) {
+        return "list 'L(" + files.file("choices.lsys", rules) + ")'";
+    };
+    CHECK(run(of("axiom ab; a > b -> aa | b") + " --length 3").out ==
+          "ab\nbb\naab\nabb\nbbb\nThese are all words of at most 3 letters.\n");
+    CHECK(run(of("axiom aab; a > b -> a | b")).out == "aab\nabb\nbbb\nThese are all words.\n");
+    const Run erasing = run(of("axiom ab; a > b -> aab | b; a < b -> b | ε") + " --length 2");
+    CHECK(erasing.status == 3);
+    CHECK(erasing.out.find("are not all, and later ones may be shorter") != std::string::npos);
+}
+
 TEST_CASE("list ends with 3 where words may be missing") {
     const Scratch files;
     const std::string file = files.file("back.lsys", "axiom ab; a -> aa; a < b -> ε; b -> ab");

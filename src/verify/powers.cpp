@@ -30,13 +30,15 @@ bool is_linear_term(const PowerTerm& term) {
     return is_constant(term) || (term.power == 1 && term.base == 1);
 }
 
-bool varies(const Powers::Block& block) {
-    return !std::all_of(block.exponent.begin(), block.exponent.end(), is_constant);
-}
-
 bool stands_once(const Powers::Block& block) {
     return block.exponent.size() == 1 && is_constant(block.exponent.front()) &&
            block.exponent.front().coefficient == 1;
+}
+
+}  // namespace
+
+bool varies(const Powers::Block& block) {
+    return !std::all_of(block.exponent.begin(), block.exponent.end(), is_constant);
 }
 
 bool is_linear(const Powers& powers) {
@@ -45,6 +47,8 @@ bool is_linear(const Powers& powers) {
             return false;
     return true;
 }
+
+namespace {
 
 Integer exponent(const Powers::Block& block, const Values& values) {
     Integer sum = 0;

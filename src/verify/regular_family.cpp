@@ -400,24 +400,6 @@ void check_proportional(const Obligation& task) {
         }
 }
 
-namespace {
-
-/// Whether no exponent grows faster than linearly with the numbers.
-bool is_linear(const Powers& powers) {
-    for (const Powers::Block& block : powers.blocks)
-        for (const Powers::Term& term : block.exponent)
-            if (!(term.base == Integer(1)) || term.power > 1) return false;
-    return true;
-}
-
-bool grows(const Powers::Block& block) {
-    return std::any_of(block.exponent.begin(), block.exponent.end(), [](const Powers::Term& term) {
-        return term.power > 0 || !(term.base == Integer(1));
-    });
-}
-
-}  // namespace
-
 void check_blocks(const Obligation& task) {
     must_be_one_of(task, {"0L", "P0L", "D0L", "PD0L", "T0L", "PT0L", "DT0L", "PDT0L"});
     const Tree& tree = *task.language();
@@ -427,7 +409,7 @@ void check_blocks(const Obligation& task) {
         task.refuse("the powers do not grow linearly with one number, or there is only one");
     std::set<Symbol> letters;
     for (const Powers::Block& block : powers.blocks)
-        if (block.word.size() != 1 || !letters.insert(block.word.front()).second || !grows(block))
+        if (block.word.size() != 1 || !letters.insert(block.word.front()).second || !varies(block))
             task.refuse("a power does not grow, or is not one of a letter of its own");
 }
 

@@ -122,6 +122,12 @@ bool within_regular(const Language& left, const Language& right, const Alphabet&
 
 // Languages of powers.
 
+/// Whether the exponent depends on a number.
+bool varies(const Powers::Block& block);
+
+/// Whether every exponent is a sum of multiples of the numbers and a constant.
+bool is_linear(const Powers& powers);
+
 /// Whether the powers make this word for some values of the numbers.
 bool has_word(const Powers& powers, const Word& word, const Budget& budget);
 

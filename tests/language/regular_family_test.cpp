@@ -15,6 +15,7 @@
 
 #include "language/language.hpp"
 #include "notation/notation.hpp"
+#include "oracle/written_out.hpp"
 #include "verify/verify.hpp"
 
 using namespace algae;
@@ -59,16 +60,10 @@ std::set<std::string> derived(const Plain& system, std::size_t longest, std::siz
         const std::string word = open.back();
         open.pop_back();
         for (const auto& table : system.tables) {
-            std::set<std::string> made{""};
-            for (const char letter : word) {
-                std::set<std::string> longer;
-                for (const std::string& begun : made)
-                    for (const std::string& successor :
-                         table[static_cast<std::size_t>(letter - 'a')])
-                        if (begun.size() + successor.size() <= kept)
-                            longer.insert(begun + successor);
-                made = std::move(longer);
-            }
+            bool cut = false;
+            const std::set<std::string> made = oracle::next_words(
+                word, kept,
+                [&](std::size_t i) { return table[static_cast<std::size_t>(word[i] - 'a')]; }, cut);
             for (const std::string& each : made)
                 if (all.insert(each).second) open.push_back(each);
         }

@@ -83,14 +83,34 @@ struct Judge {
 
 using Facts = std::vector<steps::ByFacts::Fact>;
 
-/// The statement with what facts say in the place of languages; which facts were used.
+/// Calls `visit` with each language that the statement speaks of.
+template <class AnyStatement, class Visit>
+void visit_languages(AnyStatement& statement, Visit& visit) {
+    std::visit(
+        [&](auto& said) {
+            if constexpr (requires { said.language; }) visit(said.language);
+            if constexpr (std::is_same_v<std::decay_t<decltype(said)>, EqualLanguages>) {
+                visit(said.left);
+                visit(said.right);
+            }
+            if constexpr (requires { said.inner; }) {
+                visit(said.inner);
+                visit(said.outer);
+            }
+            if constexpr (std::is_same_v<std::decay_t<decltype(said)>, Joint>)
+                for (auto& part : said.parts) visit_languages(part, visit);
+        },
+        statement.says);
+}
+
+/// A language with what facts say in the place of others; which facts were used.
 class Replacement {
 public:
     Replacement(const Facts& facts, const Alphabet& alphabet) : facts_(facts), alphabet_(alphabet) {
         for (const auto& fact : facts) texts_.push_back(to_json(fact.language, alphabet).dump());
     }
 
-    Language operator()(const Language& language) {
+    Language replaced(const Language& language) {
         if (!has_system(language)) return language;
         const std::string text = to_json(language, alphabet_).dump();
         for (std::size_t i = 0; i < texts_.size(); ++i)
@@ -101,31 +121,13 @@ public:
         LanguageTree tree = *language;
         bool is_changed = false;
         for (Language& part : tree.parts) {
-            const Language changed = (*this)(part);
+            const Language changed = replaced(part);
             is_changed = is_changed || changed != part;
             part = changed;
         }
         if (!is_changed) return language;
         tree.name.clear();  // it stood for the other expression
         return std::make_shared<const LanguageTree>(std::move(tree));
-    }
-
-    void operator()(Statement& statement) {
-        std::visit(
-            [this](auto& said) {
-                if constexpr (requires { said.language; }) said.language = (*this)(said.language);
-                if constexpr (std::is_same_v<std::decay_t<decltype(said)>, EqualLanguages>) {
-                    said.left = (*this)(said.left);
-                    said.right = (*this)(said.right);
-                }
-                if constexpr (requires { said.inner; }) {
-                    said.inner = (*this)(said.inner);
-                    said.outer = (*this)(said.outer);
-                }
-                if constexpr (std::is_same_v<std::decay_t<decltype(said)>, Joint>)
-                    for (Statement& part : said.parts) (*this)(part);
-            },
-            statement.says);
     }
 
     Facts used() const {
@@ -147,29 +149,12 @@ void add_generated(const Language& language, std::vector<Language>& all) {
     for (const Language& part : language->parts) add_generated(part, all);
 }
 
-void add_generated(const Statement& statement, std::vector<Language>& all) {
-    std::visit(
-        [&](const auto& said) {
-            if constexpr (requires { said.language; }) add_generated(said.language, all);
-            if constexpr (std::is_same_v<std::decay_t<decltype(said)>, EqualLanguages>) {
-                add_generated(said.left, all);
-                add_generated(said.right, all);
-            }
-            if constexpr (requires { said.inner; }) {
-                add_generated(said.inner, all);
-                add_generated(said.outer, all);
-            }
-            if constexpr (std::is_same_v<std::decay_t<decltype(said)>, Joint>)
-                for (const Statement& part : said.parts) add_generated(part, all);
-        },
-        statement.says);
-}
-
 /// The answer to the statement with facts in it; nothing where none helps.
 std::optional<Answer> by_facts(const Statement& statement, const Claim& claim, Facts facts,
                                const Budget& budget, const SearchLimits& limits) {
     std::vector<Language> generated;
-    add_generated(statement, generated);
+    const auto add = [&](const Language& language) { add_generated(language, generated); };
+    visit_languages(statement, add);
     std::set<const SourceSystem*> seen;
     for (const Language& each : generated) {
         if (each->system->variable || !seen.insert(each->system.get()).second) continue;
@@ -182,7 +167,8 @@ std::optional<Answer> by_facts(const Statement& statement, const Claim& claim, F
     }
     Replacement replacement(facts, *claim.alphabet);
     Statement changed = statement;
-    replacement(changed);
+    const auto replace = [&](Language& language) { language = replacement.replaced(language); };
+    visit_languages(changed, replace);
     Facts used = replacement.used();
     if (used.empty()) return std::nullopt;
     const Answer found = std::visit(Judge{claim, budget, limits}, changed.says);

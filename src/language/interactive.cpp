@@ -759,33 +759,14 @@ std::optional<RegularLanguage> with_invariants(const Language& language, const I
     if (!has_context(language)) return regular_value(language, alphabet, budget);
     const LanguageTree& tree = *language;
     if (tree.kind == Kind::generated) return found.at(tree.system.get());
+    if (tree.kind == Kind::complement || tree.kind == Kind::inverse_image) return std::nullopt;
     std::vector<RegularLanguage> parts;
     for (const Language& part : tree.parts) {
         auto value = with_invariants(part, found, alphabet, budget);
         if (!value) return std::nullopt;
         parts.push_back(std::move(*value));
     }
-    switch (tree.kind) {
-        case Kind::united:
-            return united(parts[0], parts[1], budget);
-        case Kind::intersected:
-            return intersected(parts[0], parts[1], budget);
-        case Kind::difference:
-            return difference(parts[0], parts[1], budget);
-        case Kind::concatenated:
-            return concatenated(parts[0], parts[1], budget);
-        case Kind::star:
-            return star(parts[0], budget);
-        case Kind::plus:
-            return plus(parts[0], budget);
-        case Kind::reversed:
-            return reversed(parts[0], budget);
-        case Kind::image:
-            return image(intersected(parts[0], all_words(tree.morphism.domain()), budget),
-                         tree.morphism.images(), budget);
-        default:
-            return std::nullopt;
-    }
+    return operated(tree, parts, budget);
 }
 
 /// Invariants of one system that know nothing of a property, the coarsest first; false from `use` for the next one.

@@ -1,7 +1,5 @@
 #include <algorithm>
-#include <bit>
 #include <deque>
-#include <limits>
 #include <map>
 #include <numeric>
 #include <set>
@@ -25,7 +23,7 @@
 //
 // That R is of the family: the more successors, the more words, and a closed map never leaves R. So if there is an 0L system for R
 // with successors of k letters at most, one has the words of k letters at most of the classes of a largest closed map as its successors.
-// These systems are tried for k = 1, 2, ...; that all words of R are derived is shown by `regular_induction`. Then successors
+// These systems are tried for k = 2, 3, ...; that all words of R are derived is shown by `regular_induction`. Then successors
 // are left out as long as that can be shown. D0L systems have one successor a letter: all short ones are tried.
 //
 // Three arguments for deterministic systems. The lengths of an infinite D0L language grow at least linearly with the generation, so
@@ -64,22 +62,34 @@ constexpr std::size_t most_tables = 24;
 constexpr std::size_t axioms_tried = 40;
 constexpr std::size_t longest_axiom = 8;
 
+/// Whether an accepting state can be reached from each state.
+std::vector<char> useful_states(const Dfa& automaton) {
+    std::vector<char> useful;
+    for (const std::size_t each : distances(automaton)) useful.push_back(each < automaton.states());
+    return useful;
+}
+
+/// The letters of the words, increasing: the minimal automaton has no others, but numbers between them may stand for other symbols.
+std::vector<Symbol> letters_of_words(const Dfa& automaton, const std::vector<char>& useful) {
+    std::vector<Symbol> letters;
+    for (Symbol a = 0; a < automaton.letters; ++a)
+        for (std::size_t s = 0; s < automaton.states(); ++s)
+            if (useful[s] && useful[automaton.step(s, a)]) {
+                letters.push_back(a);
+                break;
+            }
+    return letters;
+}
+
 /// The classes of words, and what the letters of words may become.
 class ClassSearch {
 public:
     /// Throws BoundReached if there are more than 64 classes.
     ClassSearch(const RegularLanguage& language, bool propagating, const Budget& budget)
-        : automaton_(language.automaton()), budget_(budget) {
-        const std::vector<std::size_t> distance = distances(automaton_);
-        for (std::size_t s = 0; s < automaton_.states(); ++s)
-            useful_.push_back(distance[s] < automaton_.states());
-        // The minimal automaton reads letters of words of the language only, but numbers between them may stand for other symbols.
-        for (Symbol a = 0; a < automaton_.letters; ++a)
-            for (std::size_t s = 0; s < automaton_.states(); ++s)
-                if (useful_[s] && useful_[automaton_.step(s, a)]) {
-                    letters_.push_back(a);
-                    break;
-                }
+        : automaton_(language.automaton()),
+          budget_(budget),
+          useful_(useful_states(automaton_)),
+          letters_(letters_of_words(automaton_, useful_)) {
         make_classes();
         const Classes all =
             classes_.size() == most_classes ? ~Classes{0} : (Classes{1} << classes_.size()) - 1;
@@ -167,7 +177,7 @@ public:
         }
         std::vector<Word> found;
         for (const Map& map : maps) {
-            Making making{automaton_.initial, word.size(), {}, {}};
+            Making making{word.size(), {}, {}};
             making.ends.resize(letters_.size());
             for (std::size_t a = 0; a < letters_.size(); ++a)
                 for (std::size_t i = 0; i <= word.size(); ++i) {
@@ -242,7 +252,6 @@ private:
 
     /// How words are spelled of which one word is made.
     struct Making {
-        std::size_t start = 0;
         std::size_t length = 0;  // of the word that is made
         /// By place of a letter and how much of the word is made: how much can be with that letter, by bits.
         std::vector<std::vector<std::uint64_t>> ends;
@@ -255,7 +264,7 @@ private:
     bool spell_all(Making& making, std::vector<Word>& found) const {
         using Place = Making::Place;
         std::map<Place, std::vector<Place>> before;
-        std::vector<Place> open{{making.start, 1}}, ends;
+        std::vector<Place> open{{automaton_.initial, 1}}, ends;
         making.ways[open.front()];
         while (!open.empty()) {
             const Place at = open.back();
@@ -284,7 +293,7 @@ private:
         }
         Word begun;
         std::set<Place> passed;
-        return spell(making, {making.start, 1}, useful, begun, passed, found);
+        return spell(making, {automaton_.initial, 1}, useful, begun, passed, found);
     }
 
     bool spell(const Making& making, const Making::Place& at, const std::set<Making::Place>& useful,
@@ -430,67 +439,71 @@ private:
     std::vector<Map> closed_;
 };
 
-/// Whether there are more than a bounded number of words of some lengths: two cycles of useful states share a state, or one leads to another.
-bool is_dense(const Dfa& automaton) {
-    const std::size_t states = automaton.states();
-    const std::vector<std::size_t> distance = distances(automaton);
-    const auto is_useful = [&](std::size_t s) { return distance[s] < states; };
-    // Every state of a minimal automaton is reachable.
-    std::vector<std::vector<char>> reaches(states, std::vector<char>(states, 0));
-    for (std::size_t s = 0; s < states; ++s) {
-        if (!is_useful(s)) continue;
-        std::vector<std::size_t> open{s};
-        while (!open.empty()) {
-            const std::size_t at = open.back();
-            open.pop_back();
-            for (Symbol a = 0; a < automaton.letters; ++a) {
-                const std::size_t to = automaton.step(at, a);
-                if (!is_useful(to) || reaches[s][to]) continue;
-                reaches[s][to] = 1;
-                open.push_back(to);
-            }
-        }
-    }
-    for (std::size_t s = 0; s < states; ++s) {
-        if (!reaches[s][s]) continue;
-        std::size_t ways = 0;  // that come back
-        for (Symbol a = 0; a < automaton.letters; ++a) {
-            const std::size_t to = automaton.step(s, a);
-            ways += is_useful(to) && (to == s || reaches[to][s]) ? 1 : 0;
-        }
-        if (ways > 1) return true;
-        for (std::size_t t = 0; t < states; ++t)
-            if (reaches[s][t] && reaches[t][t] && !reaches[t][s]) return true;
-    }
-    return false;
-}
-
-/// The letters that stand any number of times in words: those on cycles of useful states.
-std::vector<Symbol> letters_on_cycles(const RegularLanguage& language) {
-    const Dfa& automaton = language.automaton();
-    const std::vector<std::size_t> distance = distances(automaton);
-    std::set<Symbol> found;
-    for (std::size_t s = 0; s < automaton.states(); ++s)
-        for (Symbol a = 0; a < automaton.letters; ++a) {
-            std::vector<char> seen(automaton.states(), 0);
-            std::vector<std::size_t> open{automaton.step(s, a)};
+/// The cycles of an automaton through useful states.
+class Cycles {
+public:
+    explicit Cycles(const Dfa& automaton)
+        : automaton_(automaton), useful_(useful_states(automaton)) {
+        // Every state of a minimal automaton is reachable.
+        reaches_.assign(states(), std::vector<char>(states(), 0));
+        for (std::size_t s = 0; s < states(); ++s) {
+            if (!useful_[s]) continue;
+            std::vector<std::size_t> open{s};
             while (!open.empty()) {
                 const std::size_t at = open.back();
                 open.pop_back();
-                if (seen[at] || distance[at] == automaton.states()) continue;
-                seen[at] = 1;
-                for (Symbol b = 0; b < automaton.letters; ++b)
-                    open.push_back(automaton.step(at, b));
+                for (Symbol a = 0; a < automaton.letters; ++a) {
+                    const std::size_t to = automaton.step(at, a);
+                    if (!useful_[to] || reaches_[s][to]) continue;
+                    reaches_[s][to] = 1;
+                    open.push_back(to);
+                }
             }
-            if (seen[s]) found.insert(a);
         }
-    return {found.begin(), found.end()};
-}
+    }
+
+    /// Whether there are more than a bounded number of words of some lengths: two cycles share a state, or one leads to another.
+    bool are_dense() const {
+        for (std::size_t s = 0; s < states(); ++s) {
+            if (!reaches_[s][s]) continue;
+            std::size_t ways = 0;  // that come back
+            for (Symbol a = 0; a < automaton_.letters; ++a) ways += is_on_cycle(s, a) ? 1 : 0;
+            if (ways > 1) return true;
+            for (std::size_t t = 0; t < states(); ++t)
+                if (reaches_[s][t] && reaches_[t][t] && !reaches_[t][s]) return true;
+        }
+        return false;
+    }
+
+    /// The letters that stand any number of times in words.
+    std::vector<Symbol> letters() const {
+        std::vector<Symbol> found;
+        for (Symbol a = 0; a < automaton_.letters; ++a)
+            for (std::size_t s = 0; s < states(); ++s)
+                if (is_on_cycle(s, a)) {
+                    found.push_back(a);
+                    break;
+                }
+        return found;
+    }
+
+private:
+    std::size_t states() const { return automaton_.states(); }
+    bool is_on_cycle(std::size_t s, Symbol a) const {
+        const std::size_t to = automaton_.step(s, a);
+        return useful_[to] && (to == s || reaches_[to][s]);
+    }
+
+    const Dfa& automaton_;
+    std::vector<char> useful_;
+    std::vector<std::vector<char>> reaches_;  // from one state to another, by a letter or more
+};
 
 /// Whether the numbers of letters in all words are multiples of one vector: |w|_a v_b = |w|_b v_a for all w and a, b.
-bool is_proportional(const RegularLanguage& language, const std::vector<Symbol>& letters) {
+bool is_proportional(const RegularLanguage& language) {
     const Dfa& automaton = language.automaton();
-    const std::vector<std::size_t> distance = distances(automaton);
+    const std::vector<char> useful = useful_states(automaton);
+    const std::vector<Symbol> letters = letters_of_words(automaton, useful);
     Word sample;
     for (const Word& word : words_up_to(language, automaton.states())) sample = word;
     const auto count = [&](Symbol a) {
@@ -508,7 +521,7 @@ bool is_proportional(const RegularLanguage& language, const std::vector<Symbol>&
             if (automaton.accepting[s] && *value[s] != 0) return false;
             for (const Symbol c : letters) {
                 const std::size_t to = automaton.step(s, c);
-                if (distance[to] == automaton.states()) continue;
+                if (!useful[to]) continue;
                 const std::int64_t next = *value[s] + (c == letters.front() ? count(b) : 0) -
                                           (c == b ? count(letters.front()) : 0);
                 if (value[to] && *value[to] != next) return false;
@@ -519,6 +532,21 @@ bool is_proportional(const RegularLanguage& language, const std::vector<Symbol>&
         }
     }
     return true;
+}
+
+/// That no deterministic system has the language, if the cycles of its automaton or the numbers of letters show it.
+std::optional<Answer> beyond_deterministic(const Language& language, const RegularLanguage& value,
+                                           const std::string& family, bool tables,
+                                           const Budget& budget) {
+    if (!tables) {
+        const Cycles cycles(value.automaton());
+        if (cycles.are_dense()) return refuted(steps::Dense{language, family});
+        if (const auto word =
+                shortest_word(intersected(value, all_words(cycles.letters()), budget)))
+            return refuted(steps::LettersOnCycles{language, family, *word});
+    }
+    if (is_proportional(value)) return refuted(steps::Proportional{language, family});
+    return std::nullopt;
 }
 
 class RegularFamilyJudge {
@@ -537,16 +565,6 @@ public:
 
     Answer judge() {
         const std::string name = to_string(language_, alphabet_);
-        if (form_.deterministic) {
-            if (!form_.tables && is_dense(value_.automaton()))
-                return refuted(steps::Dense{language_, question_.family});
-            if (!form_.tables)
-                if (const auto word = shortest_word(
-                        intersected(value_, all_words(letters_on_cycles(value_)), budget_)))
-                    return refuted(steps::LettersOnCycles{language_, question_.family, *word});
-            if (is_proportional(value_, search_.letters()))
-                return refuted(steps::Proportional{language_, question_.family});
-        }
         if (!question_.small && search_.size() > instance_classes)
             return undecided("the words of " + name + " are of more than " +
                              std::to_string(instance_classes) + " classes");
@@ -589,21 +607,17 @@ private:
     /// A system without tables, or one that does not erase, is of the family too.
     std::optional<Answer> by_narrower_family() const {
         for (const char letter : {'T', 'P'}) {
-            SystemForm narrower = form_;
             FamilyQuestion question = question_;
             const auto place = question.family.find('T');
             if (letter == 'T' && form_.tables) {
                 question.family.erase(place, 1);
-                narrower.tables = false;
             } else if (letter == 'P' && !form_.propagating) {
                 question.family.insert(question.family.begin(), 'P');
-                narrower.propagating = true;
             } else {
                 continue;
             }
-            Answer found =
-                RegularFamilyJudge(language_, value_, question, narrower, alphabet_, budget_)
-                    .judge();
+            const Answer found =
+                judge_regular_family(language_, value_, question, alphabet_, budget_);
             if (found.truth != Truth::proved) continue;
             auto generated = std::get<steps::GeneratedBy>(found.proof->step);
             generated.family = question_.family;
@@ -751,9 +765,12 @@ private:
 Answer judge_regular_family(const Language& language, const RegularLanguage& value,
                             const FamilyQuestion& question, const Alphabet& alphabet,
                             const Budget& budget) {
-    return RegularFamilyJudge(language, value, question, *system_form(question.family), alphabet,
-                              budget)
-        .judge();
+    const SystemForm form = *system_form(question.family);
+    if (form.deterministic)
+        if (auto found =
+                beyond_deterministic(language, value, question.family, form.tables, budget))
+            return *found;
+    return RegularFamilyJudge(language, value, question, form, alphabet, budget).judge();
 }
 
 }  // namespace algae

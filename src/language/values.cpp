@@ -221,6 +221,11 @@ std::optional<RegularLanguage> regular_value(const Language& language, const Alp
         }
         parts.push_back(std::move(*known));
     }
+    return operated(tree, parts, budget);
+}
+
+RegularLanguage operated(const LanguageTree& tree, const std::vector<RegularLanguage>& parts,
+                         const Budget& budget) {
     switch (tree.kind) {
         case Kind::united:
             return united(parts[0], parts[1], budget);

@@ -40,6 +40,10 @@ std::optional<FiniteValue> finite_value(const Language& language, const Alphabet
 std::optional<RegularLanguage> regular_value(const Language& language, const Alphabet& alphabet,
                                              const Budget& budget = {});
 
+/// What the operation of an expression makes of the automata of its parts.
+RegularLanguage operated(const LanguageTree& operation, const std::vector<RegularLanguage>& parts,
+                         const Budget& budget = {});
+
 /// Whether a system occurs in the expression.
 bool has_system(const Language& language);
 

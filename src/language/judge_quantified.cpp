@@ -715,7 +715,8 @@ private:
                                         const Substitution& substitution, QuickJudge& quick) const {
         for (std::size_t i = 0; i < said_.bindings.size(); ++i) {
             if (said_.bindings[i].family.empty()) continue;
-            const auto truth = quick.truth(member(values, i));
+            const auto truth =
+                quick.in_family(std::get<Language>(values[i].is), said_.bindings[i].family);
             if (truth == Truth::refuted) return Found{};
             if (!truth) return std::nullopt;
         }

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iterator>
+#include <map>
 
 #include "language/detail/finite_verdicts.hpp"
 #include "system/system.hpp"
@@ -38,7 +39,9 @@ QuickJudge::QuickJudge(const Claim& claim, const Budget& budget)
 struct QuickJudge::Judge {
     QuickJudge& judge;
 
-    std::optional<Truth> operator()(const InFamily& said) const { return judge.in_family(said); }
+    std::optional<Truth> operator()(const InFamily& said) const {
+        return judge.in_family(said.language, said.family);
+    }
     std::optional<Truth> operator()(const IsFinite& said) const {
         return judge.words(said.language) ? std::optional(Truth::proved) : std::nullopt;
     }
@@ -101,25 +104,50 @@ std::optional<Truth> QuickJudge::truth(const Statement& statement) {
     return found && statement.negated ? std::optional(opposite(*found)) : found;
 }
 
-std::optional<Truth> QuickJudge::in_family(const InFamily& said) {
-    const auto& all = all_families();
-    const auto family = std::find_if(all.begin(), all.end(),
-                                     [&](Family each) { return to_string(each) == said.family; });
-    if (family == all.end()) {
-        const bool has_all_finite = said.family == "REG" || said.family == "CF";
-        return has_all_finite && words(said.language) ? std::optional(Truth::proved) : std::nullopt;
+namespace {
+
+/// The place of a family in `all_families()`.
+std::optional<std::size_t> number_of_family(const std::string& name) {
+    static const std::map<std::string, std::size_t> numbers = [] {
+        std::map<std::string, std::size_t> made;
+        for (const Family each : all_families()) made.emplace(to_string(each), made.size());
+        return made;
+    }();
+    const auto found = numbers.find(name);
+    return found == numbers.end() ? std::nullopt : std::optional(found->second);
+}
+
+std::size_t hash_of(const std::vector<Word>& words) {
+    std::size_t hash = words.size();
+    const auto mix = [&](std::size_t value) {
+        hash = (hash ^ value) * static_cast<std::size_t>(0x9E3779B97F4A7C15u);
+    };
+    for (const Word& word : words) {
+        mix(word.size());
+        for (const Symbol a : word) mix(a);
     }
-    if (said.language->kind == Kind::generated &&
-        has_form(*said.language->system, *system_form(said.family)))
+    return hash ^ hash >> 29;
+}
+
+}  // namespace
+
+std::optional<Truth> QuickJudge::in_family(const Language& language, const std::string& family) {
+    const auto number = number_of_family(family);
+    if (!number) {
+        const bool has_all_finite = family == "REG" || family == "CF";
+        return has_all_finite && words(language) ? std::optional(Truth::proved) : std::nullopt;
+    }
+    if (language->kind == Kind::generated && has_form(*language->system, *system_form(family)))
         return Truth::proved;
-    const auto known = words(said.language);
+    const auto known = words(language);
     if (!known) return std::nullopt;
-    if (!last_families_ || last_words_ != *known) {
-        last_families_ = verdicts_.of(*known, budget_);
-        last_words_ = *known;
-    }
-    if (!last_families_) return std::nullopt;
-    return *last_families_ >> (family - all.begin()) & 1 ? Truth::proved : Truth::refuted;
+    constexpr std::size_t kept = 4096;
+    recent_.resize(kept);
+    Recent& recent = recent_[hash_of(*known) % kept];
+    if (!recent.families || recent.words != *known)
+        recent = {*known, verdicts_.of(*known, budget_)};
+    if (!recent.families) return std::nullopt;
+    return *recent.families >> *number & 1 ? Truth::proved : Truth::refuted;
 }
 
 std::optional<std::vector<Word>> QuickJudge::words(const Language& language) {

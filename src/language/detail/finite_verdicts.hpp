@@ -55,6 +55,8 @@ public:
 
     /// The truth of a statement without bound names; nothing where its judge must be asked.
     std::optional<Truth> truth(const Statement& statement);
+    /// The same of one family.
+    std::optional<Truth> in_family(const Language& language, const std::string& family);
 
     /// The words of a language, sorted as `LanguageTree` has them, if they are found to be few: finite sets, languages of
     /// systems that derive few words, and what union, intersection, difference, concatenation, reversal and morphisms make of
@@ -63,15 +65,18 @@ public:
 
 private:
     struct Judge;
-    std::optional<Truth> in_family(const InFamily& said);
     std::optional<std::vector<Word>> derived(const std::shared_ptr<const SourceSystem>& system);
 
     const Claim& claim_;
     const Budget& budget_;
     FamilyVerdicts verdicts_;
-    // What was asked last: properties of one instance come one after the other.
-    std::vector<Word> last_words_;
-    std::optional<FamilyVerdicts::Families> last_families_;
+    // What was asked lately, by a hash of the words: properties of one instance come one after the other, and languages come
+    // again with others.
+    struct Recent {
+        std::vector<Word> words;
+        std::optional<FamilyVerdicts::Families> families;
+    };
+    std::vector<Recent> recent_;
     std::shared_ptr<const SourceSystem> last_system_;
     std::optional<std::vector<Word>> last_derived_;
 };

@@ -91,7 +91,8 @@ FoundWords found_words(const IL& system, const SearchOfWords& search, const Budg
     add(system.axiom, 0);
     ContextStep step(system);
     Budget one_step = budget;  // its words are kept twice
-    one_step.memory = std::min<std::uint64_t>(budget.memory, search.letters * 16 + (1 << 20));
+    one_step.memory = std::min<std::uint64_t>(
+        {budget.memory, search.letters * 16 + (1 << 20), std::uint64_t{search.words} * 400});
     for (std::size_t i = 0; i < found.words.size(); ++i) {
         budget.check();
         if (wanted && found.has(*wanted)) return found;

@@ -405,22 +405,27 @@ std::vector<Word> ContextStep::next(const Word& word, std::optional<std::size_t>
             for (Word& start : made) start.insert(start.end(), successor.begin(), successor.end());
             continue;
         }
+        // Words with the same end are in the order of their starts: sets that are in order are merged.
         std::vector<Word> longer;
         std::uint64_t bytes = 0;
-        for (const Word& start : made)
-            for (const Word& successor : *choices[i]) {
+        for (const Word& successor : *choices[i]) {
+            const auto merged = static_cast<std::ptrdiff_t>(longer.size());
+            for (const Word& start : made) {
                 if (longest && start.size() + successor.size() + rest[i + 1] > *longest) continue;
-                Word& next = longer.emplace_back(start);
+                Word& next = longer.emplace_back();
+                next.reserve(start.size() + successor.size());
+                next.insert(next.end(), start.begin(), start.end());
                 next.insert(next.end(), successor.begin(), successor.end());
                 bytes += sizeof(Word) + next.size() * sizeof(Symbol);
                 if (longer.size() % 1024 == 0) budget.check();
                 budget.check_memory(bytes * 2, "the words after one step");
             }
-        std::sort(longer.begin(), longer.end(), shortlex_less);
+            std::inplace_merge(longer.begin(), longer.begin() + merged, longer.end(),
+                               shortlex_less);
+        }
         longer.erase(std::unique(longer.begin(), longer.end()), longer.end());
         made = std::move(longer);
     }
-    std::sort(made.begin(), made.end(), shortlex_less);
     return made;
 }
 

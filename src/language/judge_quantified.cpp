@@ -404,6 +404,7 @@ public:
     std::vector<BoundValue> values(const Instance& instance,
                                    const std::vector<Symbol>& letters) const {
         std::vector<BoundValue> all;
+        all.reserve(said_.bindings.size());
         for (std::size_t i = 0; i < said_.bindings.size(); ++i) {
             const QuantifiedName& binding = said_.bindings[i];
             BoundValue value{said_.first + i, binding.name, binding.letter, {}};
@@ -417,13 +418,14 @@ private:
     using Of = decltype(BoundValue::is);
 
     static Word moved(const Word& word, const std::vector<Symbol>& letters) {
-        Word all;
-        for (const Symbol a : word) all.push_back(letters[a]);
+        Word all(word.size());
+        for (std::size_t i = 0; i < word.size(); ++i) all[i] = letters[word[i]];
         return all;
     }
     static std::vector<Word> moved(const std::vector<Word>& words,
                                    const std::vector<Symbol>& letters) {
         std::vector<Word> all;
+        all.reserve(words.size());
         for (const Word& word : words) all.push_back(moved(word, letters));
         return all;
     }
@@ -730,7 +732,7 @@ private:
         if (truth == (said_.universal ? Truth::proved : Truth::refuted))
             return Found{.kind = Found::Kind::as_said, .meets = true};
         // Behind a trivial witness another one that is trivial is of no use.
-        if (truth && witness_ && is_trivial(body)) return Found{.meets = true};
+        if (truth && witness_ && is_trivial(body, quick)) return Found{.meets = true};
         return std::nullopt;
     }
 
@@ -771,7 +773,7 @@ private:
             found.kind = Found::Kind::undecided;
         } else {
             found.kind = Found::Kind::witness;
-            const bool trivial = is_trivial(step.statement);
+            const bool trivial = is_trivial(step.statement, quick);
             found.witness = {std::move(step), trivial};
         }
         return found;
@@ -802,11 +804,14 @@ private:
     }
 
     /// Whether the statement is `X is FAMILY` and X has no word but perhaps the empty one.
-    bool is_trivial(const Statement& statement) const {
+    bool is_trivial(const Statement& statement, QuickJudge& quick) const {
         const auto* said = std::get_if<InFamily>(&statement.says);
         if (!said) return false;
-        const auto value = finite_value(said->language, *claim_.alphabet, budget_);
-        return value && std::all_of(value->words.begin(), value->words.end(),
+        auto words = quick.words(said->language);
+        if (!words)
+            if (auto value = finite_value(said->language, *claim_.alphabet, budget_))
+                words = std::move(value->words);
+        return words && std::all_of(words->begin(), words->end(),
                                     [](const Word& word) { return word.empty(); });
     }
 

@@ -811,6 +811,21 @@ Word begun_from(const Claim& claim, const SourceSystem& system) {
     return letters;
 }
 
+/// Adds the turtles of the systems of whose figures the statement speaks, by name.
+void add_turtles(const Statement& statement, Json& turtles) {
+    if (const auto* said = std::get_if<ComparesNumbers>(&statement.says))
+        for (const auto& [name, system] : said->turtles)
+            if (!turtles.contains(name)) turtles[name] = turtle_certificate(*system);
+    const auto add_all = [&](const std::vector<Statement>& all) {
+        for (const Statement& one : all) add_turtles(one, turtles);
+    };
+    if (const auto* said = std::get_if<Joint>(&statement.says)) add_all(said->parts);
+    if (const auto* said = std::get_if<Quantified>(&statement.says)) {
+        add_all(said->conditions);
+        add_all(said->body);
+    }
+}
+
 Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& checked,
                     const Alphabet& alphabet) {
     Json result{{"text", claimed.statement.text},
@@ -829,11 +844,14 @@ Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& che
 
 Json certificate(const CheckedClaim& checked) {
     const Claim& claim = checked.claim;
-    Json letters = Json::array(), systems = Json::object(), statements = Json::array();
+    Json letters = Json::array(), systems = Json::object(), turtles = Json::object(),
+         statements = Json::array();
     for (Symbol a = 0; a < claim.alphabet->size(); ++a) letters.push_back(claim.alphabet->name(a));
     for (const auto& system : claim.systems)
         systems[system->name] = to_json(*system, *claim.alphabet, begun_from(claim, *system));
     for (const auto& system : claim.rewritings) systems[system->name] = to_json(*system);
+    for (const ClaimedStatement& claimed : claim.statements)
+        add_turtles(claimed.statement, turtles);
     for (std::size_t i = 0; i < checked.statements.size(); ++i)
         statements.push_back(
             statement_json(claim.statements[i], checked.statements[i], *claim.alphabet));
@@ -842,6 +860,7 @@ Json certificate(const CheckedClaim& checked) {
     if (claim.empty_axiom) result["empty axiom"] = true;
     result["alphabet"] = std::move(letters);
     result["systems"] = std::move(systems);
+    if (!turtles.empty()) result["turtles"] = std::move(turtles);
     result["statements"] = std::move(statements);
     return result;
 }

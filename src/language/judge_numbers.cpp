@@ -3,6 +3,7 @@
 #include <map>
 #include <numeric>
 #include <set>
+#include <tuple>
 
 #include "growth/growth.hpp"
 #include "language/detail/judge.hpp"
@@ -34,6 +35,9 @@
 // are non-negative integral roots of the shortest recurrence of u, taken out one after the other.
 //
 // Numbers are exact: rational, or a + b sqrt(d) with one d in a statement.
+//
+// What is counted of figures, `distinct segments(G, 3)` and `boxes(G, 3, 2)`, is no such sequence: it is worked out of one
+// generation at a time, where its number and the side are known.
 
 namespace algae {
 
@@ -273,7 +277,8 @@ public:
                 return binary(expression, point);
             case Kind::call:
                 if (expression.name == "sqrt") return root_of(expression, part(0));
-                return rational(Rational(counted(expression, point)));
+                return rational(Rational(is_of_figure(expression) ? drawn(expression, point)
+                                                                  : counted(expression, point)));
             default:
                 fail(expression, "a number");
         }
@@ -324,6 +329,14 @@ public:
                         fail(expression, "the root of a number without n");
                     return 1;
                 }
+                if (is_of_figure(expression)) {
+                    if (!is_constant(expression))
+                        fail(expression,
+                             "the figure of one generation, such as " + expression.name + "(G, 3" +
+                                 (expression.name == "boxes" ? ", 1" : "") +
+                                 "), or a bound of the numbers, such as 'for all numbers n <= 4:'");
+                    return 1;
+                }
                 return generation_of(expression, moved).slopes.count(in)
                            ? system(expression).letters()
                            : 1;
@@ -343,8 +356,16 @@ public:
     }
 
 private:
+    /// Whether it is a call of `distinct segments` or `boxes`, whose first operand is a system.
+    static bool is_of_figure(const Expression& call) {
+        return call.name == "distinct segments" || call.name == "boxes";
+    }
+
     static bool is_constant(const Expression& expression) {
         if (expression.kind == Expression::Kind::name) return false;
+        if (expression.kind == Expression::Kind::call && is_of_figure(expression))
+            return std::all_of(expression.operands.begin() + 1, expression.operands.end(),
+                               is_constant);
         if (expression.kind == Expression::Kind::call && expression.name != "sqrt")
             return is_constant(expression.operands.back());
         return std::all_of(expression.operands.begin(), expression.operands.end(), is_constant);
@@ -433,17 +454,42 @@ private:
         fail(call, "a system");
     }
 
-    Integer counted(const Expression& call, const Point& point) {
-        if (call.operands.size() < 2) fail(call, "the length of a word that has a value");
-        const Expression& written = call.operands.back();
+    /// The number of a generation; those that are too late are all the same one.
+    std::uint64_t generation_at(const Expression& written, const Point& point) {
         const QuadraticNumber found = value(written, point);
         if (!is_rational(found) || !found.rational.is_integer() || found.rational < 0)
             fail(written, "the number of a generation");
-        const std::uint64_t generation = found.rational.numerator().fits_uint64()
-                                             ? found.rational.numerator().to_uint64()
-                                             : latest_generation + 1;
-        return system(call).count(generation,
+        return found.rational <= Rational(latest_generation)
+                   ? found.rational.numerator().to_uint64()
+                   : latest_generation + 1;
+    }
+
+    Integer counted(const Expression& call, const Point& point) {
+        if (call.operands.size() < 2) fail(call, "the length of a word that has a value");
+        return system(call).count(generation_at(call.operands.back(), point),
                                   call.name == "count" ? &call.operands[1].name : nullptr);
+    }
+
+    /// What is counted of a figure, each once.
+    Integer drawn(const Expression& call, const Point& point) {
+        const auto turtle = said_.turtles.find(call.operands.front().name);
+        if (turtle == said_.turtles.end()) fail(call, "a system with a turtle");
+        const std::uint64_t generation = generation_at(call.operands[1], point);
+        if (generation > latest_generation)
+            throw BoundReached(Bound::method, "figures are drawn up to generation " +
+                                                  std::to_string(latest_generation));
+        Rational side;  // 0 where segments are counted
+        if (call.operands.size() > 2) {
+            const QuadraticNumber found = value(call.operands[2], point);
+            if (!is_rational(found) || found.rational <= 0)
+                fail(call.operands[2], "a side of boxes above 0, in steps, such as 1 or 1/3");
+            side = found.rational;
+        }
+        const auto [known, is_new] = drawn_.try_emplace({turtle->first, generation, side});
+        if (is_new)
+            known->second = side.is_zero() ? distinct_segments(*turtle->second, generation, budget_)
+                                           : met_boxes(*turtle->second, generation, side, budget_);
+        return known->second;
     }
 
     QuadraticNumber binary(const Expression& expression, const Point& point) {
@@ -484,6 +530,7 @@ private:
     const ComparesNumbers& said_;
     const Budget& budget_;
     std::map<std::string, Generations> generations_;
+    std::map<std::tuple<std::string, std::uint64_t, Rational>, Integer> drawn_;
 };
 
 Comparison opposite(Comparison comparison) {

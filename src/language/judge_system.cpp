@@ -1,6 +1,7 @@
 #include <algorithm>
 #include <iterator>
 #include <map>
+#include <nlohmann/json.hpp>
 #include <numeric>
 #include <set>
 #include <stdexcept>
@@ -9,9 +10,11 @@
 #include "growth/growth.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
+#include "model/model.hpp"
+#include "turtle/turtle.hpp"
 #include "word/word.hpp"
 
-// What statements say of systems: derivations, equal sequences, equal growth, classes of growth, dimensions.
+// What statements say of systems: derivations, equal sequences, equal growth, classes of growth, dimensions, figures.
 //
 // A derivation in a given number of steps is decided by the table of factors with one table; with several, by a
 // system that counts the steps in copies of its letters.
@@ -19,6 +22,10 @@
 // What statements say of dimensions of limit sets and of their boundaries is by `exact_dimension`, and exactly: ratios of
 // logarithms are compared exactly, the solution of an equation by enclosures that get narrower. Two numbers that agree in
 // so many digits without a proof that they are equal leave the statement undecided.
+//
+// Different segments of a figure are counted by `outline`, whose points are numbers of Z[zeta_m], so that equal points have equal
+// coordinates. What would make them inexact, or the drawing more than segments, is refused first. Squares are counted only
+// where all segments lie along the axes, whose ends then are pairs of integers.
 
 namespace algae {
 
@@ -338,6 +345,159 @@ Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
 Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget) {
     const steps::LimitSet said = limit_set(claimed, true, budget);
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
+}
+
+namespace {
+
+constexpr std::int64_t largest_denominator = 360;  // of turns that Compass computes with exactly
+
+bool is_of_quarters(const std::optional<Quantity>& degrees) {
+    return !degrees || (degrees->exact && (*degrees->exact / Rational(90)).is_integer());
+}
+
+/// What a command does that a count of segments does not follow; empty for the others.
+std::string hindrance(Command command) {
+    switch (command) {
+        case Command::open_polygon:
+        case Command::close_polygon:
+            return "fences a filled polygon, expected segments only";
+        case Command::scale:
+            return "changes the length of steps, expected steps of one length";
+        case Command::cut:
+            return "cuts branches, so that not all segments are drawn";
+        default:
+            return {};
+    }
+}
+
+D0L lattice_rules(const Model& system) {
+    const View<D0L> rules = as_d0l(static_cast<const LSystem&>(system));
+    if (!rules) throw Error(rules.reason());
+    return *rules;
+}
+
+/// The system as it is drawn where only differences of places matter: from the origin along +x.
+Model from_origin(Model system) {
+    system.drawing.start.reset();
+    system.drawing.spin.reset();
+    return system;
+}
+
+Outline lattice_figure(const Model& system, std::uint64_t n, const Budget& budget) {
+    constexpr long most_segments = 1'000'000, most_letters = 50'000'000;
+    const D0L rules = lattice_rules(system);
+    const std::vector<Integer> counts = parikh_vector(rules, n, budget);
+    if (drawn_segments(Commands(system, rules.letters), rules.letters, counts) >
+            Integer(most_segments) ||
+        std::accumulate(counts.begin(), counts.end(), Integer()) > Integer(most_letters))
+        throw BoundReached(Bound::method, "figures of more than " + std::to_string(most_segments) +
+                                              " segments or " + std::to_string(most_letters) +
+                                              " letters are not drawn to count");
+    Outline drawn = outline(system, n, budget);
+    if (!drawn.lattice)
+        throw Error("expected brackets that match in generation " + std::to_string(n));
+    return drawn;
+}
+
+}  // namespace
+
+void check_lattice_turtle(const Model& system, bool boxes) {
+    const D0L rules = lattice_rules(system);
+    const Drawing& drawing = system.drawing;
+    const Commands commands(system, rules.letters);
+    for (const Symbol letter : rules.letters)
+        for (const Command command : commands.of(letter))
+            if (const std::string why = hindrance(command); !why.empty()) {
+                const std::string& name = system.alphabet.name(letter);
+                throw Error("the letter " + name + " " + why + "; 'interpret " + name +
+                            " -> ε' leaves that out");
+            }
+    if (!drawing.stamps.empty())
+        throw Error("the letter " + system.alphabet.name(drawing.stamps.front().symbol) +
+                    " leaves a filled shape, expected segments only, without 'stamp'");
+    if (drawing.tropism)
+        throw Error(
+            "its steps bend, expected straight ones in given directions, without 'tropism'");
+    const Quantity angle = drawing.angle.value_or(quantity(Rational(90)));
+    const auto found = [&] { return ", found 'angle " + to_text(angle.expression) + "'"; };
+    if (!angle.exact || !Compass(from_origin(system).drawing, 0).is_exact())
+        throw Error(
+            "expected a turtle that turns by a part of a full turn with a denominator up to " +
+            std::to_string(largest_denominator) + ", such as 'angle 60' or 'angle 180/7'" +
+            found());
+    if (!boxes) return;
+    if (!is_of_quarters(angle))
+        throw Error(
+            "boxes are counted of figures along the axes only: expected a turtle that turns "
+            "by right angles, such as 'angle 90'" +
+            found());
+    if ((drawing.start && !is_of_quarters(drawing.start->heading)) || !is_of_quarters(drawing.spin))
+        throw Error(
+            "boxes are counted of figures along the axes only: expected a turtle that starts "
+            "along an axis, such as 'start 0 0 90', and a 'spin' by right angles");
+}
+
+Integer distinct_segments(const Model& system, std::uint64_t n, const Budget& budget) {
+    check_lattice_turtle(system, false);
+    return Integer(std::uint64_t{lattice_figure(from_origin(system), n, budget).strokes.size()});
+}
+
+Integer met_boxes(const Model& system, std::uint64_t n, const Rational& side,
+                  const Budget& budget) {
+    constexpr std::size_t most = 1'000'000;
+    check_lattice_turtle(system, true);
+    const Outline drawn = lattice_figure(system, n, budget);
+    std::vector<std::pair<Integer, Integer>> corners;  // of the points, in squares
+    for (const CyclotomicInteger& point : drawn.lattice->points)
+        corners.emplace_back(floor(*drawn.lattice->ring.real_rational(point) / side),
+                             floor(*drawn.lattice->ring.imaginary_rational(point) / side));
+    std::set<std::pair<Integer, Integer>> met;
+    for (const auto& [from, to] : drawn.strokes) {
+        const auto &left = corners[from], &right = corners[to];
+        for (Integer x = std::min(left.first, right.first); x <= std::max(left.first, right.first);
+             x += Integer(1))
+            for (Integer y = std::min(left.second, right.second);
+                 y <= std::max(left.second, right.second); y += Integer(1)) {
+                budget.check();
+                met.emplace(x, y);
+                if (met.size() > most)
+                    throw BoundReached(Bound::method,
+                                       "more than " + std::to_string(most) +
+                                           " boxes are not counted; ask for larger ones");
+            }
+    }
+    return Integer(std::uint64_t{met.size()});
+}
+
+nlohmann::ordered_json turtle_certificate(const Model& system) {
+    const D0L rules = lattice_rules(system);
+    const Commands commands(system, rules.letters);
+    const auto part_of_turn = [](const std::optional<Quantity>& degrees, int otherwise) {
+        const Rational turns =
+            (degrees ? degrees->exact.value_or(Rational(0)) : Rational(otherwise)) / Rational(360);
+        return turns - Rational(floor(turns));
+    };
+    const Drawing& drawing = system.drawing;
+    Rational turn = part_of_turn(drawing.angle, 90);
+    if (drawing.clockwise && !turn.is_zero()) turn = Rational(1) - turn;
+    nlohmann::ordered_json letters = nlohmann::ordered_json::object();
+    for (const Symbol letter : rules.letters) {
+        std::string told;
+        for (const Command command : commands.of(letter)) {
+            static constexpr std::string_view names = "FFf+-|[]";  // of the first commands
+            const auto place = static_cast<std::size_t>(command);
+            if (place < names.size()) told += names[place];
+        }
+        if (!told.empty()) letters[system.alphabet.name(letter)] = told;
+    }
+    nlohmann::ordered_json written{{"turn", to_string(turn)}};
+    const Rational heading =
+        part_of_turn(drawing.start ? std::optional(drawing.start->heading) : std::nullopt, 0);
+    const Rational spin = part_of_turn(drawing.spin, 0);
+    if (!heading.is_zero()) written["heading"] = to_string(heading);
+    if (!spin.is_zero()) written["spin"] = to_string(spin);
+    written["letters"] = std::move(letters);
+    return written;
 }
 
 }  // namespace algae

@@ -773,12 +773,21 @@ std::string to_string(Comparison comparison);
 /// Two numbers are compared that depend on bound numbers: `length(G, n + 2) = length(G, n + 1) + length(G, n)`. The terms
 /// are made by + - * / ^ and `sqrt` from numbers, names of bound numbers, and of D0L systems `length(G, E)`, the number of
 /// letters of generation E, and `count(G, a, E)`, how many of them are the letter; `length(w)` is the length of a bound word.
+/// Of the figure of a generation, whose number no name stands in when it is worked out: `distinct segments(G, E)`, how many
+/// different segments are drawn, and `boxes(G, E, S)`, how many squares of side S steps they meet.
 struct ComparesNumbers {
     Expression left, right;
     Comparison comparison = Comparison::equal;
     std::vector<std::shared_ptr<const SourceSystem>> systems = {};  // that the terms name
     std::vector<BoundName> numbers = {};                            // likewise
+    /// Of the systems of whose figures the terms speak, by name: with their turtles.
+    std::map<std::string, std::shared_ptr<const Model>> turtles = {};
 };
+
+/// Throws Error, which says what to write instead, unless the different segments of all figures of the system can be counted: it
+/// is D0L, its turtle in the plane makes steps of one length, turns by a part of a full turn with a denominator up to 360, and does
+/// nothing else but to branch. With `boxes` unless it walks along the axes, so that squares that it meets can be counted.
+void check_lattice_turtle(const Model& system, bool boxes);
 
 /// A factor of a word that depends on bound numbers: a generation of a D0L system or a fixed word, then its images under
 /// morphisms, the first one first, and in the end perhaps written backwards.

@@ -1,4 +1,7 @@
 #include <algorithm>
+#include <iterator>
+#include <map>
+#include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,8 +17,8 @@
 // `count(G, F, n) = 4^n`, `segments(G, n) = 3*4^n`, `word(F, n + 2) == word(F, n + 1) word(F, n)`, `h(word(G, n)) ==
 // word(H, n)`.
 //
-// A term is an expression whose names are bound numbers and whose calls are `length`, `count`, `segments` and `sqrt`. Segments are
-// read as a sum of counts of the letters that draw. A name that nothing binds ranges over 0, 1, ...: the statement is then about
+// A term is an expression whose names are bound numbers and whose calls are `length`, `count`, `segments`, `distinct segments`, `boxes`
+// and `sqrt`. Segments are read as a sum of counts of the letters that draw; the others of figures keep the system with its turtle. A name that nothing binds ranges over 0, 1, ...: the statement is then about
 // all of these, as textbooks mean it.
 //
 // A word is a product of factors: `word(G, E)`, letters, images `h(...)` and `{ a -> b }(...)` of factors, brackets, powers `^2`
@@ -88,6 +91,10 @@ Expression made(Expression::Kind kind, std::string name, std::vector<Expression>
     return expression;
 }
 
+constexpr const char* forms =
+    "length(G, n), count(G, a, n), segments(G, n), distinct segments(G, 3), boxes(G, 3, 1), "
+    "sqrt(2)";
+
 /// Reads terms; keeps the systems and the numbers that they name.
 class TermReader {
 public:
@@ -120,6 +127,7 @@ public:
 
     const std::vector<std::shared_ptr<const SourceSystem>>& systems() const { return systems_; }
     const std::vector<BoundName>& numbers() const { return numbers_; }
+    const std::map<std::string, std::shared_ptr<const Model>>& turtles() const { return turtles_; }
     /// The names of those that nothing binds.
     const std::vector<std::string>& bare() const { return bare_; }
 
@@ -168,8 +176,7 @@ private:
     }
 
     Expression operand(const char*& here, const char* end) {
-        constexpr const char* expectation =
-            "a number, n, '(', or one of length(G, n), count(G, a, n), segments(G, n), sqrt(2)";
+        static const std::string expectation = std::string("a number, n, '(', or one of ") + forms;
         if (here == end) throw unexpected(expectation, here);
         const char* const where = here;
         const Place place = reading_.source.place(where);
@@ -198,10 +205,23 @@ private:
         const std::string_view name = between(where, here);
         if (name.empty()) throw unexpected(expectation, where);
         const char* behind = here;
-        while (behind != end && is_blank(static_cast<unsigned char>(*behind))) ++behind;
-        if (behind == end || *behind != '(') return number_called(name, place);
+        skip(behind, end);
+        const bool is_distinct = name == "distinct" && between(behind, end).starts_with("segments");
+        if (is_distinct) {
+            behind += std::string_view("segments").size();
+            skip(behind, end);
+        }
+        if (behind == end || *behind != '(') {
+            if (is_distinct)
+                throw unexpected("'(' and a system behind 'distinct segments'", behind);
+            return number_called(name, place);
+        }
         here = behind + 1;
-        return call(name, here, end, place);
+        return call(is_distinct ? "distinct segments" : name, where, here, end, place);
+    }
+
+    static void skip(const char*& here, const char* end) {
+        while (here != end && is_blank(static_cast<unsigned char>(*here))) ++here;
     }
 
     Expression number_called(std::string_view name, const Place& place) {
@@ -219,18 +239,19 @@ private:
         return made(Expression::Kind::name, std::string(name), {}, place);
     }
 
-    Expression call(std::string_view name, const char*& here, const char* end, const Place& place) {
+    /// The call of the function, which is written at `at`, its bracket being read.
+    Expression call(std::string_view name, const char* at, const char*& here, const char* end,
+                    const Place& place) {
         if (name == "sqrt") {
             Expression root = made(Expression::Kind::call, "sqrt", {term(here, end)}, place);
             expect(')', "an operator or ')'", here, end);
             return root;
         }
-        static const std::vector<std::string> known{"length", "count", "segments", "sqrt"};
+        static const std::vector<std::string> known{
+            "length", "count", "segments", "distinct segments", "boxes", "sqrt"};
         if (!grammar::is_one_of(known, name))
-            throw SyntaxError{
-                name.data(),
-                "expected one of length(G, n), count(G, a, n), segments(G, n), sqrt(2), found " +
-                    quoted(name) + did_you_mean(name, known)};
+            throw SyntaxError{at, std::string("expected one of ") + forms + ", found " +
+                                      quoted(name) + did_you_mean(name, known)};
         const char* where = here;
         if (name == "length")
             if (auto word = bound_word(here, end)) {
@@ -257,11 +278,19 @@ private:
             expect(',', "',' and the number of a generation", here, end);
         }
         Expression generation = term(here, end);
+        const bool is_boxes = name == "boxes";
+        std::optional<Expression> side;
+        if (is_boxes) {
+            expect(',', "an operator, or ',' and the side of the boxes in steps", here, end);
+            side = term(here, end);
+        }
         expect(')', "an operator or ')'", here, end);
-        if (name == "segments") return segments(of, system, generation, place);
+        if (name == "segments") return segments(system, generation, place);
+        if (is_boxes || name == "distinct segments") keep_turtle(of, system, is_boxes);
         std::vector<Expression> operands{std::move(system)};
         if (letter) operands.push_back(std::move(*letter));
         operands.push_back(std::move(generation));
+        if (side) operands.push_back(std::move(*side));
         return made(Expression::Kind::call, std::string(name), std::move(operands), place);
     }
 
@@ -276,12 +305,34 @@ private:
                     reading_.source.place(name.data()));
     }
 
+    /// Where the name of a system stands.
+    std::string_view text_of(const Expression& system) const {
+        return {reading_.source.text().data() + reading_.source.offset(system.place),
+                system.name.size()};
+    }
+
+    [[noreturn]] static void no_turtle(std::string_view name, const Error& why) {
+        throw SyntaxError{name.data(), "expected a D0L system with a turtle in the plane, found " +
+                                           quoted(name) + ": " + why.what()};
+    }
+
+    /// Notes the turtle of a system whose different segments, or boxes, are counted.
+    void keep_turtle(const std::shared_ptr<const SourceSystem>& of, const Expression& system,
+                     bool boxes) {
+        const std::string_view name = text_of(system);
+        auto model = reading_.written(name);
+        try {
+            check_lattice_turtle(*model, boxes);
+        } catch (const Error& error) {
+            no_turtle(name, error);
+        }
+        turtles_[of->name] = std::move(model);
+    }
+
     /// How many segments a generation draws: a sum of how often the letters that draw occur.
-    Expression segments(const std::shared_ptr<const SourceSystem>& of, const Expression& system,
-                        const Expression& generation, const Place& place) const {
-        const char* const where =
-            reading_.source.text().data() + reading_.source.offset(system.place);
-        const std::string_view name(where, system.name.size());
+    Expression segments(const Expression& system, const Expression& generation,
+                        const Place& place) const {
+        const std::string_view name = text_of(system);
         const auto model = reading_.written(name);
         std::optional<Expression> sum;
         try {
@@ -306,8 +357,7 @@ private:
                 sum = sum ? made(Expression::Kind::binary, "+", {*sum, one}, place) : one;
             }
         } catch (const Error& error) {
-            throw SyntaxError{where, "expected a D0L system with a turtle in the plane, found " +
-                                         quoted(of->name) + ": " + error.what()};
+            no_turtle(name, error);
         }
         return sum.value_or(Expression{});
     }
@@ -316,6 +366,7 @@ private:
     std::vector<std::shared_ptr<const SourceSystem>> systems_;
     std::vector<BoundName> numbers_;
     std::vector<std::string> bare_;  // of these, what nothing binds
+    std::map<std::string, std::shared_ptr<const Model>> turtles_;
     std::size_t depth_ = 0;
 };
 
@@ -495,8 +546,9 @@ Expression parse_number_term(std::string_view text, std::vector<BoundName>& numb
 }
 
 bool parse_numbers(std::string_view text, Statement& statement, ClaimReading& reading) {
-    const bool is_call = calls(text, "length", reading) || calls(text, "count", reading) ||
-                         calls(text, "segments", reading);
+    static constexpr const char* functions[] = {"length", "count", "segments", "boxes", "distinct"};
+    const bool is_call = std::any_of(std::begin(functions), std::end(functions),
+                                     [&](const char* name) { return calls(text, name, reading); });
     const Found sign = comparison_of(text);
     if (!is_call && (sign.at == std::string_view::npos || !is_about_numbers(text, reading)))
         return false;
@@ -517,6 +569,7 @@ bool parse_numbers(std::string_view text, Statement& statement, ClaimReading& re
     said.right = terms.whole(right);
     said.comparison = signs[sign.which];
     said.systems = terms.systems();
+    said.turtles = terms.turtles();
     said.numbers = terms.numbers();
     statement.says = std::move(said);
     terms.finish(statement, first);
@@ -569,6 +622,7 @@ void parse_growth_formula(const std::shared_ptr<const SourceSystem>& system,
     Expression of = made(Expression::Kind::name, system->name, {}, {});
     said.left = made(Expression::Kind::call, "length", {of, n}, {});
     said.systems = terms.systems();
+    said.turtles = terms.turtles();
     if (std::find(said.systems.begin(), said.systems.end(), system) == said.systems.end())
         said.systems.push_back(system);
     Quantified all;

@@ -262,6 +262,12 @@ public:
         }
     }
 
+    /// About how much memory the points take, which are kept twice.
+    std::size_t bytes() const {
+        return points_.size() * 2 * (64 + ring_.degree() * sizeof(Integer)) +
+               saved_.size() * (32 + ring_.degree() * sizeof(Integer));
+    }
+
     Outline result(std::optional<Rational> unit) {
         outline_.lattice = {ring_, std::move(points_), std::move(unit)};
         return std::move(outline_);
@@ -319,9 +325,15 @@ std::optional<Outline> lattice_outline(const Model& system, std::uint64_t n, con
     if (drawing.start) start = {drawing.start->x.value, drawing.start->y.value};
     LatticeWalk walk(compass, start, step.value * std::pow(shrink.value, static_cast<double>(n)));
     const Word word = derive(*rules, n, budget);
-    for (const Symbol letter : word)
+    std::size_t letters = 0;
+    for (const Symbol letter : word) {
+        if (++letters % 4096 == 0) {
+            budget.check();
+            budget.check_memory(walk.bytes(), "the points of a figure");
+        }
         for (const Command command : commands.of(letter))
             if (!walk.run(command)) return std::nullopt;
+    }
     return walk.result(std::move(unit));
 }
 

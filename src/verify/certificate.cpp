@@ -504,7 +504,8 @@ Entry read_entry(const Field& field, const Reader& reader) {
 void read_header(Certificate& read, JsonValue header) {
     read.header = std::move(header);
     const Field root(read.header, "", read.file);
-    root.only({"format", "claim", "source", "empty axiom", "alphabet", "systems", "statements"});
+    root.only({"format", "claim", "source", "empty axiom", "alphabet", "systems", "turtles",
+               "statements"});
     if (root.at("format").text() != "algae certificate 1")
         root.at("format").fail("expected \"algae certificate 1\"");
     read.claim = root.at("claim").text();
@@ -519,6 +520,11 @@ void read_header(Certificate& read, JsonValue header) {
                                     std::make_shared<const ModuleSystem>(module_system(system)));
         else
             read.systems.emplace(name, std::make_shared<const System>(reader.system(system)));
+    }
+    if (!root.has("turtles")) return;
+    for (const auto& [name, turtle] : root.at("turtles").object()) {
+        if (!read.systems.contains(name)) turtle.fail("no system is called '" + name + "'");
+        read_turtle(turtle, *read.alphabet);
     }
 }
 
@@ -966,6 +972,7 @@ std::vector<std::string> definitions(const Certificate& certificate) {
     for (const auto& [name, system] : certificate.rewritings)
         lines.push_back(name + ": axiom " + modules_text(system->axiom) + "; " +
                         std::to_string(system->rules.size()) + " rules of modules");
+    for (std::string& line : turtle_texts(certificate)) lines.push_back(std::move(line));
     return lines;
 }
 

@@ -13,7 +13,8 @@
 //
 // A term is read here into a tree. What it is worth at a point is reckoned exactly, in numbers a + b sqrt(d). With all else fixed it
 // is, as a function of one number, in a space of sequences that the shift takes into itself; `order` bounds the dimension: 1 for
-// a constant or a power c^n, 2 for n, the number of accessible letters for a length, the sum of both for u + v, the product for
+// a constant, which a count of a figure has to be, or a power c^n, 2 for n, the number of accessible letters for a length, the sum of
+// both for u + v, the product for
 // u v. A function of such a space that is 0 at as many successive numbers as the dimension is 0 everywhere; with several
 // numbers, at as many points of a grid.
 //
@@ -123,7 +124,9 @@ struct NumberTerm {
         negative,
         root,
         count,
-        word  // the length of a bound word without a value
+        segments,  // of the figure of a generation of the system `name`
+        boxes,     // likewise, of a side
+        word       // the length of a bound word without a value
     };
     Kind kind = Kind::constant;
     Rational value;
@@ -232,6 +235,9 @@ private:
         };
         while (is_name(at(size))) ++size;
         if (size == 0) fail("a number, a name or '('");
+        if (constexpr std::string_view two = "distinct segments";
+            rest_.starts_with(two) && !is_name(at(two.size())))
+            size = two.size();
         const std::string name(rest_.substr(0, size));
         rest_.remove_prefix(size);
         return take('(') ? call(name) : number_called(name);
@@ -277,6 +283,17 @@ private:
                 if (!read.letter) field_.fail("'" + letter + "' is not a letter of the alphabet");
             }
             read.parts.push_back(sum());
+        } else if (name == "distinct segments" || name == "boxes") {
+            const bool is_boxes = name == "boxes";
+            read.kind = is_boxes ? Kind::boxes : Kind::segments;
+            read.name = piece();
+            read.system = reader_.named_system(field_, read.name).system.get();
+            if (!read.system)
+                too_hard(field_.path() + ": it is about a system that is not known yet");
+            if (!is_d0l(*read.system)) field_.refuse("a system is not D0L");
+            read.parts.push_back(sum());
+            if (is_boxes && !take(',')) fail("',' and the side of boxes");
+            if (is_boxes) read.parts.push_back(sum());
         } else {
             field_.fail("there is no function '" + name + "'");
         }
@@ -330,7 +347,7 @@ std::optional<Affine> affine(const NumberTerm& term) {
     using Kind = NumberTerm::Kind;
     std::vector<Affine> parts;
     if (term.kind == Kind::count || term.kind == Kind::root || term.kind == Kind::power ||
-        term.kind == Kind::word)
+        term.kind == Kind::word || term.kind == Kind::segments || term.kind == Kind::boxes)
         return std::nullopt;
     for (const NumberTerm& part : term.parts) {
         auto one = affine(part);
@@ -422,6 +439,19 @@ public:
                 return root(part(0), where);
             case Kind::count:
                 return {Rational(count(term, part(0), where)), {}, 1};
+            case Kind::segments:
+                return {Rational(distinct_segments(*term.system, turtle(term, where),
+                                                   natural(part(0), where), where, task_.budget)),
+                        {},
+                        1};
+            case Kind::boxes: {
+                const Number side = part(1);
+                if (!side.is_rational()) where.refuse("the side of boxes is not rational");
+                return {Rational(met_boxes(*term.system, turtle(term, where),
+                                           natural(part(0), where), side.a, where, task_.budget)),
+                        {},
+                        1};
+            }
             case Kind::word:
                 too_hard("the length of a word without a value is not known");
         }
@@ -444,6 +474,10 @@ public:
                 too_hard("the length of a word without a value is not known");
             case Kind::root:
                 if (!is_constant(term)) too_hard("such a root is not checked");
+                return 1;
+            case Kind::segments:
+            case Kind::boxes:
+                if (!is_constant(term)) too_hard("figures of all generations are not checked");
                 return 1;
             case Kind::name:
                 return numbers.at(term.name).slope(in).is_zero() ? 1 : 2;
@@ -543,12 +577,26 @@ private:
         return {{}, Rational(outside), Integer(rest)};
     }
 
-    Integer count(const NumberTerm& term, const Number& generation, const Field& where) {
+    static std::uint64_t natural(const Number& generation, const Field& where) {
         if (!generation.is_rational() || !generation.a.is_integer() || generation.a < 0)
             where.refuse("a generation is not a natural number");
         if (generation.a > Rational(latest_generation))
             too_hard("generations beyond 100000 are not counted");
-        const std::uint64_t n = generation.a.numerator().to_uint64();
+        return generation.a.numerator().to_uint64();
+    }
+
+    /// The turtle that the certificate has of the system of this name, which no bound name hides.
+    Turtle turtle(const NumberTerm& term, const Field& where) const {
+        const auto known = task_.certificate.systems.find(term.name);
+        const Field root(task_.certificate.header, "", task_.certificate.file);
+        if (known == task_.certificate.systems.end() || known->second.get() != term.system ||
+            !root.has("turtles") || !root.at("turtles").has(term.name))
+            where.refuse("no turtle of the system '" + term.name + "' is known");
+        return read_turtle(root.at("turtles").at(term.name), task_.alphabet());
+    }
+
+    Integer count(const NumberTerm& term, const Number& generation, const Field& where) {
+        const std::uint64_t n = natural(generation, where);
         Counts& counts = counts_[term.system];
         if (counts.empty()) {
             counts.emplace_back();

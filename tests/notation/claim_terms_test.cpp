@@ -9,7 +9,8 @@ using namespace algae;
 namespace {
 
 const std::string definitions =
-    "let G = D0L { axiom a; a -> ab; b -> a }\nlet K = D0L koch\nlet A = {a}\nlet h = { a -> b; b "
+    "let G = D0L { axiom a; a -> ab; b -> a }\nlet K = D0L koch\nlet H = D0L { axiom F; F -> F+F "
+    "}\nlet A = {a}\nlet h = { a -> b; b "
     "-> a }\n";
 
 /// The body of what is said of all numbers, or the statement itself.
@@ -33,6 +34,8 @@ TEST_CASE("numbers of generations are compared") {
           "length(G,n+2) = length(G,n+1)+length(G,n)");
     CHECK(sides("count(G, b, 2*n) <= 2^n/3") == "count(G,b,2*n) <= 2^n/3");
     CHECK(sides("segments(K, n) = 4^n") == "count(K,F,n) = 4^n");
+    CHECK(sides("distinct  segments (K, 3) = 64") == "distinct segments(K,3) = 64");
+    CHECK(sides("boxes(H, 2, 3^-1) + 1 >= 2") == "boxes(H,2,3^-1)+1 >= 2");
     CHECK(sides("length(G, 3) ≠ 4") == "length(G,3) != 4");
     CHECK(sides("growth(G) = n+1") == "length(G,n) = n+1");
     CHECK(sides("-length(G, n) > -(n + 1)*sqrt(5)") == "-length(G,n) > -(n+1)*sqrt(5)");
@@ -76,32 +79,89 @@ TEST_CASE("what is wrong with a comparison is told at its place") {
         return std::string();
     };
     CHECK(messages("length(G, n)") ==
-          "x.claim:6:18: expected one of = != < <= > >= and a number, found the end of the line");
+          "x.claim:7:18: expected one of = != < <= > >= and a number, found the end of the line");
     CHECK(messages("length(G) = 3") ==
-          "x.claim:6:14: expected ',' and the number of a generation, found ')'");
-    CHECK(messages("length(A, n) = 3") == "x.claim:6:13: expected a system, found 'A', a language");
+          "x.claim:7:14: expected ',' and the number of a generation, found ')'");
+    CHECK(messages("length(A, n) = 3") == "x.claim:7:13: expected a system, found 'A', a language");
     CHECK(messages("lenght(G, n) = length(G, n)")
-              .starts_with("x.claim:6:6: expected one of length(G, n)"));
+              .starts_with("x.claim:7:6: expected one of length(G, n)"));
     CHECK(messages("lenght(G, n) = length(G, n)")
               .ends_with("found 'lenght'; did you mean 'length'?"));
+    CHECK(messages("distinct(K, 3) = 64")
+              .starts_with(
+                  "x.claim:7:6: expected one of length(G, n), count(G, a, n), segments(G, n), "
+                  "distinct segments(G, 3), boxes(G, 3, 1), sqrt(2), found 'distinct'"));
+    CHECK(
+        messages("length(G, 2) = distinct segments") ==
+        "x.claim:7:38: expected '(' and a system behind 'distinct segments', found the end of the "
+        "line");
+    CHECK(messages("distinct segments(K) = 64") ==
+          "x.claim:7:25: expected ',' and the number of a generation, found ')'");
+    CHECK(
+        messages("boxes(H, 3) = 64") ==
+        "x.claim:7:16: expected an operator, or ',' and the side of the boxes in steps, found ')'");
+    CHECK(messages("distinct segments(A, 3) = 64")
+              .starts_with("x.claim:7:24: expected a system, found 'A'"));
     CHECK(messages("count(G, z, n) = 3") ==
-          "x.claim:6:15: expected a letter of the claim, found 'z'");
+          "x.claim:7:15: expected a letter of the claim, found 'z'");
     CHECK(messages("length(G, n) = 3 = 4") ==
-          "x.claim:6:23: expected one comparison, found a second; join two by 'and'");
-    CHECK(messages("length(G, n) = 2n") == "x.claim:6:22: expected an operator, found 'n'");
+          "x.claim:7:23: expected one comparison, found a second; join two by 'and'");
+    CHECK(messages("length(G, n) = 2n") == "x.claim:7:22: expected an operator, found 'n'");
     CHECK(messages("length(G, n) = A") ==
-          "x.claim:6:21: expected a number, found 'A', which is something else");
+          "x.claim:7:21: expected a number, found 'A', which is something else");
     CHECK(messages("word(G, n) = a") ==
-          "x.claim:6:17: expected '==', '!=', 'begins with' or 'ends with' and a word, found '='");
-    CHECK(messages("word(G, n) begins a") == "x.claim:6:24: expected 'with', found 'a'");
+          "x.claim:7:17: expected '==', '!=', 'begins with' or 'ends with' and a word, found '='");
+    CHECK(messages("word(G, n) begins a") == "x.claim:7:24: expected 'with', found 'a'");
     CHECK(messages("word(G, n) == f(a)")
-              .starts_with("x.claim:6:20: expected a name that is defined above"));
+              .starts_with("x.claim:7:20: expected a name that is defined above"));
     CHECK(messages("word(G, n) == A(a)") ==
-          "x.claim:6:20: expected 'word' or a morphism that is defined, found 'A'");
+          "x.claim:7:20: expected 'word' or a morphism that is defined, found 'A'");
     CHECK(messages("growth(G) = m") ==
-          "x.claim:6:18: expected n, the number of the generation, found 'm'");
+          "x.claim:7:18: expected n, the number of the generation, found 'm'");
     CHECK(messages("for all numbers n: n is 0L") ==
-          "x.claim:6:25: expected a language, found 'n', a number");
+          "x.claim:7:25: expected a language, found 'n', a number");
+}
+
+TEST_CASE("a figure that is more than segments of one length is told with what to write instead") {
+    const auto message = [](const std::string& system, const std::string& said) {
+        const std::string begun = "expected a D0L system with a turtle in the plane, found 'G': ";
+        try {
+            read_claim("claim T\nlet G = D0L { axiom " + system + " }\nshow " + said + " = 1",
+                       "x.claim", {});
+        } catch (const Diagnostics& error) {
+            const std::string told = error.findings().front().message;
+            CHECK(told.starts_with(begun));
+            return told.substr(std::min(begun.size(), told.size()));
+        }
+        return std::string();
+    };
+    const std::string segments = "distinct segments(G, 1)", boxes = "boxes(G, 1, 1)";
+    CHECK(
+        message("F; F -> F+F; angle 25.7", segments) ==
+        "expected a turtle that turns by a part of a full turn with a denominator up to 360, such "
+        "as 'angle 60' or 'angle 180/7', found 'angle 25.7'");
+    CHECK(message("F; F -> F+F; angle 10*sqrt(2)", segments).ends_with("found 'angle 10*sqrt(2)'"));
+    CHECK(message("F; F -> F*F; scale 1/2", segments) ==
+          "the letter * changes the length of steps, expected steps of one length; 'interpret * -> "
+          "ε' leaves that out");
+    CHECK(message("F; F -> F*F; scale 1/2; interpret * -> ε", segments).empty());
+    CHECK(message("F; F -> F*F", segments).empty());
+    CHECK(message("F; F -> {F+F}", segments) ==
+          "the letter { fences a filled polygon, expected segments only; 'interpret { -> ε' leaves "
+          "that out");
+    CHECK(message("F; F -> F[%F]", segments).starts_with("the letter % cuts branches"));
+    CHECK(message("F; F -> F&F", segments).starts_with("the symbol & leaves the plane"));
+    CHECK(message("F; F -> FS; stamp S square", segments) ==
+          "the letter S leaves a filled shape, expected segments only, without 'stamp'");
+    CHECK(message("F; F -> FF; tropism 0 -1 0", segments)
+              .starts_with("its steps bend, expected straight ones"));
+    CHECK(message("F; F -> F+F; angle 60", boxes) ==
+          "boxes are counted of figures along the axes only: expected a turtle that turns by right "
+          "angles, such as 'angle 90', found 'angle 60'");
+    CHECK(message("F; F -> F+F; start 0 0 45", boxes).find("'start 0 0 90'") != std::string::npos);
+    CHECK(message("F; F -> F+F; spin 45", boxes).find("'spin'") != std::string::npos);
+    CHECK(message("F; F -> F+F; start 0 0 45; spin 45", segments).empty());
+    CHECK(message("F; F -> F+F; start 3 4 -90; spin 270", boxes).empty());
 }
 
 TEST_CASE("numbers are bound with conditions") {

@@ -254,6 +254,10 @@ private:
             return "growth(" + system(said["increasing"]) + ") is " +
                    (said.value("strictly", false) ? "strictly increasing" : "increasing");
         if (said.contains("palindrome")) return word(said["palindrome"]) + " is a palindrome";
+        if (said.contains("numbers") && said.dump().find("segments(") != std::string::npos)
+            throw Unsayable();  // a turtle stands beside the system
+        if (said.contains("numbers") && said.dump().find("boxes(") != std::string::npos)
+            throw Unsayable();
         if (said.contains("numbers"))
             return term(said["numbers"].at(0)) + ' ' + said["numbers"].at(1).get<std::string>() +
                    ' ' + term(said["numbers"].at(2));

@@ -159,6 +159,16 @@ Answer judge_growth_class(const HasGrowthClass& said, const Budget& budget = {})
 /// the generations until one comes again; otherwise a fall is looked for among the first 1000 lengths.
 Answer judge_increasing(const IsIncreasing& said, const Budget& budget = {});
 
+/// How many different segments the turtle draws in generation n, and how many squares of a side of so many steps, each with its
+/// left and lower edge and without the others, these segments meet: of the grid that has the start of the turtle as a corner. Exact.
+/// Both throw Error as check_lattice_turtle does, and where brackets do not match; BoundReached beyond a million segments or squares.
+Integer distinct_segments(const Model& system, std::uint64_t n, const Budget& budget = {});
+Integer met_boxes(const Model& system, std::uint64_t n, const Rational& side,
+                  const Budget& budget = {});
+
+/// What each letter tells the turtle of such a system, and how it turns, as a certificate has it.
+nlohmann::ordered_json turtle_certificate(const Model& system);
+
 /// Whether a comparison of numbers holds, in which no number is bound; exactly.
 Answer judge_numbers(const ComparesNumbers& said, const Budget& budget = {});
 

@@ -228,6 +228,22 @@ void check_words(const Obligation& task);
 void check_step_of_words(const Obligation& task);
 /// The bound word of which the term is the length; nothing if it is another term.
 std::optional<Symbol> word_measured(const Field& field, const Reader& reader);
+/// How a turtle turns and what letters tell it, as the certificate has it.
+struct Turtle {
+    Rational turn, heading,
+        spin;  // parts of a full turn; spin is added to the heading by each generation
+    std::map<Symbol, std::string> letters;  // F f + - | [ ]
+};
+Turtle read_turtle(const Field& field, const Alphabet& alphabet);
+/// Of each turtle of the certificate a line for people.
+std::vector<std::string> turtle_texts(const Certificate& certificate);
+/// How many different segments the turtle of a D0L system draws in a generation, and how many squares of this side they meet, of which
+/// the left and the lower edge are part, in the grid through the turtle's start. Both are exact. They throw Flaw at `where` if brackets
+/// do not match, BoundReached beyond a million segments or squares and where the turtle turns otherwise than is checked.
+Integer distinct_segments(const System& system, const Turtle& turtle, std::uint64_t generation,
+                          const Field& where, const Budget& budget);
+Integer met_boxes(const System& system, const Turtle& turtle, std::uint64_t generation,
+                  const Rational& side, const Field& where, const Budget& budget);
 void check_growth_class(const Obligation& task);
 void check_rises(const Obligation& task);
 void check_rises_by_letters(const Obligation& task);

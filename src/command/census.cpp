@@ -378,7 +378,7 @@ void add_census(Verbs& verbs) {
                 "decide N instances, drawn from all, with proofs")
         .excludes = {"--distinct"};
     verb.option("--seed", options.seed, natural, "N", "by which instances are drawn (default 1)");
-    verb.option("--certificate", options.certificate, "FILE",
+    verb.output("--certificate", options.certificate, "FILE",
                 "write these proofs, for `algae verify`")
         .needs = {"--verify-sample"};
     verb.option("--threads", options.threads, natural, "N",

@@ -692,7 +692,7 @@ void add_check(Verbs& verbs) {
     verb.option("--accept", options.accept, "cited",
                 "let statements that rest on a cited source count as decided");
     verb.flag("--explain", options.explain, "print the argument in sentences");
-    verb.option("--certificate", options.certificate, "FILE",
+    verb.output("--certificate", options.certificate, "FILE",
                 "write what algae verify checks again");
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);

@@ -494,7 +494,7 @@ void add_dimension(Verbs& verbs) {
                 "boxes (default), divider (lengths by dividers), mass (what lies within discs), "
                 "correlation (pairs of points), information and multifractal (shares of boxes), "
                 "lacunarity (gaps)");
-    verb.option("--plot", options.plot, "FILE",
+    verb.output("--plot", options.plot, "FILE",
                 "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps or "
                 ".eps");
     verb.option("--grids", options.grids, grid_count, "N",

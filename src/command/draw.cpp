@@ -571,7 +571,7 @@ void add_draw(Verbs& verbs) {
     verb.option("-n", options.generation, "N[..M]",
                 "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, "
                 "or --panels (default: what the file says)");
-    verb.option("-o,--output", options.output, "FILE",
+    verb.output("-o,--output", options.output, "FILE",
                 "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp, the "
                 "figure in space: .glb, .obj, .ply, .stl, .x3d or .wrl; - for standard output");
     verb.option("--format", options.format, std::string(picture_formats) + '|' + mesh_formats,

@@ -218,7 +218,7 @@ void add_figures(Verbs& verbs) {
     verb.option(
         "DIR", options.folder, "DIR",
         "a folder of .lsys files and of files of generators, such as .ifs (default figures)");
-    verb.option("--out", options.out, "DIR", "where the pictures go (default out/figures)");
+    verb.output("--out", options.out, "DIR", "where the pictures go (default out/figures)");
     verb.option("--formats", options.formats, list, "svg|pdf|png|ps|eps,...",
                 "svg, pdf, png, ps, eps (default svg,pdf)");
     verb.option("--jobs", options.jobs, natural, "N",

@@ -10,17 +10,20 @@
 #include "nature/nature.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
 #include <sstream>
+#include <utility>
 
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "exchange/exchange.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "render/render.hpp"
 #include "turtle/turtle.hpp"
 
 namespace algae::command {
@@ -59,6 +62,7 @@ std::function<std::size_t(char*, std::size_t)> file_source(const std::string& pa
                     : std::shared_ptr<std::FILE>(std::fopen(path.c_str(), "rb"), Closer());
     budget.check();
     if (!file) throw Error("cannot read " + path + ": " + std::strerror(errno));
+    if (path != "-") keep_input(path);
     return
         [file, &budget, name = path == "-" ? "standard input" : path](char* to, std::size_t most) {
             budget.check();
@@ -103,6 +107,39 @@ SourceText open_text(const std::string& file, const Budget& budget) {
                 did_you_mean(file, names) + "; `algae gallery` lists them");
 }
 
+namespace {
+
+/// What a text is that is no system in the notation, by how it begins or by words that stand there; empty if it may be one.
+std::string foreign_format(std::string_view text) {
+    static constexpr std::array<std::pair<std::string_view, const char*>, 7> beginnings{
+        {{"\x89PNG", "a PNG picture"},
+         {"GIF8", "a GIF picture"},
+         {"%PDF", "a PDF document"},
+         {"<", "XML, such as an SVG picture"},
+         {"{", "JSON"},
+         {"PK\x03\x04", "a zip archive"},
+         {"#!", "a program"}}};
+    for (const auto& [beginning, what] : beginnings)
+        if (text.starts_with(beginning)) return what;
+    if (text.substr(0, 1000).find('\0') != std::string_view::npos) return "a binary file";
+    const auto has_line = [&](std::string_view word) {
+        return text.starts_with(word) ||
+               text.find("\n" + std::string(word)) != std::string_view::npos;
+    };
+    if (has_line("Lsystem:") || has_line("lsystem:") || has_line("derivation length:"))
+        return "a file of cpfg or L-studio";
+    if ((text.find("Axiom") != std::string_view::npos ||
+         text.find("axiom") != std::string_view::npos) &&
+        (text.find("Angle ") != std::string_view::npos ||
+         text.find("angle ") != std::string_view::npos) &&
+        text.find('{') != std::string_view::npos && text.find('=') != std::string_view::npos &&
+        text.find("->") == std::string_view::npos)
+        return "a file of Fractint";
+    return {};
+}
+
+}  // namespace
+
 Model open_model(const std::string& file, const Budget& budget) {
     const SourceText source = open_text(file, budget);
     if (const GeneratorKind* kind = generator_kind(source.name))
@@ -111,6 +148,10 @@ Model open_model(const std::string& file, const Budget& budget) {
         throw Error(source.name + " is " + format->what + ", expected an L-system");
     if (const SystemFormat* format = system_format(source.name))
         return format->read(source.text, source.name);
+    if (const std::string what = foreign_format(source.text); !what.empty())
+        throw Error(source.name + " looks like " + what +
+                    ", expected an L-system such as \"axiom a; a -> ab\"; `algae convert --help` "
+                    "lists the formats that are read");
     return read_lsystem(source.text, source.name);
 }
 

@@ -231,7 +231,7 @@ void add_generator(Verbs& verbs, const GeneratorVerb& generator) {
                 "a file ending in ." + kind +
                     ", - for standard input, or a name from the gallery; options say what the file "
                     "would");
-    verb.option("-o,--output", options.output, "FILE",
+    verb.output("-o,--output", options.output, "FILE",
                 "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp" +
                     std::string(in_space(kind) ? ", the figure in space: .glb, .obj, .ply, .stl, "
                                                  ".x3d or .wrl"

@@ -95,7 +95,7 @@ Json known(Truth truth) {
 }
 
 void add_certificate_option(Verb& verb, std::string& file) {
-    verb.option("--certificate", file, "FILE", "write what algae verify checks again");
+    verb.output("--certificate", file, "FILE", "write what algae verify checks again");
 }
 
 // member
@@ -466,6 +466,16 @@ std::string family_of(const IsOptions& options) {
                                               : options.family;
 }
 
+/// Throws Error unless there is such a class.
+void must_be_known(const std::string& name) {
+    static const std::vector<std::string> known{
+        "finite", "infinite", "empty", "regular", "context-free", "REG",  "CF",    "0L",
+        "P0L",    "D0L",      "PD0L",  "T0L",     "PT0L",         "DT0L", "PDT0L", "E0L",
+        "ET0L",   "EDT0L",    "IL"};
+    if (std::ranges::count(known, name) == 0 && !system_form(name))
+        throw Error(name + " is no family of languages" + did_you_mean(name, known));
+}
+
 Answer judged(const IsOptions& options, const WrittenLanguage& written, const Budget& budget) {
     if (options.family == "finite")
         return judge_finite(written.language, *written.alphabet, budget);
@@ -502,6 +512,7 @@ void certify_is(const IsOptions& options, const WrittenLanguage& written, const 
 }
 
 int is(const IsOptions& options) {
+    must_be_known(options.family);
     const Budget budget = options.bounds.budget();
     const WrittenLanguage written = read_expression(options.expression, options.alphabet, budget);
     const Answer found = judged(options, written, budget);

@@ -138,7 +138,16 @@ int write_files(const Options& options, const Lesson& lesson) {
     std::filesystem::create_directories(options.out);
     std::size_t count = 0;
     for (const LessonFile& file : lesson_files(lesson)) {
-        write_file((std::filesystem::path(options.out) / file.name).string(), file.text);
+        const std::string path = (std::filesystem::path(options.out) / file.name).string();
+        std::string place = path;
+        // A file that is there and is another one may be an answer: it stays.
+        for (int n = 1; std::filesystem::exists(place) &&
+                        file_text(place, options.bounds.budget()) != file.text;
+             ++n)
+            place = path + ".new" + (n == 1 ? "" : std::to_string(n));
+        if (place != path)
+            note(path + " was changed and stays; the file of the lesson is " + place);
+        if (!std::filesystem::exists(place)) write_file(place, file.text);
         ++count;
     }
     print(counted(count, "file") + " of lesson " + options.lesson + " in " + options.out + "\n");
@@ -174,7 +183,7 @@ void add_lesson(Verbs& verbs) {
                 "print the task of an exercise, or mark its answer")
         .needs = {"LESSON"};
     verb.option("ANSWER", options.answer, "FILE", "a file with an answer, or - for standard input");
-    Option& out = verb.option("--out", options.out, "DIR",
+    Option& out = verb.output("--out", options.out, "DIR",
                               "write the files that the lesson uses into this folder");
     out.needs = {"LESSON"};
     out.excludes = {"--exercise"};

@@ -11,10 +11,17 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <climits>
+#include <condition_variable>
+#include <csignal>
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <utility>
 
 #include "exact/exact.hpp"
 #include "render/render.hpp"
@@ -97,27 +104,134 @@ void print(std::string_view text) {
     if (!text.empty()) write_all(&piece, 1);
 }
 
-void note(const std::string& text) { std::cerr << "algae: note: " << text << '\n'; }
+void note(const std::string& text) { std::cerr << "algae: note: " << printable(text) << '\n'; }
 
-void write_file(const std::string& path, const std::string& text) {
-    FileOutput file(path);
+std::string printable(std::string_view text) {
+    std::string all;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f) {
+            constexpr std::string_view digits = "0123456789abcdef";
+            all += "\\x";
+            all += digits[byte >> 4];
+            all += digits[byte & 15];
+        } else {
+            all += c;
+        }
+    }
+    return all;
+}
+
+void write_file(const std::string& path, const std::string& text, bool is_input) {
+    FileOutput file(path, is_input);
     file.write(text.data(), text.size());
     file.commit();
+}
+
+// --- Progress ---
+
+namespace {
+
+/// What standard error has of the progress; bars come and go in one thread, the heartbeat is another.
+struct Shown {
+    std::mutex guard;
+    std::string bar;    // label of the bar that lives
+    int percent = -1;   // of it
+    bool line = false;  // an unfinished line is on the terminal
+};
+Shown& shown() {
+    static Shown all;
+    return all;
+}
+
+void clear_line() {
+    if (std::exchange(shown().line, false)) std::fputs("\r\033[K", stderr);
+}
+
+}  // namespace
+
+struct Heartbeat::Beat {
+    std::string label;
+    bool terminal = ::isatty(STDERR_FILENO) != 0;
+    std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
+    std::mutex guard;
+    std::condition_variable ended;
+    bool is_over = false;
+    std::thread thread;
+
+    void run() {
+        using namespace std::chrono_literals;
+        std::unique_lock lock(guard);
+        auto wait = std::chrono::milliseconds(5s);
+        while (!ended.wait_for(lock, wait, [&] { return is_over; })) {
+            tell();
+            wait = terminal ? 1s : 10s;
+        }
+    }
+
+    void tell() const {
+        const std::lock_guard lock(shown().guard);
+        if (terminal && shown().percent >= 0) return;  // the bar is there
+        const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(
+                                 std::chrono::steady_clock::now() - begin)
+                                 .count();
+        std::string text = "algae: " + label + ": ";
+        if (shown().percent >= 0)
+            text += (shown().bar == label ? "" : shown().bar + " ") +
+                    std::to_string(shown().percent) + " %, ";
+        text += std::to_string(seconds) + " s";
+        if (terminal) {
+            std::fprintf(stderr, "\r%s\033[K", text.c_str());
+            shown().line = true;
+        } else {
+            std::fprintf(stderr, "%s\n", text.c_str());
+        }
+        std::fflush(stderr);
+    }
+};
+
+Heartbeat::Heartbeat(std::string label) : beat_(std::make_unique<Beat>()) {
+    beat_->label = std::move(label);
+    sigset_t all, before;
+    sigfillset(&all);
+    ::pthread_sigmask(SIG_BLOCK, &all, &before);  // signals are for the thread that works
+    try {
+        beat_->thread = std::thread([beat = beat_.get()] { beat->run(); });
+    } catch (const std::system_error&) {
+        // Without a thread nothing is told.
+    }
+    ::pthread_sigmask(SIG_SETMASK, &before, nullptr);
+}
+
+Heartbeat::~Heartbeat() {
+    {
+        const std::lock_guard lock(beat_->guard);
+        beat_->is_over = true;
+    }
+    beat_->ended.notify_one();
+    if (beat_->thread.joinable()) beat_->thread.join();
+    const std::lock_guard lock(shown().guard);
+    clear_line();
 }
 
 ProgressBar::ProgressBar(std::string label)
     : label_(std::move(label)), terminal_(::isatty(STDERR_FILENO) != 0) {}
 
 ProgressBar::~ProgressBar() {
-    if (shown_) std::fputs("\r\033[K", stderr);
+    const std::lock_guard lock(shown().guard);
+    shown().percent = -1;
+    if (shown_) clear_line();
 }
 
 void ProgressBar::report(double done) {
-    if (!terminal_) return;
     const int percent = static_cast<int>(100 * std::clamp(done, 0.0, 1.0));
     if (percent == last_) return;
     last_ = percent;
-    shown_ = true;
+    const std::lock_guard lock(shown().guard);
+    shown().bar = label_;
+    shown().percent = percent;
+    if (!terminal_) return;
+    shown_ = shown().line = true;
     const int marks = percent * 30 / 100;
     std::fprintf(stderr, "\r%s [%s%s] %3d%%", label_.c_str(),
                  std::string(static_cast<std::size_t>(marks), '#').c_str(),

@@ -108,7 +108,7 @@ int format(const FmtOptions& options) {
                     std::string(options.file == "-"
                                     ? "standard input"
                                     : "the figure " + options.file + " of the gallery"));
-    write_file(options.file, text);
+    write_file(options.file, text, true);
     return success;
 }
 

@@ -259,7 +259,7 @@ void add_tree(Verbs& verbs) {
         "instead: which letters occur in the successors of which, how often, and what becomes "
         "of them");
     verb.flag("--families", options.families, "instead: the diagram of families of languages");
-    verb.option("-o,--output", options.output, "FILE",
+    verb.output("-o,--output", options.output, "FILE",
                 "the picture: .svg, .pdf, .png, .ps or .eps; .dot or .gv for Graphviz; - for "
                 "standard output")
         .required = true;

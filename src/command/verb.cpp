@@ -9,15 +9,21 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cctype>
+#include <cerrno>
 #include <charconv>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <iostream>
 #include <sstream>
 
+#include "command/detail/memory.hpp"
+#include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "notation/notation.hpp"
+#include "render/render.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
 
@@ -147,6 +153,7 @@ Budget Bounds::budget() const {
     budget.names = &option_names;
     if (letters) budget.letters = *letters;
     if (memory) budget.memory = *memory;
+    bound_memory(budget.memory);
     if (timeout)
         budget.deadline = std::chrono::steady_clock::now() +
                           std::chrono::duration_cast<std::chrono::steady_clock::duration>(
@@ -184,6 +191,17 @@ Option& Verb::flag(const std::string& names, bool& target, const std::string& te
     return added;
 }
 
+Option& Verb::output(const std::string& names, std::string& target, const std::string& type,
+                     const std::string& text) {
+    const bool is_first = std::ranges::none_of(
+        options, [](const Option& each) { return each.name() == "--no-clobber"; });
+    if (is_first) {
+        Option& keep = add("--no-clobber", "", "never replace a file that is there");
+        keep.take = [](const std::string&) { keep_all_files(); };
+    }
+    return option(names, target, type, text);
+}
+
 Option& Verb::json_flag(bool& target, const std::string& text) {
     return flag("--json", target, text);
 }
@@ -193,7 +211,7 @@ void Verb::bounded_by(Bounds& bounds) {
            "letters that may be written out (default 1000000000)")
         .bounds = true;
     option("--max-memory", bounds.memory, bytes, "BYTES",
-           "memory that tables may take (default 4G)")
+           "memory that the work may take (default 4G)")
         .bounds = true;
     option("--timeout", bounds.timeout, positive, "SECONDS",
            "stop after so many seconds (default: never)")
@@ -337,6 +355,23 @@ struct Parser {
 }  // namespace
 
 int Verbs::run(int argc, char** argv) {
+    /// The option that may be meant by one that the verb does not have.
+    const auto meant = [&](const CLI::ParseError& error, const std::string& name) -> std::string {
+        const auto verb = std::ranges::find(all, name, &Verb::name);
+        const std::string text = error.what();
+        const std::size_t from = text.find("--");
+        if (verb == all.end() || !dynamic_cast<const CLI::ExtrasError*>(&error) ||
+            from == std::string::npos)
+            return {};
+        std::vector<std::string> names;
+        for (const Option& option : verb->options)
+            if (option.name().starts_with("--")) names.push_back(option.name().substr(2));
+        std::string hint =
+            did_you_mean(text.substr(from + 2, text.find_first_of(" =,", from) - from - 2), names);
+        if (const std::size_t quote = hint.find('\''); quote != std::string::npos)
+            hint.insert(quote + 1, "--");
+        return hint;
+    };
     Parser parser(all);
     if (argc < 2) {
         std::fputs(parser.app.help().c_str(), stderr);
@@ -352,13 +387,21 @@ int Verbs::run(int argc, char** argv) {
     try {
         parser.app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
-        if (error.get_exit_code() == 0) return parser.app.exit(error);  // help and version
-        throw Error(std::string(error.what()) + "; `algae " +
+        if (error.get_exit_code() == 0) {  // help and version
+            errno = 0;
+            parser.app.exit(error);
+            if (!std::cout.flush())
+                throw Error(std::string("cannot write to standard output: ") +
+                            std::strerror(errno));
+            return success;
+        }
+        throw Error(std::string(error.what()) + meant(error, word) + "; `algae " +
                     (word.starts_with('-') ? "" : word + " ") + "--help` shows how");
     }
     for (const bool bounds : {true, false})
         for (const Given& value : *parser.values)
             if (value.option->bounds == bounds) value.take();
+    const Heartbeat heartbeat(parser.chosen->name);
     return parser.chosen->run();
 }
 

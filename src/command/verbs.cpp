@@ -10,8 +10,11 @@
 #include <new>
 #include <string>
 
+#include "command/detail/memory.hpp"
+#include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
+#include "render/render.hpp"
 #include "turtle/turtle.hpp"
 
 namespace algae::command {
@@ -27,9 +30,26 @@ void add_verbs(Verbs& verbs) {
 
 namespace {
 
-int report(const char* message, int status) {
-    std::fprintf(stderr, "algae: %s\n", message);
+int report(const std::string& message, int status) {
+    std::fprintf(stderr, "algae: %s\n", printable(message).c_str());
     return status;
+}
+
+/// Where memory ends in a place that cannot say so otherwise.
+[[noreturn]] void on_terminate() {
+    remove_unfinished_files();
+    const char* message = "algae: an error that no work expects ends the program\n";
+    int status = bad_input;
+    try {
+        if (const std::exception_ptr error = std::current_exception())
+            std::rethrow_exception(error);
+    } catch (const std::bad_alloc&) {
+        message = "algae: there is no more memory; raise --max-memory or lower the generation\n";
+        status = undecided;
+    } catch (...) {
+    }
+    std::fputs(message, stderr);
+    std::_Exit(status);
 }
 
 /// The first request stops the work, another one ends the program at once. What comes within half a second of the first
@@ -44,6 +64,7 @@ void on_stop(int) {
         first_second = second;
         first_centisecond = centisecond;
     } else if ((second - first_second) * 100 + centisecond - first_centisecond > 50) {
+        remove_unfinished_files();
         std::_Exit(interrupted);
     }
 }
@@ -55,6 +76,10 @@ void handle_stops() {
     action.sa_handler = on_stop;
     sigaction(SIGINT, &action, nullptr);
     sigaction(SIGTERM, &action, nullptr);
+    struct sigaction before = {};
+    sigaction(SIGHUP, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, nullptr);  // nohup means it
+    std::set_terminate(on_terminate);
 }
 
 int run_command(int argc, char** argv) {
@@ -67,16 +92,19 @@ int run_command(int argc, char** argv) {
     } catch (const BoundReached& error) {
         return report(error.what(), undecided);
     } catch (const ProgramWanted& error) {
-        return report((std::string(error.what()) + ", with --environment 'COMMAND'").c_str(),
-                      bad_input);
+        return report(std::string(error.what()) + ", with --environment 'COMMAND'", bad_input);
     } catch (const Diagnostics& error) {
-        std::fprintf(stderr, "%s\n", error.what());
+        std::fprintf(stderr, "%s\n", printable(error.what()).c_str());
         return bad_input;
     } catch (const Error& error) {
         return report(error.what(), bad_input);
     } catch (const std::bad_alloc&) {
-        return report("the machine has no more memory; lower --max-memory or the generation",
-                      undecided);
+        return report(
+            is_memory_used_up()
+                ? "the work needs more memory than --max-memory allows; raise it or lower "
+                  "the generation"
+                : "the machine has no more memory; lower --max-memory or the generation",
+            undecided);
     } catch (const std::exception& error) {
         return report(error.what(), bad_input);
     }

@@ -121,6 +121,8 @@ std::uint64_t parse_steps(std::string_view text) {
 /// Reads `G ==> W in 3 steps` or `G : U ==> W`. Throws `SyntaxError`.
 std::variant<Derives, Rewrites> parse_derivation(std::string_view text, ClaimReading& reading) {
     const std::size_t arrow = text.find("==>");
+    if (arrow == std::string_view::npos)
+        throw unexpected("a derivation such as 'G ==> ab in 3 steps'", text.data());
     const std::string_view left = before(text, arrow);
     const std::size_t colon = left.find(':');
     const std::string_view name = trimmed(before(left, colon));

@@ -297,6 +297,18 @@ Stage stage(const Clause& clause) {
     return setting ? setting->stage : Stage::unknown;
 }
 
+/// How algae says what other notations write so; otherwise the hint.
+std::string said_elsewhere(std::string_view text, const std::string& hint) {
+    if (text.starts_with("//") || text.starts_with("/*") || text.starts_with("%") ||
+        text.starts_with("--"))
+        return "; a comment begins with '#'";
+    if (!hint.empty()) return hint;
+    for (const std::string_view arrow : {"-->", "=>", "::=", ":=", "\u2192", "="})
+        if (text.find(arrow) != std::string_view::npos)
+            return "; did you mean '->' instead of '" + std::string(arrow) + "'?";
+    return {};
+}
+
 [[noreturn]] void refuse(const Clause& clause, const Reading& reading) {
     constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
     const std::string_view text = clause.text;
@@ -306,7 +318,7 @@ Stage stage(const Clause& clause) {
     if (reading.findings.count() < most)
         for (const Setting& setting : settings()) names.push_back(setting.name());
     throw SyntaxError{text.data(), "expected a setting or a rule with '->', found " + quoted(word) +
-                                       did_you_mean(clause.keyword, names)};
+                                       said_elsewhere(text, did_you_mean(clause.keyword, names))};
 }
 
 /// Throws unless the clause may stand in a system within another.

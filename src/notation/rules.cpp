@@ -215,6 +215,8 @@ void parse_left_side(std::string_view text, Lexicon& lexicon, const Source& sour
                            -right_context >> -elsewhere >> -condition;
 
     x3::phrase_parse(here, end, left_side, grammar::blank);
+    if (predecessor.pattern.size() > 1 && predecessor.places[1][0] == '-')
+        throw unexpected("an arrow '->' after one symbol", predecessor.places[1]);
     if (predecessor.pattern.size() > 1)
         throw unexpected("'->' or a context after one symbol", predecessor.places[1]);
     if (predecessor.pattern.empty())

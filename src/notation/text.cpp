@@ -321,13 +321,53 @@ std::size_t edit_distance(std::string_view left, std::string_view right) {
     return distance[left.size()][right.size()];
 }
 
+namespace {
+
+/// A word as it is when small and capital letters are not told apart, nor a zero and the letter O.
+std::string folded(std::string_view word) {
+    std::string all;
+    for (const char c : word)
+        all += c == 'O' || c == 'o'
+                   ? '0'
+                   : static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    return all;
+}
+
+/// What others call by another word.
+std::string_view usual_word(std::string_view word) {
+    static constexpr std::array<std::pair<std::string_view, std::string_view>, 14> words{
+        {{"kleene", "star"},
+         {"closure", "star"},
+         {"concat", "concatenation"},
+         {"product", "concatenation"},
+         {"cup", "union"},
+         {"cap", "intersection"},
+         {"mirror", "reversal"},
+         {"reverse", "reversal"},
+         {"morphism", "homomorphism"},
+         {"snowflake", "koch-snowflake"},
+         {"color", "colour"},
+         {"colors", "colours"},
+         {"start", "axiom"},
+         {"omega", "axiom"}}};
+    for (const auto& [other, usual] : words)
+        if (folded(other) == folded(word)) return usual;
+    return word;
+}
+
+}  // namespace
+
 std::string did_you_mean(std::string_view written, const std::vector<std::string>& candidates) {
     constexpr std::size_t shortest = 3, longest = 40;
-    if (written.size() < shortest || written.size() > longest) return {};
+    if (written.empty() || written.size() > longest) return {};
+    const std::string usual = folded(usual_word(written));
+    for (const std::string& candidate : candidates)
+        if (folded(candidate) == usual) return "; did you mean '" + candidate + "'?";
     const std::string* best = nullptr;
     std::size_t least = (written.size() + 1) / 4;  // further than this is another word
     for (const std::string& candidate : candidates) {
-        if (candidate.size() < shortest || candidate.size() > longest) continue;
+        if (written.size() < shortest || candidate.size() < shortest || candidate.size() > longest)
+            continue;
         const std::size_t distance = edit_distance(written, candidate);
         if (distance >= least + (best ? 0 : 1)) continue;
         best = &candidate;

@@ -7,6 +7,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cctype>
 #include <cerrno>
@@ -14,9 +15,12 @@
 #include <cstdio>
 #include <exception>
 #include <filesystem>
+#include <mutex>
 #include <new>
 #include <ostream>
+#include <set>
 #include <system_error>
+#include <utility>
 
 #include "exact/exact.hpp"
 #include "render/detail/document.hpp"
@@ -50,6 +54,29 @@ std::string temporary_name(const std::string& target) {
     return target + ".part-" + std::to_string(::getpid()) + "-" + std::to_string(counter++);
 }
 
+// --- Files that are kept, and files that are not finished ---
+
+struct Kept {
+    std::mutex guard;
+    std::set<std::pair<dev_t, ino_t>> inputs;
+    bool all = false;
+};
+Kept& kept() {
+    static Kept files;
+    return files;
+}
+
+/// The names of temporary files, where a handler of signals finds them.
+constexpr std::size_t most_unfinished = 64;
+std::array<std::atomic<const char*>, most_unfinished> unfinished{};
+
+void set_unfinished(const char* from, const char* to) {
+    for (auto& place : unfinished) {
+        const char* expected = from;
+        if (place.compare_exchange_strong(expected, to)) return;
+    }
+}
+
 constexpr std::string_view date_line = "%%CreationDate:";
 constexpr std::string_view end_of_header = "%%EndComments";
 constexpr std::size_t longest_reference = 64;
@@ -64,16 +91,44 @@ bool is_digit(char letter) { return std::isdigit(static_cast<unsigned char>(lett
 
 }  // namespace
 
-FileOutput::FileOutput(const std::string& path) : path_(path), target_(path) {
+void keep_input(const std::string& path) {
+    struct stat file;
+    if (::stat(path.c_str(), &file) != 0 || !S_ISREG(file.st_mode)) return;
+    const std::lock_guard lock(kept().guard);
+    kept().inputs.emplace(file.st_dev, file.st_ino);
+}
+
+void keep_all_files() {
+    const std::lock_guard lock(kept().guard);
+    kept().all = true;
+}
+
+void remove_unfinished_files() noexcept {
+    for (const auto& place : unfinished)
+        if (const char* const name = place.load()) ::unlink(name);
+}
+
+FileOutput::FileOutput(const std::string& path, bool is_input) : path_(path), target_(path) {
     namespace files = std::filesystem;
     std::error_code ignored;
     if (path.empty()) throw Error("cannot write a file without a name");
+    buffer_.reserve(buffer_size);  // before there is a file that an exception would leave
     if (files::is_symlink(path, ignored)) {
         const files::path leads_to = files::weakly_canonical(path, ignored);
         if (!ignored) target_ = leads_to.string();
     }
     const files::file_status status = files::status(target_, ignored);
     if (files::is_directory(status)) fail(EISDIR);
+    if (files::is_regular_file(status)) {
+        struct stat there;
+        const std::lock_guard lock(kept().guard);
+        if (!is_input && ::stat(target_.c_str(), &there) == 0 &&
+            kept().inputs.count({there.st_dev, there.st_ino}) > 0)
+            throw Error("cannot write " + path + ": it was read as input; expected another name");
+        if (kept().all)
+            throw Error("cannot write " + path +
+                        ": it is there already, and --no-clobber keeps it");
+    }
     if (files::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(errno);
 
     const bool direct = files::exists(status) && !files::is_regular_file(status);
@@ -87,12 +142,14 @@ FileOutput::FileOutput(const std::string& path) : path_(path), target_(path) {
     }
     struct stat old;
     if (!direct && ::stat(target_.c_str(), &old) == 0) ::fchmod(descriptor_, old.st_mode & 07777);
-    buffer_.reserve(buffer_size);
+    if (!direct) set_unfinished(nullptr, temporary_.c_str());
 }
 
 FileOutput::~FileOutput() {
     if (descriptor_ >= 0) ::close(descriptor_);
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (temporary_.empty()) return;
+    ::unlink(temporary_.c_str());
+    set_unfinished(temporary_.c_str(), nullptr);
 }
 
 void FileOutput::fail(int reason) const {
@@ -120,9 +177,14 @@ void FileOutput::commit() {
     flush();
     const int descriptor = descriptor_;
     descriptor_ = -1;
+    // Its bytes are on the disk before its name is: a machine that stops leaves the old file or the new one.
+    const bool is_synced = temporary_.empty() || ::fsync(descriptor) == 0 || errno == EINVAL;
+    const int reason = errno;
     if (::close(descriptor) != 0) fail(errno);
+    if (!is_synced) fail(reason);
     if (temporary_.empty()) return;
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    set_unfinished(temporary_.c_str(), nullptr);
     temporary_.clear();
 }
 

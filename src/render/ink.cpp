@@ -45,11 +45,20 @@ PointSet ink_of(std::string_view png, const std::string& name, const InkOptions&
     if (!(options.threshold >= 0 && options.threshold <= 1))
         throw Error("the threshold is " + std::to_string(options.threshold) +
                     ", expected 0 (black) to 1 (white)");
+    constexpr std::size_t size_at = 16;  // width and height, four bytes each, the highest first
+    const auto number = [&](std::size_t from) {
+        std::uint64_t value = 0;
+        for (std::size_t i = 0; i < 4 && from + i < png.size(); ++i)
+            value = value << 8 | static_cast<unsigned char>(png[from + i]);
+        return value;
+    };
+    // The decoder has all pixels, and a copy of them.
+    budget.check_memory(number(size_at) * number(size_at + 4) * 8, "the pixels of the image");
     std::string_view rest = png;
     const OwnedSurface image(cairo_image_surface_create_from_png_stream(read_bytes, &rest));
     if (const cairo_status_t status = cairo_surface_status(image.get());
-        status != CAIRO_STATUS_SUCCESS)
-        throw Error(name + ": expected a PNG image: " + cairo_status_to_string(status));
+        status != CAIRO_STATUS_SUCCESS)  // "out of memory" too is what Cairo says of a damaged one
+        throw Error(name + ": expected a PNG image, found one that is damaged or ends too early");
     const cairo_format_t format = cairo_image_surface_get_format(image.get());
     if (format != CAIRO_FORMAT_ARGB32 && format != CAIRO_FORMAT_RGB24)
         throw Error(name + ": expected an image with 8 bits for each colour");

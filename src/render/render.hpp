@@ -40,8 +40,9 @@ public:
 /// directly; a symbolic link is followed.
 class FileOutput final : public Output {
 public:
-    /// Throws Error if `path` is a directory or cannot be written.
-    explicit FileOutput(const std::string& path);
+    /// Throws Error if `path` is a directory, is kept (see below) or cannot be written. `is_input`: a file that is kept as an
+    /// input may be replaced.
+    explicit FileOutput(const std::string& path, bool is_input = false);
     FileOutput(const FileOutput&) = delete;
     FileOutput& operator=(const FileOutput&) = delete;
     /// Without `commit`, no file is left behind, and a file of that name is unchanged.
@@ -61,6 +62,16 @@ private:
     std::string buffer_;
     int descriptor_ = -1;
 };
+
+/// From now on no FileOutput replaces this file, by whatever name: the program has read it. A path that is not an ordinary file is
+/// left out.
+void keep_input(const std::string& path);
+
+/// From now on no FileOutput replaces any file that is there.
+void keep_all_files();
+
+/// Removes the temporary files of all FileOutputs; may be called from a handler of signals, just before the program ends.
+void remove_unfinished_files() noexcept;
 
 /// Where a drawing goes: to a file, given by its path, or to a stream, which must outlive this. Functions take
 /// either in its place.

@@ -3,6 +3,7 @@
 #include <sys/uio.h>
 
 #include <cstddef>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,8 +26,11 @@ void print_report(const Report& report, bool json) {
 /// A note on standard error: "algae: note: TEXT".
 void note(const std::string& text);
 
-/// Writes a file, which appears whole or not at all.
-void write_file(const std::string& path, const std::string& text);
+/// Writes a file, which appears whole or not at all. `is_input`: it replaces the one that was read.
+void write_file(const std::string& path, const std::string& text, bool is_input = false);
+
+/// The text with control characters other than the end of a line written as \x1b, so that names cannot steer a terminal.
+std::string printable(std::string_view text);
 
 /// Standard output for long words: pieces are handed to the system where they lie, many at once.
 class StandardOutput : public TextSink {
@@ -56,7 +60,21 @@ private:
     std::string escaped_;
 };
 
-/// A bar on standard error, if that is a terminal.
+/// Says on standard error, while it lives, what works and for how long: after five seconds, then every ten, a line each; on a terminal
+/// one line that changes. Where a ProgressBar lives it says how far that is.
+class Heartbeat {
+public:
+    explicit Heartbeat(std::string label);
+    ~Heartbeat();
+    Heartbeat(const Heartbeat&) = delete;
+    Heartbeat& operator=(const Heartbeat&) = delete;
+
+private:
+    struct Beat;
+    std::unique_ptr<Beat> beat_;
+};
+
+/// A bar on standard error, if that is a terminal; otherwise the heartbeat tells of it.
 class ProgressBar : public Progress {
 public:
     explicit ProgressBar(std::string label);

@@ -28,7 +28,7 @@ inline Status status_of(Truth truth) {
     return truth == Truth::proved ? success : truth == Truth::refuted ? refuted : undecided;
 }
 
-/// Set by Ctrl-C and SIGTERM.
+/// Set by Ctrl-C, SIGTERM and SIGHUP.
 extern std::atomic<bool> stop;
 
 /// A function that the budgets of all verbs call at each check, if it is set: tests stop verbs by it.
@@ -154,6 +154,9 @@ public:
     }
     /// A flag.
     Option& flag(const std::string& names, bool& target, const std::string& text);
+    /// A file or a folder that is written; with it comes `--no-clobber`.
+    Option& output(const std::string& names, std::string& target, const std::string& type,
+                   const std::string& text);
     /// `--json`, with the same text in nearly all verbs.
     Option& json_flag(bool& target, const std::string& text = "print one JSON object");
     /// --max-letters, --max-memory and --timeout.
@@ -199,7 +202,7 @@ public:
 /// Adds all verbs.
 void add_verbs(Verbs& verbs);
 
-/// Lets Ctrl-C and SIGTERM ask the work to stop, and interrupt reading that waits; asked twice, the program ends at once.
+/// Lets Ctrl-C, SIGTERM and SIGHUP ask the work to stop, and interrupt reading that waits; asked twice, the program ends at once.
 void handle_stops();
 
 /// Runs the command; every failure becomes one message on standard error and an exit status.

@@ -1,0 +1,114 @@
+// No file of the user's is written over unasked, none is left half-written, and what cannot be written is said.
+
+#include <doctest/doctest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <string>
+#include <vector>
+
+#include "command/run.hpp"
+
+namespace {
+
+const std::string koch = "axiom F\nF -> F+F--F+F\nangle 60\ngeneration 2\n";
+
+/// A run that must not change the file.
+void keeps(const std::string& arguments, const std::string& path) {
+    INFO(arguments);
+    const std::string before = text_of(path);
+    const Run refused = run(arguments);
+    CHECK(refused.status == 2);
+    CHECK(refused.err ==
+          "algae: cannot write " + path + ": it was read as input; expected another name\n");
+    CHECK(text_of(path) == before);
+}
+
+}  // namespace
+
+TEST_CASE("an output onto an input is an error, by whatever name") {
+    const Scratch files;
+    const std::string system = files.file("k.lsys", koch);
+    const std::string claim = files.file("u.claim", "claim x\nshow {a} is 0L\n");
+    const std::string picture = files.file("k.png");
+    REQUIRE(run("draw '" + system + "' -o '" + picture + "'").status == 0);
+    keeps("draw '" + system + "' -o '" + system + "' --format svg", system);
+    keeps("check '" + claim + "' --certificate '" + claim + "'", claim);
+    keeps("dimension '" + picture + "' --plot '" + picture + "'", picture);
+    keeps("tree '" + system + "' -n 1 -o '" + system + "' --format dot", system);
+    // A link is the file that it leads to.
+    const std::string link = files.file("link.lsys"), twin = files.file("twin.lsys");
+    std::filesystem::create_symlink(system, link);
+    std::filesystem::create_hard_link(system, twin);
+    keeps("draw '" + link + "' -o '" + system + "' --format svg", system);
+    keeps("draw '" + system + "' -o '" + link + "' --format svg", link);
+    keeps("draw '" + system + "' -o '" + twin + "' --format svg", twin);
+    // What is asked for is done.
+    const std::string untidy = files.file("untidy.lsys", "axiom   a\na->ab\n");
+    CHECK(run("fmt --in-place '" + untidy + "'").status == 0);
+    CHECK(text_of(untidy) == "axiom a\na -> ab\n");
+}
+
+TEST_CASE("--no-clobber replaces no file that is there") {
+    const Scratch files;
+    const std::string there = files.file("there.svg", "mine");
+    const Run refused = run("draw koch -n 1 --no-clobber -o '" + there + "'");
+    CHECK(refused.status == 2);
+    CHECK(refused.err ==
+          "algae: cannot write " + there + ": it is there already, and --no-clobber keeps it\n");
+    CHECK(text_of(there) == "mine");
+    CHECK(run("draw koch -n 1 --no-clobber -o '" + files.file("new.svg") + "'").status == 0);
+    CHECK(run("draw koch -n 1 -o '" + there + "'").status == 0);
+    CHECK(text_of(there) != "mine");
+    for (const std::string verb :
+         {"figures", "growth", "tree", "check", "is", "lesson", "dimension"})
+        CHECK(run(verb + " --help").out.find("--no-clobber") != std::string::npos);
+}
+
+TEST_CASE("the files of a lesson leave an answer that was written in them") {
+    const Scratch files;
+    const std::string out = files.path().string();
+    REQUIRE(run("lesson 1 --out '" + out + "'").status == 0);
+    const std::size_t count = files.size();
+    REQUIRE(count > 0);
+    std::vector<std::filesystem::path> written;
+    for (const auto& entry : std::filesystem::directory_iterator(files.path()))
+        written.push_back(entry.path());
+    // The same files again: nothing is new.
+    const Run again = run("lesson 1 --out '" + out + "'");
+    CHECK(again.status == 0);
+    CHECK(again.err.empty());
+    CHECK(files.size() == count);
+    const std::string answer = written.front().string();
+    std::ofstream(answer) << "my answer";
+    const Run beside = run("lesson 1 --out '" + out + "'");
+    CHECK(beside.status == 0);
+    CHECK(beside.err == "algae: note: " + answer +
+                            " was changed and stays; the file of the lesson is " + answer +
+                            ".new\n");
+    CHECK(text_of(answer) == "my answer");
+    CHECK(files.size() == count + 1);
+}
+
+TEST_CASE("help that cannot be written fails") {
+    if (!std::filesystem::exists("/dev/full")) return;
+    for (const std::string arguments : {"--help", "draw --help", "--version"}) {
+        const int ended =
+            std::system(("'" ALGAE_COMMAND "' " + arguments + " >/dev/full 2>/dev/null").c_str());
+        CHECK(WEXITSTATUS(ended) == 2);
+    }
+}
+
+TEST_CASE("two stops leave no unfinished file") {
+    const Scratch files;
+    const std::string out = files.file("far.gif");
+    // The second stop ends the program at once, wherever it is.
+    const std::string command =
+        "'" ALGAE_COMMAND "' draw koch -n 8 --progressive --max-frames 10000 -o '" + out +
+        "' >/dev/null 2>&1 & p=$!; sleep 1; kill -HUP $p; sleep 0.7; "
+        "kill -HUP $p; wait $p; exit $?";
+    const int ended = std::system(command.c_str());
+    CHECK((WEXITSTATUS(ended) == 130 || WEXITSTATUS(ended) == 0));
+    CHECK(files.size() == (WEXITSTATUS(ended) == 0 ? 1 : 0));
+}

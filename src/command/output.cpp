@@ -10,19 +10,25 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <climits>
 #include <condition_variable>
 #include <csignal>
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <ctime>
 #include <iostream>
+#include <limits>
 #include <mutex>
+#include <optional>
 #include <system_error>
 #include <thread>
 #include <utility>
 
+#include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "render/render.hpp"
 
@@ -150,6 +156,50 @@ void clear_line() {
 
 }  // namespace
 
+namespace {
+
+std::atomic<bool> ends_late_work = false;
+constexpr std::int64_t no_deadline = std::numeric_limits<std::int64_t>::max();
+std::atomic<std::int64_t> deadline = no_deadline;  // of steady_clock, in its ticks
+
+/// Whether a condition has held so long that work that heeds it would have ended: nearly two seconds of work, or twice that on a
+/// machine that does others' work.
+class Overdue {
+public:
+    bool operator()(bool holds) {
+        const auto now = std::chrono::steady_clock::now();
+        const std::clock_t worked = std::clock();
+        if (!holds) {
+            since_.reset();
+        } else if (!since_) {
+            since_ = now;
+            worked_ = worked;
+        }
+        using namespace std::chrono_literals;
+        return holds && now - *since_ >= 1400ms &&
+               (worked - worked_ >= CLOCKS_PER_SEC * 6 / 5 || now - *since_ >= 4s);
+    }
+
+private:
+    std::optional<std::chrono::steady_clock::time_point> since_;
+    std::clock_t worked_ = 0;
+};
+
+/// Ends the program in the middle of its work, which has no lasting state but files without a name yet.
+[[noreturn]] void end_now(const char* message, int status) {
+    remove_unfinished_files();
+    std::fprintf(stderr, "algae: %s\n", message);
+    std::_Exit(status);
+}
+
+}  // namespace
+
+void end_late_work() { ends_late_work = true; }
+
+void set_deadline(std::optional<std::chrono::steady_clock::time_point> time) {
+    deadline = time ? time->time_since_epoch().count() : no_deadline;
+}
+
 struct Heartbeat::Beat {
     std::string label;
     bool terminal = ::isatty(STDERR_FILENO) != 0;
@@ -162,10 +212,18 @@ struct Heartbeat::Beat {
     void run() {
         using namespace std::chrono_literals;
         std::unique_lock lock(guard);
-        auto wait = std::chrono::milliseconds(5s);
-        while (!ended.wait_for(lock, wait, [&] { return is_over; })) {
-            tell();
-            wait = terminal ? 1s : 10s;
+        auto next = begin + 5s;
+        Overdue stopped, late;
+        while (!ended.wait_for(lock, 100ms, [&] { return is_over; })) {
+            const auto now = std::chrono::steady_clock::now();
+            if (now >= next) {
+                tell();
+                next = now + (terminal ? 1s : 10s);
+            }
+            if (!ends_late_work) continue;
+            if (stopped(stop)) end_now("interrupted", interrupted);
+            if (late(now.time_since_epoch().count() > deadline))
+                end_now("the time allowed by --timeout is over", undecided);
         }
     }
 

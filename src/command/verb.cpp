@@ -158,6 +158,7 @@ Budget Bounds::budget() const {
         budget.deadline = std::chrono::steady_clock::now() +
                           std::chrono::duration_cast<std::chrono::steady_clock::duration>(
                               std::chrono::duration<double>(std::min(*timeout, 1e9)));
+    set_deadline(budget.deadline);
     return budget;
 }
 

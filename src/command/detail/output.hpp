@@ -2,8 +2,10 @@
 
 #include <sys/uio.h>
 
+#include <chrono>
 #include <cstddef>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -73,6 +75,13 @@ private:
     struct Beat;
     std::unique_ptr<Beat> beat_;
 };
+
+/// From now on heartbeats end the program where work goes on for two seconds after it was told to stop, or after its time was over: in a
+/// library that asks nobody, or where a check was forgotten. Unfinished files are removed. For `main`, not for tests.
+void end_late_work();
+
+/// When the time of the work is over.
+void set_deadline(std::optional<std::chrono::steady_clock::time_point> time);
 
 /// A bar on standard error, if that is a terminal; otherwise the heartbeat tells of it.
 class ProgressBar : public Progress {

@@ -41,16 +41,17 @@ std::vector<std::string> long_work(const Scratch& files) {
     const std::string letters = "'" + files.file("letters.lsys", many_letters()) + "'";
     const std::string rules = "'" + files.file("rules.lsys", many_rules()) + "'";
     const std::string out = files.file("out");
-    return {"tree " + letters + " --graph -o " + out + ".svg",
-            "derive " + rules + " --all-words -n 3",
-            "finite " + rules,
-            "draw bush-3d -n 8 -o " + out + ".obj",
-            "draw koch -n 8 --progressive --max-frames 10000 -o " + out + ".gif",
-            "ca --rule 30 --cells 30000 -n 30000 -o " + out + ".png",
-            "dla --particles 10000000 -o " + out + ".png",
-            "growth koch -n 300000000",
-            "census '0L systems up to size 40'",
-            "check --say 'for all 0L languages A, B: A B is EDT0L' --instances 1000000000 --size 99"};
+    return {
+        "tree " + letters + " --graph -o " + out + ".svg",
+        "derive " + rules + " --all-words -n 3",
+        "finite " + rules,
+        "draw bush-3d -n 8 -o " + out + ".obj",
+        "draw koch -n 8 --progressive --max-frames 10000 -o " + out + ".gif",
+        "ca --rule 30 --cells 30000 -n 30000 -o " + out + ".png",
+        "dla --particles 10000000 -o " + out + ".png",
+        "growth koch -n 300000000",
+        "census '0L systems up to size 40'",
+        "check --say 'for all 0L languages A, B: A B is EDT0L' --instances 1000000000 --size 99"};
 }
 
 }  // namespace
@@ -61,8 +62,8 @@ TEST_CASE("Ctrl-C, SIGTERM and SIGHUP end every work") {
     for (const std::string& work : long_work(files)) {
         const std::string signal = std::vector<std::string>{"INT", "TERM", "HUP"}[number++ % 3];
         INFO(signal << " " << work);
-        const Run ended =
-            run(work, "timeout --preserve-status -k 60 -s " + signal + " 1");  // 137 if it has to be killed
+        const Run ended = run(work, "timeout --preserve-status -k 60 -s " + signal +
+                                        " 1");  // 137 if it has to be killed
         CHECK(ended.status == 130);
         CHECK(ended.err.ends_with("algae: interrupted\n"));
     }

@@ -1,0 +1,141 @@
+// Faults of the machine, for a program that this library is loaded into before others: the n-th allocation fails, the n-th write
+// fails in one of several ways, or the n-th call that changes a file is the last.
+//
+//   ALGAE_FAULT=memory:N      allocation number N since main gives nothing
+//   ALGAE_FAULT=full:N        write number N fails: no space is left
+//   ALGAE_FAULT=broken:N      write number N fails: the device does not answer
+//   ALGAE_FAULT=short:N       write number N writes one byte only
+//   ALGAE_FAULT=kill:N        before call number N that opens, writes, renames or removes a file the program is killed
+//   ALGAE_FAULT=memory:0      (or another kind) nothing fails; at the end the number of such calls is written to ALGAE_FAULT_COUNT
+//
+// glibc's own names of its functions are called, so no call is needed to find them.
+
+#define _GNU_SOURCE
+#include <errno.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <stdarg.h>
+#include <stddef.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/syscall.h>
+#include <sys/uio.h>
+#include <unistd.h>
+
+extern void* __libc_malloc(size_t);
+extern void* __libc_calloc(size_t, size_t);
+extern void* __libc_realloc(void*, size_t);
+extern void* __libc_memalign(size_t, size_t);
+
+enum Kind { nothing, memory, full, broken, shortened, killed };
+static enum Kind kind = nothing;
+static long wanted = 0;
+static long count = 0;  // of calls of the kind
+static int in_main = 0;
+
+static int is_due(void) { return __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED) == wanted; }
+
+static int no_memory(void) {
+    if (!in_main || kind != memory || !is_due()) return 0;
+    errno = ENOMEM;
+    return 1;
+}
+
+void* malloc(size_t bytes) { return no_memory() ? NULL : __libc_malloc(bytes); }
+void* calloc(size_t number, size_t bytes) { return no_memory() ? NULL : __libc_calloc(number, bytes); }
+void* realloc(void* old, size_t bytes) {
+    return bytes > 0 && no_memory() ? NULL : __libc_realloc(old, bytes);
+}
+void* memalign(size_t alignment, size_t bytes) {
+    return no_memory() ? NULL : __libc_memalign(alignment, bytes);
+}
+void* aligned_alloc(size_t alignment, size_t bytes) { return memalign(alignment, bytes); }
+int posix_memalign(void** to, size_t alignment, size_t bytes) {
+    void* const made = memalign(alignment, bytes);
+    if (!made) return ENOMEM;
+    *to = made;
+    return 0;
+}
+
+static void kill_if_due(void) {
+    if (in_main && kind == killed && is_due()) raise(SIGKILL);
+}
+
+/// What a write of some bytes does instead: 0 nothing else, -1 it fails, 1 it is short.
+static int change_of_write(int file) {
+    kill_if_due();
+    if (!in_main || file == STDERR_FILENO || kind < full || kind == killed || !is_due()) return 0;
+    if (kind == shortened) return 1;
+    errno = kind == full ? ENOSPC : EIO;
+    return -1;
+}
+
+ssize_t write(int file, const void* bytes, size_t number) {
+    const int change = change_of_write(file);
+    if (change < 0) return -1;
+    return syscall(SYS_write, file, bytes, change > 0 && number > 0 ? (size_t)1 : number);
+}
+ssize_t writev(int file, const struct iovec* pieces, int number) {
+    const int change = change_of_write(file);
+    if (change < 0) return -1;
+    if (change > 0 && number > 0 && pieces[0].iov_len > 0)
+        return syscall(SYS_write, file, pieces[0].iov_base, (size_t)1);
+    return syscall(SYS_writev, file, pieces, number);
+}
+int fsync(int file) { return change_of_write(file) < 0 ? -1 : (int)syscall(SYS_fsync, file); }
+int rename(const char* from, const char* to) {
+    return change_of_write(-1) < 0 ? -1 : (int)syscall(SYS_renameat2, AT_FDCWD, from, AT_FDCWD, to, 0);
+}
+int unlink(const char* path) {
+    kill_if_due();
+    return (int)syscall(SYS_unlinkat, AT_FDCWD, path, 0);
+}
+int open(const char* path, int flags, ...) {
+    va_list arguments;
+    va_start(arguments, flags);
+    const mode_t mode = flags & O_CREAT ? va_arg(arguments, mode_t) : 0;
+    va_end(arguments);
+    if (flags & O_CREAT) kill_if_due();
+    return (int)syscall(SYS_openat, AT_FDCWD, path, flags, mode);
+}
+
+static void write_count(void) {
+    const char* const path = getenv("ALGAE_FAULT_COUNT");
+    if (!path) return;
+    in_main = 0;
+    char text[32];
+    const int length = snprintf(text, sizeof text, "%ld\n", count);
+    const int file = (int)syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_TRUNC, 0666);
+    if (file >= 0) {
+        syscall(SYS_write, file, text, (size_t)length);
+        close(file);
+    }
+}
+
+static int (*real_main)(int, char**, char**);
+static int counted_main(int number, char** arguments, char** environment) {
+    in_main = 1;
+    const int status = real_main(number, arguments, environment);
+    write_count();
+    return status;
+}
+
+/// Faults begin with main: what the loader and constructors of libraries do is theirs.
+int __libc_start_main(int (*main)(int, char**, char**), int number, char** arguments,
+                      void (*begin)(void), void (*end)(void), void (*loader_end)(void), void* stack) {
+    static const char* const names[] = {"", "memory:", "full:", "broken:", "short:", "kill:"};
+    const char* const said = getenv("ALGAE_FAULT");
+    for (int i = 1; said && i <= killed; ++i)
+        if (strncmp(said, names[i], strlen(names[i])) == 0) {
+            kind = (enum Kind)i;
+            wanted = atol(said + strlen(names[i]));
+        }
+    real_main = main;
+    int (*next)(int (*)(int, char**, char**), int, char**, void (*)(void), void (*)(void),
+                void (*)(void), void*);
+    extern void* dlsym(void*, const char*);
+    *(void**)&next = dlsym((void*)-1L, "__libc_start_main");  // RTLD_NEXT
+    return next(counted_main, number, arguments, begin, end, loader_end, stack);
+}

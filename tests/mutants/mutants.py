@@ -188,16 +188,24 @@ class Tests:
         run = subprocess.run([program, 'cover', str(listed)], capture_output=True, text=True, env=ENVIRONMENT)
         if run.returncode != 0:
             sys.exit('The tests fail without a mutant:\n' + run.stdout[-4000:])
-        self.names, self.seconds, self.reached = [], [], []
+        self.names, self.seconds, self.reached, self.at_start = [], [], [], set()
         for line in listed.read_text().splitlines():
             seconds, name, numbers = line.split('\t')
+            if not name:
+                self.at_start = set(map(int, numbers.split()))
+                continue
             self.names.append(name)
             self.seconds.append(float(seconds))
             self.reached.append(set(map(int, numbers.split())))
 
     def that_reach(self, mutant, longest):
         """The tests that evaluate a mutant, the quick ones first, and the seconds they take."""
-        found = [i for i in range(len(self.names)) if mutant.number in self.reached[i] and self.seconds[i] <= longest]
+        found = [i for i in range(len(self.names)) if mutant.number in self.reached[i]]
+        if mutant.number in self.at_start:
+            found = range(len(self.names))
+        elif mutant.is_kept and found:
+            found = range(found[0], len(self.names))
+        found = [i for i in found if self.seconds[i] <= longest]
         found.sort(key=lambda i: self.seconds[i])
         return found, sum(self.seconds[i] for i in found)
 

@@ -1,6 +1,7 @@
 // The main program of tests whose room holds mutants; tools/mutants builds and runs it.
 //
-//     PROGRAM cover FILE           runs all tests; for each a line: CPU seconds, name, the mutants that were reached
+//     PROGRAM cover FILE           runs all tests; for each a line: CPU seconds, name, the mutants that were reached;
+//                                the first line, without a name, has those that are reached before
 //     PROGRAM kill NUMBER TEST...  switches a mutant on and runs these tests, counted from 0, until one fails
 //
 // A mutant is switched on before constants are initialised, so there is a process for each.
@@ -41,8 +42,16 @@ struct Cover : doctest::IReporter {
     std::clock_t begin = 0;
 
     explicit Cover(const doctest::ContextOptions&) {}
+    void write(double seconds) {
+        if (!coverage.is_open()) return;
+        coverage << seconds << '\t' << name << '\t';
+        for (std::size_t i = 0; i < most; ++i)
+            if (reached[i]) coverage << i << ' ';
+        coverage << '\n';
+        std::fill(std::begin(reached), std::end(reached), false);
+    }
     void report_query(const doctest::QueryData&) override {}
-    void test_run_start() override {}
+    void test_run_start() override { write(0); }
     void test_run_end(const doctest::TestRunStats&) override {}
     void test_case_start(const doctest::TestCaseData& test) override {
         name = test.m_name;
@@ -50,12 +59,7 @@ struct Cover : doctest::IReporter {
     }
     void test_case_reenter(const doctest::TestCaseData&) override {}
     void test_case_end(const doctest::CurrentTestCaseStats&) override {
-        if (!coverage.is_open()) return;
-        coverage << static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC << '\t' << name << '\t';
-        for (std::size_t i = 0; i < most; ++i)
-            if (reached[i]) coverage << i << ' ';
-        coverage << '\n';
-        std::fill(std::begin(reached), std::end(reached), false);
+        write(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
     }
     void test_case_exception(const doctest::TestCaseException&) override {}
     void subcase_start(const doctest::SubcaseSignature&) override {}

@@ -50,6 +50,7 @@ class Mutant:
     original: str
     changed: str
     code: str  # of what is changed, with the brackets it needs
+    is_kept: bool = False  # what is evaluated there once is used again later
     number: int = 0
 
 
@@ -66,6 +67,8 @@ class Source:
         self.pair()
         self.constants = [(token.start, self.tokens[self.until(at, {';'})].start) for at, token in enumerate(self.tokens)
                           if token.text == 'constexpr' and not self.is_function(at) and self.tokens[at - 1].text != 'if']
+        self.kept = [(token.start, self.tokens[self.until(at, {';'})].start) for at, token in enumerate(self.tokens)
+                     if token.text == 'static' and not self.is_function(at)]
         self.fixed = self.fixed_places()
         for at in range(len(self.tokens)):
             if not self.fixed[at]:
@@ -226,7 +229,7 @@ class Source:
         start, end = self.tokens[first].start, self.tokens[last].end
         if self.text[start:end] != changed:
             self.mutants.append(Mutant(self.file, self.line(at), start, end, flat(self.text[start:end]), flat(changed),
-                                       code or changed))
+                                       code or changed, any(first <= start < after for first, after in self.kept)))
 
     def look_at(self, at):
         token = self.tokens[at]

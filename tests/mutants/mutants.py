@@ -14,7 +14,7 @@ import time
 import zlib
 from pathlib import Path
 
-from schemata import Source, flat
+from schemata import Source
 
 ROOT = Path(__file__).resolve().parents[2]
 HERE = Path(__file__).resolve().parent
@@ -232,15 +232,15 @@ class Tests:
 
 
 def known_equivalents(room):
-    """The mutants of a room that no test can notice: (file, original, changed) with the reason."""
-    known, file = {}, None
+    """The mutants of a room that no test can notice: (file, line, original, changed) with the reason."""
+    known = {}
     for line in (HERE / 'equivalent.txt').read_text().splitlines():
         if line.startswith('#') or not line.strip():
             continue
-        parts = [part.strip() for part in line.split(' || ')]
-        if len(parts) != 4:
-            sys.exit('equivalent.txt: expected FILE || ORIGINAL || CHANGED || REASON, found ' + line)
-        known[tuple(map(flat, parts[:3]))] = parts[3]
+        parts = [part.strip() for part in line.split(' ## ')]
+        if len(parts) != 5:
+            sys.exit('equivalent.txt: expected FILE ## LINE ## ORIGINAL ## CHANGED ## REASON, found ' + line)
+        known[tuple(parts[:4])] = parts[4]
     return {key: reason for key, reason in known.items() if key[0].startswith(f'src/{room}/')}
 
 
@@ -280,12 +280,13 @@ def main():
 def report(room, wanted, found, dropped):
     """Prints the survivors and the figures. Returns 1 if a survivor is not known to be equivalent."""
     known = known_equivalents(room.name)
+    text = {source.file: source.text.splitlines() for source in room.sources}
     explained, open_ones, by_file = 0, 0, {}
     for mutant in wanted:
         outcome = found[mutant.number]
         if outcome in ('killed', 'timed out'):
             continue
-        reason = known.get((mutant.file, mutant.original, mutant.changed))
+        reason = known.get((mutant.file, text[mutant.file][mutant.line - 1].strip(), mutant.original, mutant.changed))
         explained += reason is not None
         open_ones += reason is None
         counts = by_file.setdefault(mutant.file, [0, 0])

@@ -162,11 +162,12 @@ class Room:
         command = subprocess.run(['ninja', '-C', str(self.build), '-t', 'commands', test], capture_output=True, text=True,
                                  check=True).stdout.splitlines()[-1]
         words = [word for word in shlex.split(command) if word not in (':', '&&')]
-        run = str(self.folder / 'run.o')
-        subprocess.run([words[0], '-std=c++20', '-O1', '-c', str(HERE / 'run.cpp'), '-o', run], check=True)
+        source, run = HERE / 'run.cpp', self.folder / 'run.o'
+        if not run.exists() or run.stat().st_mtime < source.stat().st_mtime:
+            subprocess.run([words[0], '-std=c++20', '-O1', '-c', str(source), '-o', str(run)], check=True)
         program = str(self.folder / f'test_{self.name}')
         at = words.index(main)
-        words[at:at + 1] = [run] + objects
+        words[at:at + 1] = [str(run)] + objects
         words[words.index('-o') + 1] = program
         subprocess.run(words, cwd=self.build, check=True)
         return program

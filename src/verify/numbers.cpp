@@ -224,8 +224,11 @@ private:
         // 1/3 stands as an operator, so a number has digits and a point only.
         if (size > 0) {
             if (size > 10'000) too_hard(field_.path() + ": a number of more than 10000 digits");
+            const std::string_view digits = rest_.substr(0, size);
+            if (digits.ends_with('.') || std::count(digits.begin(), digits.end(), '.') > 1)
+                fail("a number");
             NumberTerm read;
-            read.value = Rational(rest_.substr(0, size));
+            read.value = Rational(digits);
             rest_.remove_prefix(size);
             return read;
         }

@@ -1,0 +1,312 @@
+"""Mutants of a room, and which of them its tests notice: see tools/mutants."""
+
+import argparse
+import concurrent.futures
+import json
+import os
+import random
+import re
+import resource
+import shlex
+import subprocess
+import sys
+import time
+import zlib
+from pathlib import Path
+
+from schemata import Source
+
+ROOT = Path(__file__).resolve().parents[2]
+HERE = Path(__file__).resolve().parent
+MEMORY = 4 << 30  # of a run; what takes more is killed
+ENVIRONMENT = {**os.environ, 'RC_PARAMS': 'seed=1'}
+
+
+def say(text):
+    print(text, flush=True)
+
+
+class Room:
+    """A room whose sources hold mutants, in build/mutants/ROOM."""
+
+    def __init__(self, name, build, jobs):
+        self.name, self.build, self.jobs = name, build, jobs
+        self.folder = ROOT / 'build/mutants' / name
+        self.flags = {entry['file']: entry for entry in json.loads((build / 'compile_commands.json').read_text())
+                      if 'algae_library.dir' in entry['command']}  # not those with sanitizers
+        files = sorted((ROOT / 'src' / name).rglob('*.[ch]pp'))
+        self.sources = [Source(str(path.relative_to(ROOT)), path.read_text()) for path in files]
+        self.mutants = [mutant for source in self.sources for mutant in source.mutants]
+        for number, mutant in enumerate(self.mutants):
+            mutant.number = number
+        self.wanted = {mutant.number for mutant in self.mutants}
+        (self.folder / 'mutants.hpp').parent.mkdir(parents=True, exist_ok=True)
+        put(self.folder / 'mutants.hpp', '#pragma once\nnamespace mutants { bool is_on(unsigned number); }\n')
+
+    def choose(self, only, sample, seed):
+        chosen = [mutant.number for mutant in self.mutants if only is None or mutant.file.endswith(only)]
+        if sample is not None and sample < len(chosen):
+            chosen = random.Random(seed).sample(chosen, sample)
+        self.wanted = set(chosen)
+
+    def write(self):
+        """Writes the sources with the mutants that are wanted, and returns the blame of each file's lines."""
+        blame = {}
+        for source in self.sources:
+            text, blame[source.file] = source.rewritten([m for m in source.mutants if m.number in self.wanted])
+            put(self.folder / source.file, text)
+        return blame
+
+    def command(self, source, rest, other=()):
+        """How the compiler is called for a file of the room, without the options `other`."""
+        entry = self.flags[str(ROOT / source.file)]
+        words, kept = shlex.split(entry['command']), []
+        while words:
+            word = words.pop(0)
+            if word in ('-o', '-c'):
+                words.pop(0)
+            elif not word.startswith(('-W', *other)):
+                kept.append(word)
+        kept[1:1] = ['-I', str(self.folder / 'src')]
+        return kept + ['-include', str(self.folder / 'mutants.hpp'), '-w', str(self.folder / source.file)] + rest, \
+            entry['directory']
+
+    def units(self):
+        """The files that have to be compiled: all, where a header has mutants."""
+        changed = {mutant.file for mutant in self.mutants if mutant.number in self.wanted}
+        return [source for source in self.sources if source.file.endswith('.cpp') and (
+            source.file in changed or any(file.endswith('.hpp') for file in changed))]
+
+    def drop_what_fails(self):
+        """Takes mutants away until all files compile. Returns how many were taken away."""
+        before, cache = len(self.wanted), self.folder / 'compiled.json'
+        known = json.loads(cache.read_text()) if cache.exists() else {'dropped': [], 'sound': []}
+        dropped, sound = set(map(tuple, known['dropped'])), set(known['sound'])
+        keys = {mutant.number: self.key(mutant) for mutant in self.mutants}
+        self.wanted = {number for number in self.wanted if keys[number] not in dropped}
+        asked, left = set(self.wanted), self.units()
+        self.write()
+        left = [source for source in left if self.state(source) not in sound]
+        while left:
+            blame = self.write()
+
+            def errors(source):
+                words, folder = self.command(source, ['-fsyntax-only', '-fmax-errors=0'])
+                return subprocess.run(words, cwd=folder, capture_output=True, text=True)
+
+            with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+                runs = list(pool.map(errors, left))
+            failed, wrong = [], set()
+            for source, run in zip(left, runs):
+                if run.returncode != 0:
+                    failed.append(source)
+                    wrong |= self.wrong(source, run.stderr, blame)
+            self.wanted -= wrong
+            say(f'  {len(left) - len(failed)} of {len(left)} files compile; {len(self.wanted)} mutants')
+            left = failed
+        self.write()
+        dropped |= {keys[number] for number in asked - self.wanted}
+        sound |= {self.state(source) for source in self.units()}
+        cache.write_text(json.dumps({'dropped': sorted(dropped), 'sound': sorted(sound)}))
+        return before - len(self.wanted)
+
+    def state(self, source):
+        """The text that is compiled, with the headers of the room."""
+        files = [source.file] + [each.file for each in self.sources if each.file.endswith('.hpp')]
+        return f'{source.file} ' + ' '.join(str(zlib.crc32((self.folder / file).read_bytes())) for file in files)
+
+    def key(self, mutant):
+        """What a mutant is known by from one run to the next, as long as its file is the same."""
+        text = next(source.text for source in self.sources if source.file == mutant.file)
+        return f'{mutant.file} {zlib.crc32(text.encode())}', mutant.start, mutant.end, mutant.changed
+
+    def wrong(self, source, messages, blame):
+        """The mutants on the lines of these messages; those in constants where no line is to blame."""
+        prefix = re.escape(str(self.folder)) + '/'
+        wrong, around = set(), set()
+        for line in messages.splitlines():
+            found = re.match(prefix + r'([^:]*):(\d+):(?:\d+:)? *(error|  required from)', line)
+            if not found or found[1] not in blame:
+                continue
+            lines = blame[found[1]]
+            blamed = lines[min(int(found[2]), len(lines)) - 1]
+            (wrong if len(blamed) == 1 else around).update(blamed)
+        wrong = wrong & self.wanted or around & self.wanted or \
+            {mutant.number for mutant in source.in_constants()} & self.wanted
+        if not wrong:
+            sys.exit(f'{source.file} does not compile, and no mutant is to blame:\n{messages[:4000]}')
+        return wrong
+
+    def compile(self):
+        """The objects of the room."""
+        self.write()
+        objects = []
+
+        def one(source):
+            target = self.folder / (source.file + '.o')
+            words, folder = self.command(source, ['-O1', '-D_GLIBCXX_ASSERTIONS', '-c', '-o', str(target)], ('-O',))
+            newest = max((self.folder / each.file).stat().st_mtime for each in self.sources
+                         if each is source or each.file.endswith('.hpp'))
+            if not target.exists() or target.stat().st_mtime < newest:
+                subprocess.run(words, cwd=folder, check=True)
+            return str(target)
+
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            objects = list(pool.map(one, self.units()))
+        return objects
+
+    def link(self, objects):
+        """The tests of the room with these objects, whose symbols replace those of the library."""
+        test = f'tests/test_{self.name}'
+        main = 'tests/CMakeFiles/test_main.dir/main.cpp.o'
+        command = subprocess.run(['ninja', '-C', str(self.build), '-t', 'commands', test], capture_output=True, text=True,
+                                 check=True).stdout.splitlines()[-1]
+        words = [word for word in shlex.split(command) if word not in (':', '&&')]
+        source, run = HERE / 'run.cpp', self.folder / 'run.o'
+        if not run.exists() or run.stat().st_mtime < source.stat().st_mtime:
+            subprocess.run([words[0], '-std=c++20', '-O1', '-c', str(source), '-o', str(run)], check=True)
+        program = str(self.folder / f'test_{self.name}')
+        at = words.index(main)
+        words[at:at + 1] = [str(run)] + objects
+        words[words.index('-o') + 1] = program
+        subprocess.run(words, cwd=self.build, check=True)
+        return program
+
+
+def put(path, text):
+    """Writes a file if it is to change."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.read_text() != text:
+        path.write_text(text)
+
+
+class Tests:
+    """The test program: its test cases, how long they take, and which mutants they reach."""
+
+    def __init__(self, program, folder):
+        self.program = program
+        listed = folder / 'coverage'
+        run = subprocess.run([program, 'cover', str(listed)], capture_output=True, text=True, env=ENVIRONMENT)
+        if run.returncode != 0:
+            sys.exit('The tests fail without a mutant:\n' + run.stdout[-4000:])
+        self.names, self.seconds, self.reached, self.at_start = [], [], [], set()
+        for line in listed.read_text().splitlines():
+            seconds, name, numbers = line.split('\t')
+            if not name:
+                self.at_start = set(map(int, numbers.split()))
+                continue
+            self.names.append(name)
+            self.seconds.append(float(seconds))
+            self.reached.append(set(map(int, numbers.split())))
+
+    def that_reach(self, mutant, longest):
+        """The tests that evaluate a mutant, the quick ones first, and the seconds they take."""
+        found = [i for i in range(len(self.names)) if mutant.number in self.reached[i]]
+        if mutant.number in self.at_start:
+            found = range(len(self.names))
+        elif mutant.is_kept and found:
+            found = range(found[0], len(self.names))
+        found = [i for i in found if self.seconds[i] <= longest]
+        found.sort(key=lambda i: self.seconds[i])
+        return found, sum(self.seconds[i] for i in found)
+
+    def judge(self, mutant, longest):
+        """What becomes of a mutant: killed, timed out, survived or not reached."""
+        tests, seconds = self.that_reach(mutant, longest)
+        if not tests:
+            return 'not reached'
+        limit = 5 * seconds + 3
+
+        def limited():
+            resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+            resource.setrlimit(resource.RLIMIT_CPU, (int(limit) + 1, int(limit) + 2))
+
+        try:
+            run = subprocess.run([self.program, 'kill', str(mutant.number)] + [str(i) for i in tests],
+                                 env={**ENVIRONMENT, 'ALGAE_MUTANT': str(mutant.number)}, preexec_fn=limited,
+                                 stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, timeout=4 * limit)
+        except subprocess.TimeoutExpired:
+            return 'timed out'
+        if run.returncode == 0:
+            return 'survived'
+        return 'timed out' if run.returncode in (-24, -9) else 'killed'
+
+
+def known_equivalents(room):
+    """The mutants of a room that no test can notice: (file, line, original, changed) with the reason."""
+    known = {}
+    for line in (HERE / 'equivalent.txt').read_text().splitlines():
+        if line.startswith('#') or not line.strip():
+            continue
+        parts = [part.strip() for part in line.split(' ## ')]
+        if len(parts) != 5:
+            sys.exit('equivalent.txt: expected FILE ## LINE ## ORIGINAL ## CHANGED ## REASON, found ' + line)
+        known[tuple(parts[:4])] = parts[4]
+    return {key: reason for key, reason in known.items() if key[0].startswith(f'src/{room}/')}
+
+
+def main():
+    parser = argparse.ArgumentParser(prog='tools/mutants', description=__doc__)
+    parser.add_argument('room')
+    parser.add_argument('--sample', type=int, help='so many mutants, chosen at random')
+    parser.add_argument('--seed', type=int, default=1)
+    parser.add_argument('--only', help='the mutants of this file only')
+    parser.add_argument('--longest', type=float, default=float('inf'),
+                        help='leave out test cases that take more seconds')
+    parser.add_argument('--jobs', type=int, default=os.cpu_count())
+    parser.add_argument('--build', type=Path, default=ROOT / 'build/release')
+    asked = parser.parse_args()
+    if not (ROOT / 'src' / asked.room).is_dir():
+        parser.error(f'there is no room {asked.room}')
+
+    room = Room(asked.room, asked.build, asked.jobs)
+    room.choose(asked.only, asked.sample, asked.seed)
+    say(f'{len(room.wanted)} mutants of {asked.room}')
+    dropped = room.drop_what_fails()
+    tests = Tests(room.link(room.compile()), room.folder)
+    say(f'  {len(tests.names)} test cases take {sum(tests.seconds):.1f} s')
+
+    wanted = [mutant for mutant in room.mutants if mutant.number in room.wanted]
+    found, begin = {}, time.monotonic()
+    with concurrent.futures.ThreadPoolExecutor(asked.jobs) as pool:
+        for mutant, outcome in zip(wanted, pool.map(lambda each: tests.judge(each, asked.longest), wanted)):
+            found[mutant.number] = outcome
+            if len(found) % 500 == 0:
+                say(f'  {len(found)} of {len(wanted)} after {time.monotonic() - begin:.0f} s')
+    put(room.folder / 'found', ''.join(f'{found[m.number]}\t{m.number}\t{m.file}:{m.line}\t{m.original}\t{m.changed}\n'
+                                       for m in wanted))
+    sys.exit(report(room, wanted, found, dropped))
+
+
+def report(room, wanted, found, dropped):
+    """Prints the survivors and the figures. Returns 1 if a survivor is not known to be equivalent."""
+    known = known_equivalents(room.name)
+    text = {source.file: source.text.splitlines() for source in room.sources}
+    explained, open_ones, by_file = 0, 0, {}
+    for mutant in wanted:
+        outcome = found[mutant.number]
+        if outcome in ('killed', 'timed out'):
+            continue
+        reason = known.get((mutant.file, text[mutant.file][mutant.line - 1].strip(), mutant.original, mutant.changed))
+        explained += reason is not None
+        open_ones += reason is None
+        counts = by_file.setdefault(mutant.file, [0, 0])
+        counts[0] += 1
+        counts[1] += reason is not None
+        if reason is None:
+            say(f'{mutant.file}:{mutant.line}: {outcome}: {mutant.original}  ->  {mutant.changed}')
+    say('')
+    for file, (survivors, equivalent) in sorted(by_file.items()):
+        say(f'{file}: {survivors} survivors, {equivalent} of them equivalent')
+    count = {outcome: sum(each == outcome for each in found.values())
+             for outcome in ('killed', 'timed out', 'survived', 'not reached')}
+    dead = count['killed'] + count['timed out']
+    judged = max(1, len(wanted) - explained)
+    say(f'{len(wanted)} mutants ({dropped} more did not compile): {count["killed"]} killed, {count["timed out"]} timed out, '
+        f'{count["survived"]} survived, {count["not reached"]} not reached; {explained} of these are equivalent')
+    say(f'{dead} of {judged} killed, {100 * dead / judged:.1f} %')
+    return 1 if open_ones and room.name == 'verify' or dead < 0.95 * judged else 0
+
+
+if __name__ == '__main__':
+    main()

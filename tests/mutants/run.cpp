@@ -1,0 +1,93 @@
+// The main program of tests whose room holds mutants; tools/mutants builds and runs it.
+//
+//     PROGRAM cover FILE           runs all tests; for each a line: CPU seconds, name, the mutants that were reached;
+//                                the first line, without a name, has those that are reached before
+//     PROGRAM kill NUMBER TEST...  switches a mutant on and runs these tests, counted from 0, until one fails
+//
+// A mutant is switched on before constants are initialised, so there is a process for each.
+
+#define DOCTEST_CONFIG_IMPLEMENT
+#include <doctest/doctest.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <fstream>
+#include <string>
+#include <vector>
+
+namespace mutants {
+
+constexpr std::size_t most = 100'000;
+bool reached[most];
+std::size_t chosen = most;
+
+[[gnu::constructor(101)]] void choose() {
+    if (const char* const number = std::getenv("ALGAE_MUTANT"))
+        chosen = static_cast<std::size_t>(std::atoll(number));
+}
+
+bool is_on(unsigned number) {
+    reached[number] = true;
+    return number == chosen;
+}
+
+namespace {
+
+std::ofstream coverage;
+
+/// Writes what each test reached.
+struct Cover : doctest::IReporter {
+    std::string name;
+    std::clock_t begin = 0;
+
+    explicit Cover(const doctest::ContextOptions&) {}
+    void write(double seconds) {
+        if (!coverage.is_open()) return;
+        coverage << seconds << '\t' << name << '\t';
+        for (std::size_t i = 0; i < most; ++i)
+            if (reached[i]) coverage << i << ' ';
+        coverage << '\n';
+        std::fill(std::begin(reached), std::end(reached), false);
+    }
+    void report_query(const doctest::QueryData&) override {}
+    void test_run_start() override { write(0); }
+    void test_run_end(const doctest::TestRunStats&) override {}
+    void test_case_start(const doctest::TestCaseData& test) override {
+        name = test.m_name;
+        begin = std::clock();
+    }
+    void test_case_reenter(const doctest::TestCaseData&) override {}
+    void test_case_end(const doctest::CurrentTestCaseStats&) override {
+        write(static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC);
+    }
+    void test_case_exception(const doctest::TestCaseException&) override {}
+    void subcase_start(const doctest::SubcaseSignature&) override {}
+    void subcase_end() override {}
+    void log_assert(const doctest::AssertData&) override {}
+    void log_message(const doctest::MessageData&) override {}
+    void test_case_skipped(const doctest::TestCaseData&) override {}
+};
+
+REGISTER_LISTENER("cover", 1, Cover);
+
+}  // namespace
+
+}  // namespace mutants
+
+int main(int count, char** words) {
+    const std::vector<std::string> given(words, words + count);
+    if (given.size() == 3 && given[1] == "cover") {
+        mutants::coverage.open(given[2]);
+        return doctest::Context().run();
+    }
+    for (std::size_t i = 2; i < given.size(); ++i) {
+        doctest::Context test;
+        const int number = std::stoi(given[i]) + 1;
+        test.setOption("first", number);
+        test.setOption("last", number);
+        test.setOption("abort-after", 1);
+        if (test.run() != 0) return 1;
+    }
+    return 0;
+}

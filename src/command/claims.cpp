@@ -54,15 +54,15 @@ std::vector<std::string> claim_files(const std::string& path) {
 /// that it names are those of the gallery or of files beside it. Throws Error, Diagnostics or
 /// BoundReached.
 Claim open_claim(const std::string& file, const Budget& budget,
-                 const std::vector<std::string>& letters = {}) {
+                 const std::vector<std::string>& letters = {}, bool outside = false) {
     std::error_code ignored;
     if (!std::filesystem::exists(file, ignored))
         for (const GalleryEntry& claim : theory_claims())
             if (claim.path == file)
-                return read_claim(claim.text, file, systems_from({"."}, budget), letters);
+                return read_claim(claim.text, file, systems_from({"."}, budget, outside), letters);
     const std::string text = file_text(file, budget);
     return read_claim(text, file == "-" ? "standard input" : file,
-                      systems_from({folder_of(file)}, budget), letters);
+                      systems_from({folder_of(file)}, budget, outside), letters);
 }
 
 // check
@@ -72,7 +72,7 @@ struct CheckOptions {
     std::string statement, certificate, accept, checkpoint, resume;
     std::vector<std::string> alphabet;
     std::uint64_t instances = SearchLimits().instances, size = SearchLimits().size;
-    bool explain = false, json = false;
+    bool explain = false, json = false, outside = false;
     Bounds bounds;
 };
 
@@ -196,14 +196,14 @@ std::vector<Claim> asked_claims(const CheckOptions& options, const Budget& budge
                     std::string(options.paths.empty() ? "neither" : "both"));
     if (!options.statement.empty()) {
         const std::string text = "theorem " + options.statement + "\nclaim " + options.statement;
-        return {read_claim(text, "--say", systems_from({"."}, budget), options.alphabet)};
+        return {read_claim(text, "--say", systems_from({"."}, budget, true), options.alphabet)};
     }
     std::vector<std::string> files;
     for (const std::string& path : options.paths)
         for (std::string& file : claim_files(path)) files.push_back(std::move(file));
     std::vector<Claim> claims;
     for (const std::string& file : files) {
-        claims.push_back(open_claim(file, budget, options.alphabet));
+        claims.push_back(open_claim(file, budget, options.alphabet, options.outside));
         if (claims.back().statements.empty())
             throw Error(file +
                         ": expected a statement (theorem, show, lemma or refute), found none");
@@ -378,8 +378,8 @@ private:
         std::vector<Claim> claims;
         for (const GalleryEntry& entry : theory_claims())
             if (entry.path.starts_with("theory/closure/"))
-                claims.push_back(
-                    read_claim(entry.text, std::string(entry.path), systems_from({"."}, budget)));
+                claims.push_back(read_claim(entry.text, std::string(entry.path),
+                                            systems_from({"."}, budget, false)));
         return claims;
     }
 
@@ -692,6 +692,7 @@ void add_check(Verbs& verbs) {
     verb.option("--accept", options.accept, "cited",
                 "let statements that rest on a cited source count as decided");
     verb.flag("--explain", options.explain, "print the argument in sentences");
+    add_outside_flag(verb, options.outside);
     verb.output("--certificate", options.certificate, "FILE",
                 "write what algae verify checks again");
     verb.json_flag(options.json);

@@ -164,15 +164,49 @@ std::string folder_of(const std::string& file) {
     return file == "-" || folder.empty() ? "." : folder;
 }
 
+namespace {
+
+/// Whether a file lies in a folder or below, where links lead.
+bool is_below(const std::filesystem::path& file, const std::string& folder) {
+    std::error_code failed;
+    const auto whole = std::filesystem::canonical(file, failed);
+    if (failed) return false;
+    const auto above = std::filesystem::canonical(folder, failed);
+    if (failed) return false;
+    return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first ==
+           above.end();
+}
+
+}  // namespace
+
 std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
-                                                      const Budget& budget) {
-    return [folders, budget](const std::string& name) {
+                                                      const Budget& budget, bool outside) {
+    return [folders, budget, outside](const std::string& name) {
+        const auto is_allowed = [&](const std::filesystem::path& file) {
+            return outside || std::ranges::any_of(folders, [&](const std::string& folder) {
+                       return is_below(file, folder);
+                   });
+        };
+        const auto refuse = [&] {
+            throw Error(
+                name +
+                ": is outside the folder of the text that names it; expected a file in it or "
+                "below, or a name of the gallery; --allow-outside reads it");
+        };
         for (const std::string& folder : folders) {
             const std::filesystem::path beside = std::filesystem::path(folder) / name;
-            if (exists(beside.string())) return open_model(beside.string(), budget);
+            if (!exists(beside.string())) continue;
+            if (!is_allowed(beside)) refuse();
+            return open_model(beside.string(), budget);
         }
+        if (name != "-" && exists(name) && !is_allowed(name)) refuse();
         return open_model(name, budget);
     };
+}
+
+void add_outside_flag(Verb& verb, bool& outside) {
+    verb.flag("--allow-outside", outside,
+              "systems may be read from any folder, not only from that of the file and below");
 }
 
 namespace {

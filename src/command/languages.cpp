@@ -426,7 +426,7 @@ int equal(const EqualOptions& options) {
 
 WrittenLanguage read_expression(const std::string& expression,
                                 const std::vector<std::string>& alphabet, const Budget& budget) {
-    return read_language(expression, systems_from({"."}, budget), "expression", alphabet);
+    return read_language(expression, systems_from({"."}, budget, true), "expression", alphabet);
 }
 
 /// Which letters complements are over, where there are any.

@@ -26,7 +26,7 @@ struct Options {
     std::string lesson;  // its number, or a file with an exercise
     std::string answer, out;
     std::optional<std::uint64_t> exercise;
-    bool json = false;
+    bool json = false, outside = false;
     Bounds bounds;
 };
 
@@ -101,7 +101,7 @@ Json as_json(const Exercise& exercise, const Mark& marked) {
 SystemSource systems_for(const Options& options, const Exercise& exercise, const Budget& budget) {
     std::vector<std::string> folders{folder_of(options.answer)};
     if (options.lesson.ends_with(ending)) folders.insert(folders.begin(), folder_of(exercise.file));
-    return systems_from(folders, budget);
+    return systems_from(folders, budget, options.outside);
 }
 
 int mark_answer(const Options& options, const Exercise& exercise) {
@@ -187,6 +187,7 @@ void add_lesson(Verbs& verbs) {
                               "write the files that the lesson uses into this folder");
     out.needs = {"LESSON"};
     out.excludes = {"--exercise"};
+    add_outside_flag(verb, options.outside);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }

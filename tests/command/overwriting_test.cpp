@@ -91,6 +91,33 @@ TEST_CASE("the files of a lesson leave an answer that was written in them") {
     CHECK(files.size() == count + 1);
 }
 
+TEST_CASE("a claim reads no system outside its folder") {
+    const Scratch files, others;
+    const std::string secret = others.file("secret.lsys", "axiom a\na -> ab\nb -> a\n");
+    files.file("near.lsys", "axiom a\na -> ab\nb -> a\n");
+    std::filesystem::create_directory(files.path() / "below");
+    files.file("below/deep.lsys", "axiom a\na -> ab\nb -> a\n");
+    std::filesystem::create_symlink(secret, files.path() / "link.lsys");
+    const auto check = [&](const std::string& name, const std::string& option = "") {
+        const std::string claim =
+            files.file("x.claim", "claim x\nlet G = D0L " + name + "\nshow aba in L(G)\n");
+        return run("check " + option + " '" + claim + "'");
+    };
+    for (const std::string name : {"near.lsys", "below/deep.lsys", "fibonacci"}) {
+        INFO(name);
+        CHECK(check(name).status == 0);
+    }
+    const std::string up = "../" + others.path().filename().string() + "/secret.lsys";
+    for (const std::string& name : {secret, up, std::string("link.lsys")}) {
+        INFO(name);
+        const Run refused = check(name);
+        CHECK(refused.status == 2);
+        CHECK(refused.err.find(name + ": is outside the folder of the text that names it") !=
+              std::string::npos);
+        CHECK(check(name, "--allow-outside").status == 0);
+    }
+}
+
 TEST_CASE("help that cannot be written fails") {
     if (!std::filesystem::exists("/dev/full")) return;
     for (const std::string arguments : {"--help", "draw --help", "--version"}) {

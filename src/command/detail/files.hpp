@@ -68,10 +68,14 @@ std::unique_ptr<Generator> open_kind(const std::string& kind, const std::string&
 /// The folder of a file, "." for standard input.
 std::string folder_of(const std::string& file);
 
-/// How names of systems in a text are read: as a file in the first of these folders that has it, otherwise
-/// as on the command line.
+/// How names of systems in a text are read: as a file in the first of these folders that has it, otherwise as on the command line.
+/// Unless `outside`, only files in these folders and below are read, wherever links lead, and names of the gallery: a text
+/// of somebody else cannot look around.
 std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
-                                                      const Budget& budget);
+                                                      const Budget& budget, bool outside);
+
+/// `--allow-outside`
+void add_outside_flag(Verb& verb, bool& outside);
 
 /// `--environment 'COMMAND'`. Only the command line, never a file, says which program runs.
 void add_environment_option(Verb& verb, std::string& program);

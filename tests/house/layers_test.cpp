@@ -64,7 +64,7 @@ struct Door {
     const char* files;
 };
 const Door doors[] = {
-    {R"((flint/|gmp|arb|acb|arf|mag|fmp[zqr]).*)", R"(src/exact/.*)"},
+    {R"((flint/|gmp|arb|acb|arf|mag|fmp[zqr]).*)", R"(src/exact/.*|src/command/memory\.cpp)"},
     {R"(cairo.*|pango.*|graphviz/.*)", R"(src/render/.*)"},
     {R"(boost/(spirit|fusion|phoenix)/?.*)", R"(src/notation/(.*\.cpp|detail/grammar\.hpp))"},
     {R"(CLI/.*)", R"(src/command/.*\.cpp)"},

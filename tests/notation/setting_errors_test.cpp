@@ -13,7 +13,8 @@ TEST_CASE("statements that are none") {
           "  angel 60\n"
           "  ^");
     CHECK(findings("axiom F\nF = FF") ==
-          "x.lsys:2:1: error: expected a setting or a rule with '->', found 'F'\n"
+          "x.lsys:2:1: error: expected a setting or a rule with '->', found 'F'; did you mean "
+          "'->' instead of '='?\n"
           "  F = FF\n"
           "  ^");
     CHECK(

@@ -127,7 +127,7 @@ FileOutput::FileOutput(const std::string& path, bool is_input) : path_(path), ta
             throw Error("cannot write " + path + ": it was read as input; expected another name");
         if (kept().all)
             throw Error("cannot write " + path +
-                        ": it is there already, and --no-clobber keeps it");
+                        ": it is there already, and files that are there are kept");
     }
     if (files::exists(status) && ::access(target_.c_str(), W_OK) != 0) fail(errno);
 

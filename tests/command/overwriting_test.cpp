@@ -55,8 +55,8 @@ TEST_CASE("--no-clobber replaces no file that is there") {
     const std::string there = files.file("there.svg", "mine");
     const Run refused = run("draw koch -n 1 --no-clobber -o '" + there + "'");
     CHECK(refused.status == 2);
-    CHECK(refused.err ==
-          "algae: cannot write " + there + ": it is there already, and --no-clobber keeps it\n");
+    CHECK(refused.err == "algae: cannot write " + there +
+                             ": it is there already, and files that are there are kept\n");
     CHECK(text_of(there) == "mine");
     CHECK(run("draw koch -n 1 --no-clobber -o '" + files.file("new.svg") + "'").status == 0);
     CHECK(run("draw koch -n 1 -o '" + there + "'").status == 0);

@@ -1,7 +1,8 @@
 // The account of memory: `operator new` and the allocation functions of GMP and FLINT.
 //
 // Threads gather what they allocate and free, and settle it with the account at every 64 KiB, so that they do not wait for each other.
-// The kernel has the last word: RLIMIT_DATA bounds what is writable and private, so malloc fails within Cairo or Graphviz too.
+// Only blocks of a KiB and more are entered: the many small ones would cost a tenth of the time of a proof. The kernel has the last
+// word: RLIMIT_DATA bounds what is writable and private, so malloc fails for small blocks, and within Cairo or Graphviz too.
 
 #include "command/detail/memory.hpp"
 
@@ -24,6 +25,8 @@ namespace {
 using Bytes = std::int64_t;
 
 constexpr Bytes settled_at = 1 << 16;
+/// Blocks with this many usable bytes are entered; one that was asked for with fewer than `surely_small` never has them.
+constexpr std::size_t entered_at = 1024, surely_small = entered_at - 64;
 std::atomic<Bytes> held = 0;
 std::atomic<Bytes> most = std::numeric_limits<Bytes>::max();
 std::atomic<bool> is_used_up = false;
@@ -45,13 +48,26 @@ bool may_draw(std::size_t bytes) noexcept {
     return false;
 }
 
+/// What the account enters for a block.
+Bytes entry(void* memory) noexcept {
+    const std::size_t usable = memory ? malloc_usable_size(memory) : 0;
+    return usable < entered_at ? 0 : static_cast<Bytes>(usable);
+}
+
+/// A block of malloc's, or nothing where the system gave none: it keeps to the bound too.
+void* of_system(void* memory) noexcept {
+    if (!memory && most.load(std::memory_order_relaxed) != std::numeric_limits<Bytes>::max()) is_used_up = true;
+    return memory;
+}
+
 void* counted(void* memory) noexcept {
-    if (memory) add(static_cast<Bytes>(malloc_usable_size(memory)));
+    add(entry(of_system(memory)));
     return memory;
 }
 
 void* allocate(std::size_t bytes) noexcept {
-    return may_draw(bytes) ? counted(std::malloc(std::max<std::size_t>(bytes, 1))) : nullptr;
+    if (bytes < surely_small) return of_system(std::malloc(std::max<std::size_t>(bytes, 1)));
+    return may_draw(bytes) ? counted(std::malloc(bytes)) : nullptr;
 }
 
 void* allocate(std::size_t bytes, std::size_t alignment) noexcept {
@@ -60,9 +76,15 @@ void* allocate(std::size_t bytes, std::size_t alignment) noexcept {
 }
 
 void give_back(void* memory) noexcept {
-    if (!memory) return;
-    add(-static_cast<Bytes>(malloc_usable_size(memory)));
+    if (const Bytes entered = entry(memory)) add(-entered);
     std::free(memory);
+}
+
+void give_back(void* memory, std::size_t bytes) noexcept {
+    if (bytes < surely_small)
+        std::free(memory);
+    else
+        give_back(memory);
 }
 
 void* or_throw(void* memory) {
@@ -78,10 +100,12 @@ void* allocate_cleared(std::size_t count, std::size_t size) {
 }
 
 void* reallocate(void* memory, std::size_t bytes) {
-    const std::size_t before = memory ? malloc_usable_size(memory) : 0;
-    if (bytes > before && !may_draw(bytes - before)) throw std::bad_alloc();
-    void* const made = or_throw(std::realloc(memory, std::max<std::size_t>(bytes, 1)));
-    add(static_cast<Bytes>(malloc_usable_size(made)) - static_cast<Bytes>(before));
+    const Bytes before = entry(memory);
+    if (bytes > static_cast<std::size_t>(before) && bytes >= surely_small &&
+        !may_draw(bytes - static_cast<std::size_t>(before)))
+        throw std::bad_alloc();
+    void* const made = or_throw(of_system(std::realloc(memory, std::max<std::size_t>(bytes, 1))));
+    add(entry(made) - before);
     return made;
 }
 
@@ -89,7 +113,7 @@ void* reallocate(void* memory, std::size_t bytes) {
 void* reallocate_number(void* memory, std::size_t, std::size_t bytes) {
     return reallocate(memory, bytes);
 }
-void give_back_number(void* memory, std::size_t) { give_back(memory); }
+void give_back_number(void* memory, std::size_t bytes) { give_back(memory, bytes); }
 
 /// Before the first number is made.
 const bool are_numbers_counted = [] {
@@ -114,10 +138,6 @@ void bound_memory(std::uint64_t bytes) {
 }
 
 bool is_memory_used_up() { return is_used_up; }
-
-std::uint64_t memory_held() {
-    return static_cast<std::uint64_t>(std::max<Bytes>(held + unsettled, 0));
-}
 
 }  // namespace algae::command
 
@@ -144,8 +164,12 @@ void* operator new(std::size_t bytes, std::align_val_t alignment, const std::not
 }
 void operator delete(void* memory) noexcept { algae::command::give_back(memory); }
 void operator delete[](void* memory) noexcept { algae::command::give_back(memory); }
-void operator delete(void* memory, std::size_t) noexcept { algae::command::give_back(memory); }
-void operator delete[](void* memory, std::size_t) noexcept { algae::command::give_back(memory); }
+void operator delete(void* memory, std::size_t bytes) noexcept {
+    algae::command::give_back(memory, bytes);
+}
+void operator delete[](void* memory, std::size_t bytes) noexcept {
+    algae::command::give_back(memory, bytes);
+}
 void operator delete(void* memory, std::align_val_t) noexcept { algae::command::give_back(memory); }
 void operator delete[](void* memory, std::align_val_t) noexcept {
     algae::command::give_back(memory);

@@ -130,6 +130,9 @@ void bound_memory(std::uint64_t bytes) {
     constexpr std::uint64_t largest = std::uint64_t{1} << 60;
     const std::uint64_t within = std::min(bytes, largest);
     most = static_cast<Bytes>(within + within / 10 + own);
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+    return;  // sanitizers keep terabytes of addresses
+#endif
     rlimit limit = {};
     if (::getrlimit(RLIMIT_DATA, &limit) != 0) return;
     const rlim_t wanted = within + within / 5 + of_libraries;

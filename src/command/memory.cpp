@@ -1,8 +1,9 @@
 // The account of memory: `operator new` and the allocation functions of GMP and FLINT.
 //
 // Threads gather what they allocate and free, and settle it with the account at every 64 KiB, so that they do not wait for each other.
-// Only blocks of a KiB and more are entered: the many small ones would cost a tenth of the time of a proof. The kernel has the last
-// word: RLIMIT_DATA bounds what is writable and private, so malloc fails for small blocks, and within Cairo or Graphviz too.
+// Small blocks are entered with the size that malloc gives to nearly all of their kind, since to ask for each would cost a tenth of the
+// time of a proof. The kernel has the last word: RLIMIT_DATA bounds what is writable and private, so malloc fails within Cairo or
+// Graphviz too.
 
 #include "command/detail/memory.hpp"
 
@@ -25,8 +26,7 @@ namespace {
 using Bytes = std::int64_t;
 
 constexpr Bytes settled_at = 1 << 16;
-/// Blocks with this many usable bytes are entered; one that was asked for with fewer than `surely_small` never has them.
-constexpr std::size_t entered_at = 1024, surely_small = entered_at - 64;
+constexpr std::size_t small = 1024;
 std::atomic<Bytes> held = 0;
 std::atomic<Bytes> most = std::numeric_limits<Bytes>::max();
 std::atomic<bool> is_used_up = false;
@@ -48,10 +48,14 @@ bool may_draw(std::size_t bytes) noexcept {
     return false;
 }
 
+/// What malloc makes of a request for a few bytes: a multiple of 16, but for the 8 of its own.
+constexpr Bytes usable(std::size_t bytes) noexcept {
+    return static_cast<Bytes>(std::max<std::size_t>((bytes + 23) / 16 * 16, 32) - 8);
+}
+
 /// What the account enters for a block.
 Bytes entry(void* memory) noexcept {
-    const std::size_t usable = memory ? malloc_usable_size(memory) : 0;
-    return usable < entered_at ? 0 : static_cast<Bytes>(usable);
+    return memory ? static_cast<Bytes>(malloc_usable_size(memory)) : 0;
 }
 
 /// A block of malloc's, or nothing where the system gave none: it keeps to the bound too.
@@ -67,8 +71,11 @@ void* counted(void* memory) noexcept {
 }
 
 void* allocate(std::size_t bytes) noexcept {
-    if (bytes < surely_small) return of_system(std::malloc(std::max<std::size_t>(bytes, 1)));
-    return may_draw(bytes) ? counted(std::malloc(bytes)) : nullptr;
+    if (!may_draw(bytes)) return nullptr;
+    if (bytes >= small) return counted(std::malloc(bytes));
+    void* const memory = of_system(std::malloc(std::max<std::size_t>(bytes, 1)));
+    if (memory) add(usable(bytes));
+    return memory;
 }
 
 void* allocate(std::size_t bytes, std::size_t alignment) noexcept {
@@ -77,15 +84,14 @@ void* allocate(std::size_t bytes, std::size_t alignment) noexcept {
 }
 
 void give_back(void* memory) noexcept {
-    if (const Bytes entered = entry(memory)) add(-entered);
+    add(-entry(memory));
     std::free(memory);
 }
 
 void give_back(void* memory, std::size_t bytes) noexcept {
-    if (bytes < surely_small)
-        std::free(memory);
-    else
-        give_back(memory);
+    if (bytes >= small) return give_back(memory);
+    if (memory) add(-usable(bytes));
+    std::free(memory);
 }
 
 void* or_throw(void* memory) {
@@ -102,7 +108,7 @@ void* allocate_cleared(std::size_t count, std::size_t size) {
 
 void* reallocate(void* memory, std::size_t bytes) {
     const Bytes before = entry(memory);
-    if (bytes > static_cast<std::size_t>(before) && bytes >= surely_small &&
+    if (bytes > static_cast<std::size_t>(before) &&
         !may_draw(bytes - static_cast<std::size_t>(before)))
         throw std::bad_alloc();
     void* const made = or_throw(of_system(std::realloc(memory, std::max<std::size_t>(bytes, 1))));

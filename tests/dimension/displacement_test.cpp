@@ -64,9 +64,10 @@ Budget short_time() {
     return budget;
 }
 
-std::optional<RecurrentSet> recurrent_set(const Model& system) {
+std::optional<RecurrentSet> recurrent_set(const Model& system,
+                                          const Budget& budget = short_time()) {
     try {
-        return RecurrentSet(system, *as_d0l(system), short_time());
+        return RecurrentSet(system, *as_d0l(system), budget);
     } catch (const Error&) {
         return std::nullopt;
     } catch (const BoundReached&) {
@@ -281,7 +282,7 @@ TEST_CASE("the factor is the growth of ways in floating point") {
 
 TEST_CASE("a rate that goes round with the generations is not taken for the factor") {
     const WrittenSystem system{"F", {{'F', {"FFGFX"}}, {'X', {"Y+[]"}}, {'Y', {"YXYG"}}}};
-    const auto set = recurrent_set(read_lsystem(text_of(system, 90), "round"));
+    const auto set = recurrent_set(read_lsystem(text_of(system, 90), "round"), {});
     REQUIRE(set);
     CHECK(set->displacement().ratio() == doctest::Approx(std::pow(27, 1.0 / 8)).epsilon(1e-9));
     CHECK(!growth_of_ways(system, 90));
@@ -289,7 +290,7 @@ TEST_CASE("a rate that goes round with the generations is not taken for the fact
 
 TEST_CASE("a way that stays small because larger ones cancel is not taken for a growing one") {
     const WrittenSystem system{"F", {{'F', {"FXGf"}}, {'X', {"FYX"}}, {'Y', {"Y|GY"}}}};
-    const auto set = recurrent_set(read_lsystem(text_of(system, 60), "unstable"));
+    const auto set = recurrent_set(read_lsystem(text_of(system, 60), "unstable"), {});
     REQUIRE(set);
     CHECK(set->displacement().ratio() == doctest::Approx(std::sqrt(2)).epsilon(1e-9));
     const auto growth = growth_of_ways(system, 60);

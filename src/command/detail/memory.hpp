@@ -4,9 +4,9 @@
 
 namespace algae::command {
 
-// The account of memory. Every block of a KiB and more of the program's own code, of the standard library, of GMP and of FLINT draws on
-// it before it is made; small blocks, and what libraries in C allocate for themselves, are bounded by the system. So no work has to count
-// what it allocates, and the bound holds where a count is forgotten.
+// The account of memory. Every allocation of the program's own code, of the standard library, of GMP and of FLINT draws on it before
+// it is made; what libraries in C allocate for themselves is bounded by the system. So no work has to count what it allocates, and the
+// bound holds where a count is forgotten.
 
 /// What the program may hold from now on, in bytes, and a tenth more and 64 MiB for itself. An allocation beyond throws std::bad_alloc;
 /// one of a library in C that comes to a fifth more and 100 MiB fails. Called once, by the verb that read --max-memory.

@@ -140,49 +140,6 @@ Injective made_injective(const Iterated& system, const Budget& budget) {
     }
 }
 
-namespace {
-
-/// The lengths of the longest proper borders of the prefixes (Knuth, Morris and Pratt 1977).
-std::vector<std::size_t> borders(const Word& word) {
-    std::vector<std::size_t> border(word.size() + 1, 0);
-    for (std::size_t i = 1, k = 0; i < word.size(); ++i) {
-        while (k > 0 && word[i] != word[k]) k = border[k];
-        if (word[i] == word[k]) ++k;
-        border[i + 1] = k;
-    }
-    return border;
-}
-
-}  // namespace
-
-Word primitive_root(const Word& word) {
-    if (word.empty()) return word;
-    const std::size_t period = word.size() - borders(word).back();
-    if (word.size() % period != 0) return word;
-    return Word(word.begin(), word.begin() + static_cast<std::ptrdiff_t>(period));
-}
-
-Word least_conjugate(const Word& word) {
-    const std::size_t n = word.size();
-    std::size_t i = 0, j = 1, k = 0;
-    while (i < n && j < n && k < n) {
-        const Symbol a = word[(i + k) % n], b = word[(j + k) % n];
-        if (a == b) {
-            ++k;
-            continue;
-        }
-        (a > b ? i : j) += k + 1;
-        if (i == j) ++j;
-        k = 0;
-    }
-    Word least = word;
-    std::rotate(
-        least.begin(),
-        least.begin() + static_cast<std::ptrdiff_t>(std::min(i, j) % std::max<std::size_t>(n, 1)),
-        least.end());
-    return least;
-}
-
 bool is_factor_of_powers(const Word& word, const Word& z) {
     if (word.empty()) return true;
     if (z.empty()) return false;

@@ -620,16 +620,6 @@ struct Injective {
 /// Perrin, Perrot and Restivo 1979): then h = f g through a smaller alphabet, and g f goes on.
 Injective made_injective(const Iterated& system, const Budget& budget = {});
 
-/// The shortest word of which this one is a power.
-///
-/// Example: primitive_root({0, 1, 0, 1}) == Word{0, 1}
-Word primitive_root(const Word& word);
-
-/// The smallest of the conjugates xy, yx of a word. Linear time (Booth 1980).
-///
-/// Example: least_conjugate({1, 0, 0}) == Word{0, 0, 1}
-Word least_conjugate(const Word& word);
-
 /// Whether the word is a factor of z z z ...
 ///
 /// Example: is_factor_of_powers({1, 0, 1}, {0, 1})

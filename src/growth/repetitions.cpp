@@ -4,6 +4,7 @@
 #include <set>
 #include <tuple>
 
+#include "combinatorics/combinatorics.hpp"
 #include "growth/growth.hpp"
 #include "word/word.hpp"
 

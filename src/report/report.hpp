@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "combinatorics/combinatorics.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
@@ -139,6 +140,45 @@ FactorReport factor_report(const D0L& system, const Budget& budget);
 
 std::string to_text(const FactorReport& report);
 Json to_json(const FactorReport& report);
+
+/// One finite word, whose letters are numbered in the order that counts for conjugates and Lyndon words.
+struct WordReport {
+    std::vector<std::string> letters;  // names, in order
+    Word word;
+    std::vector<std::size_t> borders, periods, lyndon;
+    Word root, conjugate;
+    PalindromicFactors palindromes;
+    Repetitions repetitions;
+    std::vector<std::uint64_t> factors;  // of 0, 1, ..., n letters
+    /// Of words of at most `abelian_letters` letters only.
+    std::optional<std::vector<AbelianPeriod>> abelian;
+    static constexpr std::size_t abelian_letters = 2000;
+};
+
+/// Throws BoundReached at the end of the time or memory.
+WordReport word_report(Word word, std::vector<std::string> letters, const Budget& budget);
+
+std::string to_text(const WordReport& report);
+Json to_json(const WordReport& report);
+
+/// The factors of 0, 1, ..., to letters of the words of a D0L system: exact up to there, and nothing is said beyond.
+struct FactorValues {
+    D0L system;
+    std::size_t to = 0;
+    bool infinite_word =
+        false;  // all words are beginnings of one, so the factors are those of the infinite word
+    std::vector<std::uint64_t> factors, palindromes,
+        abelian;  // different ones; those with other numbers of letters
+    std::vector<std::uint64_t>
+        imbalance;  // by length: how far two factors differ in the number of a letter
+    std::optional<Word> not_reversed;  // a shortest factor whose reversal is none
+};
+
+/// Throws BoundReached at the end of the time or memory.
+FactorValues factor_values(const D0L& system, std::size_t to, const Budget& budget);
+
+std::string to_text(const FactorValues& report);
+Json to_json(const FactorValues& report);
 
 /// The dimension of a figure, exact from the rules and measured by boxes.
 struct DimensionReport {

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "combinatorics/combinatorics.hpp"
 #include "growth/expanded.hpp"
 #include "growth/growth.hpp"
 

@@ -1,0 +1,111 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "word/word.hpp"
+
+// combinatorics: combinatorics on words, of one finite word: periods and borders, conjugates, Lyndon words, palindromes,
+// factors, runs and squares. Words are numbered from 0; the order of letters is that of their numbers, so whoever wants
+// another order numbers them otherwise (`Alphabet::ranks`). n is the length of the word.
+//
+// Terms are those of Lothaire, "Algebraic Combinatorics on Words" (2002): a period p of w has w[i] = w[i + p] wherever both are;
+// a border of w is a word that begins and ends w and is not w; a conjugate of uv is vu; a run is a factor with a period p, at least 2p
+// letters long, that no letter on either side prolongs.
+
+namespace algae {
+
+/// The lengths of the borders of a word but for the empty one, in increasing order. O(n), by the failure function of Knuth,
+/// Morris and Pratt.
+///
+/// Example: borders({0, 1, 0, 0, 1}) == std::vector<std::size_t>{2}
+std::vector<std::size_t> borders(const Word& word);
+
+/// The periods of a word in increasing order, n the last; none of the empty word. O(n).
+///
+/// Example: periods({0, 1, 0, 0, 1}) == std::vector<std::size_t>{3, 5}
+std::vector<std::size_t> periods(const Word& word);
+
+/// The primitive root: the shortest word of which this one is a power; the empty word of itself. O(n).
+///
+/// Example: primitive_root({0, 1, 0, 1}) == Word{0, 1}
+Word primitive_root(const Word& word);
+
+/// The conjugate that is least in lexicographic order. O(n) (Duval 1983).
+///
+/// Example: least_conjugate({1, 0, 0}) == Word{0, 0, 1}
+Word least_conjugate(const Word& word);
+
+/// Where the factors of the Lyndon factorisation begin: w = l1 l2 ... with Lyndon words l1 >= l2 >= ... (Chen, Fox and Lyndon). O(n), and
+/// no memory but the answer (Duval 1983).
+///
+/// Example: lyndon_factorisation({0, 1, 0, 0, 1}) == std::vector<std::size_t>{0, 2}
+std::vector<std::size_t> lyndon_factorisation(const Word& word);
+
+/// A factor of a word: the letters from `begin` on.
+struct Occurrence {
+    std::size_t begin = 0, length = 0;
+    bool operator==(const Occurrence&) const = default;
+};
+
+struct PalindromicFactors {
+    std::size_t count =
+        0;  // different ones, without the empty word; at most n (Droubay, Justin and Pirillo 2001)
+    std::vector<Occurrence> longest;  // each once, where it occurs first
+    /// A factorisation into as few palindromes as possible; their number is the palindromic length.
+    std::vector<Occurrence> fewest;
+    /// n - count: 0 says that the word is rich (Brlek, Hamel, Nivat and Reutenauer 2004).
+    std::size_t defect = 0;
+};
+
+/// The palindromes in a word. O(n log n) for few letters: by the palindromic tree (Rubinchik and Shur 2018), with series of palindromes (Fici,
+/// Gagie, Kärkkäinen and Kempa 2014). About 60 bytes for each letter. Throws BoundReached at the end of the time or memory, and
+/// Error beyond 2^31 - 2 letters.
+///
+/// Example: palindromic_factors({0, 1, 0, 0, 1}).count == 5
+PalindromicFactors palindromic_factors(const Word& word, const Budget& budget = {});
+
+/// A run: the letters from `begin` to `end`, which is beyond the last one, and the least period.
+struct Run {
+    std::size_t begin = 0, end = 0, period = 0;
+    bool operator==(const Run&) const = default;
+};
+
+struct Repetitions {
+    std::vector<Run>
+        runs;  // by where they begin, then by period; fewer than n (Bannai et al. 2017)
+    std::uint64_t distinct_squares = 0;  // different words uu, u not empty
+    /// The greatest exponent of a factor, its length by its least period; 1 in a word without runs may be too low, since
+    /// runs are at least 2 long: then nothing.
+    std::optional<Rational> greatest_exponent;
+};
+
+/// The runs of a word and its squares. O(n log n): Lyndon roots (Bannai, I, Inenaga, Nakashima, Takeda and Tsuruta 2017) on suffix arrays;
+/// squares are counted in the runs, as rotations of their roots. About 50 bytes for each letter. Throws as `palindromic_factors`.
+///
+/// Example: repetitions_in({0, 1, 0, 0, 1}).runs.size() == 1
+Repetitions repetitions_in(const Word& word, const Budget& budget = {});
+
+/// How many different factors of 0, 1, ..., n letters a word has. O(n) after its suffix array, by the lengths of common prefixes of neighbours
+/// (Kasai et al. 2001). Throws as `palindromic_factors`.
+///
+/// Example: factor_counts({0, 1, 0, 0, 1}) == std::vector<std::uint64_t>{1, 2, 3, 3, 2, 1}
+std::vector<std::uint64_t> factor_counts(const Word& word, const Budget& budget = {});
+
+/// An Abelian period: after a head of fewer than `period` letters come blocks of `period` letters with the same letters each as often, and a
+/// tail; head and tail hold no letter more often than a block.
+struct AbelianPeriod {
+    std::size_t head = 0, period = 0;
+    bool operator==(const AbelianPeriod&) const = default;
+};
+
+/// The Abelian periods of a word in increasing order, each with its least head (Constantinescu and Ilie 2006). O(n^2) for each
+/// letter of the alphabet. Throws BoundReached at the end of the time.
+///
+/// Example: abelian_periods({0, 1, 0, 0, 1})[0] == AbelianPeriod{1, 2}
+std::vector<AbelianPeriod> abelian_periods(const Word& word, const Budget& budget = {});
+
+}  // namespace algae

@@ -1,0 +1,166 @@
+// `algae words`: combinatorics on words, of one word or of the factors of a D0L system.
+//
+// What is written is a system if it is a file, a name from the gallery or has an arrow; otherwise it is a word. `--word` and
+// `--letters` say that it is a word.
+
+#include <algorithm>
+#include <filesystem>
+
+#include "command/detail/files.hpp"
+#include "command/detail/output.hpp"
+#include "command/detail/verb.hpp"
+#include "growth/growth.hpp"
+#include "model/model.hpp"
+#include "notation/notation.hpp"
+#include "report/report.hpp"
+#include "system/system.hpp"
+
+namespace algae::command {
+
+namespace {
+
+struct WordsOptions {
+    std::string what, file;
+    std::optional<std::string> word;
+    std::vector<std::string> order;
+    std::optional<std::uint64_t> to;
+    bool json = false;
+    Bounds bounds;
+};
+
+std::string given_word(const std::string&, const std::string& text) { return text; }
+
+/// A word and the names of its letters, which are numbered in the order of code points, or as --order says.
+struct Letters {
+    std::vector<std::string> names;
+    Word word;
+};
+
+Letters in_order(const Word& word, const Alphabet& alphabet,
+                 const std::vector<std::string>& order) {
+    std::vector<std::string> names;
+    for (Symbol letter = 0; letter < alphabet.size(); ++letter)
+        names.push_back(alphabet.name(letter));
+    Letters found;
+    found.names = order;
+    if (order.empty()) {
+        found.names = names;
+        std::ranges::sort(found.names);  // bytes of UTF-8 are in the order of code points
+    }
+    std::vector<Symbol> numbers(names.size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto at = std::ranges::find(found.names, names[i]);
+        if (at == found.names.end())
+            throw Error("--order: expected all letters of the word, found none of the name '" +
+                        names[i] + "'");
+        numbers[i] = static_cast<Symbol>(at - found.names.begin());
+    }
+    for (std::size_t i = 0; i < order.size(); ++i)
+        if (std::ranges::count(order, order[i]) > 1)
+            throw Error("--order: expected each letter once, found '" + order[i] + "' again");
+    found.word = word;
+    for (Symbol& letter : found.word) letter = numbers[letter];
+    return found;
+}
+
+/// Each character of a text but white space is a letter.
+Letters of_characters(const std::string& text, const WordsOptions& options, const Budget& budget) {
+    budget.check_memory(text.size() * sizeof(Symbol), "the word");
+    Alphabet alphabet;
+    Word word;
+    word.reserve(text.size());
+    std::vector<Symbol> of_byte(128, ~Symbol{0});
+    for (std::size_t here = 0; here < text.size();) {
+        const auto byte = static_cast<unsigned char>(text[here]);
+        if (byte < 128) {
+            ++here;
+            if (byte <= ' ') continue;
+            Symbol& letter = of_byte[byte];
+            if (letter == ~Symbol{0})
+                letter = alphabet.symbol(std::string(1, static_cast<char>(byte)));
+            word.push_back(letter);
+            continue;
+        }
+        const Character next = first_character(std::string_view(text).substr(here));
+        if (!next.is_valid())
+            throw Error(options.file + ": expected text in UTF-8, found another byte at " +
+                        std::to_string(here));
+        if (!is_blank(next.code))
+            word.push_back(alphabet.symbol(std::string_view(text).substr(here, next.bytes)));
+        here += next.bytes;
+    }
+    return in_order(word, alphabet, options.order);
+}
+
+Letters of_text(const std::string& text, const WordsOptions& options) {
+    Alphabet alphabet;
+    const ModuleWord read = read_word(text, alphabet);
+    if (!read.arguments.empty()) throw Error("a word of letters is expected, without parameters");
+    return in_order(read.letters, alphabet, options.order);
+}
+
+bool is_system(const std::string& what) {
+    std::error_code ignored;
+    const std::vector<std::string> names = gallery_names();
+    return what == "-" || std::filesystem::exists(what, ignored) ||
+           std::ranges::count(names, what) > 0 || what.find("->") != std::string::npos;
+}
+
+int words_of_system(const WordsOptions& options, const Budget& budget) {
+    if (!options.order.empty())
+        throw Error("--order is for one word, and " + options.what + " is a system");
+    const Model model = open_model(options.what, budget);
+    const View<D0L> rules = as_d0l(model);
+    if (!rules)
+        throw Error(
+            options.what +
+            ": expected a D0L system, whose words follow one from another, found one with " +
+            std::string(as_dil(model) ? "contexts" : "choices") + "; --word " + options.what +
+            " is the word");
+    const FactorValues report = factor_values(*rules, options.to.value_or(24), budget);
+    print(options.json ? to_json(report).text() : to_text(report));
+    return success;
+}
+
+int words(const WordsOptions& options) {
+    const Budget budget = options.bounds.budget();
+    const int given = !options.what.empty() + !options.file.empty() + options.word.has_value();
+    if (given != 1)
+        throw Error(given == 0 ? "expected a word, a system, --word WORD or --letters FILE"
+                               : "expected one of a word, a system, --word WORD and --letters "
+                                 "FILE, found several");
+    if (!options.what.empty() && is_system(options.what)) return words_of_system(options, budget);
+    if (options.to)
+        throw Error("--to is for the factors of a system, and one word has finitely many");
+    const Letters found = options.file.empty()
+                              ? of_text(options.word.value_or(options.what), options)
+                              : of_characters(file_text(options.file, budget), options, budget);
+    const WordReport report = word_report(found.word, found.names, budget);
+    print(options.json ? to_json(report).text() : to_text(report));
+    return success;
+}
+
+}  // namespace
+
+void add_words(Verbs& verbs) {
+    auto [verb, options] = verbs.add(
+        "words", "Combinatorics on words: of one word, or of the factors of a D0L system",
+        {"algae words abaab", "algae words fibonacci --to 40",
+         "algae words --word wall --order 'w a l'", "algae words --letters genome.txt --json"},
+        words);
+    verb.option("WHAT", options.what, "FILE|NAME",
+                "a word; or a system: a file, - for standard input, or a name from the gallery");
+    verb.option("--word", options.word, given_word, "WORD",
+                "a word, whatever files there are of this name");
+    verb.option("--letters", options.file, "FILE",
+                "a text whose characters but white space are the letters of a word");
+    verb.option("--order", options.order, letters, "LETTERS",
+                "the order of letters for conjugates and Lyndon words, with blanks between "
+                "(default: of code points)");
+    verb.option("--to", options.to, natural, "N",
+                "of a system: factors of at most N letters (default 24)");
+    verb.json_flag(options.json);
+    verb.bounded_by(options.bounds);
+}
+
+}  // namespace algae::command

@@ -1,0 +1,285 @@
+// Combinatorics of one finite word, and of the factors of a D0L system up to a length, as a page and as JSON.
+//
+// The page shows the first entries of long lists and says how many more there are; JSON is complete.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "report/report.hpp"
+
+namespace algae {
+
+namespace {
+
+constexpr std::size_t entries = 12;        // of a list on the page
+constexpr std::size_t letters_shown = 60;  // of a word on the page
+constexpr std::size_t runs_listed = 1000;  // in JSON
+
+std::string line(const char* label, const std::string& value) {
+    return fmt::format("{:<24}{}\n", label, value);
+}
+
+template <class Things, class Text>
+std::string some_of(const Things& things, const char* between, Text text) {
+    std::string all;
+    std::size_t count = 0;
+    for (const auto& thing : things) {
+        if (count == entries) return all + fmt::format("{}... ({} in all)", between, things.size());
+        all += (count++ == 0 ? "" : between) + text(thing);
+    }
+    return all;
+}
+
+std::string number(std::uint64_t value) { return std::to_string(value); }
+
+/// Words over letters with names.
+class Spelling {
+public:
+    explicit Spelling(const std::vector<std::string>& letters) {
+        for (const std::string& letter : letters) alphabet_.symbol(letter);
+    }
+    std::string whole(const Word& word) const { return spell(alphabet_, word); }
+    std::string whole(const Word& word, const Occurrence& place) const {
+        const auto at = word.begin() + static_cast<std::ptrdiff_t>(place.begin);
+        return whole(Word(at, at + static_cast<std::ptrdiff_t>(place.length)));
+    }
+    /// The beginning of a long word.
+    std::string some(const Word& word, const Occurrence& place) const {
+        if (place.length <= letters_shown) return whole(word, place);
+        return whole(word, {place.begin, letters_shown}) +
+               fmt::format("... ({} letters)", place.length);
+    }
+    std::string some(const Word& word) const { return some(word, {0, word.size()}); }
+
+private:
+    Alphabet alphabet_;
+};
+
+std::vector<Occurrence> lyndon_words(const WordReport& report) {
+    std::vector<Occurrence> found;
+    for (std::size_t i = 0; i < report.lyndon.size(); ++i)
+        found.push_back({report.lyndon[i], (i + 1 < report.lyndon.size() ? report.lyndon[i + 1]
+                                                                         : report.word.size()) -
+                                               report.lyndon[i]});
+    return found;
+}
+
+std::optional<Rational> exponent(const WordReport& report) {
+    if (report.word.empty()) return std::nullopt;
+    return Rational(Integer(report.word.size()), Integer(report.periods.front()));
+}
+
+std::uint64_t total(const std::vector<std::uint64_t>& values) {
+    std::uint64_t sum = 0;
+    for (const std::uint64_t value : values) sum += value;
+    return sum;
+}
+
+}  // namespace
+
+WordReport word_report(Word word, std::vector<std::string> letters, const Budget& budget) {
+    WordReport report;
+    report.letters = std::move(letters);
+    report.word = std::move(word);
+    const Word& w = report.word;
+    report.borders = borders(w);
+    report.periods = periods(w);
+    report.lyndon = lyndon_factorisation(w);
+    report.root = primitive_root(w);
+    report.conjugate = least_conjugate(w);
+    budget.check();
+    report.palindromes = palindromic_factors(w, budget);
+    report.repetitions = repetitions_in(w, budget);
+    report.factors = factor_counts(w, budget);
+    if (w.size() <= WordReport::abelian_letters) report.abelian = abelian_periods(w, budget);
+    return report;
+}
+
+std::string to_text(const WordReport& report) {
+    const Word& word = report.word;
+    const Spelling spelling(report.letters);
+    const auto shown = [&](const Occurrence& place) { return spelling.some(word, place); };
+    std::string page = line("word", spelling.some(word)) + line("length", number(word.size())) +
+                       line("order of letters", joined(report.letters, " < "));
+    if (word.empty()) return page;
+    const PalindromicFactors& palindromes = report.palindromes;
+    const Repetitions& repetitions = report.repetitions;
+    const bool is_primitive = report.root.size() == word.size();
+    page += line("periods", some_of(report.periods, ", ", number));
+    page += line("borders", report.borders.empty()
+                                ? "none: the word is unbordered"
+                                : some_of(report.borders, ", ", [&](std::size_t length) {
+                                      return shown({0, length});
+                                  }));
+    page += line("exponent", to_string(*exponent(report)));
+    page += line("primitive root", is_primitive
+                                       ? "the word itself"
+                                       : fmt::format("{}, {} times", spelling.some(report.root),
+                                                     word.size() / report.root.size()));
+    page += line("least conjugate",
+                 fmt::format("{}, of {}", spelling.some(report.conjugate), report.root.size()));
+    page += line("Lyndon factorisation", some_of(lyndon_words(report), " | ", shown));
+    page +=
+        line("palindromes", fmt::format("{} and the empty one; the longest: {}", palindromes.count,
+                                        some_of(palindromes.longest, ", ", shown)));
+    page += line("defect",
+                 palindromes.defect == 0 ? "0: the word is rich" : number(palindromes.defect));
+    page += line("palindromic length", fmt::format("{}: {}", palindromes.fewest.size(),
+                                                   some_of(palindromes.fewest, " | ", shown)));
+    page += line("runs", repetitions.runs.empty()
+                             ? "none: the word is square-free"
+                             : fmt::format("{}: {}", repetitions.runs.size(),
+                                           some_of(repetitions.runs, ", ", [&](const Run& run) {
+                                               return fmt::format(
+                                                   "{} at {} with period {}",
+                                                   shown({run.begin, run.end - run.begin}),
+                                                   run.begin, run.period);
+                                           })));
+    page += line("distinct squares", number(repetitions.distinct_squares));
+    if (repetitions.greatest_exponent)
+        page +=
+            line("greatest exponent", to_string(*repetitions.greatest_exponent) + " of a factor");
+    page += line("distinct factors",
+                 fmt::format("{}, the empty one among them", total(report.factors)));
+    page += line("  of 0, 1, ... letters", some_of(report.factors, ", ", number));
+    if (report.abelian)
+        page += line(
+            "Abelian periods", some_of(*report.abelian, ", ", [](const AbelianPeriod& one) {
+                return one.head == 0
+                           ? number(one.period)
+                           : fmt::format("{} after {}", one.period, counted(one.head, "letter"));
+            }));
+    return page;
+}
+
+Json to_json(const WordReport& report) {
+    const Word& word = report.word;
+    const Spelling spelling(report.letters);
+    const auto words = [&](const std::vector<Occurrence>& places) {
+        Json all = Json::array();
+        for (const Occurrence& place : places) all.add(spelling.whole(word, place));
+        return all;
+    };
+    Json runs = Json::array();
+    for (std::size_t i = 0; i < std::min(runs_listed, report.repetitions.runs.size()); ++i) {
+        const Run& run = report.repetitions.runs[i];
+        runs.add(
+            {{"begin", run.begin},
+             {"end", run.end},
+             {"period", run.period},
+             {"exponent", to_string(Rational(Integer(run.end - run.begin), Integer(run.period)))}});
+    }
+    Json abelian;
+    if (report.abelian) {
+        abelian = Json::array();
+        for (const AbelianPeriod& one : *report.abelian)
+            abelian.add(Json{{"head", one.head}, {"period", one.period}});
+    }
+    const auto text = [](const std::optional<Rational>& value) {
+        return value ? Json(to_string(*value)) : Json();
+    };
+    return {{"length", word.size()},
+            {"letters", report.letters},
+            {"periods", report.periods},
+            {"borders", report.borders},
+            {"primitive_root", spelling.whole(report.root)},
+            {"primitive", !word.empty() && report.root.size() == word.size()},
+            {"exponent", text(exponent(report))},
+            {"least_conjugate", spelling.whole(report.conjugate)},
+            {"conjugates", word.empty() ? 1 : report.root.size()},
+            {"lyndon_factorisation", words(lyndon_words(report))},
+            {"palindromes", report.palindromes.count},
+            {"longest_palindromes", words(report.palindromes.longest)},
+            {"defect", report.palindromes.defect},
+            {"palindromic_length", report.palindromes.fewest.size()},
+            {"palindromic_factorisation", words(report.palindromes.fewest)},
+            {"runs", report.repetitions.runs.size()},
+            {"first_runs", std::move(runs)},
+            {"greatest_exponent", text(report.repetitions.greatest_exponent)},
+            {"distinct_squares", report.repetitions.distinct_squares},
+            {"distinct_factors", total(report.factors)},
+            {"factors_by_length", report.factors},
+            {"abelian_periods", std::move(abelian)}};
+}
+
+FactorValues factor_values(const D0L& system, std::size_t to, const Budget& budget) {
+    FactorValues found{system, to, generates_infinite_word(system), {}, {}, {}, {}, std::nullopt};
+    const FactorSet longest = factors(system, to, budget);
+    const std::size_t letters = system.alphabet->size();
+    for (std::size_t length = 0; length <= to; ++length) {
+        std::set<Word> words;
+        for (const Word& word : longest.words) {
+            budget.check();
+            for (std::size_t i = 0; i + length <= word.size(); ++i) {
+                const auto at = word.begin() + static_cast<std::ptrdiff_t>(i);
+                words.emplace(at, at + static_cast<std::ptrdiff_t>(length));
+                if (length == 0) break;
+            }
+        }
+        std::set<std::vector<std::uint32_t>> counts;
+        std::vector<std::uint32_t> least(letters, ~std::uint32_t{0}), most(letters, 0);
+        std::uint64_t palindromes = 0;
+        for (const Word& word : words) {
+            const Word turned(word.rbegin(), word.rend());
+            palindromes += turned == word;
+            if (!found.not_reversed && !words.contains(turned)) found.not_reversed = word;
+            std::vector<std::uint32_t> count(letters, 0);
+            for (const Symbol letter : word) ++count[letter];
+            for (std::size_t a = 0; a < letters; ++a) {
+                least[a] = std::min(least[a], count[a]);
+                most[a] = std::max(most[a], count[a]);
+            }
+            counts.insert(std::move(count));
+        }
+        std::uint64_t apart = 0;
+        for (std::size_t a = 0; a < letters && !words.empty(); ++a)
+            apart = std::max<std::uint64_t>(apart, most[a] - least[a]);
+        found.factors.push_back(words.size());
+        found.palindromes.push_back(palindromes);
+        found.abelian.push_back(counts.size());
+        found.imbalance.push_back(apart);
+    }
+    return found;
+}
+
+std::string to_text(const FactorValues& report) {
+    const auto values = [](const std::vector<std::uint64_t>& all) {
+        return joined(all, ", ", number);
+    };
+    std::string page =
+        line("factors of", report.infinite_word ? "the infinite word that all words begin"
+                                                : "all words of the system") +
+        line("of 0, 1, ... letters",
+             fmt::format("up to {}; nothing is said of longer ones", report.to));
+    page += line("factor complexity", values(report.factors));
+    page += line("palindromic complexity", values(report.palindromes));
+    page += line("Abelian complexity", values(report.abelian));
+    page += line("imbalance", values(report.imbalance));
+    page +=
+        line("closed under reversal",
+             report.not_reversed ? "no: " + spell(*report.system.alphabet, *report.not_reversed) +
+                                       " is a factor, its reversal is not"
+                                 : fmt::format("up to {} letters", report.to));
+    return page;
+}
+
+Json to_json(const FactorValues& report) {
+    const auto values = [](const std::vector<std::uint64_t>& all) {
+        return Json{{"values", all}, {"formula", nullptr}, {"proved_for_all", false}};
+    };
+    return {{"language", report.infinite_word ? "infinite word" : "all words"},
+            {"to", report.to},
+            {"factor_complexity", values(report.factors)},
+            {"palindromic_complexity", values(report.palindromes)},
+            {"abelian_complexity", values(report.abelian)},
+            {"imbalance_values", report.imbalance},
+            {"closed_under_reversal", report.not_reversed ? Json(false) : Json()},
+            {"not_reversed", report.not_reversed
+                                 ? Json(spell(*report.system.alphabet, *report.not_reversed))
+                                 : Json()}};
+}
+
+}  // namespace algae

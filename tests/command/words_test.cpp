@@ -1,0 +1,92 @@
+#include <doctest/doctest.h>
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "command/run.hpp"
+
+namespace {
+
+nlohmann::json json_of(const std::string& arguments) {
+    return nlohmann::json::parse(run("words " + arguments + " --json").out);
+}
+
+}  // namespace
+
+TEST_CASE("words says of one word what the definitions say") {
+    // By hand: a b a a b.
+    const auto found = json_of("abaab");
+    CHECK(found["periods"] == std::vector<int>{3, 5});
+    CHECK(found["borders"] == std::vector<int>{2});
+    CHECK(found["primitive_root"] == "abaab");
+    CHECK(found["primitive"] == true);
+    CHECK(found["exponent"] == "5/3");
+    CHECK(found["least_conjugate"] == "aabab");
+    CHECK(found["conjugates"] == 5);
+    CHECK(found["lyndon_factorisation"] == std::vector<std::string>{"ab", "aab"});
+    CHECK(found["palindromes"] == 5);
+    CHECK(found["longest_palindromes"] == std::vector<std::string>{"baab"});
+    CHECK(found["defect"] == 0);
+    CHECK(found["palindromic_length"] == 2);
+    CHECK(found["runs"] == 1);
+    CHECK(found["distinct_squares"] == 1);
+    CHECK(found["distinct_factors"] == 12);
+    const std::string page = run("words abaab").out;
+    CHECK(page.find("order of letters        a < b\n") != std::string::npos);
+    CHECK(page.find("defect                  0: the word is rich\n") != std::string::npos);
+    CHECK(page.find("Abelian periods         2 after 1 letter, 3, 4, 5\n") != std::string::npos);
+}
+
+TEST_CASE("words: the order of letters, words that are names, words in files") {
+    CHECK(json_of("level")["lyndon_factorisation"] == std::vector<std::string>{"l", "ev", "el"});
+    CHECK(json_of("level --order 'l v e'")["lyndon_factorisation"] ==
+          std::vector<std::string>{"leve", "l"});
+    CHECK(json_of("--word koch")["length"] == 4);  // a name of the gallery
+    const Scratch files;
+    CHECK(json_of("--letters " + files.file("w.txt", "ab\na ab\n"))["exponent"] == "5/3");
+    CHECK(json_of("ε")["length"] == 0);
+    CHECK(json_of("ε")["exponent"].is_null());
+}
+
+TEST_CASE("words of a system: complexities up to a length") {
+    const auto found = json_of("fibonacci --to 6");
+    CHECK(found["factor_complexity"]["values"] == std::vector<int>{1, 2, 3, 4, 5, 6, 7});
+    CHECK(found["factor_complexity"]["proved_for_all"] == false);
+    CHECK(found["palindromic_complexity"]["values"] == std::vector<int>{1, 2, 1, 2, 1, 2, 1});
+    CHECK(found["abelian_complexity"]["values"] == std::vector<int>{1, 2, 2, 2, 2, 2, 2});
+    CHECK(found["imbalance_values"] == std::vector<int>{0, 1, 1, 1, 1, 1, 1});
+    CHECK(found["closed_under_reversal"].is_null());
+    CHECK(run("words fibonacci --to 6").out.find("closed under reversal   up to 6 letters\n") !=
+          std::string::npos);
+}
+
+TEST_CASE("words: what is asked wrongly is told") {
+    const auto told = [](const std::string& arguments) {
+        const Run answer = run("words " + arguments);
+        CHECK(answer.status == 2);
+        CHECK(answer.out.empty());
+        return answer.err;
+    };
+    CHECK(told("") == "algae: expected a word, a system, --word WORD or --letters FILE\n");
+    CHECK(
+        told("ab --word ab") ==
+        "algae: expected one of a word, a system, --word WORD and --letters FILE, found several\n");
+    CHECK(told("ab --to 4") ==
+          "algae: --to is for the factors of a system, and one word has finitely many\n");
+    CHECK(told("ab --order a") ==
+          "algae: --order: expected all letters of the word, found none of the name 'b'\n");
+    CHECK(told("ab --order 'a b a'") ==
+          "algae: --order: expected each letter once, found 'a' again\n");
+    CHECK(told("koch --order F") == "algae: --order is for one word, and koch is a system\n");
+    CHECK(told("'A(1)'") == "algae: a word of letters is expected, without parameters\n");
+    const Scratch files;
+    CHECK(told(files.file("o.lsys", "axiom a\na -> ab | b\nb -> a\n"))
+              .ends_with("expected a D0L system, whose words follow one from another, found one "
+                         "with choices\n"));
+    CHECK(told("--letters " + files.file("x.txt", "ab\xff"))
+              .ends_with("x.txt: expected text in UTF-8, found another byte at 2\n"));
+    const Run small = run("words --letters " + files.file("l.txt", std::string(300'000, 'a')) +
+                          " --max-memory 10M");
+    CHECK(small.status == 3);
+}

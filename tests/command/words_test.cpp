@@ -81,9 +81,8 @@ TEST_CASE("words: what is asked wrongly is told") {
     CHECK(told("koch --order F") == "algae: --order is for one word, and koch is a system\n");
     CHECK(told("'A(1)'") == "algae: a word of letters is expected, without parameters\n");
     const Scratch files;
-    CHECK(told(files.file("o.lsys", "axiom a\na -> ab | b\nb -> a\n"))
-              .ends_with("expected a D0L system, whose words follow one from another, found one "
-                         "with choices\n"));
+    const std::string choices = files.file("o.lsys", "axiom a\na -> ab | b\nb -> a\n");
+    CHECK(told(choices).ends_with("found one with choices; --word " + choices + " is the word\n"));
     CHECK(told("--letters " + files.file("x.txt", "ab\xff"))
               .ends_with("x.txt: expected text in UTF-8, found another byte at 2\n"));
     const Run small = run("words --letters " + files.file("l.txt", std::string(300'000, 'a')) +

@@ -331,3 +331,14 @@ TEST_CASE("views and tropisms that are none") {
           "  camera 1 2 perspective 180\n"
           "                         ^");
 }
+
+TEST_CASE("an expected value does not begin like a comment, which it would be behind a blank") {
+    CHECK(findings("axiom F\nexpect segments 1:#4") ==
+          "x.lsys:2:19: error: expected a value, found '#'; a comment needs a blank before\n"
+          "  expect segments 1:#4\n"
+          "                    ^");
+    CHECK(findings("axiom F\nexpect segments 1: # 4") ==
+          "x.lsys:2:19: error: expected a value, found the end of the line\n"
+          "  expect segments 1: # 4\n"
+          "                    ^");
+}

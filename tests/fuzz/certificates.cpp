@@ -203,11 +203,11 @@ std::vector<Target> certificates() {
     return {
         {"json", "the JSON of certificates, against another reader", take_json, json_seeds},
         {"certificate", "certificates, checked; what is accepted against the second route",
-         take_certificate, sound_texts, 4096},
+         take_certificate, sound_texts, 1500},
         {"mutant", "sound certificates with changed tokens, likewise", take_mutant,
          random_bytes(40, 24), 64},
         {"proof", "claims: each proof is accepted by verify", take_proof,
-         files({"theory"}, ".claim"), 512},
+         files({"theory"}, ".claim")},
     };
 }
 

@@ -105,6 +105,16 @@ void take_markdown(std::string_view text) {
     claim_clauses(text);
 }
 
+/// The fenced blocks of lessons, as they stand.
+Texts markdown_seeds() {
+    Texts texts;
+    for (const std::string& lesson : files({"lessons"}, ".md")())
+        for (const Fence& fence : fences(lesson))
+            texts.push_back("```" + fence.kind + " name=" + fence.name + "\n" +
+                            std::string(fence.text) + "```\n");
+    return texts;
+}
+
 /// Expectations are checked: the system is derived, and its turtle walks.
 void take_expectations(std::string_view text) {
     unmet_expectations(read_lsystem(text, "x.lsys"), small_budget());
@@ -134,7 +144,7 @@ Target generator_target(const GeneratorKind& kind) {
                            "formatting twice is not formatting once:\n" + once);
                 });
             },
-            files({"figures", "examples"}, "." + kind.ending)};
+            files({"figures", "examples"}, "." + kind.ending), 600};
 }
 
 Target system_format_target(const SystemFormat& format) {
@@ -320,18 +330,17 @@ std::vector<Target> readers() {
          values(lines({"theory", "lessons/exercises"}, "", "let ")), 256},
         {"own-statement", "statements of exercises' own", take_own_statement,
          lines({"lessons/exercises"}, ".exercise", "show"), 256},
-        {"exercise", "exercise files", take_exercise, files({"lessons/exercises"}, ".exercise")},
+        {"exercise", "exercise files", take_exercise, files({"lessons/exercises"}, ".exercise"),
+         800},
         {"answer", "answers to exercises, marked", take_answer, answer_seeds},
-        {"markdown", "fences of lessons, clauses of claims", take_markdown,
-         files({"lessons"}, ".md"), 4096},
+        {"markdown", "fences of lessons, clauses of claims", take_markdown, markdown_seeds, 600},
         {"expectations", "system files, with what they expect", take_expectations,
          files(systems, ".lsys")},
         {"rewriting", "system files, derived for three steps", take_rewriting,
          files(systems, ".lsys")},
         {"dimension", "system files, with the dimension of their limit", take_dimension,
          files({"figures"}, ".lsys")},
-        {"convert", "files of all formats into each other", take_conversion, conversion_seeds,
-         2048},
+        {"convert", "files of all formats into each other", take_conversion, conversion_seeds, 800},
         {"points", "points of a text", take_points, point_seeds},
         {"measures", "box counts, mass and correlation of points", take_point_measures, point_seeds,
          256},

@@ -650,7 +650,7 @@ const std::vector<Setting>& settings() {
          repeats,
          outside,
          [](C c, R r) {
-             for (const auto name : pieces(c.value())) r.system.identifiers.emplace_back(name);
+             for (const auto name : blank_separated(c.value())) r.system.identifiers.emplace_back(name);
          },
          [](P p) -> Values { return {joined(p.system.identifiers, " ")}; }},
         {{"alphabet",

@@ -687,8 +687,14 @@ Realisation realise(const SequenceSpecification& given, const Budget& budget) {
                          std::to_string(2 * given.initial.size()) + " terms; give more";
         return result;
     }
-    const auto values = sequence.values(sequence.initial.size() + 200);
-    if (const auto reason = why_impossible(values)) {
+    // Fractions grow longer with each term, so few terms come first.
+    auto values = sequence.values(sequence.initial.size() + 10);
+    auto reason = why_impossible(values);
+    if (!reason) {
+        values = sequence.values(sequence.initial.size() + 200);
+        reason = why_impossible(values);
+    }
+    if (reason) {
         result.kind = Realisation::Kind::impossible;
         result.because = *reason;
         std::size_t shift = 0;  // what is left may be possible

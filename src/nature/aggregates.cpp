@@ -76,7 +76,7 @@ void Aggregates::check() const {
         require(count > 0 && count <= most, "particles: expected 1 to {}, found {}", {most, count});
     require(!off_lattice || !region, "region: clusters off the lattice have none");
     require(!by_steps || region, "steps: expected a region, which single steps need");
-    if (region) GridAggregate(seed, region, {});
+    GridAggregate::checked(region);
 }
 
 const std::vector<Link>& Aggregates::links(std::uint64_t count, const Budget& budget) const {

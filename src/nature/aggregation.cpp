@@ -141,14 +141,14 @@ int half_exponent(std::int64_t reach) {
                     static_cast<int>(std::bit_width(static_cast<std::uint64_t>(reach))));
 }
 
-std::optional<std::int64_t> checked(std::optional<std::uint64_t> region) {
+}  // namespace
+
+std::optional<std::int64_t> GridAggregate::checked(std::optional<std::uint64_t> region) {
     if (!region) return std::nullopt;
     require(*region > 0 && *region <= widest_region, "region: expected 1 to {} cells, found {}",
             {widest_region, *region});
     return static_cast<std::int64_t>(*region);
 }
-
-}  // namespace
 
 GridAggregate::GridAggregate(std::uint64_t seed, std::optional<std::uint64_t> region,
                              const Budget& budget)

@@ -116,7 +116,11 @@ void ParticleRun::emit() {
         const Draws draws(system_.seed, emitters_from + i);
         const std::uint64_t count = count_of(emitter.count, draws.at(frame_));
         for (std::uint64_t k = 0; k < count; ++k) {
-            if (k % 4096 == 0) budget_.check();
+            if (k % 4096 == 0) {
+                budget_.check();
+                budget_.check_memory((particles_.size() + newborn_.size()) * sizeof(Particle),
+                                     "a particle system");
+            }
             const double share = unit_interval(Draws(system_.seed, born_).at(of_place));
             bear(emitter.kind,
                  {emitter.from.x + share * (emitter.to.x - emitter.from.x),
@@ -226,7 +230,7 @@ private:
 }  // namespace
 
 void ParticleShow::check() const {
-    ParticleRun(system, {});
+    algae::check(system);
     constexpr std::uint64_t most = most_frames;
     require(!shown.empty(), "show: expected a frame");
     for (const std::uint64_t frame : shown)

@@ -346,6 +346,11 @@ void read_clause(const Clause& clause, Stage at, Reading& reading) {
         throw unexpected(at == Stage::axiom ? "a word after 'axiom' (the empty word is ε)"
                                             : "a value after '" + std::string(clause.keyword) + "'",
                          clause.text.data() + clause.text.size());
+    // Of a title it would be a comment where the canonical text has a blank.
+    if (clause.value().front() == '#' && at != Stage::axiom && clause.keyword != "colour")
+        throw SyntaxError{clause.value().data(), "expected a value after " +
+                                                     quoted(clause.keyword) +
+                                                     ", found '#'; a comment needs a blank before"};
     setting.read(clause, reading);
 }
 

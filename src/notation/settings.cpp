@@ -516,6 +516,8 @@ void read_expectation(const Clause& clause, Reading& reading) {
     x3::phrase_parse(here, end, head, grammar::blank);
     if (!is_one_of(expectation_kinds(), kind)) refuse_many(kind, expectation_kinds());
     if (here == end) throw unexpected("a value", here);
+    if (*here == '#')  // would be a comment where the canonical text has a blank
+        throw SyntaxError{here, "expected a value, found '#'; a comment needs a blank before"};
     reading.expectations.push_back({std::string(kind), number_below(number, "a generation"),
                                     std::string(between(here, end)),
                                     reading.source.place(clause.text.data())});
@@ -648,7 +650,7 @@ const std::vector<Setting>& settings() {
          repeats,
          outside,
          [](C c, R r) {
-             for (const auto name : pieces(c.value())) r.system.identifiers.emplace_back(name);
+             for (const auto name : blank_separated(c.value())) r.system.identifiers.emplace_back(name);
          },
          [](P p) -> Values { return {joined(p.system.identifiers, " ")}; }},
         {{"alphabet",

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <unordered_map>
@@ -29,7 +30,20 @@ class NumberedPoints {
 public:
     explicit NumberedPoints(double grid) : grid_(grid), slots_(1024, none) {}
 
+    static constexpr std::uint32_t none = ~std::uint32_t{0};
+
+    /// A new number if there is none yet.
     std::uint32_t number(const Vector& point) {
+        const std::uint32_t seen = find(point);
+        if (seen != none) return seen;
+        const auto fresh = static_cast<std::uint32_t>(cells_.size());
+        cells_.push_back({place(point.x).cell, place(point.y).cell, place(point.z).cell});
+        slots_[slot(cells_.back())] = fresh;
+        if (2 * cells_.size() > slots_.size()) grow();
+        return fresh;
+    }
+    /// Or `none`.
+    std::uint32_t find(const Vector& point) const {
         const Place x = place(point.x), y = place(point.y), z = place(point.z);
         for (int dx = x.before; dx <= x.behind; ++dx)
             for (int dy = y.before; dy <= y.behind; ++dy)
@@ -38,11 +52,7 @@ public:
                         slots_[slot({x.cell + dx, y.cell + dy, z.cell + dz})];
                     if (seen != none) return seen;
                 }
-        const auto fresh = static_cast<std::uint32_t>(cells_.size());
-        cells_.push_back({x.cell, y.cell, z.cell});
-        slots_[slot(cells_.back())] = fresh;
-        if (2 * cells_.size() > slots_.size()) grow();
-        return fresh;
+        return none;
     }
     std::size_t size() const { return cells_.size(); }
     std::size_t bytes() const {
@@ -50,12 +60,11 @@ public:
     }
 
 private:
-    using Cell = std::array<long long, 3>;
-    static constexpr std::uint32_t none = ~std::uint32_t{0};
+    using Cell = std::array<double, 3>;  // whole numbers, which may be beyond those of any integer
 
     /// A coordinate's cell, and the cells beside it that are near.
     struct Place {
-        long long cell;
+        double cell;
         int before, behind;
     };
     Place place(double coordinate) const {
@@ -64,14 +73,16 @@ private:
         const double exactly = coordinate / grid_;
         const double cell = std::floor(exactly + 0.5);
         const double off = exactly - cell;
-        return {static_cast<long long>(cell), off < -edge ? -1 : 0, off > edge ? 1 : 0};
+        return {cell, off < -edge ? -1 : 0, off > edge ? 1 : 0};
     }
     /// Where the cell is, or would be.
     std::size_t slot(const Cell& cell) const {
         std::uint64_t hash = 0;
-        for (const long long part : cell) {
-            hash = (hash + static_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15u;
-            hash ^= hash >> 31;
+        for (const double part :
+             cell) {  // their low bits are 0 mostly, so high ones are mixed into them twice
+            hash = (hash + std::bit_cast<std::uint64_t>(part)) * 0x9E3779B97F4A7C15u;
+            hash = (hash ^ hash >> 32) * 0x9E3779B97F4A7C15u;
+            hash ^= hash >> 29;
         }
         std::size_t at = hash & (slots_.size() - 1);
         while (slots_[at] != none && cells_[slots_[at]] != cell)
@@ -372,20 +383,27 @@ struct Spread {
     }
 };
 
+/// The points by their numbers. Throws BoundReached if doubles do not tell them apart.
+NumberedPoints numbered(const std::vector<Complex>& points, const Spread& spread) {
+    NumberedPoints numbers(spread.mean > 0 ? spread.mean * fine : 1);
+    for (std::size_t i = 0; i < points.size(); ++i)
+        if (numbers.number({points[i].real(), points[i].imag(), 0}) != i)
+            throw BoundReached(Bound::method,
+                               "points of the figure lie too close together to be compared");
+    return numbers;
+}
+
 /// The number of the image of each point under z -> factor (z - from) + to, with z mirrored if asked for;
 /// empty if some image is no point.
-std::vector<std::uint32_t> images(const Outline& left, const Outline& right, const Spread& from,
-                                  const Spread& to, Complex factor, bool mirrored) {
-    NumberedPoints numbers(to.mean * fine);
-    std::vector<std::uint32_t> of_right;
-    for (std::size_t i = 0; i < right.points.size(); ++i)
-        if (numbers.number({right.points[i].real(), right.points[i].imag(), 0}) != i) return {};
+std::vector<std::uint32_t> images(const Outline& left, const NumberedPoints& right,
+                                  const Spread& from, const Spread& to, Complex factor,
+                                  bool mirrored) {
     std::vector<std::uint32_t> found;
     for (const Complex point : left.points) {
         const Complex way = point - from.middle;
         const Complex image = to.middle + factor * (mirrored ? std::conj(way) : way);
-        const std::uint32_t number = numbers.number({image.real(), image.imag(), 0});
-        if (number >= right.points.size()) return {};
+        const std::uint32_t number = right.find({image.real(), image.imag(), 0});
+        if (number == NumberedPoints::none) return {};
         found.push_back(number);
     }
     return found;
@@ -406,9 +424,10 @@ bool is_onto(const Outline& left, const Outline& right, const std::vector<std::u
     return polygons == right.polygons;
 }
 
-bool is_in_place(const Outline& left, const Outline& right, const Spread& from, const Spread& to) {
+bool is_in_place(const Outline& left, const Outline& right, const NumberedPoints& numbers,
+                 const Spread& from, const Spread& to) {
     if (std::abs(from.middle - to.middle) > to.mean * fine) return false;
-    const auto image = images(left, right, from, to, 1, false);
+    const auto image = images(left, numbers, from, to, 1, false);
     return !image.empty() && is_onto(left, right, image);
 }
 
@@ -491,20 +510,23 @@ Similarity similarity(const Outline& left, const std::string& left_name, const O
         return found;
     }
     const Spread from(left.points), to(right.points);
-    const double scale = to.mean / from.mean;
+    numbered(left.points, from);  // or throws
+    const NumberedPoints numbers = numbered(right.points, to);
+    const double scale = from.mean > 0 ? to.mean / from.mean : 1;
     const Complex arm = left.points[from.farthest] - from.middle;
     for (const bool mirrored : {false, true})
         for (const Complex point : right.points) {
             if (std::abs(std::abs(point - to.middle) - scale * std::abs(arm)) > to.mean * fine)
                 continue;
-            const Complex factor = (point - to.middle) / (mirrored ? std::conj(arm) : arm);
-            const auto image = images(left, right, from, to, factor, mirrored);
+            const Complex factor =
+                arm == Complex() ? 1 : (point - to.middle) / (mirrored ? std::conj(arm) : arm);
+            const auto image = images(left, numbers, from, to, factor, mirrored);
             if (image.empty() || !is_onto(left, right, image)) continue;
             found.same_size = std::abs(scale - 1) < fine;
             if (found.exact && !proves(*left.lattice, *right.lattice, image, mirrored, found))
                 continue;
             found.similar = true;
-            found.same_place = found.same_size && is_in_place(left, right, from, to);
+            found.same_place = found.same_size && is_in_place(left, right, numbers, from, to);
             return found;
         }
     found.same_size = false;

@@ -260,8 +260,6 @@ Language Reader::language(const Field& field) const {
 
 bool Reader::of_languages(const Field& field, Statement& read) const {
     using Kind = Statement::Kind;
-    static constexpr std::array families = {"0L",    "P0L", "D0L",  "PD0L",  "T0L", "PT0L", "DT0L",
-                                            "PDT0L", "E0L", "ET0L", "EDT0L", "IL",  "REG",  "CF"};
     if (field.has("is")) {
         field.only({"is", "language"});
         read.family = field.at("is").text();
@@ -270,7 +268,8 @@ bool Reader::of_languages(const Field& field, Statement& read) const {
                     : read.family == "code"        ? Kind::code
                     : read.family == "prefix code" ? Kind::prefix_code
                                                    : Kind::family;
-        if (read.kind == Kind::family && !std::count(families.begin(), families.end(), read.family))
+        if (read.kind == Kind::family && !is_checked_family(read.family) &&
+            !is_family_of_forms(read.family))
             field.at("is").fail("there is no family '" + read.family + "'");
     } else if (field.has("member")) {
         field.only({"member", "language"});

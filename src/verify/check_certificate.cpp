@@ -152,6 +152,10 @@ const std::vector<Method>& methods_of_infinity() {
 }
 
 void check_by(const std::vector<Method>& methods, const Obligation& task) {
+    const Statement& said = task.statement;
+    if (said.kind == Kind::family && !is_checked_family(said.family))
+        throw BoundReached(Bound::method,
+                           "proofs about the family " + said.family + " are not checked");
     const std::string& by = task.proof.at("by").text();
     for (const Method& method : methods) {
         const auto& kinds = method.kinds;

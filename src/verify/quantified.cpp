@@ -383,7 +383,7 @@ public:
     /// Whether the language is of the family, by the form of systems, by finiteness and by reversal.
     bool shows(const Language& language, const std::string& family) const {
         if (language->kind == Tree::Kind::reversal)
-            return family != "IL" && shows(language->parts[0], family);
+            return family != "IL" && is_checked_family(family) && shows(language->parts[0], family);
         if (language->kind != Tree::Kind::variable) return false;
         const auto found = of_.find(language->name);
         if (found == of_.end()) return false;

@@ -105,6 +105,33 @@ bool rewrites_singly(const System& system) {
     });
 }
 
+bool is_checked_family(std::string_view name) {
+    static constexpr std::array families = {"0L",    "P0L", "D0L",  "PD0L",  "T0L", "PT0L", "DT0L",
+                                            "PDT0L", "E0L", "ET0L", "EDT0L", "IL",  "REG",  "CF"};
+    return std::count(families.begin(), families.end(), name) > 0;
+}
+
+bool is_family_of_forms(std::string_view name) {
+    const auto take = [&](char letter) {
+        const bool is_there = name.starts_with(letter);
+        if (is_there) name.remove_prefix(1);
+        return is_there;
+    };
+    const auto take_number = [&] {
+        const auto digits = std::min(name.find_first_not_of("0123456789"), name.size());
+        name.remove_prefix(digits);
+        return digits > 0;
+    };
+    const bool extended = take('E');
+    take('P');
+    take('D');
+    const bool tables = take('T');
+    if (name == "0L") return true;
+    if (extended || tables) return false;
+    if (name == "IL" || name == "1L" || name == "2L") return true;
+    return take('(') && take_number() && take(',') && take_number() && name == ")L";
+}
+
 std::optional<std::string> beyond_form(const System& system, const std::string& family,
                                        bool empty_axiom) {
     const bool interactive = family == "IL";

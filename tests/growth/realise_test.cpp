@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <chrono>
+
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
 
@@ -169,4 +171,13 @@ TEST_CASE("every polynomial with natural values above 0 has a system") {
         RC_ASSERT((result.kind == Kind::found) == natural);
         if (natural) RC_ASSERT(has_lengths(result, sequence));
     }));
+}
+
+TEST_CASE("fractions that grow longer with each term are refused by the first of them") {
+    const auto begin = std::chrono::steady_clock::now();
+    const Realisation found =
+        realise(read_specification("1,1,2,184467440737095516152,184463,8,5,8"));
+    CHECK(found.kind == Realisation::Kind::impossible);
+    CHECK(found.because.find("a(8) = ") == 0);
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::milliseconds(500));
 }

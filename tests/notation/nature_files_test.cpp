@@ -1,5 +1,6 @@
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <string>
 
 #include "exact/exact.hpp"
@@ -114,4 +115,18 @@ TEST_CASE("files of generators that make no sense are refused at their place") {
     CHECK(
         refused("sigma 0", "a.brownian")
             .starts_with("a.brownian:1:7: error: expected sigma with a number above 0, found '0'"));
+}
+
+TEST_CASE("a file is read without the particles and the grid that it asks for") {
+    const auto begin = std::chrono::steady_clock::now();
+    for (int i = 0; i < 50; ++i) {
+        const auto flame = read_generator(
+            "kind flame\nborn flame 6018446744073709551615 at (0,0)\n", "x.particles");
+        Budget budget;
+        budget.memory = 1 << 20;
+        CHECK_THROWS_WITH_AS(flame->figures(budget), doctest::Contains("a particle system"),
+                             BoundReached);
+        read_generator("region 16383\n", "x.dla");
+    }
+    CHECK(std::chrono::steady_clock::now() - begin < std::chrono::seconds(5));
 }

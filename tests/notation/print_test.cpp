@@ -111,3 +111,8 @@ TEST_CASE("every system that comes with algae is read, and survives printing") {
     }
     CHECK(files > 0);
 }
+
+TEST_CASE("brackets do not join what blanks part in the names of catalogues") {
+    check_round_trip(read_lsystem("id (\nid 2\nid !(  . b)\naxiom F", "x.lsys"));
+    CHECK(canonical("id (  a\nid b)\naxiom F") == "id ( a b)\naxiom F\n");
+}

@@ -3,6 +3,7 @@
 
 #include <rapidcheck.h>
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -10,7 +11,10 @@ namespace algae::random_text {
 
 using Strings = std::vector<std::string>;
 
-inline int below(int bound) { return *rc::gen::inRange(0, bound); }
+/// Where the choices come from: rapidcheck, or whatever a test or the fuzzer puts here.
+inline std::function<int(int bound)> choose = [](int bound) { return *rc::gen::inRange(0, bound); };
+
+inline int below(int bound) { return choose(bound); }
 inline bool chance(int percent) { return below(100) < percent; }
 inline std::string one_of(const Strings& choices) {
     return choices[static_cast<std::size_t>(below(static_cast<int>(choices.size())))];

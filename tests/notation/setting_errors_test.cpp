@@ -331,3 +331,20 @@ TEST_CASE("views and tropisms that are none") {
           "  camera 1 2 perspective 180\n"
           "                         ^");
 }
+
+TEST_CASE("a value does not begin like a comment, which it would be behind a blank") {
+    for (const std::string keyword : {"title", "source", "id", "angle"})
+        CHECK(findings("axiom F\n" + keyword + "#5")
+                  .starts_with("x.lsys:2:" + std::to_string(keyword.size() + 1) +
+                               ": error: expected a value after '" + keyword +
+                               "', found '#'; a comment needs a blank before\n"));
+    CHECK(findings("axiom F\ncolour#ff0000").empty());
+    CHECK(findings("axiom F\nexpect segments 1:#4") ==
+          "x.lsys:2:19: error: expected a value, found '#'; a comment needs a blank before\n"
+          "  expect segments 1:#4\n"
+          "                    ^");
+    CHECK(findings("axiom F\nexpect segments 1: # 4") ==
+          "x.lsys:2:19: error: expected a value, found the end of the line\n"
+          "  expect segments 1: # 4\n"
+          "                    ^");
+}

@@ -70,3 +70,24 @@ TEST_CASE("figures without exact places are compared as far as doubles go") {
     CHECK(!compared(spiral, "axiom Fx; x -> -*Fx; angle 92; scale 0.97", 20).similar);
     CHECK(!compared("axiom SfS; stamp S square", "axiom SfS; stamp S circle", 0).similar);
 }
+
+TEST_CASE("figures whose points doubles do not tell apart are not called different") {
+    const std::string square =
+        "axiom F-F-F-F; F -> F-F+F+FF-F-F+F; angle 90; start -8 8 0; step 16";
+    CHECK_THROWS_WITH_AS(compared(square, square + "; shrink 1/4999999999999999999999", 3),
+                         "points of the figure lie too close together to be compared",
+                         BoundReached);
+    CHECK_THROWS_AS(compared(square + "; shrink 1/4999999999999999999999", square, 3),
+                    BoundReached);
+    CHECK(compared(square, square + "; shrink 1/4", 3).similar);
+    // One point has no size, and is not far from itself.
+    CHECK(compared("axiom S; stamp S square", "axiom S; stamp S square; start 3 4 0", 0).similar);
+}
+
+TEST_CASE("points more than 2^63 cells of the grid from the origin are told apart") {
+    const Model system = read_lsystem(
+        "axiom F(10000000,0)F(20000000,0)F(0,5); plot F; start 0 0 0; step 1e-9", "test");
+    const Trace found = trace(*figure(system, 0, {}), {});
+    CHECK(found.vertices == 4);
+    CHECK(found.distinct_segments == 3);
+}

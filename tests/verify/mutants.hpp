@@ -4,10 +4,12 @@
 // must then be true. A mutant holds one statement of its certificate and the systems. Everything follows from the seed.
 
 #include <chrono>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <random>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "exact/exact.hpp"
@@ -64,7 +66,11 @@ inline std::optional<algae::verify::Finding> found(const Json& certificate,
 
 class Mutator {
 public:
-    explicit Mutator(std::uint64_t seed) : random_(seed) {}
+    using Numbers = std::function<std::uint64_t()>;
+
+    explicit Mutator(std::uint64_t seed) : random_(std::mt19937_64(seed)) {}
+    /// Everything follows from these numbers.
+    explicit Mutator(Numbers numbers) : random_(std::move(numbers)) {}
 
     std::size_t below(std::size_t count) { return static_cast<std::size_t>(random_() % count); }
 
@@ -184,7 +190,7 @@ private:
         value = changed;
     }
 
-    std::mt19937_64 random_;
+    Numbers random_;
 };
 
 /// Judges so many mutants of a certificate of one statement.

@@ -135,6 +135,9 @@ struct GridCell {
 /// were before it.
 class GridAggregate {
 public:
+    /// The region. Throws Error if it is 0 or beyond 16383 cells.
+    static std::optional<std::int64_t> checked(std::optional<std::uint64_t> region);
+
     /// Throws Error if the region is 0 or beyond 16383 cells.
     GridAggregate(std::uint64_t seed, std::optional<std::uint64_t> region, const Budget& budget);
 

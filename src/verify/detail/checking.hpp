@@ -158,6 +158,11 @@ Entry read_entry(const Field& field, const Reader& reader);
 /// Checks a proof of any kind.
 void check_proof(const Obligation& task);
 
+/// Whether this is a family that proofs can be about.
+bool is_checked_family(std::string_view name);
+/// Whether claims may speak of this family, of systems with such a form: 1L, PDIL, (1,2)L, EP0L, ...
+bool is_family_of_forms(std::string_view name);
+
 // The same for one kind of proof each. Of families:
 void check_reversal(const Obligation& task);
 void check_empty_word(const Obligation& task);

@@ -1,0 +1,12 @@
+# build/fuzz/fuzzer: libFuzzer with the targets of tests/fuzz; tools/fuzz builds and runs it. Needs clang.
+find_package(doctest REQUIRED)
+find_package(rapidcheck REQUIRED)
+set(tests ${CMAKE_CURRENT_SOURCE_DIR}/tests)
+file(GLOB fuzz_sources CONFIGURE_DEPENDS tests/fuzz/*.cpp tests/oracle/*.cpp)
+list(FILTER fuzz_sources EXCLUDE REGEX "_test\\.cpp$")
+add_executable(fuzzer EXCLUDE_FROM_ALL ${fuzz_sources})
+target_link_libraries(fuzzer PRIVATE algae_library algae_warnings fmt::fmt nlohmann_json::nlohmann_json doctest::doctest rapidcheck)
+target_include_directories(fuzzer PRIVATE ${tests})
+target_compile_definitions(fuzzer PRIVATE ALGAE_SOURCE_DIR="${CMAKE_CURRENT_SOURCE_DIR}")
+target_link_options(fuzzer PRIVATE -fsanitize=fuzzer)
+set_target_properties(fuzzer PROPERTIES RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR})

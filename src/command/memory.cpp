@@ -56,7 +56,8 @@ Bytes entry(void* memory) noexcept {
 
 /// A block of malloc's, or nothing where the system gave none: it keeps to the bound too.
 void* of_system(void* memory) noexcept {
-    if (!memory && most.load(std::memory_order_relaxed) != std::numeric_limits<Bytes>::max()) is_used_up = true;
+    if (!memory && most.load(std::memory_order_relaxed) != std::numeric_limits<Bytes>::max())
+        is_used_up = true;
     return memory;
 }
 

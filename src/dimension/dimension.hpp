@@ -186,7 +186,7 @@ struct ExactDimension {
     std::optional<DimensionFormula> value;
     /// log rate / log |mu|, with multiplicity: where parts coincide it is too large.
     std::optional<DimensionFormula> similarity;
-    /// Of the boundary, where the limit set has interior points.
+    /// Of the topological boundary of the whole set, where it fills an area; in lattices only.
     std::optional<DimensionFormula> boundary;
     /// The rate at which pairs of parts that meet multiply, where there are finitely many ways.
     std::optional<Rate> meeting;
@@ -208,7 +208,7 @@ struct ExactDimension {
 /// way. With several constants the value is the similarity dimension (`RatioSum`), an upper bound,
 /// as overlaps of parts are not looked at; segments that stay segments have the dimension 1.
 ///
-/// Throws BoundReached past the deadline, Interrupted: neither says anything about the rules.
+/// Past the deadline: what is known, as `unfinished`. Throws BoundReached before, Interrupted.
 ///
 /// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
 ExactDimension exact_dimension(const Model& system, const Budget& budget = {});

@@ -14,9 +14,10 @@
 // rate with multiplicity downward and stops at the first that cannot exceed the best found. A
 // component that this method does not resolve makes the value with multiplicity an upper bound.
 //
-// Where a component has no coinciding parts and the dimension 2, the limit has interior points, and
-// the pairs of parts that meet describe its boundary: their rate over that of mu is the dimension
-// of the boundary.
+// Where the dimension is 2, the boundary is the topological one of the whole set: all components,
+// with whatever parts of them cover each other (lattice_cells.cpp). Where parts of a component meet
+// says nothing of it: other parts may cover that place. It is found where positions lie in a lattice
+// of the plane, and otherwise not known.
 //
 // Parametric systems (ratio_graph.cpp): with one ratio they are D0L systems in disguise. Otherwise
 // the similarity dimension (ratio_sum.cpp) is an upper bound, as overlaps are not looked at;
@@ -145,7 +146,12 @@ public:
         std::optional<Rate> best;
         bool certain = true;
         for (const std::size_t component : order) {
-            if (best && *best >= *list[component].rate) break;
+            const Rate& all = *list[component].rate;
+            if (best && *best > all) break;
+            if (best && *best == all) {  // as large at most: only where its parts meet matters
+                find_meeting_of(component);
+                continue;
+            }
             const std::optional<Rate> rate = rate_of(component);
             if (!rate) {
                 certain = false;
@@ -155,10 +161,8 @@ public:
         }
         out_.status = certain ? Status::exact : Status::upper_bound;
         out_.value = certain ? LogRatio(*best, ratio_) : *out_.similarity;
-        if (!certain) {
-            out_.boundary.reset();
-            out_.meeting.reset();
-        }
+        if (!certain || meets_unknown_) out_.meeting.reset();
+        if (certain && out_.value->rational() == Rational(2)) find_boundary();
         return out_;
     }
 
@@ -182,7 +186,7 @@ private:
                 out_.conditions.push_back("parts meet in " +
                                           counted(neighbours.pairs().size(), "way") +
                                           "; no two coincide, so all of them count");
-                find_boundary(neighbours, all);
+                find_meeting(neighbours, all);
                 return all;
             }
             const DistinctGrowth distinct = distinct_growth(set_, component, neighbours, budget_);
@@ -198,17 +202,58 @@ private:
         }
     }
 
-    void find_boundary(const Neighbours& neighbours, const Rate& rate) {
+    void find_meeting(const Neighbours& neighbours, const Rate& rate) {
         const Rate meeting = neighbours.meeting_rate(budget_);
-        if (!(meeting < rate)) return;
-        if (!out_.meeting || *out_.meeting < meeting) out_.meeting = meeting;
-        if (LogRatio(rate, ratio_).rational() == Rational(2))
-            out_.boundary = LogRatio(meeting, ratio_);
+        if (meeting < rate && (!out_.meeting || *out_.meeting < meeting)) out_.meeting = meeting;
+    }
+
+    /// Of a component that is not larger than one that has been looked at.
+    void find_meeting_of(std::size_t component) {
+        constexpr std::size_t few = 5'000;
+        try {
+            const Neighbours neighbours(set_, component, budget_, few);
+            if (neighbours.parts_coincide())
+                meets_unknown_ = true;
+            else
+                find_meeting(neighbours, *set_.components().list[component].rate);
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+            meets_unknown_ = true;
+        }
+    }
+
+    /// Whether the whole is one part, and all of its parts are of one kind in each phase.
+    bool is_of_one_kind() const {
+        if (set_.axiom().size() != 1) return false;
+        std::vector<std::size_t> of_phase(set_.unfolding().phases, 0);
+        for (std::size_t p = 0; p < set_.size(); ++p)
+            if (set_.is_reached(p) && ++of_phase[p / set_.unfolding().letters.size()] > 1)
+                return false;
+        return true;
+    }
+
+    /// Of the whole set.
+    void find_boundary() {
+        // A part within the inner is surrounded by those that it meets, and similar to the whole.
+        if (is_of_one_kind() && out_.meeting) {
+            out_.boundary = LogRatio(*out_.meeting, ratio_);
+            return;
+        }
+        try {
+            const CellGrowth cells = cell_growth(set_, budget_);
+            if (cells.has_interior) out_.boundary = LogRatio(cells.boundary, ratio_);
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+            out_.conditions.push_back(std::string("the boundary is not known: ") + bound.what());
+        } catch (const Error& reason) {
+            out_.conditions.push_back(std::string("the boundary is not known: ") + reason.what());
+        }
     }
 
     const RecurrentSet& set_;
     const Budget& budget_;
     ScalingRatio ratio_;
+    bool meets_unknown_ = false;
     ExactDimension out_;
 };
 

@@ -208,10 +208,16 @@ struct ExactDimension {
 /// way. With several constants the value is the similarity dimension (`RatioSum`), an upper bound,
 /// as overlaps of parts are not looked at; segments that stay segments have the dimension 1.
 ///
-/// Past the deadline: what is known, as `unfinished`. Throws BoundReached before, Interrupted.
+/// Throws BoundReached past the deadline, Interrupted: neither says anything about the rules.
 ///
 /// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
 ExactDimension exact_dimension(const Model& system, const Budget& budget = {});
+
+/// The same without the search for parts that coincide, which may take long: where it would be
+/// needed, the value with multiplicity as an upper bound, and the limit.
+///
+/// Example: dimension_bound(read_lsystem("axiom F; F -> FF-F-F-F-F-F+F; angle 90", "")).value->text() == "log 8 / log sqrt 10"
+ExactDimension dimension_bound(const Model& system, const Budget& budget = {});
 
 // Dimensions as numbers to compare with, and ratios as expressions.
 

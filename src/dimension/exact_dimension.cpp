@@ -55,10 +55,11 @@ bool vanishes(const std::vector<RatioSum::Entry>& cycle, const WayGrowth& growth
 /// whether parts overlap is not looked at; segments that stay segments have the dimension 1.
 ///
 /// Throws what `ratio_graph`, `WayGrowth` and `RatioSum` throw.
-ExactDimension parametric_dimension(const Model& system, const Budget& budget) {
+ExactDimension parametric_dimension(const Model& system, bool searched, const Budget& budget) {
     const RatioGraph graph = ratio_graph(system, budget);
     if (const auto equal = with_equal_lengths(graph)) {
-        ExactDimension found = exact_dimension(*equal, budget);
+        ExactDimension found =
+            searched ? exact_dimension(*equal, budget) : dimension_bound(*equal, budget);
         if (found.status != Status::none) {
             found.conditions.insert(found.conditions.begin(),
                                     "every rule multiplies lengths by the same number");
@@ -114,35 +115,26 @@ ExactDimension parametric_dimension(const Model& system, const Budget& budget) {
     return found;
 }
 
-/// Whether all of a component's pieces shrink to points.
-bool is_point(const RecurrentSet& set, const Component& component) {
-    for (const std::size_t piece : component.letters)
-        for (const RecurrentSet::Part& part : parts_within(set, piece))
-            if (part.offset != set.displacement().zero()) return false;
-    return true;
-}
-
 /// Looks at components from the largest possible dimension downwards.
 class Search {
 public:
     Search(const RecurrentSet& set, const Budget& budget)
         : set_(set), budget_(budget), ratio_(set.displacement()) {}
 
+    /// Without a look at where parts lie.
+    ExactDimension bound() {
+        begin();
+        if (out_.status == Status::exact) return out_;
+        out_.status = Status::upper_bound;
+        out_.value = out_.similarity;
+        out_.conditions.push_back("whether parts coincide has not been looked at");
+        return out_;
+    }
+
     ExactDimension result() {
-        std::vector<std::size_t> order = components();
-        if (order.empty()) {
-            out_.value = out_.similarity = DimensionFormula(LogRatio(Rate(1), ratio_));
-            out_.status = Status::exact;
-            out_.conditions.push_back("the parts that are drawn do not multiply");
-            return out_;
-        }
+        const std::vector<std::size_t> order = begin();
+        if (out_.status == Status::exact) return out_;
         const auto& list = set_.components().list;
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return *list[a].rate > *list[b].rate;
-        });
-        out_.similarity = DimensionFormula(LogRatio(*list[order.front()].rate, ratio_));
-        out_.conditions.push_back("all parts become similar, smaller by the factor " +
-                                  ratio_.text() + " in each generation");
         std::optional<Rate> best;
         bool certain = true;
         for (const std::size_t component : order) {
@@ -167,6 +159,25 @@ public:
     }
 
 private:
+    /// The similarity dimension; the components that are reached, those of the largest rate first.
+    std::vector<std::size_t> begin() {
+        std::vector<std::size_t> order = components();
+        if (order.empty()) {
+            out_.value = out_.similarity = DimensionFormula(LogRatio(Rate(1), ratio_));
+            out_.status = Status::exact;
+            out_.conditions.push_back("the parts that are drawn do not multiply");
+            return order;
+        }
+        const auto& list = set_.components().list;
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return *list[a].rate > *list[b].rate;
+        });
+        out_.similarity = DimensionFormula(LogRatio(*list[order.front()].rate, ratio_));
+        out_.conditions.push_back("all parts become similar, smaller by the factor " +
+                                  ratio_.text() + " in each generation");
+        return order;
+    }
+
     std::vector<std::size_t> components() const {
         std::vector<std::size_t> found;
         const auto& list = set_.components().list;
@@ -266,7 +277,10 @@ bool has_parameters(const LSystem& system) {
 
 }  // namespace
 
-ExactDimension exact_dimension(const Model& system, const Budget& budget) {
+namespace {
+
+/// `searched`: parts that coincide are looked for.
+ExactDimension found_dimension(const Model& system, bool searched, const Budget& budget) {
     ExactDimension none;
     const View<D0L> rules = as_d0l(system);
     if (!rules && !has_parameters(system)) {
@@ -278,9 +292,10 @@ ExactDimension exact_dimension(const Model& system, const Budget& budget) {
         if (drawing.tropism) throw Error("strokes bend to a tropism");
         if (!drawing.solids.empty()) throw Error("symbols leave solids");
         if (!drawing.surfaces.empty()) throw Error("symbols leave surfaces");
-        if (!rules) return parametric_dimension(system, budget);
+        if (!rules) return parametric_dimension(system, searched, budget);
         const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);
-        ExactDimension found = Search(*limit, budget).result();
+        Search search(*limit, budget);
+        ExactDimension found = searched ? search.result() : search.bound();
         found.limit = limit;
         return found;
     } catch (const BoundReached& bound) {
@@ -292,6 +307,16 @@ ExactDimension exact_dimension(const Model& system, const Budget& budget) {
         none.conditions.push_back(reason.what());
         return none;
     }
+}
+
+}  // namespace
+
+ExactDimension exact_dimension(const Model& system, const Budget& budget) {
+    return found_dimension(system, true, budget);
+}
+
+ExactDimension dimension_bound(const Model& system, const Budget& budget) {
+    return found_dimension(system, false, budget);
 }
 
 }  // namespace algae

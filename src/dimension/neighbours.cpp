@@ -91,6 +91,13 @@ std::vector<RecurrentSet::Part> parts_within(const RecurrentSet& set, std::size_
     return found;
 }
 
+bool is_point(const RecurrentSet& set, const Component& component) {
+    for (const std::size_t piece : component.letters)
+        for (const RecurrentSet::Part& part : parts_within(set, piece))
+            if (part.offset != set.displacement().zero()) return false;
+    return true;
+}
+
 std::size_t Neighbours::Hash::operator()(const std::pair<std::size_t, Placement>& key) const {
     std::uint64_t hash = key.first * 0x9E3779B97F4A7C15u + key.second.piece;
     const auto mix = [&](std::uint64_t value) {

@@ -93,6 +93,9 @@ Placement seen_from(const RecurrentSet& set, const Placement& first, const Place
 /// The parts of a piece that lie in its own component.
 std::vector<RecurrentSet::Part> parts_within(const RecurrentSet& set, std::size_t piece);
 
+/// Whether all of a component's pieces shrink to points.
+bool is_point(const RecurrentSet& set, const Component& component);
+
 /// How fast the different parts of a component multiply where parts coincide.
 struct DistinctGrowth {
     Rate rate = Rate(1);

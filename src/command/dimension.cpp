@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <variant>
@@ -212,20 +213,29 @@ DimensionRow row_of(const Entry& entry, const Options& options, const Budget& bu
     return row;
 }
 
+/// A value as it stands in an array, without the end of its last line.
+std::string element(const Json& value) {
+    std::string text = "  ";
+    for (const char c : value.text()) {
+        text += c;
+        if (c == '\n') text += "  ";
+    }
+    return text.substr(0, text.find_last_of('\n'));
+}
+
 int print_table(const Options& options, const Budget& budget) {
     const std::vector<Entry> all = entries(options.file, budget);
     std::size_t width = 0;
     for (const Entry& entry : all) width = std::max(width, entry.name.size());
-    Json array = Json::array();
     std::string without, unfinished;
     bool complete = true;
-    if (!options.json) print(dimension_header(width, options.quick));
+    print(options.json ? "[" : dimension_header(width, options.quick));
     ProgressBar bar("dimension");
     for (std::size_t i = 0; i < all.size(); ++i) {
         const DimensionRow row = row_of(all[i], options, budget);
         complete = complete && !row.unfinished;
         if (options.json)
-            array.add(to_json(row, options.quick));
+            print((i > 0 ? ",\n" : "\n") + element(to_json(row, options.quick)));
         else if (row.exact.status == Found::none)
             without += to_line(row, width);
         else if (row.exact.status == Found::unfinished)
@@ -234,7 +244,7 @@ int print_table(const Options& options, const Budget& budget) {
             print(to_line(row, width));
         bar.report(static_cast<double>(i + 1) / static_cast<double>(all.size()));
     }
-    if (options.json) print(array.text());
+    if (options.json) print("\n]\n");
     if (!without.empty()) print("\nno formula:\n" + without);
     if (!unfinished.empty()) print("\nunfinished:\n" + unfinished);
     return complete ? success : undecided;
@@ -358,15 +368,61 @@ bool is_named_as_points(std::string_view file) {
            file.ends_with(".xyz");
 }
 
-DimensionReport measured(const Model& system, const Options& options, const Budget& budget) {
-    ExactDimension exact = exact_dimension(system, budget);
+constexpr std::chrono::seconds first_search{5};  // for parts that coincide
+
+/// The budget until so much of its time is used up.
+Budget for_at_most(std::chrono::steady_clock::duration time, Budget budget) {
+    const auto now = std::chrono::steady_clock::now();
+    if (budget.deadline) time = std::min(time, (*budget.deadline - now) / 3);
+    budget.deadline = now + time;
+    return budget;
+}
+
+bool is_time(const BoundReached& bound) { return bound.bound() == Bound::time; }
+
+/// Measured on the limit, or the generation that is asked for; without counts where the time is
+/// over.
+DimensionReport measured(const Model& system, const ExactDimension& exact, const Options& options,
+                         const Budget& budget) {
     DimensionReport found;
-    if (options.generation.empty() && exact.limit) {
-        found = measure_limit(system, exact, options, budget);
-    } else {
-        found = measure(system, options, budget);
+    try {
+        if (options.generation.empty() && exact.limit)
+            found = measure_limit(system, exact, options, budget);
+        else
+            found = measure(system, options, budget);
+    } catch (const BoundReached& bound) {
+        if (!is_time(bound) || !exact.value) throw;
+        found.what = system.title.empty() ? system.name : system.title;
+        found.fit.because = bound.what();
     }
-    found.exact = std::move(exact);
+    found.exact = exact;
+    return found;
+}
+
+/// The search for parts that coincide may take long. What it has not ended in a few seconds goes on
+/// behind the bound and the measurement, which a page shows at once; what they are is kept when the
+/// time is over.
+DimensionReport measured(const Model& system, const Options& options, const Budget& budget) {
+    try {
+        return measured(system, exact_dimension(system, for_at_most(first_search, budget)), options,
+                        budget);
+    } catch (const BoundReached& bound) {
+        if (!is_time(bound)) throw;
+    }
+    DimensionReport found = measured(system, dimension_bound(system, budget), options, budget);
+    if (found.exact->status != ExactDimension::Status::upper_bound) return found;
+    if (!options.json) {
+        print(to_text(found) + "\n");
+        print("the search for parts that coincide goes on\n\n");
+    }
+    try {
+        found.exact = exact_dimension(system, budget);
+    } catch (const BoundReached& bound) {
+        if (!is_time(bound)) throw;
+        found.exact->status = ExactDimension::Status::unfinished;
+        found.exact->conditions.back() =
+            std::string("whether parts coincide is not known: ") + bound.what();
+    }
     return found;
 }
 
@@ -466,7 +522,7 @@ int dimension(const Options& options) {
         return found.scaling.estimate ? success : undecided;
     }
     const DimensionReport found = measured(options, budget);
-    if (!options.plot.empty())
+    if (!options.plot.empty() && !found.counts.counts.empty())
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
     print_report(found, options.json);
     // What the rules say is an answer where no generation was asked about.

@@ -186,7 +186,7 @@ struct ExactDimension {
     std::optional<DimensionFormula> value;
     /// log rate / log |mu|, with multiplicity: where parts coincide it is too large.
     std::optional<DimensionFormula> similarity;
-    /// Of the boundary, where the limit set has interior points.
+    /// Of the topological boundary of the whole set, where it fills an area; in lattices only.
     std::optional<DimensionFormula> boundary;
     /// The rate at which pairs of parts that meet multiply, where there are finitely many ways.
     std::optional<Rate> meeting;
@@ -212,6 +212,12 @@ struct ExactDimension {
 ///
 /// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
 ExactDimension exact_dimension(const Model& system, const Budget& budget = {});
+
+/// The same without the search for parts that coincide, which may take long: where it would be
+/// needed, the value with multiplicity as an upper bound, and the limit.
+///
+/// Example: dimension_bound(read_lsystem("axiom F; F -> FF-F-F-F-F-F+F; angle 90", "")).value->text() == "log 8 / log sqrt 10"
+ExactDimension dimension_bound(const Model& system, const Budget& budget = {});
 
 // Dimensions as numbers to compare with, and ratios as expressions.
 

@@ -14,9 +14,10 @@
 // rate with multiplicity downward and stops at the first that cannot exceed the best found. A
 // component that this method does not resolve makes the value with multiplicity an upper bound.
 //
-// Where a component has no coinciding parts and the dimension 2, the limit has interior points, and
-// the pairs of parts that meet describe its boundary: their rate over that of mu is the dimension
-// of the boundary.
+// Where the dimension is 2, the boundary is the topological one of the whole set: all components,
+// with whatever parts of them cover each other (lattice_cells.cpp). Where parts of a component meet
+// says nothing of it: other parts may cover that place. It is found where positions lie in a lattice
+// of the plane, and otherwise not known.
 //
 // Parametric systems (ratio_graph.cpp): with one ratio they are D0L systems in disguise. Otherwise
 // the similarity dimension (ratio_sum.cpp) is an upper bound, as overlaps are not looked at;
@@ -54,10 +55,11 @@ bool vanishes(const std::vector<RatioSum::Entry>& cycle, const WayGrowth& growth
 /// whether parts overlap is not looked at; segments that stay segments have the dimension 1.
 ///
 /// Throws what `ratio_graph`, `WayGrowth` and `RatioSum` throw.
-ExactDimension parametric_dimension(const Model& system, const Budget& budget) {
+ExactDimension parametric_dimension(const Model& system, bool searched, const Budget& budget) {
     const RatioGraph graph = ratio_graph(system, budget);
     if (const auto equal = with_equal_lengths(graph)) {
-        ExactDimension found = exact_dimension(*equal, budget);
+        ExactDimension found =
+            searched ? exact_dimension(*equal, budget) : dimension_bound(*equal, budget);
         if (found.status != Status::none) {
             found.conditions.insert(found.conditions.begin(),
                                     "every rule multiplies lengths by the same number");
@@ -113,39 +115,35 @@ ExactDimension parametric_dimension(const Model& system, const Budget& budget) {
     return found;
 }
 
-/// Whether all of a component's pieces shrink to points.
-bool is_point(const RecurrentSet& set, const Component& component) {
-    for (const std::size_t piece : component.letters)
-        for (const RecurrentSet::Part& part : parts_within(set, piece))
-            if (part.offset != set.displacement().zero()) return false;
-    return true;
-}
-
 /// Looks at components from the largest possible dimension downwards.
 class Search {
 public:
     Search(const RecurrentSet& set, const Budget& budget)
         : set_(set), budget_(budget), ratio_(set.displacement()) {}
 
+    /// Without a look at where parts lie.
+    ExactDimension bound() {
+        begin();
+        if (out_.status == Status::exact) return out_;
+        out_.status = Status::upper_bound;
+        out_.value = out_.similarity;
+        out_.conditions.push_back("whether parts coincide has not been looked at");
+        return out_;
+    }
+
     ExactDimension result() {
-        std::vector<std::size_t> order = components();
-        if (order.empty()) {
-            out_.value = out_.similarity = DimensionFormula(LogRatio(Rate(1), ratio_));
-            out_.status = Status::exact;
-            out_.conditions.push_back("the parts that are drawn do not multiply");
-            return out_;
-        }
+        const std::vector<std::size_t> order = begin();
+        if (out_.status == Status::exact) return out_;
         const auto& list = set_.components().list;
-        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
-            return *list[a].rate > *list[b].rate;
-        });
-        out_.similarity = DimensionFormula(LogRatio(*list[order.front()].rate, ratio_));
-        out_.conditions.push_back("all parts become similar, smaller by the factor " +
-                                  ratio_.text() + " in each generation");
         std::optional<Rate> best;
         bool certain = true;
         for (const std::size_t component : order) {
-            if (best && *best >= *list[component].rate) break;
+            const Rate& all = *list[component].rate;
+            if (best && *best > all) break;
+            if (best && *best == all) {  // as large at most: only where its parts meet matters
+                find_meeting_of(component);
+                continue;
+            }
             const std::optional<Rate> rate = rate_of(component);
             if (!rate) {
                 certain = false;
@@ -155,14 +153,31 @@ public:
         }
         out_.status = certain ? Status::exact : Status::upper_bound;
         out_.value = certain ? LogRatio(*best, ratio_) : *out_.similarity;
-        if (!certain) {
-            out_.boundary.reset();
-            out_.meeting.reset();
-        }
+        if (!certain || meets_unknown_) out_.meeting.reset();
+        if (certain && out_.value->rational() == Rational(2)) find_boundary();
         return out_;
     }
 
 private:
+    /// The similarity dimension; the components that are reached, those of the largest rate first.
+    std::vector<std::size_t> begin() {
+        std::vector<std::size_t> order = components();
+        if (order.empty()) {
+            out_.value = out_.similarity = DimensionFormula(LogRatio(Rate(1), ratio_));
+            out_.status = Status::exact;
+            out_.conditions.push_back("the parts that are drawn do not multiply");
+            return order;
+        }
+        const auto& list = set_.components().list;
+        std::stable_sort(order.begin(), order.end(), [&](std::size_t a, std::size_t b) {
+            return *list[a].rate > *list[b].rate;
+        });
+        out_.similarity = DimensionFormula(LogRatio(*list[order.front()].rate, ratio_));
+        out_.conditions.push_back("all parts become similar, smaller by the factor " +
+                                  ratio_.text() + " in each generation");
+        return order;
+    }
+
     std::vector<std::size_t> components() const {
         std::vector<std::size_t> found;
         const auto& list = set_.components().list;
@@ -182,7 +197,7 @@ private:
                 out_.conditions.push_back("parts meet in " +
                                           counted(neighbours.pairs().size(), "way") +
                                           "; no two coincide, so all of them count");
-                find_boundary(neighbours, all);
+                find_meeting(neighbours, all);
                 return all;
             }
             const DistinctGrowth distinct = distinct_growth(set_, component, neighbours, budget_);
@@ -198,17 +213,58 @@ private:
         }
     }
 
-    void find_boundary(const Neighbours& neighbours, const Rate& rate) {
+    void find_meeting(const Neighbours& neighbours, const Rate& rate) {
         const Rate meeting = neighbours.meeting_rate(budget_);
-        if (!(meeting < rate)) return;
-        if (!out_.meeting || *out_.meeting < meeting) out_.meeting = meeting;
-        if (LogRatio(rate, ratio_).rational() == Rational(2))
-            out_.boundary = LogRatio(meeting, ratio_);
+        if (meeting < rate && (!out_.meeting || *out_.meeting < meeting)) out_.meeting = meeting;
+    }
+
+    /// Of a component that is not larger than one that has been looked at.
+    void find_meeting_of(std::size_t component) {
+        constexpr std::size_t few = 5'000;
+        try {
+            const Neighbours neighbours(set_, component, budget_, few);
+            if (neighbours.parts_coincide())
+                meets_unknown_ = true;
+            else
+                find_meeting(neighbours, *set_.components().list[component].rate);
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+            meets_unknown_ = true;
+        }
+    }
+
+    /// Whether the whole is one part, and all of its parts are of one kind in each phase.
+    bool is_of_one_kind() const {
+        if (set_.axiom().size() != 1) return false;
+        std::vector<std::size_t> of_phase(set_.unfolding().phases, 0);
+        for (std::size_t p = 0; p < set_.size(); ++p)
+            if (set_.is_reached(p) && ++of_phase[p / set_.unfolding().letters.size()] > 1)
+                return false;
+        return true;
+    }
+
+    /// Of the whole set.
+    void find_boundary() {
+        // A part within the inner is surrounded by those that it meets, and similar to the whole.
+        if (is_of_one_kind() && out_.meeting) {
+            out_.boundary = LogRatio(*out_.meeting, ratio_);
+            return;
+        }
+        try {
+            const CellGrowth cells = cell_growth(set_, budget_);
+            if (cells.has_interior) out_.boundary = LogRatio(cells.boundary, ratio_);
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+            out_.conditions.push_back(std::string("the boundary is not known: ") + bound.what());
+        } catch (const Error& reason) {
+            out_.conditions.push_back(std::string("the boundary is not known: ") + reason.what());
+        }
     }
 
     const RecurrentSet& set_;
     const Budget& budget_;
     ScalingRatio ratio_;
+    bool meets_unknown_ = false;
     ExactDimension out_;
 };
 
@@ -221,7 +277,10 @@ bool has_parameters(const LSystem& system) {
 
 }  // namespace
 
-ExactDimension exact_dimension(const Model& system, const Budget& budget) {
+namespace {
+
+/// `searched`: parts that coincide are looked for.
+ExactDimension found_dimension(const Model& system, bool searched, const Budget& budget) {
     ExactDimension none;
     const View<D0L> rules = as_d0l(system);
     if (!rules && !has_parameters(system)) {
@@ -233,9 +292,10 @@ ExactDimension exact_dimension(const Model& system, const Budget& budget) {
         if (drawing.tropism) throw Error("strokes bend to a tropism");
         if (!drawing.solids.empty()) throw Error("symbols leave solids");
         if (!drawing.surfaces.empty()) throw Error("symbols leave surfaces");
-        if (!rules) return parametric_dimension(system, budget);
+        if (!rules) return parametric_dimension(system, searched, budget);
         const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);
-        ExactDimension found = Search(*limit, budget).result();
+        Search search(*limit, budget);
+        ExactDimension found = searched ? search.result() : search.bound();
         found.limit = limit;
         return found;
     } catch (const BoundReached& bound) {
@@ -247,6 +307,16 @@ ExactDimension exact_dimension(const Model& system, const Budget& budget) {
         none.conditions.push_back(reason.what());
         return none;
     }
+}
+
+}  // namespace
+
+ExactDimension exact_dimension(const Model& system, const Budget& budget) {
+    return found_dimension(system, true, budget);
+}
+
+ExactDimension dimension_bound(const Model& system, const Budget& budget) {
+    return found_dimension(system, false, budget);
 }
 
 }  // namespace algae

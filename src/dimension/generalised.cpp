@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <numeric>
 #include <unordered_map>
@@ -11,7 +13,11 @@
 // The length that a figure draws in each cell is collected in any order and merged by sorting,
 // cells being coded in Morton order; the masses of cells twice as wide follow from the sorted list
 // in one pass. For q < 0, boxes that the set barely touches would dominate the sum; there the mass
-// of a box and of all boxes around it is taken (Riedi 1995), which is found by a hash table.
+// of a box and of all boxes around it is taken (Riedi 1995), which is found by a hash table. Where
+// the grid lies still changes these sums by large factors, so that a mean of them over the grids is
+// that of the worst one: the mean of their logarithms is taken. Points that are a sample of a
+// measure say nothing where the boxes that decide, those of least mass, hold few of them: only
+// scales are used at which they hold 16 (1 - q) on average.
 //
 // As with counts of boxes, a finite generation gives too little rather than too much, so the
 // interval is widened upward by the same shares as in fit.cpp; for orders below 0 twice as much, as
@@ -157,6 +163,7 @@ public:
     OrderSums(std::span<const double> orders, std::size_t scales)
         : orders_(orders.begin(), orders.end()),
           sums_(orders.size(), std::vector<double>(scales)),
+          deciding_(orders.size(), std::vector<double>(scales, HUGE_VAL)),
           boxes_(scales) {}
 
     /// The boxes of the finest scale of one grid.
@@ -171,19 +178,34 @@ public:
     /// The mean number of boxes.
     double boxes(std::size_t scale) const { return boxes_[scale] / static_cast<double>(grids_); }
 
-    Scaling scaling(std::size_t i, const std::vector<double>& sizes, const ScaleRange& range,
-                    double detail, int space) const {
+    /// `counted`: the measure counts points, which are too few where the boxes that decide hold few.
+    Scaling scaling(std::size_t i, const std::vector<double>& sizes, ScaleRange range,
+                    double detail, int space, bool counted) const {
         const double order = orders_[i];
         Scaling result;
         result.sizes = sizes;
         std::vector<double> powers;
         for (const double sum : sums_[i]) {
             const double mean = sum / static_cast<double>(grids_);
-            result.values.push_back(order == 1 ? -mean : mean);
-            powers.push_back(order == 1 ? mean : std::log(mean) / (order - 1));
+            result.values.push_back(order == 1 ? -mean : order < 0 ? std::exp(mean) : mean);
+            powers.push_back(order == 1  ? mean
+                             : order < 0 ? mean / (order - 1)
+                                         : std::log(mean) / (order - 1));
+        }
+        if (order < 0 && counted) {
+            const double least = points_in_box * (1 - order);
+            double finest = HUGE_VAL;
+            for (std::size_t k = 0; k < sizes.size() && deciding_[i][k] >= least; ++k)
+                finest = sizes[k];
+            if (finest > range.finest) {
+                range.finest = finest;
+                range.finest_is =
+                    fmt::format("those where boxes that decide hold {:g} points", least);
+            }
         }
         Widening widening{order == 0 ? 0.0 : 1.0, (order < 0 ? 2 : 1) * Widening::upward, 0};
         if (detail > 0) widening.beyond = Widening::missed * detail / sizes.back();
+        if (order < 0 && counted) widening.beyond += by_sample;
         fit_scaling(result, powers, range, widening, order < 0 ? HUGE_VAL : space);
         return result;
     }
@@ -196,23 +218,36 @@ private:
             std::any_of(orders_.begin(), orders_.end(), [](double q) { return q < 0; });
         const std::vector<double> around =
             wide ? masses_around(cells, columns) : std::vector<double>();
+        std::vector<double> sums(orders_.size()), firsts(orders_.size());
         for (std::size_t k = 0; k < cells.size(); ++k) {
             const double share = cells[k].mass / whole, part = std::log(share);
             const double wide_part = wide ? std::log(around[k] / whole) : 0;
             for (std::size_t i = 0; i < orders_.size(); ++i) {
                 const double q = orders_[i];
-                if (q < 0 && around[k] > 0)
-                    sums_[i][scale] += std::exp(q * wide_part);
-                else if (q == 0)
-                    sums_[i][scale] += 1;
-                else if (q > 0 && share > 0)
-                    sums_[i][scale] += q == 1 ? share * part : std::exp(q * part);
+                if (q < 0 && around[k] > 0) {
+                    const double power = std::exp(q * wide_part);
+                    sums[i] += power;
+                    firsts[i] += power * around[k];
+                } else if (q == 0) {
+                    sums[i] += 1;
+                } else if (q > 0 && share > 0) {
+                    sums[i] += q == 1 ? share * part : std::exp(q * part);
+                }
             }
+        }
+        for (std::size_t i = 0; i < orders_.size(); ++i) {
+            sums_[i][scale] += orders_[i] < 0 ? std::log(sums[i]) : sums[i];
+            if (orders_[i] < 0)
+                deciding_[i][scale] = std::min(deciding_[i][scale], firsts[i] / sums[i]);
         }
     }
 
+    static constexpr double points_in_box = 16;  // for each order below 1
+    static constexpr double by_sample = 0.1;     // what a sample may lack in its rarest boxes
+
     std::vector<double> orders_;
-    std::vector<std::vector<double>> sums_;
+    std::vector<std::vector<double>> sums_;      // for orders below 0 of their logarithms
+    std::vector<std::vector<double>> deciding_;  // for orders below 0 the mass that weighs most
     std::vector<double> boxes_;
     std::size_t grids_ = 0;
 };
@@ -237,10 +272,10 @@ double whole_of(const std::vector<CellMass>& cells) {
 
 std::vector<GeneralisedDimension> all_of(const OrderSums& sums, std::span<const double> orders,
                                          const std::vector<double>& sizes, const ScaleRange& range,
-                                         double detail, int space) {
+                                         double detail, int space, bool counted = false) {
     std::vector<GeneralisedDimension> result;
     for (std::size_t i = 0; i < orders.size(); ++i)
-        result.push_back({orders[i], sums.scaling(i, sizes, range, detail, space)});
+        result.push_back({orders[i], sums.scaling(i, sizes, range, detail, space, counted)});
     return result;
 }
 
@@ -304,7 +339,8 @@ std::vector<GeneralisedDimension> generalised_dimensions(const PointSet& points,
     range.finest_is = points.detail > 0 ? "4 " + points.part + "s"
                                         : "those that hold 8 " + points.part + "s on average";
     range.finer_ones_see = "single " + points.part + "s";
-    return all_of(sums, orders, sizes, range, points.detail, points.columns);
+    return all_of(sums, orders, sizes, range, points.detail, points.columns,
+                  weights.empty() && points.detail == 0);
 }
 
 }  // namespace algae

@@ -23,7 +23,10 @@
 //
 // The fit uses what is known exactly. If pairs of parts that meet multiply by rho (neighbours.cpp),
 // counts are close to A r^(j D) + B rho^j, and n_j - rho n_(j-1) is free of the second term: its
-// slope is taken over the finest scales, with the baseline that makes the interval shortest. Where
+// slope is taken over the finest scales, with the baseline that makes the interval shortest.
+// Components that multiply more slowly add terms of their own rates, and where a component of the
+// largest rate leads to another one, counts grow as j times that power: all of these rates are known
+// and taken out in the same way. Where
 // rho is unknown, or so near the rate of the parts that the difference is lost (Levy's curve),
 // local slopes are extrapolated, and the interval is wide. Standard errors are those of leaving out
 // one grid at a time; the interval is three of them and the change from the estimate one scale
@@ -337,17 +340,30 @@ namespace {
 
 constexpr std::size_t longest_baseline = 3;  // in scales
 constexpr double lost = 0.95;                // of the cells that the boundary term may take
+constexpr double widest = 0.5;               // half an interval that still says something
+constexpr std::size_t most_terms = 4;        // that are taken out of counts
 
-/// The counts of places of a grid, with one of them left out or all.
+/// The counts of places of a grid, with one of them left out or all, and terms of known rates for
+/// each scale taken out.
 class Means {
 public:
-    Means(const BoxCounts& counts, double rho) : counts_(counts), rho_(rho) {}
+    Means(const BoxCounts& counts, const std::vector<double>& rates) : counts_(counts) {
+        for (const double rate : rates) {
+            weights_.push_back(0);
+            for (std::size_t k = weights_.size() - 1; k > 0; --k)
+                weights_[k] -= rate * weights_[k - 1];
+        }
+    }
 
     static constexpr std::size_t nobody = ~std::size_t{0};
 
-    /// The mean of n_j - rho n_(j-1).
+    /// The mean of n_j - rho n_(j-1) for one rate rho; the same again for each further one. There
+    /// are so many scales below j.
     double combined(std::size_t scale, std::size_t without) const {
-        return mean(scale, without) - (rho_ == 0 ? 0 : rho_ * mean(scale - 1, without));
+        double sum = 0;
+        for (std::size_t k = 0; k < weights_.size(); ++k)
+            sum += weights_[k] * mean(scale - k, without);
+        return sum;
     }
     double slope(std::size_t from, std::size_t to, std::size_t without = nobody) const {
         return std::log(combined(to, without) / combined(from, without)) /
@@ -376,7 +392,7 @@ private:
     }
 
     const BoxCounts& counts_;
-    double rho_;
+    std::vector<double> weights_{1};  // of the scale, and of those above it
 };
 
 /// What is measured above the bound stands at it.
@@ -385,13 +401,15 @@ Estimate interval(double value, double half, double bound) {
     return {within, std::max(within - half, 0.0), std::min(value + half, bound)};
 }
 
-/// With the boundary term taken out.
-void fit_two_terms(const BoxCounts& counts, double rho, double bound, BoxFit& fit) {
-    const Means means(counts, rho);
+/// With the terms of these rates for each scale taken out. Nothing where there are too few scales,
+/// or noise is all that they leave.
+bool fit_known_terms(const BoxCounts& counts, const std::vector<double>& rates, double bound,
+                     BoxFit& fit) {
+    const Means means(counts, rates);
     const std::size_t last = counts.counts.size() - 1;
     double shortest = INFINITY;
-    for (std::size_t baseline = 1; baseline <= longest_baseline && baseline + 2 <= last;
-         ++baseline) {
+    for (std::size_t baseline = 1;
+         baseline <= longest_baseline && baseline + 1 + rates.size() <= last; ++baseline) {
         const double value = means.slope(last - baseline, last);
         const double before = means.slope(last - baseline - 1, last - 1);
         const double error =
@@ -403,22 +421,28 @@ void fit_two_terms(const BoxCounts& counts, double rho, double bound, BoxFit& fi
         fit.first = last - baseline;
         fit.slope = value;
     }
+    if (!(shortest < widest)) {
+        fit.estimate.reset();
+        return false;
+    }
     fit.last = last;
-    // The two terms at the finest scale.
+    // The terms at the finest scale; where the rate of the whole is taken out too, the plot shows
+    // the line through the last count.
+    const double largest = *std::max_element(rates.begin(), rates.end());
+    double share = 1;
+    for (const double rate : rates) share *= 1 - rate * std::pow(counts.scales.ratio, -fit.slope);
+    const bool can_be_parted = std::abs(share) > 0.01;
     const double whole =
-        means.combined(last, Means::nobody) / (1 - rho * std::pow(counts.scales.ratio, -fit.slope));
+        can_be_parted ? means.combined(last, Means::nobody) / share : counts.mean(last);
     fit.intercept = std::log(whole) + fit.slope * std::log(counts.scales.cell(last));
-    fit.rate = rho;
-    fit.boundary = (counts.mean(last) - whole) / std::pow(rho, static_cast<double>(last));
-    fit.because = fmt::format(
-        "counted on the limit itself; slope over the finest scales of n_j - rho n_(j-1), "
-        "with rho = {:.4g} for each scale from the pairs of parts that meet",
-        rho);
+    fit.rate = can_be_parted ? largest : 1;
+    fit.boundary = (counts.mean(last) - whole) / std::pow(fit.rate, static_cast<double>(last));
+    return true;
 }
 
 /// By extrapolation of the local slopes.
 void fit_slopes(const BoxCounts& counts, bool is_lost, double bound, BoxFit& fit) {
-    const Means means(counts, 0);
+    const Means means(counts, {});
     const std::size_t last = counts.counts.size() - 1;
     const double now = means.slope(last - 1, last), before = means.slope(last - 2, last - 1);
     const double earlier = means.slope(last - 3, last - 2);
@@ -450,7 +474,8 @@ double greatest_dimension(const ExactDimension& exact) {
     return std::min(exact.value->enclosure(64).midpoint(), 2.0);
 }
 
-BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting, double bound) {
+BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting, double bound,
+                 const LowerTerms& lower) {
     const BoxCounts& counts = limit.boxes;
     BoxFit fit;
     for (std::size_t j = 0; j + 1 < counts.counts.size(); ++j)
@@ -466,19 +491,76 @@ BoxFit fit_limit(const LimitCounts& limit, const std::optional<Rate>& meeting, d
         meeting ? std::pow(meeting->enclosure(64).midpoint(), static_cast<double>(limit.levels))
                 : 0;
     const bool is_lost = meeting && rho * counts.mean(last - 1) > lost * counts.mean(last);
-    if (meeting && !is_lost)
-        fit_two_terms(counts, rho, bound, fit);
+    if (!meeting || is_lost) {
+        fit_slopes(counts, is_lost, bound, fit);
+        return fit;
+    }
+    // Largest first: what is left out where scales are few matters least.
+    std::vector<double> rates{rho};
+    std::string names;
+    const auto take = [&](const Rate& rate) {
+        if (rates.size() >= most_terms) return;
+        const double own =
+            std::pow(rate.enclosure(64).midpoint(), static_cast<double>(limit.levels));
+        rates.push_back(own);
+        names += fmt::format("{}{:.4g}", names.empty() ? "" : ", ", own);
+    };
+    for (std::size_t k = 1; k < lower.chain; ++k) take(*lower.largest);
+    for (const Rate& rate : lower.rates)
+        if (!(rate == *meeting)) take(rate);
+    const std::string known = fmt::format(
+        "counted on the limit itself; slope over the finest scales of n_j - rho n_(j-1), "
+        "with rho = {:.4g} for each scale from the pairs of parts that meet",
+        rho);
+    if (!names.empty() && fit_known_terms(counts, rates, bound, fit)) {
+        fit.because = known + ", and in the same way " + names + " from " +
+                      (lower.chain > 1 ? "components that follow on each other"
+                                       : "components that multiply more slowly");
+        return fit;
+    }
+    if (fit_known_terms(counts, {rho}, bound, fit))
+        fit.because = known;
     else
         fit_slopes(counts, is_lost, bound, fit);
     return fit;
 }
 
+LowerTerms lower_terms(const ExactDimension& exact) {
+    LowerTerms found;
+    if (!exact.limit || !exact.value || !exact.value->log_ratio() || !exact.similarity ||
+        exact.status != ExactDimension::Status::exact ||
+        exact.value->text() != exact.similarity->text())
+        return found;
+    const RecurrentSet& set = *exact.limit;
+    const Rate& largest = exact.value->log_ratio()->rate();
+    found.largest = largest;
+    // What occurs in a component's successors stands before it: chains are counted upward.
+    const auto& list = set.components().list;
+    std::vector<std::size_t> chains(list.size(), 0);
+    std::vector<Rate> rates;
+    for (std::size_t k = 0; k < list.size(); ++k) {
+        for (const std::size_t below : list[k].below)
+            chains[k] = std::max(chains[k], chains[below]);
+        if (!list[k].rate || *list[k].rate == Rate(1) || is_point(set, list[k])) continue;
+        if (*list[k].rate == largest) ++chains[k];
+        if (!set.is_reached(list[k].letters.front())) continue;
+        found.chain = std::max(found.chain, chains[k]);
+        if (*list[k].rate < largest &&
+            std::find(rates.begin(), rates.end(), *list[k].rate) == rates.end())
+            rates.push_back(*list[k].rate);
+    }
+    std::sort(rates.begin(), rates.end(), [](const Rate& a, const Rate& b) { return a > b; });
+    found.rates = std::move(rates);
+    return found;
+}
+
 LimitMeasure measure_limit(const ExactDimension& exact, LimitCounting counting,
                            const Budget& budget) {
-    counting.coinciding = exact.value->text() != exact.similarity->text();
-    if (counting.coinciding) counting.most_cells /= 2;
+    const bool coincide = exact.value->text() != exact.similarity->text();
+    counting.coinciding = coincide || exact.status != ExactDimension::Status::exact;
+    if (coincide) counting.most_cells /= 2;
     LimitCounts counts = limit_counts(*exact.limit, counting, budget);
-    BoxFit fit = fit_limit(counts, exact.meeting, greatest_dimension(exact));
+    BoxFit fit = fit_limit(counts, exact.meeting, greatest_dimension(exact), lower_terms(exact));
     return {std::move(counts), std::move(fit)};
 }
 

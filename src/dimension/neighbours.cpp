@@ -42,13 +42,6 @@ Rational above_all(const GrowthMatrix& matrix) {
     return Rational(widest + 1);
 }
 
-/// The rate at which paths that begin so multiply, whatever they end in.
-Rate rate_of(const std::vector<Integer>& start, const GrowthMatrix& matrix, const Budget& budget) {
-    const std::vector<Integer> ones(matrix.size(), Integer(1));
-    const Polynomial polynomial = annihilator(start, matrix, ones, budget);
-    return spectral_radius(factorise(polynomial).powers, above_all(matrix));
-}
-
 /// Whether the two pieces of a pair are the same one in the same place.
 bool is_one_place(const Neighbours::Pair& pair) {
     const auto& [piece, heading, offset] = pair.other;
@@ -68,6 +61,13 @@ bool may_meet(const RecurrentSet& set, std::size_t piece, const Placement& other
 }
 
 }  // namespace
+
+Rate rate_of_paths(const std::vector<Integer>& start, const GrowthMatrix& matrix,
+                   const Budget& budget) {
+    const std::vector<Integer> ones(matrix.size(), Integer(1));
+    const Polynomial polynomial = annihilator(start, matrix, ones, budget);
+    return spectral_radius(factorise(polynomial).powers, above_all(matrix));
+}
 
 Placement placed(const RecurrentSet& set, const Placement& whole, const RecurrentSet::Part& part) {
     Placement found{part.piece, normal_heading(whole.heading + part.heading, set.order()),
@@ -89,6 +89,13 @@ std::vector<RecurrentSet::Part> parts_within(const RecurrentSet& set, std::size_
     for (const RecurrentSet::Part& part : set.parts(piece))
         if (component_of[part.piece] == component_of[piece]) found.push_back(part);
     return found;
+}
+
+bool is_point(const RecurrentSet& set, const Component& component) {
+    for (const std::size_t piece : component.letters)
+        for (const RecurrentSet::Part& part : parts_within(set, piece))
+            if (part.offset != set.displacement().zero()) return false;
+    return true;
 }
 
 std::size_t Neighbours::Hash::operator()(const std::pair<std::size_t, Placement>& key) const {
@@ -227,7 +234,7 @@ Rate Neighbours::meeting_rate(const Budget& budget) const {
     }
     std::vector<Integer> start(pairs_.size());
     for (const std::size_t k : starts_) start[k] += 1;
-    return rate_of(start, matrix, budget);
+    return rate_of_paths(start, matrix, budget);
 }
 
 namespace {
@@ -365,7 +372,7 @@ DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
         divisor *= scale;
     }
     found.rate =
-        divided(rate_of(start, matrix, budget), scale, above_all(matrix) / Rational(scale));
+        divided(rate_of_paths(start, matrix, budget), scale, above_all(matrix) / Rational(scale));
     return found;
 }
 

@@ -199,6 +199,24 @@ std::optional<std::pair<Integer, long>> pure_power(const Polynomial& polynomial)
     return std::pair(number, polynomial.degree());
 }
 
+/// The root of this degree of a number above 0, of as small a number as can be: 14^(1/3) for 196 and
+/// 6.
+std::string root_text(Integer number, long degree) {
+    for (long part = degree; part > 1; --part) {
+        if (degree % part != 0) continue;
+        const double near = std::round(std::pow(number.to_double(), 1 / static_cast<double>(part)));
+        if (!(near < 1e15)) continue;
+        const Integer root(static_cast<long>(near));
+        if (!(algae::power(root, static_cast<std::uint64_t>(part)) == number)) continue;
+        number = root;
+        degree /= part;
+        break;
+    }
+    if (degree == 1) return to_string(number);
+    if (degree == 2) return "sqrt " + to_string(number);
+    return to_string(number) + "^(1/" + std::to_string(degree) + ")";
+}
+
 QuadraticNumber negated(const QuadraticNumber& number) {
     return {-number.rational, -number.factor, number.radicand};
 }
@@ -269,7 +287,7 @@ std::string ScalingRatio::text() const {
         return to_string(near_.real() > 0 ? quadratic_near(factor_, size)
                                           : negated(quadratic_near(factor_, -size)));
     if (const auto power = square_ ? pure_power(square_->minimal_polynomial()) : std::nullopt)
-        return to_string(power->first) + "^(1/" + std::to_string(2 * power->second) + ")";
+        return root_text(power->first, 2 * power->second);
     if (square_ && square_->minimal_polynomial().degree() == 2)
         return "sqrt(" + to_string(quadratic_near(square_->minimal_polynomial(), size * size)) +
                ")";

@@ -59,18 +59,40 @@ Json with_slope(Json entry, const Fit& fit, std::size_t scale) {
 
 /// What was measured, and why no other number.
 template <class Fit>
-std::string fit_text(const std::string& title, const Fit& fit) {
+std::string fit_text(const std::string& title, const Fit& fit, const std::string& more = "") {
     const auto& estimate = fit.estimate;
     return "measured by " + title +
            (estimate ? fmt::format(": {:.4f}, expected between {:.4f} and {:.4f}", estimate->value,
                                    estimate->low, estimate->high)
                      : ": undecided") +
-           "\n  " + fit.because + "\n\n";
+           "\n  " + fit.because + "\n" + more + "\n";
 }
 
 Json estimate_json(const std::optional<Estimate>& estimate) {
     if (!estimate) return {{"value", nullptr}, {"low", nullptr}, {"high", nullptr}};
     return {{"value", estimate->value}, {"low", estimate->low}, {"high", estimate->high}};
+}
+
+/// The exact value that measured ones are compared with, where it is known.
+std::optional<double> compared_with(const DimensionReport& found) {
+    if (!found.exact || found.exact->status != ExactDimension::Status::exact || !found.fit.estimate)
+        return std::nullopt;
+    return found.exact->value->enclosure(64).midpoint();
+}
+
+/// The interval was written with so many digits, and its ends count.
+bool holds(const Estimate& estimate, double value) {
+    return estimate.low <= value + 1e-12 && value - 1e-12 <= estimate.high;
+}
+
+std::string comparison_text(const DimensionReport& found) {
+    const auto exact = compared_with(found);
+    if (!exact) return "";
+    std::string text =
+        fmt::format("  error against the exact value: {:+.4f}", found.fit.estimate->value - *exact);
+    if (!holds(*found.fit.estimate, *exact))
+        text += "; the interval does not hold it: the measurement is wrong, not the exact value";
+    return text + "\n";
 }
 
 Json formula_json(const std::optional<DimensionFormula>& formula) {
@@ -80,12 +102,23 @@ Json formula_json(const std::optional<DimensionFormula>& formula) {
             {"decimal", formula->decimal(digits)}};
 }
 
+/// Whether the formula of an upper bound is more than the dimension of the plane, which is a better
+/// bound then.
+bool exceeds_plane(const ExactDimension& exact) {
+    return exact.status == ExactDimension::Status::upper_bound &&
+           compare(exact.value->enclosure(64), Ball(2, 64)) == Order::greater;
+}
+
 Json exact_json(const ExactDimension& exact) {
     Json json{{"status", status_name(exact.status)},
               {"formula", nullptr},
               {"value", nullptr},
               {"decimal", nullptr}};
-    if (exact.value) json.update(formula_json(exact.value));
+    const bool is_unfinished = exact.status == ExactDimension::Status::unfinished;
+    if (exact.value && !is_unfinished) json.update(formula_json(exact.value));
+    if (exact.value && is_unfinished) json.set("at_most", formula_json(exact.value));
+    if (exceeds_plane(exact))
+        json.update({{"value", 2.0}, {"decimal", decimal(Rational(2), digits)}});
     json.set("conditions", exact.conditions);
     json.set("similarity", formula_json(exact.similarity));
     json.set("boundary", formula_json(exact.boundary));
@@ -103,11 +136,13 @@ std::string exact_page(const ExactDimension& exact) {
     };
     if (exact.status == ExactDimension::Status::exact) text += line("exact: ", *exact.value);
     if (exact.status == ExactDimension::Status::upper_bound)
-        text += compare(exact.value->enclosure(64), Ball(2, 64)) == Order::greater
+        text += exceeds_plane(exact)
                     ? line("upper bound: 2, as for every set in the plane; the formula gives ",
                            *exact.value)
                     : line("upper bound: ", *exact.value);
-    if (exact.status == ExactDimension::Status::unfinished) text += "exact: unfinished\n";
+    if (exact.status == ExactDimension::Status::unfinished)
+        text +=
+            exact.value ? line("exact: unfinished, at most ", *exact.value) : "exact: unfinished\n";
     if (exact.status == ExactDimension::Status::none) text += "exact: no formula\n";
     for (const std::string& condition : exact.conditions) text += "  " + condition + "\n";
     if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())
@@ -120,7 +155,10 @@ Json box_json(const DimensionReport& found) {
     const auto& [what, exact, generation, counts, fit] = found;
     Json box = estimate_json(fit.estimate);
     box.set("because", fit.because);
-    box.set("offsets", counts.counts.front().size());
+    const auto compared = compared_with(found);
+    box.set("error", compared ? Json(fit.estimate->value - *compared) : Json());
+    box.set("holds_exact", compared ? Json(holds(*fit.estimate, *compared)) : Json());
+    box.set("offsets", counts.counts.empty() ? 0 : counts.counts.front().size());
     Json scales = Json::array();
     for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
         const auto [least, most] =
@@ -137,7 +175,8 @@ Json box_json(const DimensionReport& found) {
 
 std::string box_page(const DimensionReport& found) {
     const auto& [what, exact, generation, counts, fit] = found;
-    std::string text = fit_text("boxes", fit);
+    std::string text = fit_text("boxes", fit, comparison_text(found));
+    if (counts.counts.empty()) return text;
     text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",
                         "least", "most", "slope");
     for (std::size_t scale = 0; scale < counts.counts.size(); ++scale) {
@@ -277,7 +316,10 @@ std::string to_line(const DimensionRow& row, std::size_t width) {
     if (row.fit && row.fit->estimate) {
         const Estimate& found = *row.fit->estimate;
         text += fmt::format("  {:.4f} in [{:.4f}, {:.4f}]", found.value, found.low, found.high);
-        if (const auto difference = row.difference()) text += fmt::format("  {:+.4f}", *difference);
+        if (const auto difference = row.difference()) {
+            text += fmt::format("  {:+.4f}", *difference);
+            if (!holds(found, row.value())) text += ", outside";
+        }
     } else if (!row.unmeasured.empty()) {
         text += "  undecided: " + shortened(row.unmeasured);
     }

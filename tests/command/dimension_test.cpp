@@ -47,6 +47,61 @@ TEST_CASE("dimension says what the rules give, and measures the limit") {
     CHECK(plant["exact"]["formula"] == "log 3 / log 2");
 }
 
+TEST_CASE(
+    "the error of a measurement stands beside it, and an interval without the exact value is "
+    "told") {
+    const Run shown = run("dimension koch --grids 4");
+    CHECK(shown.out.find("\n  error against the exact value: ") != std::string::npos);
+    CHECK(shown.out.find("does not hold it") == std::string::npos);
+    const json found = json::parse(run("dimension koch --grids 4 --json").out);
+    CHECK(found["box"]["holds_exact"] == true);
+    CHECK(std::abs(found["box"]["error"].get<double>()) < 0.01);
+}
+
+TEST_CASE("a search that takes long does not take the bound and the measurement with it") {
+    const Scratch scratch;
+    const std::string plant =
+        "'" + scratch.file("f.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n") + "'";
+    const Run over = run("dimension " + plant + " --grids 1 --timeout 9");
+    if (over.status == 3) {
+        CHECK(over.out.find("upper bound: log 4 / log 2 = 2\n") != std::string::npos);
+        CHECK(over.out.find("the search for parts that coincide goes on\n") != std::string::npos);
+        CHECK(over.out.find("exact: unfinished, at most log 4 / log 2 = 2\n") != std::string::npos);
+        CHECK(over.out.find("measured by boxes: 1.") != std::string::npos);
+    } else {
+        CHECK(over.out.find("exact: log") != std::string::npos);
+    }
+    const Run none = run("dimension " + plant + " --timeout 1 --json");
+    if (none.status == 3) {
+        const json found = json::parse(none.out);
+        CHECK(found["exact"]["status"] == "unfinished");
+        CHECK(found["exact"]["at_most"]["formula"] == "log 4 / log 2 = 2");
+        CHECK(found["exact"]["value"].is_null());
+    }
+}
+
+TEST_CASE(
+    "bounds of sets in the plane are at most 2 in JSON, and small images say which size would do") {
+    const Scratch scratch;
+    const std::string bush = "'" +
+                             scratch.file("b.lsys",
+                                          "axiom F\nF -> F[+F]F[-F][F]F[++F][--F][+++F]"
+                                          "[---F]\nangle 20\n") +
+                             "'";
+    const json found = json::parse(run("dimension " + bush + " --grids 1 --json").out)["exact"];
+    CHECK(found["status"] == "upper bound");
+    CHECK(found["formula"] == "log 10 / log 3");
+    CHECK(found["value"] == 2);
+    CHECK(found["decimal"] == "2.000000000000000000000000000000");
+    CHECK(found["similarity"]["value"] > 2.09);
+    const std::string picture = scratch.file("small.png");
+    CHECK(run("draw koch -n 3 --width 64 -o '" + picture + "'").status == 0);
+    const Run small = run("dimension '" + picture + "'");
+    CHECK(small.status == 3);
+    CHECK(small.out.find("; what is measured must be 256 pixels across, and is ") !=
+          std::string::npos);
+}
+
 TEST_CASE("dimension says when a generation is too low, and leaves it undecided") {
     const Run low = run("dimension koch -n 2");
     CHECK(low.status == 3);

@@ -39,7 +39,7 @@ const Known curves[] = {
      "1.556302500767", nullptr},
     {"turns that come back in two generations", "axiom F-F-F-F; F -> FF-F--F-F; angle 90",
      "log 5 / log 3", "1.464973520718", nullptr},
-    {"hexagonal", "axiom F+F+F; F -> F+F-F+F; angle 60", "log 16^(1/3) / log 16^(1/6) = 2",
+    {"hexagonal", "axiom F+F+F; F -> F+F-F+F; angle 60", "log 16^(1/3) / log 4^(1/3) = 2",
      "2.000000000000", nullptr},
     {"pentadendrite", "axiom F; F -> F+F-F--F+F+F; angle 72", "log 6 / log sqrt(6+sqrt(5))",
      "1.699539851193", nullptr},
@@ -108,6 +108,19 @@ TEST_CASE("a plant whose twigs meet in ever new ways has an upper bound only") {
     CHECK(found.status == Status::upper_bound);
     CHECK(found.value->text() == "log 3 / log 2");
     CHECK_FALSE(found.boundary);
+}
+
+TEST_CASE("a bound comes without the search, and roots are written with small numbers") {
+    const auto bound = [](const char* text) { return dimension_bound(read_lsystem(text, "")); };
+    const ExactDimension found = bound("axiom F; F -> FF-F-F-F-F-F+F; angle 90");
+    CHECK(found.status == Status::upper_bound);
+    CHECK(found.value->text() == "log 8 / log sqrt 10");
+    CHECK(found.limit);
+    CHECK(found.conditions.back() == "whether parts coincide has not been looked at");
+    CHECK(bound("axiom F; F -> F[+F]").status == Status::none);
+    const ExactDimension line = exact_dimension(
+        read_lsystem("axiom F; F -> GGGGGGG; G -> HH; H -> FFFFFFFFFFFFFF; angle 90", ""));
+    CHECK(line.value->text() == "log 196^(1/3) / log 196^(1/3) = 1");
 }
 
 TEST_CASE("systems without a formula say why") {

@@ -11,6 +11,7 @@
 #include "exact/exact.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "report/report.hpp"
 #include "system/system.hpp"
 
 using namespace algae;
@@ -27,7 +28,7 @@ Counted counted(const char* text, const LimitCounting& counting) {
     const Model system = read_lsystem(text, "a.lsys");
     Counted found{exact_dimension(system), {}, {}};
     found.counts = limit_counts(RecurrentSet(system, *as_d0l(system)), counting);
-    found.fit = fit_limit(found.counts, found.exact.meeting);
+    found.fit = fit_limit(found.counts, found.exact.meeting, 2, lower_terms(found.exact));
     return found;
 }
 
@@ -53,6 +54,54 @@ TEST_CASE("boxes of the limit give the exact dimension within their interval") {
         CHECK(found.fit.estimate->low <= exact + 1e-9);
         CHECK(found.fit.estimate->high >= exact - 1e-9);
     }
+}
+
+TEST_CASE("components that follow on each other, and lower ones, do not lead boxes astray") {
+    for (const char* text :
+         {"axiom X; X -> F[+X]-X; F -> FF; angle 60", "axiom X; X -> F[+X]-X; F -> FF; angle 90",
+          "axiom Y; Y -> YFX[+Y][-Y]; X -> X[-FFF][+FFF]FX; angle 180/7",
+          "axiom Y; Y -> YFX[+Y][-Y]; X -> X[-FFF][+FFF]FX; angle 60",
+          "axiom PffffffffffQ; P -> [P][fP][+f-P][f+f-P]; Q -> [Q][fQ][+f-Q][|f+f+Q]; f -> ff; "
+          "interpret P -> F; interpret Q -> F; angle 90"}) {
+        CAPTURE(text);
+        const Counted found = counted(text, {8, 1, 30'000});
+        REQUIRE(found.exact.status == ExactDimension::Status::exact);
+        const double exact = found.exact.value->enclosure(64).midpoint();
+        REQUIRE(found.fit.estimate);
+        CAPTURE(found.fit.estimate->value);
+        CAPTURE(found.fit.because);
+        CHECK(found.fit.estimate->low <= exact + 1e-9);
+        CHECK(found.fit.estimate->high >= exact - 1e-9);
+        CHECK(found.fit.estimate->high - found.fit.estimate->low < 0.5);
+    }
+}
+
+TEST_CASE("the rates that counts are freed of are those of the components") {
+    const auto terms = [](const char* text) {
+        return lower_terms(exact_dimension(read_lsystem(text, "a.lsys")));
+    };
+    const LowerTerms chain = terms("axiom X; X -> F[+X]-X; F -> FF; angle 60");
+    CHECK(chain.chain == 2);
+    CHECK(chain.rates.empty());
+    const LowerTerms lower = terms("axiom Y; Y -> YFX[+Y][-Y]; X -> X[-FFF][+FFF]FX; angle 60");
+    CHECK(lower.chain == 1);
+    CHECK(lower.rates == std::vector<Rate>{Rate(2)});
+    CHECK(terms("axiom F; F -> F+F--F+F; angle 60").chain == 1);
+    CHECK(terms("axiom F; F -> FF-F-F-F-F-F+F; angle 90").largest == std::nullopt);  // coincide
+}
+
+TEST_CASE("an interval that does not hold the exact value is told as such") {
+    const Counted counts = counted("axiom F; F -> F+F--F+F; angle 60", quick);
+    DimensionReport report{"a curve", counts.exact, {}, counts.counts.boxes, counts.fit};
+    const std::string told =
+        "; the interval does not hold it: the measurement is wrong, not the exact value\n";
+    CHECK(to_text(report).find("\n  error against the exact value: ") != std::string::npos);
+    CHECK(to_text(report).find(told) == std::string::npos);
+    CHECK(to_json(report).text().find("\"holds_exact\": true") != std::string::npos);
+    report.fit.estimate = Estimate{1.3, 1.28, 1.32};
+    CHECK(to_text(report).find("error against the exact value: +0.0381" + told) !=
+          std::string::npos);
+    CHECK(to_json(report).text().find("\"holds_exact\": false") != std::string::npos);
 }
 
 TEST_CASE("the boxes of Levy's curve do not pretend to be sure") {

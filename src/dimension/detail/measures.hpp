@@ -160,9 +160,21 @@ LimitCounts limit_counts(const RecurrentSet& set, const LimitCounting& options =
 /// What no set in the plane for which the rules give this upper bound exceeds; 2 for other ones.
 double greatest_dimension(const ExactDimension& exact);
 
+/// What is known exactly of how counts of cells grow from generation to generation: as a sum of
+/// powers of the rate of the whole and of these, which the fit takes out.
+struct LowerTerms {
+    std::vector<Rate> rates;      // of components that multiply more slowly than the largest
+    std::optional<Rate> largest;  // of the whole
+    std::size_t chain = 1;        // so many components with it follow on each other: n^(chain - 1)
+};
+
+/// Of a set whose value counts all parts; nothing where parts coincide.
+LowerTerms lower_terms(const ExactDimension& exact);
+
 /// Fits the dimension of a recurrent set to the cells it touches. `meeting` is the rate at which
 /// pairs of parts that meet multiply from generation to generation, where it is known. Nothing is
 /// above `bound`: 2 for sets in the plane, or what the rules give.
-BoxFit fit_limit(const LimitCounts& counts, const std::optional<Rate>& meeting, double bound = 2);
+BoxFit fit_limit(const LimitCounts& counts, const std::optional<Rate>& meeting, double bound = 2,
+                 const LowerTerms& lower = {});
 
 }  // namespace algae

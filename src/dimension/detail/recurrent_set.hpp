@@ -93,6 +93,9 @@ Placement seen_from(const RecurrentSet& set, const Placement& first, const Place
 /// The parts of a piece that lie in its own component.
 std::vector<RecurrentSet::Part> parts_within(const RecurrentSet& set, std::size_t piece);
 
+/// Whether all of a component's pieces shrink to points.
+bool is_point(const RecurrentSet& set, const Component& component);
+
 /// How fast the different parts of a component multiply where parts coincide.
 struct DistinctGrowth {
     Rate rate = Rate(1);
@@ -109,6 +112,24 @@ struct DistinctGrowth {
 DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
                                const Neighbours& neighbours, const Budget& budget = {},
                                std::size_t most = 50'000);
+
+/// The rate at which paths multiply that begin so and follow the matrix, whatever they end in.
+Rate rate_of_paths(const std::vector<Integer>& start, const GrowthMatrix& matrix,
+                   const Budget& budget);
+
+/// The cells of a tiling of the plane that a set touches.
+struct CellGrowth {
+    /// At which those multiply that the set touches and does not cover: those of its boundary.
+    Rate boundary = Rate(1);
+    bool has_interior = false;  // some cell is covered
+    std::size_t kinds = 0;      // of cells, by the parts that meet them
+};
+
+/// Of the whole set that the axiom leads to, all components and overlaps of it: log boundary /
+/// log |mu| is the dimension of its topological boundary. Throws Error where positions do not lie in
+/// a lattice of the plane, BoundReached beyond `most` kinds.
+CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget = {},
+                       std::size_t most = 50'000);
 
 /// By piece, whether it leads to a piece for which this holds, at every later level: where it lies
 /// on a cycle of pieces that lead to one, or leads to such a cycle. `parts` are the pieces of each

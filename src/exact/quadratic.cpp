@@ -63,22 +63,22 @@ std::optional<QuadraticNumber> square_root(const Rational& value) {
     const Integer product = value.numerator() * value.denominator();
     const Integer most = 1'000'000'000'000;
     if (product > most || product < 1) return std::nullopt;
-    // What is left after dividing by the squares of numbers up to the cube root has at most two prime factors.
-    std::uint64_t rest = product.to_uint64(), outside = 1;
-    for (std::uint64_t k = 2; k * k * k <= rest || k <= 3; ++k)
-        while (rest % (k * k) == 0) {
-            rest /= k * k;
-            outside *= k;
+    // Every prime up to the cube root of what is left is divided out, so that at most two prime factors remain.
+    std::uint64_t rest = product.to_uint64(), outside = 1, inside = 1;
+    for (std::uint64_t k = 2; k * k * k <= rest; ++k)
+        while (rest % k == 0) {
+            const bool is_square = rest % (k * k) == 0;
+            rest /= is_square ? k * k : k;
+            (is_square ? outside : inside) *= k;
         }
     const auto root =
         static_cast<std::uint64_t>(std::llround(std::sqrt(static_cast<double>(rest))));
-    if (root * root == rest) {
-        outside *= root;
-        rest = 1;
-    }
+    const bool is_square = root * root == rest;
+    outside *= is_square ? root : 1;
+    inside *= is_square ? 1 : rest;
     const Rational factor = Rational(Integer(outside)) / Rational(value.denominator());
-    if (rest == 1) return QuadraticNumber{factor, 0, 1};
-    return QuadraticNumber{0, factor, Integer(rest)};
+    if (inside == 1) return QuadraticNumber{factor, 0, 1};
+    return QuadraticNumber{0, factor, Integer(inside)};
 }
 
 Ball enclosure(const QuadraticNumber& value, long bits) {

@@ -78,6 +78,13 @@ TEST_CASE("roots of different numbers make no such number, and equal numbers hav
     CHECK(sign(QuadraticNumber{}) == 0);
 }
 
+TEST_CASE("squares of primes above the cube root of what is left leave the radicand") {
+    CHECK(square_root(Rational(25, 18)) == QuadraticNumber{0, Rational(5, 6), 2});
+    CHECK(square_root(Rational(50)) == QuadraticNumber{0, 5, 2});
+    for (int n = 1; n <= 20'000; ++n)
+        CHECK(is_squarefree(square_root(Rational(n))->radicand.to_uint64()));
+}
+
 TEST_CASE("the square of a square root is the number, and its radicand has no square") {
     std::size_t found = 0;
     CHECK(rc::check([&] {

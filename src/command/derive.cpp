@@ -26,6 +26,7 @@ namespace {
 
 struct DeriveOptions {
     std::string file, tables, environment;
+    std::vector<std::string> let;
     std::optional<Range> generation, seeds;
     std::optional<std::uint64_t> seed;
     std::optional<std::uint64_t> longest;
@@ -106,6 +107,33 @@ std::vector<std::size_t> tables(const DeriveOptions& options, const LSystem& sys
     return derivation_tables(system, options.tables, options.seed || options.seeds);
 }
 
+/// Sends the image of a word under a coding, in pieces; `piece(at)` gives the letters from a position on, none at the end.
+bool write_coded(const LetterCoding& coding, TextSink& sink,
+                 const std::function<Word(std::uint64_t)>& piece) {
+    Word last;  // the letter before the piece, next to which a blank may stand
+    std::uint64_t at = 0;
+    for (Word letters = piece(at); !letters.empty(); letters = piece(at)) {
+        at += letters.size();
+        const Word image = coding.morphism(letters);
+        const std::size_t skipped = last.empty() ? 0 : coding.alphabet.name(last.front()).size();
+        last.insert(last.end(), image.begin(), image.end());
+        const std::string text = spell(coding.alphabet, last);
+        sink.write(std::string_view(text).substr(skipped));
+        sink.flush();
+        last = {image.back()};
+    }
+    return at > 0;
+}
+
+/// Throws Error if a system has a coding where the letters that it stands for are shown.
+void refuse_coding(const Model& system, const std::string& option) {
+    if (!system.coding.empty())
+        throw Error(
+            option +
+            ": is for words before the coding, and the system has one: its language is that of "
+            "the letters before it");
+}
+
 /// The word of one generation after the other. Numbers are exact while words are not long: from then on they are doubles, as
 /// in figures, all the way from the axiom.
 class Generations {
@@ -133,6 +161,14 @@ public:
             }
         }
         const CompiledRules& rules = development_->rules();
+        if (!system_.coding.empty()) {
+            const LetterCoding coding(system_.alphabet, system_.coding);
+            Word letters;
+            for (const ModuleKind kind : development_->word().kinds)
+                letters.push_back(rules.kinds.letter(kind));
+            return write_coded(coding, sink,
+                               [&](std::uint64_t at) { return at == 0 ? letters : Word(); });
+        }
         return ModuleText(rules.system->alphabet, rules.kinds)
             .write(development_->word(), sink, budget_);
     }
@@ -263,23 +299,39 @@ void derive_boxes(const LSystem& system, std::uint64_t first, std::uint64_t last
 
 // The verb derive.
 
-void print_generations(const DeriveOptions& options, const D0L& system, std::uint64_t first,
-                       std::uint64_t last, const Budget& budget) {
+void print_generations(const DeriveOptions& options, const Model& model, const D0L& system,
+                       std::uint64_t first, std::uint64_t last, const Budget& budget) {
     check_length(system, last, budget);
     if (first != last)
         for (std::uint64_t n = first; n < last; ++n) check_length(system, n, budget);
+    if (!model.coding.empty()) {
+        constexpr std::uint64_t piece = 1 << 16;  // letters
+        const LetterCoding coding(model.alphabet, model.coding);
+        print_lines(options.json, first, last, [&](std::uint64_t n, TextSink& sink) {
+            const Integer size = length(system, n, budget);
+            return write_coded(coding, sink, [&](std::uint64_t at) {
+                return Integer(at) < size ? letters_at(system, n, Integer(at), piece, budget)
+                                          : Word();
+            });
+        });
+        return;
+    }
     print_lines(options.json, first, last, [&](std::uint64_t n, TextSink& sink) {
         return derive_text(system, n, sink, budget);
     });
 }
 
-void print_generations(const DeriveOptions& options, const IL& system, std::uint64_t first,
-                       std::uint64_t last, const Budget& budget) {
+void print_generations(const DeriveOptions& options, const Model& model, const IL& system,
+                       std::uint64_t first, std::uint64_t last, const Budget& budget) {
     Development development(system, budget);
     development.steps(first);
     print_lines(options.json, first, last, [&](std::uint64_t n, TextSink& sink) {
         development.steps(n - development.generation());
         if (development.length() == 0) return false;
+        if (!model.coding.empty())
+            return write_coded(
+                LetterCoding(model.alphabet, model.coding), sink,
+                [&](std::uint64_t at) { return at == 0 ? development.word() : Word(); });
         const std::string text = spell(*system.alphabet, development.word());  // until flush
         sink.write(text);
         sink.flush();
@@ -319,13 +371,18 @@ void derive_all_words(const DeriveOptions& options, const LSystem& system, const
 
 int derive_verb(const DeriveOptions& options) {
     const Budget budget = options.bounds.budget();
-    const Model system = open_model(options.file, budget);
+    const Model system = open_model(options.file, budget, options.let);
     if (class_of(system).shape) {
         derive_shapes(options, system, budget);
         return success;
     }
     if (options.longest && !options.all_words && !options.language)
         throw Error("--longest goes with --all-words or --language");
+    for (const auto& [option, given] :
+         {std::pair("--all-words", options.all_words), std::pair("--language", options.language),
+          std::pair("--distribution", options.distribution),
+          std::pair("--expected", options.expected)})
+        if (given) refuse_coding(system, option);
     if (options.all_words)
         derive_all_words(options, system, budget);
     else if (options.language)
@@ -358,9 +415,9 @@ int derive_verb(const DeriveOptions& options) {
     const auto& [from, last, written] = *options.generation;
     const std::uint64_t first = options.all ? 0 : from;
     if (rules)
-        print_generations(options, *rules, first, last, budget);
+        print_generations(options, system, *rules, first, last, budget);
     else
-        print_generations(options, *interactive, first, last, budget);
+        print_generations(options, system, *interactive, first, last, budget);
     return success;
 }
 
@@ -368,6 +425,7 @@ int derive_verb(const DeriveOptions& options) {
 
 struct LetterOptions {
     std::string file;
+    std::vector<std::string> let;
     std::uint64_t generation = 0, count = 1;
     Integer at;
     bool json = false;
@@ -390,13 +448,17 @@ Word derived_letters(const IL& system, const LetterOptions& options, const Budge
 
 int letter(const LetterOptions& options) {
     const Budget budget = options.bounds.budget();
-    const LSystem system = open_system(options.file, budget);
+    const Model system = open_model(options.file, budget, options.let);
     const View<D0L> rules = as_d0l(system);
     const View<IL> interactive = as_dil(system);
     const Word letters = !rules && interactive ? derived_letters(*interactive, options, budget)
                                                : letters_at(*rules, options.generation, options.at,
                                                             options.count, budget);
-    const std::string text = spell(system.alphabet, letters);
+    std::string text = spell(system.alphabet, letters);
+    if (!system.coding.empty()) {
+        const LetterCoding coding(system.alphabet, system.coding);
+        text = spell(coding.alphabet, coding.morphism(letters));
+    }
     if (options.json)
         print(Json{{"letters", text}}.text());
     else
@@ -440,6 +502,7 @@ void add_derive(Verbs& verbs) {
                                       "algae derive stochastic.lsys -n 6 --seeds 1..9"},
                                      derive_verb);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.option("-n", options.generation, range, "N", "the generation, or a range such as 0..6");
     verb.flag("--all", options.all, "all generations from 0 on, a line each");
     verb.flag("--all-words", options.all_words,
@@ -472,6 +535,7 @@ void add_letter(Verbs& verbs) {
                    "algae letter koch -n 1000 --at 10 --count 60"},
                   letter);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.option("-n", options.generation, natural, "N", "the generation").required = true;
     verb.option("--at", options.at, position, "P", "the position, counted from 0, of any size")
         .required = true;

@@ -51,6 +51,7 @@ constexpr std::uint64_t usual_grids = 16;
 
 struct Options {
     std::string file, plot;
+    std::vector<std::string> let;
     std::string generation, seed;  // of a generator the text of a statement, else a number
     std::optional<double> threshold;
     std::optional<std::size_t> grids;
@@ -433,7 +434,7 @@ struct Input {
 };
 
 Input input(const Options& options, const Budget& budget) {
-    const SourceText source = open_text(options.file, budget);
+    const SourceText source = open_text(options.file, budget, options.let);
     const auto refuse = [&](const std::string& option, bool given, const char* what) {
         if (given)
             throw Error(option + " is for " + what + ", and " + source.name +
@@ -444,7 +445,8 @@ Input input(const Options& options, const Budget& budget) {
     refuse("--invert", !image && options.invert, "images");
     if (!image && !options.points && !is_named_as_points(options.file) &&
         !starts_with_number(source.text))
-        return {source.name, read_lsystem(source.text, source.name)};
+        return {source.name, options.file == "-" ? read_lsystem(source.text, source.name)
+                                                 : open_model(options.file, budget, options.let)};
     refuse("-n", !options.generation.empty(), "systems");
     refuse("--seed", !options.seed.empty(), "systems");
     InkOptions ink;

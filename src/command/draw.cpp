@@ -9,6 +9,7 @@
 // its file, so these two stay texts until the file is known.
 
 #include <algorithm>
+#include <deque>
 #include <optional>
 
 #include "command/detail/files.hpp"
@@ -17,6 +18,7 @@
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "model/model.hpp"
+#include "notation/notation.hpp"
 #include "render/render.hpp"
 #include "rewrite/rewrite.hpp"
 #include "turtle/turtle.hpp"
@@ -31,6 +33,7 @@ constexpr std::uint64_t most_strokes = 5'000'000;               // of all pages 
 
 struct Options {
     std::string file, output, format, tables, environment, background, caption;
+    std::vector<std::string> let;
     std::string generation,
         seed;  // of a generator the text of a statement, else a range and a number
     std::optional<Range> seeds;
@@ -237,7 +240,7 @@ int draw_explained(const Options& options) {
     if (!options.output.empty()) named_format(options.output, options.format);
     check_motion(options, false);
     const Budget budget = options.bounds.budget();
-    const Model system = open_model(options.file, budget);
+    const Model system = open_model(options.file, budget, options.let);
     const PlateChoices choices = choices_of(options, system);
     if (!leaves_plane(system)) choices.space.check_unused(system.name);
     std::uint64_t n = 0;
@@ -307,7 +310,7 @@ Model painted(Model system, const PictureOptions& picture) {
 int draw_progressive(const Options& options) {
     const std::string named = needed_format(options);
     const Budget budget = options.bounds.budget();
-    const Model system = open_model(options.file, budget);
+    const Model system = open_model(options.file, budget, options.let);
     const PlateChoices choices = choices_of(options, system);
     const PictureOptions picture = picture_options(options);
     const auto animation = animation_format(named);
@@ -433,7 +436,7 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
         scene =
             scene_of(*open_generator(options.file, budget, options.statements()), format, budget);
     } else {
-        const Model system = open_model(options.file, budget);
+        const Model system = open_model(options.file, budget, options.let);
         const std::uint64_t generation =
             options.generation.empty()
                 ? shown_generations(system).second
@@ -447,6 +450,112 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
     return success;
 }
 
+// Ranges of --let.
+
+/// The generations of a picture; an animation begins with generation 0.
+std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, const Model& system,
+                                                       bool moves) {
+    if (!options.generation.empty()) {
+        const Range wished = range("-n", options.generation);
+        return {wished.first, wished.last};
+    }
+    const auto shown = shown_generations(system);
+    return moves && shown.first == shown.second ? std::pair(std::uint64_t{0}, shown.second) : shown;
+}
+
+/// The values of --let NAME=FIRST..LAST:STEP, each as the --let that says it; one where it is no range.
+std::vector<std::string> values_of_let(const std::string& let) {
+    constexpr std::size_t most = 100;
+    const std::size_t equals = let.find('='), dots = let.find("..");
+    if (equals == std::string::npos || dots == std::string::npos) return {let};
+    const std::size_t colon = std::min(let.find(':', dots), let.size());
+    const auto value = [&](std::size_t begin, std::size_t end, const char* what) {
+        const std::string text = let.substr(begin, end - begin);
+        const auto none = [](const std::string&) -> const Quantity* { return nullptr; };
+        try {
+            if (const Quantity found = evaluate(read_expression(text), none); found.exact)
+                return *found.exact;
+        } catch (const Diagnostics&) {
+        }
+        refuse("--let " + let, std::string(what) + ", such as in a1=20..60:10", text);
+    };
+    const Rational first = value(equals + 1, dots, "a rational number before '..'"),
+                   last = value(dots + 2, colon, "a rational number behind '..'"),
+                   step = colon == let.size()
+                              ? Rational(1)
+                              : value(colon + 1, let.size(), "a rational step behind ':'");
+    if (sign(step) == 0 || (step > 0) != (last >= first))
+        throw Error("--let " + let + ": the step does not lead from " + shortest_text(first) +
+                    " to " + shortest_text(last));
+    std::vector<std::string> all;
+    for (Rational at = first; step > 0 ? at <= last : at >= last; at += step) {
+        if (all.size() == most)
+            throw Error("--let " + let + ": has more than " + std::to_string(most) + " values");
+        all.push_back(let.substr(0, equals + 1) + shortest_text(at));
+    }
+    return all;
+}
+
+/// What --let says of each panel: one of its options may be a range.
+std::vector<std::vector<std::string>> panels_of_let(const std::vector<std::string>& let) {
+    std::vector<std::vector<std::string>> all{{}};
+    for (const std::string& one : let) {
+        const std::vector<std::string> values = values_of_let(one);
+        if (values.size() > 1 && all.size() > 1)
+            throw Error("--let: expected one range of values, found two");
+        std::vector<std::vector<std::string>> longer;
+        for (const auto& before : all)
+            for (const std::string& value : values) {
+                longer.push_back(before);
+                longer.back().push_back(value);
+            }
+        all = std::move(longer);
+    }
+    return all;
+}
+
+/// A figure for each value of a constant and each generation, with the systems that they show.
+class VariedPlates {
+public:
+    VariedPlates(const Options& options, bool moves, const Budget& budget) {
+        const auto variants = panels_of_let(options.let);
+        for (const auto& let : variants) {
+            const Model& system = systems_.emplace_back(open_model(options.file, budget, let));
+            generations = generations_of(options, system, moves);
+            FigurePlates plates(system, generations, choices_of(options, system), budget);
+            if (!options.caption.empty())
+                plates.caption(options.caption);
+            else if (options.captions)
+                plates.caption_with_facts();
+            for (FigurePlate& plate : plates.figures) {
+                for (std::size_t i = 0; i < let.size() && variants.size() > 1; ++i) {
+                    if (let[i] == options.let[i]) continue;  // the same in all panels
+                    const std::string said = ", " + let[i].substr(0, let[i].find('=')) + " = " +
+                                             let[i].substr(let[i].find('=') + 1);
+                    plate.name += said;
+                    if (options.captions && options.caption.empty()) plate.caption += said;
+                }
+                figures.push_back(std::move(plate));
+            }
+        }
+        varied = variants.size() > 1;
+    }
+
+    std::vector<Plate> plates() const {
+        std::vector<Plate> found;
+        for (const FigurePlate& plate : figures)
+            found.push_back({plate.figure.get(), plate.name, plate.caption});
+        return found;
+    }
+
+    std::vector<FigurePlate> figures;
+    std::pair<std::uint64_t, std::uint64_t> generations;
+    bool varied = false;  // by a range of --let
+
+private:
+    std::deque<Model> systems_;  // which figures refer to
+};
+
 // Pictures and animations.
 
 std::vector<double> numbers(const std::vector<Coordinate>& coordinates) {
@@ -455,12 +564,13 @@ std::vector<double> numbers(const std::vector<Coordinate>& coordinates) {
     return values;
 }
 
-Json as_json(const FigurePlates& plates, const Drawn& drawn, const std::string& path) {
+Json as_json(const VariedPlates& plates, const Drawn& drawn, const std::string& path) {
     std::vector<Json> all;
     for (const FigurePlate& plate : plates.figures) {
         const Facts& facts = plate.figure->facts();
         Json one{{"generation", plate.generation}};
         if (plate.seed) one.set("seed", *plate.seed);
+        if (plates.varied) one.set("figure", plate.name);
         one.set("segments", facts.segments);
         one.set("bounding_box", {{"min", numbers(facts.low)}, {"max", numbers(facts.high)}});
         one.set("end", numbers(facts.end));
@@ -474,17 +584,6 @@ Json as_json(const FigurePlates& plates, const Drawn& drawn, const std::string& 
     out.set("lines", drawn.lines);
     out.set("as_image", drawn.as_image);
     return out;
-}
-
-/// The generations of a picture; an animation begins with generation 0.
-std::pair<std::uint64_t, std::uint64_t> generations_of(const Options& options, const Model& system,
-                                                       bool moves) {
-    if (!options.generation.empty()) {
-        const Range wished = range("-n", options.generation);
-        return {wished.first, wished.last};
-    }
-    const auto shown = shown_generations(system);
-    return moves && shown.first == shown.second ? std::pair(std::uint64_t{0}, shown.second) : shown;
 }
 
 /// Files of generators: what -n and --seed say stands in their statements.
@@ -523,22 +622,18 @@ int draw(const Options& options) {
     const PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
     if (is_generator(options.file)) return draw_generator_file(options, format, picture, budget);
-    const Model system = open_model(options.file, budget);
-    const auto generations = generations_of(options, system, animation.has_value());
-    FigurePlates plates(system, generations, choices_of(options, system), budget);
-    if (!options.caption.empty())
-        plates.caption(options.caption);
-    else if (options.captions)
-        plates.caption_with_facts();
+    const VariedPlates plates(options, animation.has_value(), budget);
+    const auto generations = plates.generations;
 
     ProgressBar bar("Drawing");
     const bool single = plates.figures.size() == 1;
-    const bool pages =
-        !single && !options.panels && (format == PictureFormat::pdf || format == PictureFormat::ps);
+    const bool pages = !single && !options.panels && !plates.varied &&
+                       (format == PictureFormat::pdf || format == PictureFormat::ps);
     // What a file says of its own figure is drawn as well as the format can.
     const bool of_seeds = generations.first == generations.second;  // the words of several seeds
     const bool panels =
-        options.panels || ((options.generation.empty() || of_seeds) && !single && !pages);
+        options.panels ||
+        ((options.generation.empty() || of_seeds || plates.varied) && !single && !pages);
     if (!single && !pages && !panels && !animation)
         throw Error("-n " + options.generation +
                     ": several generations need --panels, pdf or ps for pages, or gif or webp for "
@@ -568,6 +663,7 @@ void add_draw(Verbs& verbs) {
                    "algae draw hilbert-3d --camera 30,20,perspective -o hilbert.png"},
                   draw);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.option("-n", options.generation, "N[..M]",
                 "the generation, or a range such as 0..6: pages of a pdf, frames of a gif or webp, "
                 "or --panels (default: what the file says)");

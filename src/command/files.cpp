@@ -1,4 +1,6 @@
-// The meaning of FILE: a path, `-` for standard input, or a name from the gallery, in this order.
+// The meaning of FILE: a path, `-` for standard input, a name from the gallery, or a system that is typed on the command
+// line, in this order. A text that has an arrow, or begins with `axiom`, is meant as a system; a message about anything else says how one
+// is typed.
 //
 // If a system is expected, the extension chooses the reader: .lsys and names without an extension are the
 // notation, formats of other programs have readers of their own, and a file of another generator (
@@ -93,21 +95,71 @@ std::string file_text(const std::string& path, const Budget& budget) {
     return text;
 }
 
-SourceText open_text(const std::string& file, const Budget& budget) {
-    if (file == "-") return {"standard input", file_text(file, budget)};
-    if (exists(file)) return {file, file_text(file, budget)};
-    if (const GalleryEntry* entry = find_system(file))
-        return {std::string(entry->name), std::string(entry->text)};
-    if (const GalleryEntry* entry = find_generator(file))
-        return {std::string(file_name(*entry)), std::string(entry->text)};
+namespace {
+
+constexpr const char* typed_name = "typed system";
+
+/// What a name that means nothing may have been meant as.
+std::string perhaps_a_system(const std::string& name) {
+    if (name.ends_with("-"))
+        return "; between no quotation marks the shell takes '>' for itself: a system is typed as "
+               "'a -> ab, b -> a'";
+    if (name.find_first_of("=: ,;") != std::string::npos)
+        return "; a system is typed with arrows: 'a -> ab, b -> a'";
+    return "; `algae gallery` lists them";
+}
+
+[[noreturn]] void refuse_missing(const std::string& file) {
     std::vector<std::string> names;
     for (const GalleryEntry& entry : gallery()) names.emplace_back(entry.name);
     for (const GalleryEntry& entry : generator_gallery()) names.emplace_back(entry.name);
     throw Error("no file \"" + file + "\", and nothing of that name in the gallery" +
-                did_you_mean(file, names) + "; `algae gallery` lists them");
+                did_you_mean(file, names) + perhaps_a_system(file));
 }
 
-namespace {
+/// Whether a text with an arrow is the name of a file nevertheless: it ends as files of systems do.
+bool ends_as_file(const std::string& text) {
+    return text.ends_with(".lsys") || system_format(text) || generator_kind(text) ||
+           generator_format(text);
+}
+
+/// A text that is in a file, in standard input or in the gallery; nothing if there is none of this name.
+std::optional<SourceText> stored_text(const std::string& file, const Budget& budget) {
+    if (file == "-") return SourceText{"standard input", file_text(file, budget)};
+    if (exists(file)) return SourceText{file, file_text(file, budget)};
+    if (const auto [path, entry] = file_and_entry(file); !entry.empty() && exists(path))
+        return SourceText{file, file_text(path, budget)};
+    if (const GalleryEntry* entry = find_system(file))
+        return SourceText{std::string(entry->name), std::string(entry->text)};
+    if (const GalleryEntry* entry = find_generator(file))
+        return SourceText{std::string(file_name(*entry)), std::string(entry->text)};
+    return std::nullopt;
+}
+
+/// The constants of --let, each NAME=VALUE.
+ConstantValues constants_of(const std::vector<std::string>& let) {
+    ConstantValues constants;
+    for (const std::string& one : let) {
+        const std::size_t equals = one.find('=');
+        if (equals == std::string::npos || equals == 0 || equals + 1 == one.size())
+            refuse("--let", "NAME=VALUE, such as a1=35", one);
+        const std::string name = one.substr(0, equals), value = one.substr(equals + 1);
+        if (value.find("..") != std::string::npos)
+            throw Error("--let " + one +
+                        ": expected one value; panels of `algae draw` show a range");
+        for (const auto& [known, quantity] : constants)
+            if (known == name)
+                throw Error("--let: the constant " + algae::quoted(name) + " is given twice");
+        try {
+            constants.emplace_back(
+                name, evaluate(read_expression(value),
+                               [](const std::string&) -> const Quantity* { return nullptr; }));
+        } catch (const Diagnostics& error) {
+            throw Error("--let " + one + ": " + error.findings().front().message);
+        }
+    }
+    return constants;
+}
 
 /// What a text is that is no system in the notation, by how it begins or by words that stand there; empty if it may be one.
 std::string foreign_format(std::string_view text) {
@@ -128,35 +180,55 @@ std::string foreign_format(std::string_view text) {
     };
     if (has_line("Lsystem:") || has_line("lsystem:") || has_line("derivation length:"))
         return "a file of cpfg or L-studio";
-    if ((text.find("Axiom") != std::string_view::npos ||
-         text.find("axiom") != std::string_view::npos) &&
-        (text.find("Angle ") != std::string_view::npos ||
-         text.find("angle ") != std::string_view::npos) &&
-        text.find('{') != std::string_view::npos && text.find('=') != std::string_view::npos &&
-        text.find("->") == std::string_view::npos)
-        return "a file of Fractint";
     return {};
 }
 
 }  // namespace
 
-Model open_model(const std::string& file, const Budget& budget) {
-    const SourceText source = open_text(file, budget);
+SourceText open_text(const std::string& file, const Budget& budget,
+                     const std::vector<std::string>& let) {
+    if (let.empty())
+        if (std::optional<SourceText> stored = stored_text(file, budget)) return *stored;
+    const Model system = open_model(file, budget, let);
+    const bool is_foreign = system_format(system.name);
+    return {system.name + (is_foreign ? ".lsys" : ""), print_lsystem(system)};
+}
+
+Model open_model(const std::string& file, const Budget& budget,
+                 const std::vector<std::string>& let) {
+    const ConstantValues constants = constants_of(let);
+    const std::optional<SourceText> stored = stored_text(file, budget);
+    if (!stored && is_typed_system(file) && !ends_as_file(file))
+        return read_typed_system(file, typed_name, constants);
+    if (!stored) refuse_missing(file);
+    const SourceText& source = *stored;
     if (const GeneratorKind* kind = generator_kind(source.name))
         throw Error(source.name + " is " + kind->what + ", expected an L-system");
     if (const GeneratorFormat* format = generator_format(source.name))
         throw Error(source.name + " is " + format->what + ", expected an L-system");
-    if (const SystemFormat* format = system_format(source.name))
-        return format->read(source.text, source.name);
+    const bool is_own = source.name.ends_with(".lsys") || find_system(source.name);
+    const SystemFormat* const format = system_format(source.name) ? system_format(source.name)
+                                       : is_own                   ? nullptr
+                                                                  : system_format_of(source.text);
+    if (format)
+        return let.empty() ? format->read(source.text, source.name)
+                           : read_lsystem(print_lsystem(format->read(source.text, source.name)),
+                                          source.name, constants);
     if (const std::string what = foreign_format(source.text); !what.empty())
         throw Error(source.name + " looks like " + what +
                     ", expected an L-system such as \"axiom a; a -> ab\"; `algae convert --help` "
                     "lists the formats that are read");
-    return read_lsystem(source.text, source.name);
+    return read_lsystem(source.text, source.name, constants);
 }
 
-LSystem open_system(const std::string& file, const Budget& budget) {
-    return open_model(file, budget);
+LSystem open_system(const std::string& file, const Budget& budget,
+                    const std::vector<std::string>& let) {
+    return open_model(file, budget, let);
+}
+
+void add_let_option(Verb& verb, std::vector<std::string>& let) {
+    verb.option("--let", let, "NAME=VALUE",
+                "another value for a constant of the system; may be given several times");
 }
 
 std::string folder_of(const std::string& file) {

@@ -9,10 +9,13 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
+#include "exchange/exchange.hpp"
 #include "growth/growth.hpp"
 #include "language/language.hpp"
 #include "model/model.hpp"
@@ -28,8 +31,9 @@ namespace {
 
 struct Options {
     std::string file, plot, sequence;
+    std::vector<std::string> let;
     std::optional<Range> generation;
-    bool bounds_wanted = false, words = false, counts = false, json = false;
+    bool bounds_wanted = false, words = false, counts = false, json = false, b_file = false;
     Bounds bounds;
 
     /// The generations asked for, or the usual ones.
@@ -130,8 +134,30 @@ std::string rests_on(const SequenceSpecification& sequence) {
             : "which determine it and leave none to confirm it");
 }
 
+/// The sequence of a b-file: the recurrence of its first terms, which all the others must obey. Throws Error where they do not.
+SequenceSpecification of_b_file(const std::string& path, const Budget& budget) {
+    constexpr std::size_t most = 120;  // terms that the recurrence is found from
+    const BFile file = read_b_file(file_text(path, budget), path);
+    std::vector<Rational> terms;
+    for (const Integer& term : file.terms) terms.emplace_back(term);
+    const std::vector<Rational> first(
+        terms.begin(), terms.begin() + static_cast<std::ptrdiff_t>(std::min(most, terms.size())));
+    SequenceSpecification sequence = recurrence_of_terms(first);
+    const std::vector<Rational> values = sequence.values(terms.size());
+    for (std::size_t i = 0; i < terms.size(); ++i)
+        if (values.at(i) != terms[i])
+            throw Error(path + ": no linear recurrence of order up to " + std::to_string(most / 2) +
+                        ": that of the first " + std::to_string(first.size()) +
+                        " terms differs at n = " + to_string(file.first + Integer(i)));
+    sequence.terms = terms.size();
+    return sequence;
+}
+
 int growth_realise(const std::string& specification, bool json, const Budget& budget) {
-    const SequenceSpecification sequence = read_specification(specification);
+    std::error_code ignored;
+    const SequenceSpecification sequence = std::filesystem::is_regular_file(specification, ignored)
+                                               ? of_b_file(specification, budget)
+                                               : read_specification(specification);
     const Realisation result = realise(sequence, budget);
     const std::string rests = rests_on(sequence);
     const std::string shift = result.shift == 0 ? "" : "+" + std::to_string(result.shift);
@@ -171,13 +197,16 @@ int print_lengths(const D0L& system, const Options& options, const Budget& budge
     const auto& [first, last, written] = *options.generation;
     std::string text;
     Json found = Json::array();
+    std::vector<Integer> lengths;
     for (std::uint64_t n = first; n <= last; ++n) {
         const Integer letters = length(system, n, budget);
+        lengths.push_back(letters);
         if (options.json)
             found.add(letters);
         else
             text += to_string(letters) + '\n';
     }
+    if (options.b_file) text = print_b_file({Integer(first), lengths});
     print(options.json ? Json{{"lengths", found}}.text() : text);
     return success;
 }
@@ -237,7 +266,7 @@ int growth(const Options& options) {
     if (options.file.empty())
         throw Error(
             "expected FILE, or --realise with a sequence; `algae growth --help` shows examples");
-    const Model system = open_model(options.file, budget);
+    const Model system = open_model(options.file, budget, options.let);
     if (options.words) {
         const FactorReport report = factor_report(*as_d0l(system), budget);
         print_report(report, options.json);
@@ -269,6 +298,7 @@ void add_growth(Verbs& verbs) {
                    "algae growth --realise \"n^2+1\""},
                   growth);
     verb.option("FILE", options.file, file_type, file_help);
+    add_let_option(verb, options.let);
     verb.option("-n", options.generation, range, "N[..M]",
                 "only the exact length of a generation, or of a range such as 0..6");
     verb.flag("--counts", options.counts,
@@ -280,9 +310,13 @@ void add_growth(Verbs& verbs) {
     verb.flag(
         "--words", options.words,
         "factors and their complexity class, pushiness, repetitions, locally catenative formulas");
-    verb.option("--realise", options.sequence, "SEQUENCE",
-                "instead of FILE: a D0L system with these lengths, as terms \"1,1,2,3,5,8\", a "
-                "recurrence \"a(n) = a(n-1) + a(n-2); 1, 1\" or a polynomial \"n^2+1\"");
+    verb.option(
+        "--realise", options.sequence, "SEQUENCE",
+        "instead of FILE: a D0L system with these lengths, as terms \"1,1,2,3,5,8\", a "
+        "recurrence \"a(n) = a(n-1) + a(n-2); 1, 1\", a polynomial \"n^2+1\", or the name of a "
+        "b-file of the OEIS");
+    verb.flag("--b-file", options.b_file, "with -n: lines `n length`, a b-file of the OEIS")
+        .needs = {"-n"};
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }

@@ -102,6 +102,7 @@ void add_certificate_option(Verb& verb, std::string& file) {
 
 struct MemberOptions {
     std::string file, word, certificate;
+    std::vector<std::string> let;
     std::optional<Range> steps;
     std::optional<std::uint64_t> most;
     bool brief = false, count = false, all = false, json = false;
@@ -204,7 +205,7 @@ int member_with_context(const MemberOptions& options, const Model& system, const
 int member(const MemberOptions& options) {
     check_usage(options);
     const Budget budget = options.bounds.budget();
-    const Model written = open_model(options.file, budget);
+    const Model written = open_model(options.file, budget, options.let);
     if (has_context(written)) return member_with_context(options, written, budget);
     const View<ET0L> system = as_et0l(written);
     Alphabet alphabet = *system->alphabet;
@@ -242,6 +243,7 @@ int member(const MemberOptions& options) {
 
 struct FiniteOptions {
     std::string file, certificate;
+    std::vector<std::string> let;
     bool json = false;
     Bounds bounds;
 };
@@ -282,7 +284,7 @@ int finite_of_0l(const FiniteOptions& options, const OL& system, const Budget& b
 
 int finite(const FiniteOptions& options) {
     const Budget budget = options.bounds.budget();
-    const Model written = open_model(options.file, budget);
+    const Model written = open_model(options.file, budget, options.let);
     if (has_context(written)) {
         Claim claim = claim_about({&written}, "IL");
         Statement said{IsFinite{generated_language(claim.systems.front())}};
@@ -318,6 +320,7 @@ int finite(const FiniteOptions& options) {
 enum class As { language, sequence, growth };
 
 struct EqualOptions {
+    std::vector<std::string> let;
     std::string left, right, certificate;
     As as = As::language;
     bool json = false;
@@ -389,8 +392,8 @@ void certify_equal(const EqualOptions& options, const Model& left, const Model& 
 
 int equal(const EqualOptions& options) {
     const Budget budget = options.bounds.budget();
-    const Model left_model = open_model(options.left, budget),
-                right_model = open_model(options.right, budget);
+    const Model left_model = open_model(options.left, budget, options.let),
+                right_model = open_model(options.right, budget, options.let);
     if (options.as == As::language && (has_context(left_model) || has_context(right_model))) {
         Claim claim = claim_about({&left_model, &right_model}, "ET0L");
         Statement said{EqualLanguages{generated_language(claim.systems.at(0)),
@@ -668,6 +671,7 @@ void add_member(Verbs& verbs) {
          "algae member fibonacci abaab --certificate my.json"},
         member);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.option("WORD", options.word, "TEXT", "the word; ε is the empty word").required = true;
     verb.flag("--brief", options.brief, "leave the derivation out");
     verb.flag("--count", options.count,
@@ -690,6 +694,7 @@ void add_finite(Verbs& verbs) {
                    "algae finite koch --certificate my.json"},
                   finite);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
@@ -704,6 +709,7 @@ void add_equal(Verbs& verbs) {
         equal);
     verb.option("A", options.left, file_type, file_help).required = true;
     verb.option("B", options.right, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.choice("--as", options.as,
                 {{"sequence", As::sequence}, {"language", As::language}, {"growth", As::growth}},
                 "language|sequence|growth",

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <filesystem>
 #include <set>
 
@@ -29,6 +30,7 @@ namespace {
 
 struct ShowOptions {
     std::string file;
+    std::vector<std::string> let;
     std::optional<std::uint64_t> generation;
     bool axes = false, json = false;
     Bounds bounds;
@@ -62,7 +64,7 @@ void print_axes(const Model& system, std::uint64_t n, bool json, const Budget& b
 
 int show(const ShowOptions& options) {
     const Budget budget = options.bounds.budget();
-    const Model system = open_model(options.file, budget);
+    const Model system = open_model(options.file, budget, options.let);
     if (options.axes != options.generation.has_value()) throw Error("--axes and -n go together");
     if (options.axes) {
         print_axes(system, *options.generation, options.json, budget);
@@ -77,6 +79,7 @@ int show(const ShowOptions& options) {
 
 struct FmtOptions {
     std::string file;
+    std::vector<std::string> let;
     bool in_place = false;
     bool check = false;
     Bounds bounds;
@@ -90,7 +93,7 @@ struct FmtOptions {
 }
 
 int format(const FmtOptions& options) {
-    const SourceText source = open_text(options.file, options.bounds.budget());
+    const SourceText source = open_text(options.file, options.bounds.budget(), options.let);
     if (const SystemFormat* foreign = system_format(source.name))
         refuse_foreign(source.name, foreign->what, "lsys");
     if (const GeneratorFormat* foreign = generator_format(source.name))
@@ -116,11 +119,17 @@ int format(const FmtOptions& options) {
 
 struct ConvertOptions {
     std::string file, from, to;
+    std::vector<std::string> let;
     Bounds bounds;
 };
 
-/// The extension of a file name; systems from the gallery have names without one.
-std::string format_of(const std::string& name) {
+/// The format of a text: by the extension of its name, which systems from the gallery have none of, otherwise by what stands in it.
+std::string format_of(const SourceText& source) {
+    const std::string& name = source.name;
+    if (const SystemFormat* format = system_format(name)) return format->name;
+    if (const SystemFormat* format = system_format_of(source.text);
+        format && name != "-" && !name.ends_with(".lsys"))
+        return format->name;
     const std::size_t dot = name.find_last_of('.'), slash = name.find_last_of('/');
     if (dot == std::string::npos || (slash != std::string::npos && slash > dot)) return "lsys";
     return name.substr(dot + 1);
@@ -128,8 +137,8 @@ std::string format_of(const std::string& name) {
 
 int convert(const ConvertOptions& options) {
     const Budget budget = options.bounds.budget();
-    const SourceText source = open_text(options.file, budget);
-    const std::string from = options.from.empty() ? format_of(source.name) : options.from;
+    const SourceText source = open_text(options.file, budget, options.let);
+    const std::string from = options.from.empty() ? format_of(source) : options.from;
     print(converted(source.text, source.name, from, options.to, budget));
     return success;
 }
@@ -137,8 +146,21 @@ int convert(const ConvertOptions& options) {
 // gallery
 
 struct GalleryOptions {
+    std::string find;
     bool json = false;
 };
+
+/// Whether every word of a search stands in a text, letters of either case.
+bool is_found(const std::string& wanted, const std::string& text) {
+    const auto lower = [](std::string from) {
+        std::ranges::transform(from, from.begin(), [](unsigned char c) { return std::tolower(c); });
+        return from;
+    };
+    const std::string whole = lower(text);
+    return std::ranges::all_of(blank_separated(wanted), [&](std::string_view word) {
+        return whole.find(lower(std::string(word))) != std::string::npos;
+    });
+}
 
 int list_gallery(const GalleryOptions& options) {
     Json entries = Json::array();
@@ -147,23 +169,32 @@ int list_gallery(const GalleryOptions& options) {
     for (const GalleryEntry& entry : gallery()) widest = std::max(widest, entry.name.size());
     for (const GalleryEntry& entry : generator_gallery())
         widest = std::max(widest, file_name(entry).size());
+    bool found = false;
     const auto add = [&](const GalleryEntry& entry, std::string_view shown,
-                         const std::string& title, const std::string& source) {
+                         const std::string& title, const std::string& source,
+                         const std::string& kind) {
+        if (!is_found(options.find, std::string(shown) + " " + title + " " + source + " " + kind))
+            return;
+        found = true;
         text += fmt::format("{:<{}}  {}{}\n", shown, widest, title,
                             source.empty() ? "" : " (" + source + ")");
-        entries.add(
-            {{"name", entry.name}, {"title", title}, {"source", source}, {"path", entry.path}});
+        entries.add({{"name", entry.name},
+                     {"title", title},
+                     {"source", source},
+                     {"path", entry.path},
+                     {"class", kind}});
     };
     for (const GalleryEntry& entry : gallery()) {
         const Model system = read_lsystem(entry.text, std::string(entry.name));
-        add(entry, entry.name, system.title, system.source);
+        add(entry, entry.name, system.title, system.source, class_of(system).name());
     }
     for (const GalleryEntry& entry : generator_gallery()) {
         const auto generator = read_generator(entry.text, std::string(file_name(entry)));
-        add(entry, file_name(entry), generator->title, generator->source);
+        add(entry, file_name(entry), generator->title, generator->source,
+            generator_kind(file_name(entry))->what);
     }
     print(options.json ? Json{{"figures", entries}}.text() : text);
-    return success;
+    return found ? success : refuted;
 }
 
 }  // namespace
@@ -173,6 +204,7 @@ void add_show(Verbs& verbs) {
         "show", "Class, alphabet, rules and properties of a system",
         {"algae show koch", "algae show my.lsys --json", "algae show plant-a --axes -n 4"}, show);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.flag("--axes", options.axes,
               "the axes of the tree that the word of generation N describes, by order");
     verb.option("-n", options.generation, natural, "N", "with --axes: the generation");
@@ -184,6 +216,7 @@ void add_fmt(Verbs& verbs) {
     auto [verb, options] = verbs.add("fmt", "The canonical text of a system, comments kept",
                                      {"algae fmt koch", "algae fmt --in-place my.lsys"}, format);
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.flag("--in-place", options.in_place, "write the file instead of standard output");
     verb.flag("--check", options.check,
               "print nothing; exit 1 if the file is not in canonical form");
@@ -208,6 +241,7 @@ void add_convert(Verbs& verbs) {
                  ", " + one.what;
     }
     verb.option("FILE", options.file, file_type, file_help).required = true;
+    add_let_option(verb, options.let);
     verb.option("--to", options.to, fmt::format("{}", fmt::join(to, "|")),
                 "the format; there are " + known)
         .required = true;
@@ -217,8 +251,12 @@ void add_convert(Verbs& verbs) {
 }
 
 void add_gallery(Verbs& verbs) {
-    auto [verb, options] = verbs.add("gallery", "The names that FILE may be besides files",
-                                     {"algae gallery", "algae gallery --json"}, list_gallery);
+    auto [verb, options] = verbs.add(
+        "gallery", "The names that FILE may be besides files",
+        {"algae gallery", "algae gallery --find tree", "algae gallery --json"}, list_gallery);
+    verb.option("--find", options.find, "WORDS",
+                "only those with all these words in name, title, source or class; exit 1 if there "
+                "are none");
     verb.json_flag(options.json);
 }
 

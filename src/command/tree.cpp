@@ -30,6 +30,7 @@ namespace {
 
 struct Options {
     std::string file, word, tables, output, format, background;
+    std::vector<std::string> let;
     std::optional<std::uint64_t> generation, depth, seed;
     std::optional<double> width, height;
     std::uint64_t most_nodes = 2000;
@@ -147,7 +148,7 @@ Drawing module_tree(const Options& options, const LSystem& system, const TreeSha
 }
 
 Drawing generation_tree(const Options& options, const TreeShape& shape, const Budget& budget) {
-    const LSystem written = open_system(options.file, budget);
+    const LSystem written = open_system(options.file, budget, options.let);
     const View<D0L> system = as_d0l(written);
     const bool picked = options.seed || !options.tables.empty();
     if (!system && !picked && as_ol(written))
@@ -161,7 +162,7 @@ Drawing generation_tree(const Options& options, const TreeShape& shape, const Bu
 }
 
 Drawing member_tree(const Options& options, const TreeShape& shape, const Budget& budget) {
-    const LSystem written = open_system(options.file, budget);
+    const LSystem written = open_system(options.file, budget, options.let);
     const View<ET0L> system = as_et0l(written);
     if (!system) throw Error("--word: " + system.reason() + "; -n draws the tree of a generation");
     Alphabet alphabet = *system->alphabet;
@@ -179,7 +180,7 @@ Drawing member_tree(const Options& options, const TreeShape& shape, const Budget
 }
 
 Drawing growth_digraph(const Options& options, const Budget& budget) {
-    const LSystem written = open_system(options.file, budget);
+    const LSystem written = open_system(options.file, budget, options.let);
     const View<D0L> system = as_d0l(written);
     const std::uint64_t most = options.most_nodes;
     if (system->letters.size() > most)
@@ -244,6 +245,7 @@ void add_tree(Verbs& verbs) {
          "algae tree fibonacci --graph -o growth.png", "algae tree --families -o families.pdf"},
         tree);
     verb.option("FILE", options.file, file_type, file_help);
+    add_let_option(verb, options.let);
     verb.option("-n", options.generation, natural, "N",
                 "the tree of this generation, with contexts as thin arcs");
     verb.option("--seed", options.seed, natural, "S",

@@ -26,6 +26,11 @@ const std::vector<SystemFormat>& system_formats() {
         {"maple", "a worksheet that calls the Maple procedure Lsystem", read_maple, print_maple},
         {"netlogo", "the setup procedure of a NetLogo model of L-systems", read_netlogo,
          print_netlogo},
+        {"l", "a file of systems of Fractint, of which FILE.l:NAME is one", read_fractint,
+         print_fractint},
+        {"jff", "an L-system of JFLAP", read_jflap, print_jflap},
+        {"walnut", "a morphism or a word automaton of Walnut", read_walnut, print_walnut},
+        {"sage", "a WordMorphism of Sage", read_sage, print_sage},
     };
     return all;
 }
@@ -42,8 +47,22 @@ const Format* ending(std::string_view file_name, const std::vector<Format>& form
 
 }  // namespace
 
+std::pair<std::string, std::string> file_and_entry(const std::string& name) {
+    const std::size_t dot = name.rfind(".l:");
+    if (dot == std::string::npos) return {name, {}};
+    return {name.substr(0, dot + 2), name.substr(dot + 3)};
+}
+
 const SystemFormat* system_format(std::string_view file_name) {
+    if (const auto [file, entry] = file_and_entry(std::string(file_name)); !entry.empty())
+        return ending(file, system_formats());
     return ending(file_name, system_formats());
+}
+
+const SystemFormat* system_format_of(std::string_view text) {
+    if (looks_like_fractint(text)) return system_format(".l");
+    if (looks_like_walnut(text)) return system_format(".walnut");
+    return nullptr;
 }
 
 const std::vector<GeneratorFormat>& generator_formats() {

@@ -50,10 +50,38 @@ struct SystemFormat {
 /// All of them.
 const std::vector<SystemFormat>& system_formats();
 
-/// The format whose files end as this name does; nullptr if there is none.
+/// A file and one of the systems in it: `fractint.l:Dragon` are `fractint.l` and `Dragon`; the latter is empty if the name is one of a
+/// file alone.
+///
+/// Example: file_and_entry("fractint.l:Dragon").second == "Dragon"
+std::pair<std::string, std::string> file_and_entry(const std::string& name);
+
+/// The format whose files end as this name does, behind which one of several systems may be named; nullptr if there is none.
 ///
 /// Example: system_format("koch.lsys") == nullptr
 const SystemFormat* system_format(std::string_view file_name);
+
+/// The format that a text is in by what stands in it, whatever its name: of those that no other text looks like; nullptr if it is
+/// none of them. Linear.
+///
+/// Example: system_format_of("msd_2\n0 0\n0 -> 0\n1 -> 0\n")->name == "walnut"
+const SystemFormat* system_format_of(std::string_view text);
+
+/// The terms of a b-file of the OEIS: a line `n a(n)` for each, n going up by 1; `#` begins a comment.
+struct BFile {
+    Integer first;  // the n of the first term
+    std::vector<Integer> terms;
+};
+
+/// Throws Diagnostics with the place of a line that is none, or whose n is not the next one. Linear time.
+///
+/// Example: read_b_file("0 1\n1 1\n2 2\n", "b000045.txt").terms.size() == 3
+BFile read_b_file(std::string_view text, const std::string& name);
+
+/// The lines.
+///
+/// Example: print_b_file({0, {1, 1}}) == "0 1\n1 1\n"
+std::string print_b_file(const BFile& file);
 
 /// A printed form of a kind of generators, such as the table of an iterated function system.
 struct GeneratorFormat {

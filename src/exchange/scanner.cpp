@@ -180,6 +180,15 @@ void Scanner::fail_at(std::size_t offset, const std::string& message) const {
     throw Diagnostics({source_.finding(offset, message)});
 }
 
+std::string spaced_word(const std::vector<std::string>& letters) {
+    std::string out;
+    for (const std::string& letter : letters) {
+        if (!out.empty() && letter != "|" && !out.ends_with('|')) out += ' ';
+        out += letter;
+    }
+    return out.empty() ? "ε" : out;
+}
+
 void PlacedWord::add(std::string_view letter, std::size_t offset) {
     text += letter;
     offsets.resize(text.size(), offset);

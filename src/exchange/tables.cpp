@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "exchange/detail/formats.hpp"
+#include "exchange/exchange.hpp"
 
 // Printed tables, as books and papers have them: the maps of an iterated function system, the rule of a
 // cellular automaton.
@@ -512,6 +513,57 @@ std::string print_ifs_table(const Generator& generator) {
             text += std::string(widths[i] - row[i].size() + (i > 0 ? 2 : 0), ' ') + row[i] +
                     (i + 1 < row.size() ? "" : "\n");
     return text;
+}
+
+BFile read_b_file(std::string_view text, const std::string& name) {
+    const Source source(text, name);
+    Findings findings(source);
+    findings.throw_if_no_text();
+    constexpr std::size_t most_digits = 100'000;
+    BFile file;
+    const auto fail = [&](std::string_view at, const std::string& message) {
+        throw Diagnostics(
+            {source.finding(static_cast<std::size_t>(at.data() - text.data()), message)});
+    };
+    const auto integer = [&](std::string_view cell, const char* what) {
+        const std::string_view digits = cell.starts_with('-') ? cell.substr(1) : cell;
+        if (digits.empty() || digits.size() > most_digits ||
+            digits.find_first_not_of("0123456789") != std::string_view::npos)
+            fail(cell, std::string("expected ") + what + ", a whole number, found " +
+                           quoted(cell.substr(0, 60)));
+        return Integer(cell);
+    };
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view whole = text.substr(begin, end - begin);
+        const auto cells = blank_separated(whole.substr(0, whole.find('#')));
+        begin = end + 1;
+        if (cells.empty()) continue;
+        if (cells.size() != 2)
+            fail(cells.size() > 2 ? cells[2] : cells[0],
+                 "expected a line `n a(n)`, found " + counted(cells.size(), "piece"));
+        const Integer n = integer(cells[0], "n");
+        const Integer expected = file.first + Integer(file.terms.size());
+        if (file.terms.empty())
+            file.first = n;
+        else if (n != expected)
+            fail(cells[0],
+                 "expected the term of n = " + to_string(expected) + ", found n = " + to_string(n));
+        file.terms.push_back(integer(cells[1], "a(n)"));
+    }
+    if (file.terms.empty())
+        throw Diagnostics({source.finding(0, "expected lines `n a(n)`, found none")});
+    return file;
+}
+
+std::string print_b_file(const BFile& file) {
+    std::string out;
+    Integer n = file.first;
+    for (const Integer& term : file.terms) {
+        out += to_string(n) + " " + to_string(term) + "\n";
+        n += Integer(1);
+    }
+    return out;
 }
 
 }  // namespace algae

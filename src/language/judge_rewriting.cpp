@@ -109,7 +109,7 @@ Answer derived(const Derived& course, const Budget& budget) {
 
 /// The words of an open system, whose communication modules its environments fill.
 Answer developed(const Rewrites& said, const Derived& course, const Budget& budget) {
-    Model own{*said.system, said.written->drawing, {}};
+    Model own{*said.system, said.written->drawing, {}, {}};
     if (said.from) own.axiom = *said.from;
     OpenDevelopment development(own, {}, nullptr, budget);
     const auto text = [&] {

@@ -42,9 +42,16 @@ const std::vector<std::string>& expectation_kinds() {
     return kinds;
 }
 
+LetterCoding::LetterCoding(const Alphabet& letters, const Coding& coding) {
+    for (const auto& [letter, image] : coding.images)
+        morphism.add(letter, {alphabet.symbol(image)});
+    for (Symbol letter = 0; letter < letters.size(); ++letter)
+        if (!morphism.maps(letter)) morphism.add(letter, {alphabet.symbol(letters.name(letter))});
+}
+
 bool Model::operator==(const Model& other) const {
     return LSystem::operator==(other) && drawing == other.drawing &&
-           expectations == other.expectations;
+           expectations == other.expectations && coding == other.coding;
 }
 
 }  // namespace algae

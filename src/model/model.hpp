@@ -148,11 +148,30 @@ struct Expectation {
 /// Example: expectation_kinds().front() == "length"
 const std::vector<std::string>& expectation_kinds();
 
+/// `coding { a -> 0; b -> 1 }`: the letters that stand for letters of the system where words are shown. A letter without
+/// an image stands for itself. The language of the system, its growth and its figures are those without the coding.
+struct Coding {
+    std::vector<std::pair<Symbol, std::string>> images;  // each the name of one letter
+
+    bool empty() const { return images.empty(); }
+    bool operator==(const Coding&) const = default;
+};
+
+/// A coding as a morphism from the letters of a system into an alphabet of its own.
+struct LetterCoding {
+    /// Every letter of the alphabet has an image.
+    LetterCoding(const Alphabet& letters, const Coding& coding);
+
+    Alphabet alphabet;
+    Morphism morphism;
+};
+
 /// What a `.lsys` file says: an L-system, how it is drawn, and what is expected of it. Theory takes it as the LSystem
 /// that it is, and nothing of the rules is said twice: `as_d0l(model)`, `model.rules`.
 struct Model : LSystem {
     Drawing drawing;
     std::vector<Expectation> expectations;
+    Coding coding;
 
     bool operator==(const Model& other) const;  // all but names and places of origin
 };

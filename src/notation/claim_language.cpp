@@ -463,11 +463,21 @@ LanguageOperand parse_language(const char*& here, const char* end, ClaimReading&
         wanted("'(' and a language after a morphism")[x3::raw[x3::lit('(')][on_image]];
     const auto prefix = x3::raw[x3::lit('~')][on_complement] | x3::raw[x3::lit('(')][on_open] |
                         (mapped >> (inverse | image));
-    const auto system =
+    const auto typed = ByHand([&](const char*& first, const char* last) {
+        const char* const close = std::find(first + 1, last, *first);
+        if (close == last)
+            throw SyntaxError{first, std::string("expected ") + *first +
+                                         " at the end of the system, found the end of the line"};
+        stack.operand({generated_language(reading.typed_system(between(first + 1, close))), 0, 1});
+        first = close + 1;
+    });
+    const auto quoted_system = &x3::char_("'\"") >> typed >> wanted("')'")[x3::lit(')')];
+    const auto named_system =
         wanted("the name of a system")[x3::raw[x3::lexeme[+(x3::char_ - ')')]][on_system]] >>
         wanted("')'")[x3::lit(')')[on_generated]];
-    const auto operand = (generated >> system) | (&begins_grammar >> by_rules) | known[on_name] |
-                         (&x3::lit('{') >> set) | (&x3::lit('/') >> regular);
+    const auto operand = (generated >> (quoted_system | named_system)) |
+                         (&begins_grammar >> by_rules) | known[on_name] | (&x3::lit('{') >> set) |
+                         (&x3::lit('/') >> regular);
     const auto reversal = x3::lit('^') >> wanted("R after '^' (reversal)")[word("R")];
     const auto behind =
         x3::raw[x3::lit('+')][postfix(Kind::plus)] | x3::raw[reversal][postfix(Kind::reversed)] |

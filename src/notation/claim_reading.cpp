@@ -292,6 +292,21 @@ std::shared_ptr<const SourceSystem> ClaimReading::system(std::string_view name) 
     return known->system;
 }
 
+std::shared_ptr<const SourceSystem> ClaimReading::typed_system(std::string_view text) {
+    const std::string key = "'" + std::string(text) + "'";
+    if (const auto found = opened_.find(key); found != opened_.end()) return found->second;
+    const std::size_t faults = findings.count();
+    std::vector<std::string> declared_names;
+    for (const Symbol symbol : declared) declared_names.push_back(alphabet->name(symbol));
+    const Model system =
+        read_system(text, source, findings, key, long_names, declared_names, {}, true);
+    if (findings.count() > faults) {
+        if (opens_systems) findings.throw_if_any();  // nothing else is read that could be faulty
+        throw DependsOnError();
+    }
+    return opened_[key] = add_system(key, system, text.data());
+}
+
 std::shared_ptr<const LSystem> ClaimReading::rewriting(std::string_view name) const {
     const ClaimName* known = is_claim_name(name) ? find(name) : nullptr;
     return known ? known->rewriting : nullptr;

@@ -41,6 +41,9 @@ enum class StampShape : unsigned char;
 
 // Systems: `.lsys` files.
 
+/// Constants and their values.
+using ConstantValues = std::vector<std::pair<std::string, Quantity>>;
+
 /// The system that the text of a `.lsys` file says. `file_name` is named in errors and becomes the
 /// name of the system. Throws `Diagnostics` with everything that is wrong with the text, at most
 /// twenty findings and then how many more there are. Linear time.
@@ -48,8 +51,23 @@ enum class StampShape : unsigned char;
 /// Symbols are numbered in the order of the canonical text (`print_lsystem`): those of `alphabet`,
 /// the axiom, the rules, `ignore`, `terminals`, `interpret`.
 ///
+/// `replaced` are constants that have these values instead of those of their `let`; throws Error if the text has no such constant.
+///
 /// Example: read_lsystem("axiom a; a -> ab", "thread.lsys").rules.size() == 1
-Model read_lsystem(std::string_view text, const std::string& file_name);
+Model read_lsystem(std::string_view text, const std::string& file_name,
+                   const ConstantValues& replaced = {});
+
+/// The system that somebody types on one line: `a -> ab, b -> a`. It is a text as of a `.lsys` file, in which a comma outside brackets
+/// separates too, before a rule or a setting. Without an axiom it begins with the letter of the first rule. Throws as `read_lsystem`.
+///
+/// Example: read_typed_system("0->01,1->10", "typed").rules.size() == 2
+Model read_typed_system(std::string_view text, const std::string& name,
+                        const ConstantValues& replaced = {});
+
+/// Whether a text is meant as a system rather than as the name of a file: it has an arrow, or begins with `axiom`.
+///
+/// Example: is_typed_system("a->ab") && !is_typed_system("koch.lsys")
+bool is_typed_system(std::string_view text);
 
 /// A word in the form in which words are printed, `F_l[+A(1,0.5)]`; `ε` is the empty word. New
 /// symbols are added to the alphabet; names in it that are longer than the notation knows by

@@ -188,7 +188,7 @@ Lines lines_of(const Printing& printing, bool within) {
             for (const InnerSystem& inner : printing.system.inner)
                 lines.push_back({setting.name(), setting.name() + ' ' + inner.name + " {",
                                  lines_of({inner.system, printing.drawing, printing.expectations,
-                                           printing.printer},
+                                           printing.coding, printing.printer},
                                           true)});
         if (!setting.print || (within && !setting.within)) continue;
         for (const std::string& value : setting.print(printing)) add(setting.name(), value, lines);
@@ -199,7 +199,7 @@ Lines lines_of(const Printing& printing, bool within) {
 /// The canonical text of a system, line by line.
 Lines canonical_lines(const Model& system) {
     const Printer printer(system.alphabet);
-    return lines_of({system, system.drawing, system.expectations, printer}, false);
+    return lines_of({system, system.drawing, system.expectations, system.coding, printer}, false);
 }
 
 }  // namespace

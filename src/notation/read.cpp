@@ -107,12 +107,102 @@ bool Clause::has_word(std::string_view word) const {
 
 bool is_rule(const Clause& clause) {
     return clause.arrow && !clause.has_word("title") && !clause.has_word("source") &&
-           !clause.has_word("interpret");
+           !clause.has_word("interpret") && !clause.has_word("coding");
 }
 
 std::string_view Clause::value() const { return trimmed(text.substr(keyword.size())); }
 
-std::vector<Clause> clauses(std::string_view text) {
+namespace {
+
+/// The bytes of `coding { ... }` at the start of a text; 0 if none stands there.
+std::size_t coding_block(std::string_view text) {
+    constexpr std::string_view keyword = "coding";
+    if (!text.starts_with(keyword)) return 0;
+    const std::size_t open = keyword.size() + blanks(text.substr(keyword.size()));
+    if (open >= text.size() || text[open] != '{') return 0;
+    return std::min(text.find('}', open), text.size() - 1) + 1;
+}
+
+/// Whether the text begins with a keyword and a blank.
+bool begins_setting(std::string_view text) {
+    const std::string_view keyword = keyword_of(text);
+    return keyword.size() < text.size() &&
+           (is_ascii_blank(text[keyword.size()]) || text[keyword.size()] == '{') &&
+           std::ranges::any_of(settings(),
+                               [&](const Setting& setting) { return setting.name() == keyword; });
+}
+
+/// How brackets nest in a typed system, and which of its commas separate.
+class TypedCommas {
+public:
+    explicit TypedCommas(std::string_view text) : text_(text) {}
+
+    /// Goes past a character of a clause that begins at `begin`; whether a clause ends there: at a comma that separates, or at a blank
+    /// before a letter with an arrow of its own.
+    bool separates(std::size_t here, std::size_t begin) {
+        count(text_[here], depth_);
+        has_arrow_ = has_arrow_ || is_arrow(text_.substr(here));
+        if (depth_ > 0) return false;
+        if (is_ascii_blank(text_[here]) && text_[here] != '\n')
+            return has_arrow_ && is_next_rule(here + 1);
+        if (text_[here] != ',') return false;
+        return (has_arrow_ ||
+                begins_setting(trimmed(text_.substr(begin, here - begin).substr(0, most)))) &&
+               is_clause(here + 1);
+    }
+    void begin_clause() {
+        depth_ = 0;
+        has_arrow_ = false;
+    }
+
+private:
+    static constexpr std::size_t most = 1000;  // bytes that are looked at to tell what begins
+
+    static bool is_arrow(std::string_view text) {
+        return text.starts_with("->") || text.starts_with("→");
+    }
+    static void count(char c, std::size_t& depth) {
+        if (c == '(' || c == '{') ++depth;
+        if ((c == ')' || c == '}') && depth > 0) --depth;
+    }
+
+    /// Whether a rule or a setting begins here. A context condition, `A ? B, C -> D`, has commas before the arrow.
+    bool is_clause(std::size_t begin) {
+        if (begins_setting(trimmed(text_.substr(begin, most)))) return true;
+        std::size_t depth = 0;
+        bool elsewhere = false;
+        for (std::size_t here = begin; here < std::min(text_.size(), begin + most); ++here) {
+            const char c = text_[here];
+            count(c, depth);
+            if (c == '\n' || c == ';' || (c == ',' && depth == 0 && !elsewhere)) return false;
+            elsewhere = elsewhere || (c == '?' && here > begin && is_ascii_blank(text_[here - 1]));
+            if (is_arrow(text_.substr(here))) return true;
+        }
+        return false;
+    }
+
+    /// Whether one word and an arrow stand here, the second arrow of a clause: `0->01 1->10`.
+    bool is_next_rule(std::size_t here) const {
+        constexpr std::size_t longest = 200;
+        std::size_t end = here;
+        while (end < std::min(text_.size(), here + longest) && !is_ascii_blank(text_[end]) &&
+               std::string_view("<>:()?,;").find(text_[end]) == std::string_view::npos &&
+               !is_arrow(text_.substr(end)))
+            ++end;
+        if (end == here) return false;
+        while (end < text_.size() && is_ascii_blank(text_[end]) && text_[end] != '\n') ++end;
+        return end < text_.size() && is_arrow(text_.substr(end));
+    }
+
+    std::string_view text_;
+    std::size_t depth_ = 0;
+    bool has_arrow_ = false;  // in this clause so far
+};
+
+}  // namespace
+
+std::vector<Clause> clauses(std::string_view text, bool typed) {
+    TypedCommas commas(text);
     std::vector<Clause> found;
     const char* after_last = text.data();
     std::size_t begin = 0;
@@ -127,11 +217,11 @@ std::vector<Clause> clauses(std::string_view text) {
         found.push_back(clause);
     };
     std::size_t here = 0;
-    const auto add_block = [&] {  // a system within the system is one clause
-        std::size_t bytes = 0;
-        if (!text.substr(here).starts_with("system") ||
-            !trimmed(text.substr(begin, here - begin)).empty() ||
-            !system_block(text.substr(here), bytes))
+    const auto add_block = [&] {  // a system within the system is one clause, and so is a coding
+        std::size_t bytes = coding_block(text.substr(here));
+        if (!trimmed(text.substr(begin, here - begin)).empty() ||
+            (bytes == 0 &&
+             (!text.substr(here).starts_with("system") || !system_block(text.substr(here), bytes))))
             return false;
         add(here + bytes);
         found.back().arrow = nullptr;
@@ -140,11 +230,14 @@ std::vector<Clause> clauses(std::string_view text) {
     };
     while (here < text.size()) {
         const char byte = text[here];
-        if (byte == 's' && (here == begin || is_ascii_blank(text[here - 1])) && add_block())
+        if ((byte == 's' || byte == 'c') && (here == begin || is_ascii_blank(text[here - 1])) &&
+            add_block())
             continue;
-        if (byte == '\n' || byte == ';') {
+        const bool is_end = typed && commas.separates(here, begin);
+        if (byte == '\n' || byte == ';' || is_end) {
             add(here++);
             begin = here;
+            commas.begin_clause();
         } else if (byte == '#' && (here == begin || is_ascii_blank(text[here - 1]))) {
             if (starts_with_colour(text.substr(here)) &&
                 keyword_of(trimmed(text.substr(begin, here - begin))) == "colour") {
@@ -445,6 +538,7 @@ void read_inner(const Clause& clause, Reading& outer) {
                     inner.system,
                     outer.drawing,
                     outer.expectations,
+                    outer.coding,
                     outer.constants,
                     outer.broken,
                     {},
@@ -473,20 +567,68 @@ void read_inner(const Clause& clause, Reading& outer) {
     outer.system.inner.push_back(std::move(inner));
 }
 
+namespace {
+
+/// What a typed system without an axiom begins with: the letter of its first rule. Adds a finding where that is no word.
+void begin_with_first_rule(std::string_view text, Reading& reading) {
+    const std::size_t offset = reading.system.rules.empty()
+                                   ? reading.source.offset(text.data() + text.size())
+                                   : reading.source.offset(reading.system.rules.front().place);
+    const auto refuse = [&](const std::string& why) {
+        reading.findings.add(offset, "expected an axiom, " + why);
+    };
+    if (reading.system.rules.empty()) {
+        if (reading.findings.empty()) refuse("such as 'axiom a; a -> ab', found none");
+        return;
+    }
+    const Production& first = reading.system.rules.front();
+    const std::string letter = reading.system.alphabet.name(first.predecessor.symbol);
+    if (!first.predecessor.parameters.empty())
+        return refuse("as the first rule has parameters, such as 'axiom " + letter + "(1); ...'");
+    if (!first.left.empty() || !first.right.empty() || !first.elsewhere.empty())
+        return refuse("as the first rule has a context, such as 'axiom " + letter + letter +
+                      "; ...'");
+    if (first.shape)
+        return refuse("as the first rule is one of shapes, such as 'axiom " + letter +
+                      "(1,1,1); ...'");
+    reading.system.axiom.letters = {first.predecessor.symbol};
+    reading.system.axiom_place = first.place;
+}
+
+/// Throws Error unless the system has all these constants.
+void check_replaced(const Model& system, const ConstantValues& replaced) {
+    std::vector<std::string> known;
+    for (const auto& [name, value] : system.constants) known.push_back(name);
+    for (const auto& [name, value] : replaced)
+        if (std::ranges::count(known, name) == 0)
+            throw Error((system.name.empty() ? "" : system.name + ": ") + "has no constant " +
+                        quoted(name) + did_you_mean(name, known) +
+                        (known.empty()
+                             ? "; it has none: `let " + name + " = ...` in its text makes one"
+                             : "; it has " + listed(known, " and ")));
+}
+
+}  // namespace
+
 Model read_system(std::string_view text, const Source& source, Findings& findings,
                   const std::string& name, const std::vector<std::string>& declared,
-                  const std::vector<std::string>& letters) {
+                  const std::vector<std::string>& letters, const ConstantValues& replaced,
+                  bool typed) {
     Model system;
     system.name = name;
     Lexicon lexicon(system.alphabet);
     for (const std::string& symbol : declared) lexicon.declare(symbol);
-    Reading reading{source, findings, lexicon, system, system.drawing, system.expectations,
-                    {},     {},       {},      {},     false};
+    Reading reading{
+        source, findings, lexicon, system, system.drawing, system.expectations, system.coding,
+        {},     {},       {},      {},     false};
+    reading.replaced = &replaced;
     for (const std::string& letter : letters) reading.declare(letter);
-    const std::vector<Clause> all = clauses(text);
+    const std::vector<Clause> all = clauses(text, typed);
     name_systems(all, reading);
     read_clauses(all, reading);
-    if (!reading.given.count("axiom"))
+    if (typed && !reading.given.count("axiom"))
+        begin_with_first_rule(text, reading);
+    else if (!reading.given.count("axiom"))
         findings.add(text.data() + text.size(),
                      text.size() == source.text().size()
                          ? "expected an axiom before the end of the file, found none"
@@ -499,12 +641,35 @@ Model read_system(std::string_view text, const Source& source, Findings& finding
     return system;
 }
 
-Model read_lsystem(std::string_view text, const std::string& file_name) {
-    return read_whole(text, file_name, [&](const Source& source, Findings& findings) {
-        Model system = read_system(text, source, findings, file_name, {}, {});
+namespace {
+
+Model read_text(std::string_view text, const std::string& name, const ConstantValues& replaced,
+                bool typed) {
+    Model system = read_whole(text, name, [&](const Source& source, Findings& findings) {
+        Model read = read_system(text, source, findings, name, {}, {}, replaced, typed);
         findings.throw_if_any();
-        return system;
+        return read;
     });
+    check_replaced(system, replaced);
+    return system;
+}
+
+}  // namespace
+
+Model read_lsystem(std::string_view text, const std::string& file_name,
+                   const ConstantValues& replaced) {
+    return read_text(text, file_name, replaced, false);
+}
+
+Model read_typed_system(std::string_view text, const std::string& name,
+                        const ConstantValues& replaced) {
+    return read_text(text, name, replaced, true);
+}
+
+bool is_typed_system(std::string_view text) {
+    const std::string_view begin = trimmed(text);
+    return first_arrow(text) ||
+           (begin.starts_with("axiom") && begin.size() > 5 && is_ascii_blank(begin[5]));
 }
 
 ModuleWord read_word(std::string_view text, Alphabet& alphabet) {

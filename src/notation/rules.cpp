@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "model/model.hpp"
 #include "notation/detail/grammar.hpp"
 #include "notation/detail/reading.hpp"
 
@@ -500,6 +501,61 @@ void check_probabilities(const std::vector<Production>& rules, Reading& reading)
                                  "the probabilities of " + name + " add up to " +
                                      to_string(alternatives.sum) + ", expected 1");
     }
+}
+
+namespace {
+
+/// Whether a text is a whole number, such as the -1 of a coding.
+bool is_integer(std::string_view text) {
+    if (text.starts_with('-')) text.remove_prefix(1);
+    if (text.size() > 1 && text.starts_with('0')) return false;
+    return !text.empty() && text.size() <= 9 &&
+           std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
+}  // namespace
+
+void read_coding(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
+    if (!value.starts_with('{')) throw unexpected("'{' after 'coding'", value.data());
+    if (!value.ends_with('}')) throw SyntaxError{value.data(), "'{' is never closed"};
+    const std::string_view inside = value.substr(1, value.size() - 2);
+    for (std::size_t begin = 0; begin <= inside.size();) {
+        const std::size_t end = std::min(inside.find_first_of(";,\n", begin), inside.size());
+        const std::string_view rule = trimmed(inside.substr(begin, end - begin));
+        begin = end + 1;
+        if (rule.empty()) continue;
+        const std::size_t ascii = rule.find("->"), arrow = std::min(ascii, rule.find("→"));
+        if (arrow == std::string_view::npos)
+            throw SyntaxError{
+                rule.data(),
+                "expected a letter and its image, such as a -> 0, found " + quoted(rule)};
+        const std::string_view left = trimmed(rule.substr(0, arrow)),
+                               image = trimmed(rule.substr(arrow + (arrow == ascii ? 2 : 3)));
+        const auto known = reading.lexicon.known(left);
+        if (!known)
+            throw SyntaxError{rule.data(), "expected a letter of the system, found " +
+                                               (left.empty() ? "'->'" : quoted(left))};
+        if (image.empty() || (undeclared_length(image) != image.size() && !is_integer(image)))
+            throw SyntaxError{image.empty() ? rule.data() : image.data(),
+                              "expected one letter as the image of " + quoted(left) + ", found " +
+                                  (image.empty() ? "none" : quoted(image)) +
+                                  "; it is one symbol or a whole number"};
+        for (const auto& [letter, before] : reading.coding.images)
+            if (letter == *known)
+                throw SyntaxError{rule.data(),
+                                  "the letter " + quoted(left) + " has an image already"};
+        reading.coding.images.emplace_back(*known, image);
+    }
+    std::sort(reading.coding.images.begin(), reading.coding.images.end());
+    for (const Production& rule : reading.system.rules)
+        if (!rule.predecessor.parameters.empty() || !rule.successor.arguments.empty() || rule.shape)
+            throw SyntaxError{
+                clause.text.data(),
+                "expected a system without parameters and shape rules in a file with a coding"};
+    if (!reading.system.axiom.arguments.empty())
+        throw SyntaxError{clause.text.data(),
+                          "expected an axiom without parameters in a file with a coding"};
 }
 
 }  // namespace algae

@@ -105,6 +105,9 @@ void read_constant(const Clause& clause, Reading& reading) {
             throw SyntaxError{value.data(),
                               "the constant " + algae::quoted(name) + " is given twice"};
         Quantity quantity = quantity_of(between(here + 1, end), reading);
+        if (reading.replaced)
+            for (const auto& [replaced, other] : *reading.replaced)
+                if (replaced == name) quantity = other;
         reading.constants.emplace(name, reading.system.constants.size());
         reading.system.constants.emplace_back(name, std::move(quantity));
     } catch (...) {
@@ -116,7 +119,7 @@ void read_constant(const Clause& clause, Reading& reading) {
 void read_alphabet(const Clause& clause, Reading& reading) {
     for (const std::string_view name : pieces(clause.value())) {
         // These open statements that contain arrows, or shape successors: a rule could not be told.
-        for (const char* keyword : {"title", "source", "interpret", "div", "repeat"})
+        for (const char* keyword : {"title", "source", "interpret", "coding", "div", "repeat"})
             if (name == keyword)
                 throw SyntaxError{name.data(), "expected another name, " + quoted(name) +
                                                    " has a meaning in the notation"};
@@ -547,6 +550,14 @@ Values print_interpretation(const Printing& printing) {
     return out;
 }
 
+Values print_coding(const Printing& printing) {
+    if (printing.coding.empty()) return {};
+    Values rules;
+    for (const auto& [letter, image] : printing.coding.images)
+        rules.push_back(printing.system.alphabet.name(letter) + " -> " + image);
+    return {"{ " + joined(rules, "; ") + " }"};
+}
+
 Values print_environments(const Printing& printing) {
     Values out;
     for (const EnvironmentSetting& environment : printing.system.environments)
@@ -716,6 +727,16 @@ const std::vector<Setting>& settings() {
          outside,
          read_interpretation,
          print_interpretation},
+        {{"coding",
+          {"coding { a -> 0; b -> 1 }"},
+          "the letters that `show`, `derive`, `letter` and `convert` have instead; "
+          "[above](#codings)",
+          "the letters themselves"},
+         other,
+         once,
+         outside,
+         read_coding,
+         print_coding},
         {{"environment",
           {"environment ?E y"},
           "what fills a module; [above](#environments)",

@@ -245,6 +245,10 @@ Json to_json(const SystemReport& report) {
     out.set("tables", system.tables);
     out.set("schedule", schedule_names(system));
     out.set("terminals", names(system.alphabet, system.terminals));
+    Json coding = Json::array();
+    for (const auto& [letter, image] : system.coding.images)
+        coding.add({{"letter", system.alphabet.name(letter)}, {"image", image}});
+    out.set("coding", std::move(coding));
     Json environments = Json::array();
     for (const EnvironmentSetting& environment : system.environments)
         environments.add(as_json(system.alphabet, environment));
@@ -292,6 +296,10 @@ std::string to_text(const SystemReport& report) {
     if (!system.schedule.empty())
         line("schedule", fmt::format("{}, then again", fmt::join(schedule_names(system), " ")));
     line("terminals", joined(names(system.alphabet, system.terminals), " "));
+    std::vector<std::string> images;
+    for (const auto& [letter, image] : system.coding.images)
+        images.push_back(system.alphabet.name(letter) + " -> " + image);
+    line("coding", joined(images, ", "));
     std::vector<std::string> environments, stamps;
     for (const EnvironmentSetting& environment : system.environments)
         environments.push_back(print_environment(system.alphabet, environment));

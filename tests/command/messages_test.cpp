@@ -61,7 +61,6 @@ TEST_CASE("files of other programs are named") {
          {std::pair<std::string, std::string>{"\x89PNG\r\n", "a PNG picture"},
           {"<svg>", "XML, such as an SVG picture"},
           {"{\"axiom\": 1}", "JSON"},
-          {"Koch {\n  Angle 6\n  Axiom F--F--F\n  F=F+F--F+F\n}\n", "a file of Fractint"},
           {"Lsystem: 1\nderivation length: 3\n", "a file of cpfg or L-studio"}}) {
         INFO(begins);
         const Scratch files;

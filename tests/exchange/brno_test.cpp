@@ -400,7 +400,7 @@ TEST_CASE("a file's figure is that of its primitives, walked slowly") {
 TEST_CASE("systems that a file can say keep their words and their figures") {
     CHECK(rc::check([] {
         const oracle::WrittenSystem written = *oracle::any_bracketed("&/");
-        Model system{oracle::lsystem_of(written), {}, {}};
+        Model system{oracle::lsystem_of(written), {}, {}, {}};
         std::string text = print_lsystem(system) + "interpret f -> " +
                            one_of({"ε", "F", "!(2)F(3)", "F(2)"}) + "\nangle " +
                            std::to_string(below(361)) + "\nstep " + std::to_string(1 + below(3)) +

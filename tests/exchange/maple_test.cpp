@@ -324,7 +324,7 @@ TEST_CASE("systems that a worksheet can say keep their words and their figures")
     CHECK(rc::check([] {
         const oracle::WrittenSystem written = *oracle::any_bracketed("&/");
         const Model system = read_lsystem(
-            print_lsystem({oracle::lsystem_of(written), {}, {}}) + "angle " +
+            print_lsystem({oracle::lsystem_of(written), {}, {}, {}}) + "angle " +
                 std::to_string(below(361)) + one_of({"", "\nstep 3", "\nstart 1 2 30"}) +
                 one_of({"", "\ninterpret G -> ε", "\ninterpret X -> ε"}) +
                 one_of({"", "\ngeneration 1..3"}),

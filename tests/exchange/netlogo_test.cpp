@@ -495,7 +495,7 @@ TEST_CASE("a procedure's figure is that of the model, run slowly") {
 TEST_CASE("systems that a procedure can say keep their words and their figures") {
     CHECK(rc::check([] {
         const oracle::WrittenSystem written = *oracle::any_bracketed("*");
-        std::string text = print_lsystem({oracle::lsystem_of(written), {}, {}}) +
+        std::string text = print_lsystem({oracle::lsystem_of(written), {}, {}, {}}) +
                            "interpret | -> " + one_of({"ε", "F", "f", "+"}) + "\n" +
                            one_of({"", "interpret X -> G\n", "stamp X square\n",
                                    "interpret X -> Y\nstamp Y square\n"}) +

@@ -175,12 +175,16 @@ TEST_CASE("what cannot be converted is told what it can become, and what is no f
           "x: cannot convert ifs-table to ca; ifs-table converts to ifs");
     CHECK(refused("ca", "brno") ==
           "x: cannot convert ca to brno; ca converts to lsys and ca-table");
-    CHECK(refused("lsys", "dla") ==
-          "x: cannot convert lsys to dla; lsys converts to ifs, brno, maple and netlogo");
+    CHECK(
+        refused("lsys", "dla") ==
+        "x: cannot convert lsys to dla; lsys converts to ifs, brno, maple, netlogo, l, jff, walnut "
+        "and sage");
     CHECK(refused("brno", "ifs") ==
-          "x: cannot convert brno to ifs; brno converts to lsys, maple and netlogo");
+          "x: cannot convert brno to ifs; brno converts to lsys, maple, netlogo, l, jff, walnut "
+          "and sage");
     CHECK(refused("lsys", "pdf") ==
-          "x: 'pdf' is no format; expected one of ifs, brno, maple, netlogo, lsys");
+          "x: 'pdf' is no format; expected one of ifs, brno, maple, netlogo, l, jff, walnut, sage, "
+          "lsys");
     CHECK(refused("dla", "pdf") == "x: 'pdf' is no format; expected dla");
     for (const auto& [from, to] :
          {std::pair("pdf", "dla"), std::pair("pdf", "lsys"), std::pair("pdf", "pdf")})
@@ -320,4 +324,35 @@ TEST_CASE("no table, however broken, ends in anything but a file or an error") {
         for (int i = 0; i < 100'000; ++i) text += part;
         survive(text);
     }
+}
+
+TEST_CASE("b-files of the OEIS have a line for each term") {
+    const BFile file = read_b_file("# A000045\n1 1\n2 1 # twice\n\n3 2\r\n", "b.txt");
+    CHECK(file.first == 1);
+    CHECK(file.terms == std::vector<Integer>{1, 1, 2});
+    CHECK(print_b_file(file) == "1 1\n2 1\n3 2\n");
+    const auto said = [](const std::string& text) -> std::string {
+        try {
+            read_b_file(text, "b.txt");
+        } catch (const Error& error) {
+            return error.what();
+        }
+        return {};
+    };
+    CHECK(said("0 1\n2 1\n")
+              .starts_with("b.txt:2:1: error: expected the term of n = 1, found n = 2"));
+    CHECK(said("0\n").starts_with("b.txt:1:1: error: expected a line `n a(n)`, found 1 piece"));
+    CHECK(
+        said("0 1 2\n").starts_with("b.txt:1:5: error: expected a line `n a(n)`, found 3 pieces"));
+    CHECK(said("0 1.5\n").starts_with(
+        "b.txt:1:3: error: expected a(n), a whole number, found '1.5'"));
+    CHECK(said("# nothing\n").starts_with("b.txt:1:1: error: expected lines `n a(n)`, found none"));
+    CHECK(rc::check("what is printed is read back", [] {
+        BFile written{Integer(*rc::gen::inRange(-5, 5)), {}};
+        for (int i = *rc::gen::inRange(1, 20); i > 0; --i)
+            written.terms.emplace_back(*rc::gen::inRange(-1000000, 1000000));
+        const BFile again = read_b_file(print_b_file(written), "b.txt");
+        RC_ASSERT(again.first == written.first);
+        RC_ASSERT(again.terms == written.terms);
+    }));
 }

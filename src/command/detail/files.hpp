@@ -19,7 +19,8 @@ namespace algae::command {
 class Verb;
 
 /// The meaning of FILE on the command line, for help texts.
-inline constexpr const char* file_help = "a file, - for standard input, or a name from the gallery";
+inline constexpr const char* file_help =
+    "a file, - for standard input, a name from the gallery, or a system such as 'a -> ab, b -> a'";
 
 /// The type of such an argument.
 inline constexpr const char* file_type = "FILE|NAME";
@@ -38,15 +39,22 @@ struct SourceText {
     std::string name, text;
 };
 
-/// The text of FILE: of a path, "-" for standard input, or a name from the gallery.
-SourceText open_text(const std::string& file, const Budget& budget);
+/// The text of FILE: of a path, "-" for standard input, or a name from the gallery. A system that is typed in its place, or that
+/// has constants of --let, is a text in the notation.
+SourceText open_text(const std::string& file, const Budget& budget,
+                     const std::vector<std::string>& let = {});
 
-/// The system in FILE: a path, "-" for standard input, or a name from the gallery. Throws Error,
-/// Diagnostics or BoundReached.
-Model open_model(const std::string& file, const Budget& budget);
+/// The system in FILE: a path, "-" for standard input, a name from the gallery, or the system itself, typed on one line.
+/// `let` are constants that replace those of the system, `a1=35`. Throws Error, Diagnostics or BoundReached.
+Model open_model(const std::string& file, const Budget& budget,
+                 const std::vector<std::string>& let = {});
 
 /// Its rules alone.
-LSystem open_system(const std::string& file, const Budget& budget);
+LSystem open_system(const std::string& file, const Budget& budget,
+                    const std::vector<std::string>& let = {});
+
+/// `--let NAME=VALUE`, any number of times.
+void add_let_option(Verb& verb, std::vector<std::string>& let);
 
 /// An option that replaces a statement of a relative's file, with its text on the command line;
 /// an empty text means that the option is not given.

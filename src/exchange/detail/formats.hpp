@@ -137,6 +137,53 @@ Quantity negated(const Quantity& number);
 /// Example: turned_compass(quantity(25)) == quantity(65)
 Quantity turned_compass(const Quantity& degrees);
 
+// Fractint: fractint.cpp.
+
+/// One system of a file of Fractint, `NAME { Angle 6; Axiom F--F--F; F=... }` in lines; `name` is the file's, with `:NAME` behind it where
+/// there are several. Each command with its number is one symbol. Throws Diagnostics with the place of whatever the program rejects, and of
+/// what has no meaning in the notation: two headings at once, `!`, colours that are counted. Linear time.
+Model read_fractint(std::string_view text, const std::string& name);
+
+/// The entry of a system. It says neither lengths of steps nor where figures stand, as the program fits them to the screen; colours and what
+/// is expected are left out. Throws Error that names what it cannot say.
+std::string print_fractint(const Model& system);
+
+/// Whether a text looks like a file of Fractint: a line `NAME {` and one with Axiom or Angle.
+bool looks_like_fractint(std::string_view text);
+
+// JFLAP: jflap.cpp.
+
+/// The L-system in a file of JFLAP 4 to 7. Its turtle starts upward and + turns to the right; hues and widths of lines are left out. Throws
+/// Diagnostics with the place of what is wrong and of what has no meaning in the notation: assignments, variables, contexts of
+/// different lengths for one symbol, brackets beside contexts. Linear time.
+Model read_jflap(std::string_view text, const std::string& name);
+
+/// The file of a system, whose figure stands upright there. Throws Error that names what it cannot say.
+std::string print_jflap(const Model& system);
+
+// Morphisms: morphisms.cpp.
+
+/// A morphism or a word automaton of Walnut.
+///
+/// A morphism is a line `0 -> 01` for each letter, numbers, those of several digits in brackets, `[10]`; the axiom is its first
+/// letter. An automaton with output over one number system msd_K is the K-uniform morphism of its states with the outputs as coding. Throws
+/// Diagnostics: other number systems, of several inputs, and lsd say no morphism.
+Model read_walnut(std::string_view text, const std::string& name);
+
+/// The word automaton of a uniform morphism, otherwise the morphism.
+/// Throws Error that names what neither can say.
+std::string print_walnut(const Model& system);
+
+/// Whether a text looks like a file of Walnut: it begins with a number system.
+bool looks_like_walnut(std::string_view text);
+
+/// `WordMorphism('a->ab,b->a')` as Sage reads it, with the axiom of `m('a', 5)` if that stands there, otherwise its first letter. Throws
+/// Diagnostics as Sage refuses it.
+Model read_sage(std::string_view text, const std::string& name);
+
+/// The same written. Every letter has its image, as Sage knows no identity. Throws Error that names what it cannot say.
+std::string print_sage(const Model& system);
+
 // Tables: tables.cpp.
 
 /// The table of a rule of cells on a line as a file of the kind `ca`: entries

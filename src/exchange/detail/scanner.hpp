@@ -12,6 +12,12 @@
 
 namespace algae {
 
+/// Names of letters as a word of the notation: blanks between them, but none next to `|`, which would separate successors.
+/// `ε` if there are none.
+///
+/// Example: spaced_word({"F", "|", "X_40"}) == "F|X_40"
+std::string spaced_word(const std::vector<std::string>& letters);
+
 /// Reads the text of another program's file token by token, and fails with the place. White space
 /// and comments between tokens are skipped.
 class Scanner {

@@ -81,6 +81,9 @@ public:
     /// The system of this name. Throws if it is a name of something else.
     std::shared_ptr<const SourceSystem> system(std::string_view name);
 
+    /// The system that stands between quotation marks, `'a -> ab, b -> a'`; `text` is what is between them.
+    std::shared_ptr<const SourceSystem> typed_system(std::string_view text);
+
     /// The system of this name if its words are derived module by module; nullptr if it is anything else.
     std::shared_ptr<const LSystem> rewriting(std::string_view name) const;
 

@@ -14,6 +14,7 @@
 
 namespace algae {
 
+struct Coding;
 struct Expectation;
 
 /// One setting or rule, cut out of its line: without comment, without blanks at its ends.
@@ -31,8 +32,12 @@ struct Clause {
 
 /// The clauses of a text: `;` and line breaks separate them, `#` at the start of a line or
 /// behind white space opens a comment (but in `colour #ff8000` it opens a colour). A system within the
-/// system, `system leaf { ... }`, is one clause. Linear.
-std::vector<Clause> clauses(std::string_view text);
+/// system, `system leaf { ... }`, and a coding, `coding { a -> 0 }`, are one clause each. Linear.
+///
+/// In a system that is `typed` on one line a comma outside brackets separates too, if the clause before it has an arrow or is a
+/// setting and what follows up to the next such comma is one as well: `a -> ab, b -> a`; and so does a blank before one word with an
+/// arrow, `0->01 1->10`.
+std::vector<Clause> clauses(std::string_view text, bool typed = false);
 
 /// Whether a clause is a rule: it has an arrow that is not part of a title, a source or an
 /// interpretation.
@@ -73,6 +78,7 @@ struct Reading {
     LSystem& system;
     Drawing& drawing;  // of the whole file, as expectations are
     std::vector<Expectation>& expectations;
+    Coding& coding;
 
     std::unordered_map<std::string, std::size_t> constants;  // to their index in the system
     std::unordered_set<std::string> broken;  // names whose statement was wrong: no further findings
@@ -80,6 +86,7 @@ struct Reading {
     std::unordered_set<std::string> tables;                 // opened so far
     bool broken_rules = false;                              // some rule could not be read
     bool is_inner = false;                                  // it is a system within another
+    const ConstantValues* replaced = nullptr;               // constants with other values
     std::vector<Expression> distances = {};  // in conditions, until all symbols are known
     std::vector<std::string> letters = {};   // that `alphabet` declares, here or around the system
     bool spaced = false;  // some of them are longer, so blanks separate symbols and `|` is one
@@ -136,6 +143,9 @@ void read_rule(const Clause& clause, Reading& reading);
 /// Reads `interpret L -> F` into the system. Throws `SyntaxError`.
 void read_interpretation(const Clause& clause, Reading& reading);
 
+/// Reads `coding { a -> 0; b -> 1 }` into the system. Throws `SyntaxError`.
+void read_coding(const Clause& clause, Reading& reading);
+
 /// Adds a finding for each left side whose rules have probabilities that do not add up to 1, or for
 /// which only some rules have one.
 void check_probabilities(const std::vector<Production>& rules, Reading& reading);
@@ -163,6 +173,7 @@ struct Printing {
     const LSystem& system;
     const Drawing& drawing;  // of the whole file, as expectations are
     const std::vector<Expectation>& expectations;
+    const Coding& coding;
     const Printer& printer;
 };
 
@@ -212,9 +223,11 @@ auto read_whole(std::string_view text, const std::string& name, Read read) {
 /// The system that a part of a source describes, in the notation of `.lsys` files, with findings at their
 /// places in the source. `declared` are names of more than one character that are symbols there without
 /// having been declared, `letters` those that an `alphabet` around it declares. The system is meaningless if
-/// findings were added.
+/// findings were added. `replaced` are constants that have these values instead of those of their `let`. In a system that is `typed` on one
+/// line commas separate (`clauses`), and without an axiom it is the letter of the first rule.
 Model read_system(std::string_view text, const Source& source, Findings& findings,
                   const std::string& name, const std::vector<std::string>& declared,
-                  const std::vector<std::string>& letters);
+                  const std::vector<std::string>& letters, const ConstantValues& replaced = {},
+                  bool typed = false);
 
 }  // namespace algae

@@ -95,7 +95,17 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
     }
     found.status = Status::upper_bound;
     found.conditions.push_back("all maps are similarities");
-    found.conditions.push_back("an upper bound unless the open set condition holds");
+    const Separation parts = separation(system, budget);
+    if (parts == Separation::apart) {
+        found.status = Status::exact;
+        found.conditions.push_back(
+            "parts meet in finitely many ways and no two coincide, so the open set condition "
+            "holds");
+    } else if (parts == Separation::coincide) {
+        found.conditions.push_back("two parts coincide, so the dimension is smaller");
+    } else {
+        found.conditions.push_back("an upper bound unless the open set condition holds");
+    }
     return found;
 }
 

@@ -4,6 +4,9 @@
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
+#include <set>
+#include <string>
+#include <vector>
 
 #include <cmath>
 #include <map>
@@ -169,6 +172,58 @@ TEST_CASE("similarity dimensions") {
         similarity_dimension(functions("map 0.5 0 0 0.5 0 0\nmap 0.25 0 0 0.25 0.75 0\n"));
     CHECK(unequal.value->decimal(6) == "0.694242");  // log of the golden section over log 2
     CHECK(similarity_dimension(functions(fern)).status == ExactDimension::Status::none);
+}
+
+TEST_CASE("parts that are proved to lie apart make the similarity dimension exact") {
+    using Status = ExactDimension::Status;
+    const auto found = [](const std::string& maps) {
+        return similarity_dimension(functions(maps));
+    };
+    const ExactDimension triangle = found(gasket);
+    CHECK(triangle.status == Status::exact);
+    CHECK(triangle.conditions.back() ==
+          "parts meet in finitely many ways and no two coincide, so the open set condition holds");
+    // Unequal ratios, quarter turns, a square in four parts.
+    CHECK(found("map 0.5 0 0 0.5 0 0\nmap 0.25 0 0 0.25 0.75 0\n").status == Status::exact);
+    CHECK(found("similarity 1/2 90 1/2 0\nsimilarity 1/2 0 0 1/2\nsimilarity 1/2 0 1/2 1/2\n"
+                "similarity 1/2 -90 1/2 1/2\n")
+              .value->rational() == Rational(2));
+    // f_1 f_2 = f_3 f_1: exact overlaps.
+    const ExactDimension overlaps =
+        found("map 1/3 0 0 1/3 0 0\nmap 1/3 0 0 1/3 3 0\nmap 1/3 0 0 1/3 1 0\n");
+    CHECK(overlaps.status == Status::upper_bound);
+    CHECK(overlaps.conditions.back() == "two parts coincide, so the dimension is smaller");
+    // No rational numbers: not decided.
+    CHECK(found("similarity sqrt(1/2) 45 0 0\nsimilarity sqrt(1/2) 135 1 0\n").status ==
+          Status::upper_bound);
+}
+
+TEST_CASE("parts coincide exactly where sums of digits do") {
+    int apart = 0, coincide = 0;
+    CHECK(rc::check([&] {
+        const std::vector<int> digits{0, *rc::gen::inRange(1, 4), *rc::gen::inRange(4, 8)};
+        const int base = *rc::gen::inRange(3, 5);
+        std::string maps;
+        for (const int digit : digits)
+            maps += "map 1/" + std::to_string(base) + " 0 0 1/" + std::to_string(base) + " " +
+                    std::to_string(digit) + " 0\n";
+        // All sums of so many digits times powers: differences stay below 8, so 8 levels suffice.
+        std::set<long> sums{0};
+        std::size_t words = 1;
+        for (int level = 0; level < 8 && sums.size() == words; ++level) {
+            std::set<long> next;
+            for (const long sum : sums)
+                for (const int digit : digits) next.insert(sum * base + digit);
+            sums = std::move(next);
+            words *= digits.size();
+        }
+        const bool lost = sums.size() < words;
+        const Separation found = separation(functions(maps), Budget());
+        RC_ASSERT(found == (lost ? Separation::coincide : Separation::apart));
+        ++(lost ? coincide : apart);
+    }));
+    CHECK(apart > 20);
+    CHECK(coincide > 5);
 }
 
 TEST_CASE("what is wrong with a file of maps") {

@@ -65,6 +65,15 @@ std::unique_ptr<PointFigure> chaos_game(const IteratedFunctions& system, std::ui
 std::unique_ptr<PathFigure> copies(const IteratedFunctions& system, std::uint64_t generation,
                                    const Budget& budget);
 
+/// How the parts of an attractor of similarities lie: so that the open set condition holds, or with
+/// two that are one and the same.
+enum class Separation { apart, coincide, unknown };
+
+/// For a single state and maps that are written with rational numbers and turn by quarters, or as
+/// matrices: where at most `most` neighbour maps decide it.
+Separation separation(const IteratedFunctions& system, const Budget& budget,
+                      std::size_t most = 5'000);
+
 /// The similarity dimension of an iterated function system whose maps are similarities: the s for
 /// which the sum of ratio^s is 1 (Moran 1946), with several states the matrix of these sums has the
 /// spectral radius 1 (Mauldin and Williams 1988); of several components of states the largest. It

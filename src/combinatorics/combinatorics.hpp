@@ -74,7 +74,7 @@ struct Run {
     bool operator==(const Run&) const = default;
 };
 
-struct Repetitions {
+struct WordRepetitions {
     std::vector<Run>
         runs;  // by where they begin, then by period; fewer than n (Bannai et al. 2017)
     std::uint64_t distinct_squares = 0;  // different words uu, u not empty
@@ -87,7 +87,7 @@ struct Repetitions {
 /// squares are counted in the runs, as rotations of their roots. About 50 bytes for each letter. Throws as `palindromic_factors`.
 ///
 /// Example: repetitions_in({0, 1, 0, 0, 1}).runs.size() == 1
-Repetitions repetitions_in(const Word& word, const Budget& budget = {});
+WordRepetitions repetitions_in(const Word& word, const Budget& budget = {});
 
 /// How many different factors of 0, 1, ..., n letters a word has. O(n) after its suffix array, by the lengths of common prefixes of neighbours
 /// (Kasai et al. 2001). Throws as `palindromic_factors`.

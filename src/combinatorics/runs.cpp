@@ -115,12 +115,12 @@ std::uint64_t distinct_squares(const Word& word, const std::vector<Run>& runs,
 
 }  // namespace
 
-Repetitions repetitions_in(const Word& word, const Budget& budget) {
+WordRepetitions repetitions_in(const Word& word, const Budget& budget) {
     if (word.empty()) return {};
     budget.check_memory(std::uint64_t{60} * word.size(), "the runs of the word");
     const SuffixArray suffixes(word, budget);
     const CommonPrefixes alike(suffixes);
-    Repetitions found;
+    WordRepetitions found;
     found.runs = runs_of(word, suffixes, alike, budget);
     found.distinct_squares = distinct_squares(word, found.runs, suffixes, alike, budget);
     for (const Run& run : found.runs) {

@@ -148,7 +148,7 @@ struct WordReport {
     std::vector<std::size_t> borders, periods, lyndon;
     Word root, conjugate;
     PalindromicFactors palindromes;
-    Repetitions repetitions;
+    WordRepetitions repetitions;
     std::vector<std::uint64_t> factors;  // of 0, 1, ..., n letters
     /// Of words of at most `abelian_letters` letters only.
     std::optional<std::vector<AbelianPeriod>> abelian;

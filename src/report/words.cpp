@@ -106,7 +106,7 @@ std::string to_text(const WordReport& report) {
                        line("order of letters", joined(report.letters, " < "));
     if (word.empty()) return page;
     const PalindromicFactors& palindromes = report.palindromes;
-    const Repetitions& repetitions = report.repetitions;
+    const WordRepetitions& repetitions = report.repetitions;
     const bool is_primitive = report.root.size() == word.size();
     page += line("periods", some_of(report.periods, ", ", number));
     page += line("borders", report.borders.empty()

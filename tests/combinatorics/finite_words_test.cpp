@@ -99,7 +99,7 @@ void compare(const std::string& text) {
         end += place.length;
     }
     expect(text, end == text.size());
-    const Repetitions repetitions = repetitions_in(word);
+    const WordRepetitions repetitions = repetitions_in(word);
     std::set<oracle::Maximal> runs;
     for (const Run& run : repetitions.runs)
         expect(text, runs.insert({run.begin, run.end, run.period}).second);
@@ -206,7 +206,7 @@ TEST_CASE("long words of one letter, of one letter but for one, and at random") 
             x = x * 1664525 + 1013904223;
             word.push_back(kind == 0 ? 0 : kind == 1 ? (i == 150'000 ? 1 : 0) : x >> 31);
         }
-        const Repetitions found = repetitions_in(word);
+        const WordRepetitions found = repetitions_in(word);
         if (kind == 0) CHECK(found.distinct_squares == 150'000);
         if (kind == 1) CHECK(found.runs.size() == 2);
         CHECK(palindromic_factors(word).count <= word.size());

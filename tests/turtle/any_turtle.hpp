@@ -36,7 +36,7 @@ inline rc::Gen<oracle::TurtleSettings> any_turtle() {
 
 inline Model drawn_system(const oracle::WrittenSystem& written,
                           const oracle::TurtleSettings& settings) {
-    return {oracle::lsystem_of(written), oracle::settings_of(settings), {}};
+    return {oracle::lsystem_of(written), oracle::settings_of(settings), {}, {}};
 }
 
 }  // namespace algae

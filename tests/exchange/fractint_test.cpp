@@ -140,6 +140,9 @@ TEST_CASE("one of several systems of a file is named behind a colon") {
     CHECK(system_format("x.l:Dragon")->name == "l");
     CHECK(system_format_of(text)->name == "l");
     CHECK(system_format_of("axiom a; a -> ab") == nullptr);
+    // Systems within a system of the notation look much like it.
+    CHECK(system_format_of("system s { axiom <s(0)> }\naxiom <s(0)>") == nullptr);
+    CHECK(system_format_of("system leaf {\n    axiom x\n}\naxiom <leaf(0)>\n") == nullptr);
 }
 
 TEST_CASE("what Fractint rejects, and what has no meaning here, is refused with its place") {

@@ -117,7 +117,8 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
             ": expected a D0L system, whose words follow one from another, found one with " +
             std::string(as_dil(model) ? "contexts" : "choices") + "; --word " + options.what +
             " is the word");
-    const FactorValues report = factor_values(*rules, options.to.value_or(24), budget);
+    const FactorValues report =
+        factor_values(*rules, model.coding, options.to.value_or(24), budget);
     print(options.json ? to_json(report).text() : to_text(report));
     return success;
 }

@@ -16,6 +16,7 @@
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
 #include "language/language.hpp"
+#include "model/model.hpp"
 #include "system/system.hpp"
 
 // report: answers to questions as plain data, each with two views: a page of text and JSON.
@@ -161,9 +162,10 @@ WordReport word_report(Word word, std::vector<std::string> letters, const Budget
 std::string to_text(const WordReport& report);
 Json to_json(const WordReport& report);
 
-/// The factors of 0, 1, ..., to letters of the words of a D0L system: exact up to there, and nothing is said beyond.
+/// The factors of 0, 1, ..., `to` letters of the words of a D0L system: exact up to there, and nothing is said beyond.
 struct FactorValues {
-    D0L system;
+    Alphabet alphabet;
+    bool coded = false;  // the factors are those of the words after the coding of the system
     std::size_t to = 0;
     bool infinite_word =
         false;  // all words are beginnings of one, so the factors are those of the infinite word
@@ -174,8 +176,9 @@ struct FactorValues {
     std::optional<Word> not_reversed;  // a shortest factor whose reversal is none
 };
 
-/// Throws BoundReached at the end of the time or memory.
-FactorValues factor_values(const D0L& system, std::size_t to, const Budget& budget);
+/// With a coding they are the factors of the images of the words. Throws BoundReached at the end of the time or memory.
+FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t to,
+                           const Budget& budget);
 
 std::string to_text(const FactorValues& report);
 Json to_json(const FactorValues& report);

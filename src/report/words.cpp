@@ -205,10 +205,20 @@ Json to_json(const WordReport& report) {
             {"abelian_periods", std::move(abelian)}};
 }
 
-FactorValues factor_values(const D0L& system, std::size_t to, const Budget& budget) {
-    FactorValues found{system, to, generates_infinite_word(system), {}, {}, {}, {}, std::nullopt};
-    const FactorSet longest = factors(system, to, budget);
-    const std::size_t letters = system.alphabet->size();
+FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t to,
+                           const Budget& budget) {
+    FactorValues found;
+    found.to = to;
+    found.infinite_word = generates_infinite_word(system);
+    FactorSet longest = factors(system, to, budget);
+    found.alphabet = *system.alphabet;
+    if (!coding.empty()) {
+        const LetterCoding images(*system.alphabet, coding);
+        for (Word& word : longest.words) word = images.morphism(word);
+        found.alphabet = images.alphabet;
+        found.coded = true;
+    }
+    const std::size_t letters = found.alphabet.size();
     for (std::size_t length = 0; length <= to; ++length) {
         std::set<Word> words;
         for (const Word& word : longest.words) {
@@ -249,20 +259,20 @@ std::string to_text(const FactorValues& report) {
     const auto values = [](const std::vector<std::uint64_t>& all) {
         return joined(all, ", ", number);
     };
-    std::string page =
-        line("factors of", report.infinite_word ? "the infinite word that all words begin"
-                                                : "all words of the system") +
-        line("of 0, 1, ... letters",
-             fmt::format("up to {}; nothing is said of longer ones", report.to));
+    std::string page = line("factors of", std::string(report.infinite_word
+                                                          ? "the infinite word that all words begin"
+                                                          : "all words of the system") +
+                                              (report.coded ? ", after the coding" : "")) +
+                       line("of 0, 1, ... letters",
+                            fmt::format("up to {}; nothing is said of longer ones", report.to));
     page += line("factor complexity", values(report.factors));
     page += line("palindromic complexity", values(report.palindromes));
     page += line("Abelian complexity", values(report.abelian));
     page += line("imbalance", values(report.imbalance));
-    page +=
-        line("closed under reversal",
-             report.not_reversed ? "no: " + spell(*report.system.alphabet, *report.not_reversed) +
-                                       " is a factor, its reversal is not"
-                                 : fmt::format("up to {} letters", report.to));
+    page += line("closed under reversal",
+                 report.not_reversed ? "no: " + spell(report.alphabet, *report.not_reversed) +
+                                           " is a factor, its reversal is not"
+                                     : fmt::format("up to {} letters", report.to));
     return page;
 }
 
@@ -271,15 +281,15 @@ Json to_json(const FactorValues& report) {
         return Json{{"values", all}, {"formula", nullptr}, {"proved_for_all", false}};
     };
     return {{"language", report.infinite_word ? "infinite word" : "all words"},
+            {"coded", report.coded},
             {"to", report.to},
             {"factor_complexity", values(report.factors)},
             {"palindromic_complexity", values(report.palindromes)},
             {"abelian_complexity", values(report.abelian)},
             {"imbalance_values", report.imbalance},
             {"closed_under_reversal", report.not_reversed ? Json(false) : Json()},
-            {"not_reversed", report.not_reversed
-                                 ? Json(spell(*report.system.alphabet, *report.not_reversed))
-                                 : Json()}};
+            {"not_reversed",
+             report.not_reversed ? Json(spell(report.alphabet, *report.not_reversed)) : Json()}};
 }
 
 }  // namespace algae

@@ -89,3 +89,15 @@ TEST_CASE("words: what is asked wrongly is told") {
                           " --max-memory 10M");
     CHECK(small.status == 3);
 }
+
+TEST_CASE("words of a system with a coding are those after it") {
+    // The Rudin-Shapiro word has 2, 4, 8, 16, 24, 36, 46 factors of 1 to 7 letters, and 8(n - 1) from n = 8 on
+    // (Allouche and Shallit, Enseignement mathematique 39, 1993).
+    const auto report = nlohmann::json::parse(run("words rudin-shapiro --to 10 --json").out);
+    CHECK(report["coded"] == true);
+    CHECK(report["factor_complexity"]["values"] ==
+          nlohmann::json::parse("[1, 2, 4, 8, 16, 24, 36, 46, 56, 64, 72]"));
+    CHECK(run("words rudin-shapiro")
+              .out.find("the infinite word that all words begin, after the coding\n") !=
+          std::string::npos);
+}

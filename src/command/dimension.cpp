@@ -395,6 +395,7 @@ DimensionReport measured(const Model& system, const ExactDimension& exact, const
         if (!is_time(bound) || !exact.value) throw;
         found.what = system.title.empty() ? system.name : system.title;
         found.fit.because = bound.what();
+        found.late = true;
     }
     found.exact = exact;
     return found;
@@ -528,6 +529,7 @@ int dimension(const Options& options) {
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
     print_report(found, options.json);
     // What the rules say is an answer where no generation was asked about.
+    if (found.late) return undecided;
     if (found.exact && found.exact->status == ExactDimension::Status::unfinished) return undecided;
     const bool exact = found.exact && found.exact->status == ExactDimension::Status::exact;
     return found.fit.estimate || (exact && !found.generation) ? success : undecided;

@@ -152,7 +152,7 @@ std::string exact_page(const ExactDimension& exact) {
 }
 
 Json box_json(const DimensionReport& found) {
-    const auto& [what, exact, generation, counts, fit] = found;
+    const auto& [what, exact, generation, counts, fit, late] = found;
     Json box = estimate_json(fit.estimate);
     box.set("because", fit.because);
     const auto compared = compared_with(found);
@@ -174,7 +174,7 @@ Json box_json(const DimensionReport& found) {
 }
 
 std::string box_page(const DimensionReport& found) {
-    const auto& [what, exact, generation, counts, fit] = found;
+    const auto& [what, exact, generation, counts, fit, late] = found;
     std::string text = fit_text("boxes", fit, comparison_text(found));
     if (counts.counts.empty()) return text;
     text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",

@@ -190,6 +190,7 @@ struct DimensionReport {
     std::optional<std::uint64_t> generation;
     BoxCounts counts;
     BoxFit fit;
+    bool late = false;  // the time was over before the measurement
 };
 
 std::string to_text(const DimensionReport& report);

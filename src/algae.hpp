@@ -2,6 +2,7 @@
 // The faces that most programs need. A program that draws adds <algae/render.hpp>, one that converts files of other
 // programs <algae/exchange.hpp>.
 
+#include "automatic/automatic.hpp"
 #include "combinatorics/combinatorics.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"

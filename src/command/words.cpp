@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "automatic/automatic.hpp"
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
@@ -21,7 +22,7 @@ namespace {
 
 struct WordsOptions {
     std::string what, file;
-    std::optional<std::string> word;
+    std::optional<std::string> word, say;
     std::vector<std::string> order;
     std::optional<std::uint64_t> to;
     bool json = false;
@@ -106,7 +107,27 @@ bool is_system(const std::string& what) {
            std::ranges::count(names, what) > 0 || what.find("->") != std::string::npos;
 }
 
+/// Decides --say.
+int decide(const WordsOptions& options, const Model& model, const D0L& rules,
+           const Budget& budget) {
+    std::optional<LetterCoding> coding;
+    if (!model.coding.empty()) coding.emplace(model.alphabet, model.coding);
+    const AutomaticWord word = automatic_word(rules, [&](Symbol letter) {
+        return coding ? coding->alphabet.name(coding->morphism[letter].front())
+                      : model.alphabet.name(letter);
+    });
+    const FirstOrderStatement statement =
+        read_first_order(*options.say, "statement", "T", word.letters);
+    const FirstOrderReport report{*options.say, model.name, word, statement.free(),
+                                  decide_first_order(statement, word, budget)};
+    print(options.json ? to_json(report).text() : to_text(report));
+    return report.answer.holds ? success : refuted;
+}
+
 int words_of_system(const WordsOptions& options, const Budget& budget) {
+    if (options.say && options.to)
+        throw Error(
+            "--to is for the factors of a system, and --say is for a statement about its word");
     if (!options.order.empty())
         throw Error("--order is for one word, and " + options.what + " is a system");
     const Model model = open_model(options.what, budget);
@@ -117,6 +138,7 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
             ": expected a D0L system, whose words follow one from another, found one with " +
             std::string(as_dil(model) ? "contexts" : "choices") + "; --word " + options.what +
             " is the word");
+    if (options.say) return decide(options, model, *rules, budget);
     const FactorValues report =
         factor_values(*rules, model.coding, options.to.value_or(24), budget);
     print(options.json ? to_json(report).text() : to_text(report));
@@ -131,6 +153,8 @@ int words(const WordsOptions& options) {
                                : "expected one of a word, a system, --word WORD and --letters "
                                  "FILE, found several");
     if (!options.what.empty() && is_system(options.what)) return words_of_system(options, budget);
+    if (options.say)
+        throw Error("--say is for the infinite word of a system, and one finite word is given");
     if (options.to)
         throw Error("--to is for the factors of a system, and one word has finitely many");
     const Letters found = options.file.empty()
@@ -147,7 +171,9 @@ void add_words(Verbs& verbs) {
     auto [verb, options] = verbs.add(
         "words", "Combinatorics on words: of one word, or of the factors of a D0L system",
         {"algae words abaab", "algae words fibonacci --to 40",
-         "algae words --word wall --order 'w a l'", "algae words --letters genome.txt --json"},
+         "algae words --word wall --order 'w a l'", "algae words --letters genome.txt --json",
+         "algae words thue-morse --say 'for some i, n with n >= 1: for all k <= n: T[i+k] = "
+         "T[i+n+k]'"},
         words);
     verb.option("WHAT", options.what, "FILE|NAME",
                 "a word; or a system: a file, - for standard input, or a name from the gallery");
@@ -160,6 +186,9 @@ void add_words(Verbs& verbs) {
                 "(default: of code points)");
     verb.option("--to", options.to, natural, "N",
                 "of a system: factors of at most N letters (default 24)");
+    verb.option("--say", options.say, given_word, "STATEMENT",
+                "decides a first-order statement about the infinite word T of a system; exit 1 if "
+                "it is refuted");
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }

@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "automatic/automatic.hpp"
 #include "combinatorics/combinatorics.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
@@ -182,6 +183,17 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
 
 std::string to_text(const FactorValues& report);
 Json to_json(const FactorValues& report);
+
+/// What a first-order statement about the infinite word of a system is: true, false, or true for some numbers.
+struct FirstOrderReport {
+    std::string statement, system;  // as written; the name
+    AutomaticWord word;
+    std::vector<std::string> free;  // variables that no quantifier binds
+    FirstOrderAnswer answer;
+};
+
+std::string to_text(const FirstOrderReport& report);
+Json to_json(const FirstOrderReport& report);
 
 /// The dimension of a figure, exact from the rules and measured by boxes.
 struct DimensionReport {

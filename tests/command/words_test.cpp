@@ -101,3 +101,30 @@ TEST_CASE("words of a system with a coding are those after it") {
               .out.find("the infinite word that all words begin, after the coding\n") !=
           std::string::npos);
 }
+
+TEST_CASE("words decides first-order statements") {
+    const Run overlap = run(
+        "words thue-morse --say 'for some i, n with n >= 1: for all k <= n: T[i+k] = T[i+n+k]'");
+    CHECK(overlap.status == 1);
+    CHECK(overlap.out.find("verdict                 refuted\n") != std::string::npos);
+    const Run cube =
+        run("words 'a -> ab, b -> a' --json --say 'for some i, n with n >= 1: for all k < 2n: "
+            "T[i+k] = T[i+n+k]'");
+    CHECK(cube.status == 0);
+    const auto json = nlohmann::json::parse(cube.out);
+    CHECK(json["verdict"] == "proved");
+    CHECK(json["witness"] == nlohmann::json::parse(R"({"i": 5, "n": 3})"));
+    const auto orders = nlohmann::json::parse(
+        run("words paperfolding --json --say 'n >= 1 and for some i: equal(i, i+n, n)'").out);
+    CHECK(orders["verdict"].is_null());
+    // Allouche and Bousquet-Melou 1995.
+    CHECK(orders["members"] == nlohmann::json::parse("[[1], [3], [5]]"));
+    CHECK(orders["automaton"]["base"] == 2);
+    const Run wrong = run("words thue-morse --say 'T[i] < 1'");
+    CHECK(wrong.status == 2);
+    CHECK(wrong.err ==
+          "statement:1:6: error: expected '=' or '!=' between letters, found '<'\n  T[i] < 1\n     "
+          "  ^\n");
+    CHECK(run("words abaab --say '0 = 0'").err ==
+          "algae: --say is for the infinite word of a system, and one finite word is given\n");
+}

@@ -1,0 +1,149 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "system/system.hpp"
+#include "word/word.hpp"
+
+// automatic: first-order statements about the infinite word of a substitution, decided by automata.
+//
+// Positions are written in the numeration of Dumont and Thomas (Systemes de numeration et fonctions fractales relatifs aux substitutions,
+// Theoretical Computer Science 65, 1989) of the substitution itself, in which the word is automatic whatever the substitution. Where addition
+// is regular there too, the truth of statements with +, <, quantifiers and letters of the word is decidable (Buchi; Bruyere, Hansel,
+// Michaux and Villemaire, Logic and p-recognizable sets of integers, 1994): each formula becomes an automaton that reads all its variables at
+// once, greatest digits first. It is regular where the lengths of the images follow a recurrence whose polynomial is X^k times the minimal
+// polynomial of a Pisot number (Carton, Couvreur, Delacourt and Ollinger, Linear recurrence sequence automata and the addition of abstract
+// numeration systems, 2024). Each automaton of a linear equation is checked to give a sum to all numbers before it is used.
+
+namespace algae {
+
+/// The numeration of Dumont and Thomas of a substitution h with h(a) = a x: a number n is the path to the letter at position n of the
+/// infinite word h^omega(a); the digit d under a letter b skips d letters of h(b) and goes down into the next one. States are letters, 0 is a.
+class Numeration {
+public:
+    /// Of the infinite word that all words of the system from some one on begin: its first letter a is the one that the first letters of the
+    /// words come to. Throws Error that names the condition where there is none: letters vanish, first letters go round in a
+    /// circle, or the word does not grow.
+    explicit Numeration(const D0L& system);
+
+    /// The letters of the word, a first; states are their numbers here.
+    const std::vector<Symbol>& letters() const { return letters_; }
+    /// Digits are 0 up to one less: the length of the longest image.
+    std::uint32_t base() const { return base_; }
+    /// The letters of the image of a state, as states.
+    const std::vector<std::uint32_t>& image(std::uint32_t state) const { return images_[state]; }
+
+    /// The digits of a number, greatest first, without zeros before them; none of 0.
+    ///
+    /// Throws Error if n is negative. O(digits) of big-number steps.
+    std::vector<std::uint32_t> digits(const Integer& n) const;
+    /// The number of digits that are a path; nothing if they are none.
+    std::optional<Integer> value(const std::vector<std::uint32_t>& digits) const;
+    /// The letter at a position: where its digits end.
+    Symbol letter(const Integer& n) const;
+
+private:
+    const Integer& length(std::uint32_t state, std::size_t power) const;
+
+    std::vector<Symbol> letters_;
+    std::vector<std::vector<std::uint32_t>> images_;
+    std::uint32_t base_ = 1;
+    mutable std::vector<std::vector<Integer>>
+        lengths_;  // of h^i of each state, as far as they were needed
+};
+
+/// A set of tuples of numbers whose digits, read all at once and greatest first, an automaton accepts. It is the minimal one among those without a
+/// state from which nothing is accepted, so a transition may be missing; zeros before the digits change nothing. State 0 is the first one.
+struct AutomaticRelation {
+    struct Edge {
+        std::uint32_t column;  // digit of variable i times base^i, summed
+        std::uint32_t target;
+        bool operator==(const Edge&) const = default;
+    };
+    std::vector<std::string> variables;  // in increasing order
+    std::vector<std::uint32_t> first;    // edges of state s are first[s] up to first[s + 1]
+    std::vector<Edge> edges;             // of each state by column
+    std::vector<char> accepting;         // by state
+
+    std::size_t states() const { return accepting.size(); }
+    /// Whether no tuple is in it.
+    bool empty() const;
+    bool operator==(const AutomaticRelation&) const = default;
+};
+
+/// An infinite word under a letter-to-letter coding, and what the letters are called.
+struct AutomaticWord {
+    Numeration numeration;
+    std::vector<std::string> letters;  // by state of the numeration: the name of its image
+};
+
+/// The word of a system; `coded` gives the name of what stands for a letter.
+AutomaticWord automatic_word(const D0L& system, const std::function<std::string(Symbol)>& coded);
+
+/// A first-order statement, read.
+class FirstOrderStatement;
+struct FirstOrderNode;
+
+/// Reads a statement such as `for all i, n with n >= 1: not (for all k < n: T[i+k] = T[i+n+k])`.
+///
+/// Variables are numbers 0, 1, ...; terms are linear, with + - and multiples; `T[term]` is a letter of the word, compared with another or with the
+/// name of a letter; comparisons may be chained. `for all x, y with CONDITION:` and `for some`, `there is`; `not`, `and`, `or`,
+/// `implies`, `iff` in this order of binding; `equal(i, j, n)` says that the factors of n letters at i and at j are equal, and `palindrome(i, n)`
+/// that the one at i is a palindrome. `word` is the name of the word, `letters` are those it may have. Throws Diagnostics.
+FirstOrderStatement read_first_order(std::string_view text, const std::string& name,
+                                     const std::string& word,
+                                     const std::vector<std::string>& letters);
+
+class FirstOrderStatement {
+public:
+    explicit FirstOrderStatement(std::shared_ptr<const FirstOrderNode> root)
+        : root_(std::move(root)) {}
+    const FirstOrderNode& root() const { return *root_; }
+    /// The variables that no quantifier binds, in increasing order.
+    const std::vector<std::string>& free() const { return free_; }
+
+private:
+    friend FirstOrderStatement read_first_order(std::string_view, const std::string&,
+                                                const std::string&,
+                                                const std::vector<std::string>&);
+    std::shared_ptr<const FirstOrderNode> root_;
+    std::vector<std::string> free_;
+};
+
+/// What was decided.
+struct FirstOrderAnswer {
+    AutomaticRelation
+        relation;        // over the free variables: all tuples for which the statement holds
+    bool holds = false;  // where there are no free variables
+    /// Of a statement that begins with `for some` and holds: numbers for which it does. Of one that begins with `for all` and does not hold: numbers
+    /// for which it does not. Those with the fewest digits.
+    std::vector<std::pair<std::string, Integer>> witness;
+    std::size_t largest = 0;  // states of the largest automaton on the way
+};
+
+/// Decides a statement about a word.
+///
+/// The time is not elementary in the number of changes of quantifiers, and mostly short. Throws Error where addition is not known to be regular in
+/// the numeration of the word, BoundReached at the end of the time or memory.
+FirstOrderAnswer decide_first_order(const FirstOrderStatement& statement, const AutomaticWord& word,
+                                    const Budget& budget,
+                                    const std::function<void(std::size_t states)>& progress = {});
+
+/// Whether a tuple, numbers from 0 on in the order of the variables, is in a relation. O(digits).
+bool contains(const AutomaticRelation& relation, const Numeration& numeration,
+              const std::vector<Integer>& numbers);
+
+/// The tuples of a relation with numbers of at most so many digits, at most `most` of them, in order of length, then of digits.
+std::vector<std::vector<Integer>> members(const AutomaticRelation& relation,
+                                          const Numeration& numeration, std::size_t most);
+
+}  // namespace algae

@@ -1,0 +1,424 @@
+// First-order statements about infinite words: numerations against words written out, answers against evaluation of the formulas on
+// prefixes, known results of the literature.
+
+#include <doctest/doctest.h>
+#include <rapidcheck.h>
+
+#include <functional>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "automatic/automatic.hpp"
+#include "exact/exact.hpp"
+#include "system/system.hpp"
+
+using namespace algae;
+
+namespace {
+
+using Rules = std::vector<std::pair<char, std::string>>;
+
+D0L system_of(const Rules& rules) {
+    std::string letters;
+    for (const auto& [letter, image] : rules) letters += letter;
+    const auto alphabet = std::make_shared<Alphabet>();
+    for (const char letter : letters) alphabet->symbol(std::string(1, letter));
+    std::vector<Word> images;
+    for (const auto& [letter, image] : rules) {
+        images.emplace_back();
+        for (const char c : image) images.back().push_back(alphabet->symbol(std::string(1, c)));
+    }
+    return make_d0l(alphabet, {0}, std::move(images), "written");
+}
+
+struct KnownWord {
+    const char* name;
+    Rules rules;
+    std::map<char, char> coding = {};
+
+    AutomaticWord word() const {
+        const D0L system = system_of(rules);
+        return automatic_word(system, [&](Symbol letter) {
+            const char written = system.alphabet->name(letter)[0];
+            return std::string(1, coding.empty() ? written : coding.at(written));
+        });
+    }
+    /// The first letters, by writing images of letters one after the other.
+    std::string prefix(std::size_t length) const {
+        const auto image = [&](char letter) {
+            for (const auto& [left, right] : rules)
+                if (left == letter) return right;
+            return std::string();
+        };
+        std::string all(1, rules.front().first);
+        for (std::size_t i = 0; all.size() < length; ++i)
+            all += i == 0 ? image(all[0]).substr(1) : image(all[i]);
+        for (char& letter : all)
+            if (!coding.empty()) letter = coding.at(letter);
+        return all;
+    }
+};
+
+const std::vector<KnownWord>& words() {
+    static const std::vector<KnownWord> all{
+        {"Thue-Morse", {{'a', "ab"}, {'b', "ba"}}},
+        {"Fibonacci", {{'a', "ab"}, {'b', "a"}}},
+        {"Tribonacci", {{'a', "ab"}, {'b', "ac"}, {'c', "a"}}},
+        {"Rudin-Shapiro",
+         {{'a', "ab"}, {'b', "ac"}, {'c', "db"}, {'d', "dc"}},
+         {{'a', '0'}, {'b', '0'}, {'c', '1'}, {'d', '1'}}},
+        {"Stewart", {{'a', "aab"}, {'b', "abb"}}},
+        {"Pell", {{'a', "aab"}, {'b', "a"}}},
+        {"Narayana", {{'a', "ab"}, {'b', "c"}, {'c', "a"}}},
+        {"flipped Tribonacci", {{'a', "ab"}, {'b', "ca"}, {'c', "a"}}},
+        {"not primitive", {{'a', "aba"}, {'b', "bbb"}}},
+        {"eigenvalue 0", {{'a', "abc"}, {'b', "ac"}, {'c', "b"}}},
+        {"Sturmian", {{'a', "aabab"}, {'b', "aab"}}},
+        {"period doubling", {{'a', "ab"}, {'b', "aa"}}},
+    };
+    return all;
+}
+
+FirstOrderAnswer answer(const AutomaticWord& word, const std::string& text) {
+    return decide_first_order(read_first_order(text, "statement", "T", word.letters), word,
+                              Budget());
+}
+
+bool holds(const char* name, const std::string& text) {
+    for (const KnownWord& one : words())
+        if (std::string(one.name) == name) return answer(one.word(), text).holds;
+    FAIL(name);
+    return false;
+}
+
+/// A random statement whose quantifiers are bounded, as text and as what it says of a prefix.
+struct Formula {
+    using Values = std::map<std::string, int>;
+    std::string text;
+    std::function<bool(const Values&)> says;
+};
+
+struct Term {
+    std::string text;
+    std::function<int(const Formula::Values&)> value;
+};
+
+Term random_term(const std::vector<std::string>& names) {
+    Term sum{"", [](const Formula::Values&) { return 0; }};
+    const int parts = *rc::gen::inRange(1, 3);
+    for (int part = 0; part < parts; ++part) {
+        const auto before = sum.value;
+        const int times = *rc::gen::element(1, 1, 1, 2, 3);
+        if (*rc::gen::inRange(0, 4) == 0) {
+            sum.text += (part ? " + " : "") + std::to_string(times);
+            sum.value = [=](const Formula::Values& v) { return before(v) + times; };
+        } else {
+            const std::string name = *rc::gen::elementOf(names);
+            sum.text += (part ? " + " : "") + (times == 1 ? "" : std::to_string(times)) + name;
+            sum.value = [=](const Formula::Values& v) { return before(v) + times * v.at(name); };
+        }
+    }
+    return sum;
+}
+
+Formula random_formula(const std::string& prefix, std::vector<std::string> names, int depth) {
+    const int kind = *rc::gen::inRange(0, depth == 0 ? 5 : 12);
+    if (kind <= 1) {  // letters
+        const Term one = random_term(names), other = random_term(names);
+        const bool same = *rc::gen::arbitrary<bool>();
+        return {"T[" + one.text + "] " + (same ? "=" : "!=") + " T[" + other.text + "]",
+                [=](const Formula::Values& v) {
+                    return (prefix.at(static_cast<std::size_t>(one.value(v))) ==
+                            prefix.at(static_cast<std::size_t>(other.value(v)))) == same;
+                }};
+    }
+    if (kind == 2) {
+        const Term one = random_term(names);
+        const char letter = prefix[static_cast<std::size_t>(*rc::gen::inRange(0, 40))];
+        return {"T[" + one.text + "] = " + letter, [=](const Formula::Values& v) {
+                    return prefix.at(static_cast<std::size_t>(one.value(v))) == letter;
+                }};
+    }
+    if (kind <= 4) {
+        const Term one = random_term(names), other = random_term(names), less = random_term(names);
+        const int sign = *rc::gen::inRange(0, 6);
+        const char* const signs[] = {"<", "<=", ">", ">=", "=", "!="};
+        const bool with_difference = *rc::gen::inRange(0, 4) == 0;
+        return {one.text + (with_difference ? " - (" + less.text + ")" : "") + " " + signs[sign] +
+                    " " + other.text,
+                [=](const Formula::Values& v) {
+                    const int l = one.value(v) - (with_difference ? less.value(v) : 0),
+                              r = other.value(v);
+                    switch (sign) {
+                        case 0:
+                            return l < r;
+                        case 1:
+                            return l <= r;
+                        case 2:
+                            return l > r;
+                        case 3:
+                            return l >= r;
+                        case 4:
+                            return l == r;
+                        default:
+                            return l != r;
+                    }
+                }};
+    }
+    if (kind == 5) {
+        const Formula inner = random_formula(prefix, names, depth - 1);
+        return {"not (" + inner.text + ")",
+                [=](const Formula::Values& v) { return !inner.says(v); }};
+    }
+    if (kind <= 8) {
+        const Formula one = random_formula(prefix, names, depth - 1),
+                      other = random_formula(prefix, names, depth - 1);
+        const int which = *rc::gen::inRange(0, 4);
+        const char* const signs[] = {"and", "or", "implies", "iff"};
+        return {"(" + one.text + ") " + signs[which] + " (" + other.text + ")",
+                [=](const Formula::Values& v) {
+                    const bool l = one.says(v), r = other.says(v);
+                    switch (which) {
+                        case 0:
+                            return l && r;
+                        case 1:
+                            return l || r;
+                        case 2:
+                            return !l || r;
+                        default:
+                            return l == r;
+                    }
+                }};
+    }
+    const std::string of = *rc::gen::elementOf(names);
+    const int more = *rc::gen::inRange(0, 3);
+    const Term bound{of + " + " + std::to_string(more),
+                     [=](const Formula::Values& v) { return v.at(of) + more; }};
+    const std::string name = "k" + std::to_string(depth);
+    const bool all = *rc::gen::arbitrary<bool>();
+    names.push_back(name);
+    const Formula inner = random_formula(prefix, names, depth - 1);
+    return {
+        std::string(all ? "for all " : "for some ") + name + " < " + bound.text + ": " + inner.text,
+        [=](const Formula::Values& v) {
+            Formula::Values values = v;
+            for (values[name] = 0; values[name] < bound.value(v); ++values[name])
+                if (inner.says(values) != all) return !all;
+            return all;
+        }};
+}
+
+}  // namespace
+
+TEST_CASE("numbers of the numeration of Dumont and Thomas are those of the letters of the word") {
+    std::size_t numbers = 0;
+    for (const KnownWord& one : words()) {
+        CAPTURE(one.name);
+        const AutomaticWord word = one.word();
+        const std::string prefix = one.prefix(600);
+        std::vector<std::uint32_t> before;
+        for (int n = 0; n < 600; ++n) {
+            const auto digits = word.numeration.digits(n);
+            REQUIRE(word.numeration.value(digits) == Integer(n));
+            REQUIRE((digits.empty() || digits.front() != 0));
+            if (n > 0) REQUIRE((digits.size() > before.size() || digits > before));  // radix order
+            before = digits;
+            std::uint32_t state = 0;
+            for (const std::uint32_t digit : digits) state = word.numeration.image(state)[digit];
+            REQUIRE(word.letters[state] == std::string(1, prefix[static_cast<std::size_t>(n)]));
+            ++numbers;
+        }
+    }
+    CHECK(numbers == 600 * words().size());
+    const Numeration fibonacci(system_of({{'a', "ab"}, {'b', "a"}}));
+    CHECK(fibonacci.value({1, 1}) == std::nullopt);  // no two ones follow each other
+    const Integer far = power(Integer(10), 60);
+    CHECK(fibonacci.value(fibonacci.digits(far)) == far);
+}
+
+TEST_CASE("statements with bounded quantifiers say of numbers what prefixes say") {
+    std::size_t formulas = 0, large = 0, tuples = 0, true_ones = 0;
+    const std::vector<std::string> names{"i", "n"};
+    for (const KnownWord& one : words()) {
+        CAPTURE(one.name);
+        const AutomaticWord word = one.word();
+        const std::string prefix = one.prefix(100'000);
+        CHECK(rc::check("formulas", [&] {
+            const Formula formula = random_formula(prefix, names, *rc::gen::inRange(0, 4));
+            RC_LOG(formula.text);
+            const FirstOrderStatement statement =
+                read_first_order(formula.text, "random", "T", word.letters);
+            Budget small;  // some statements have large automata
+            small.memory = 16 << 20;
+            FirstOrderAnswer found;
+            try {
+                found = decide_first_order(statement, word, small);
+            } catch (const BoundReached&) {
+                ++large;
+                return;
+            }
+            for (int i = 0; i < 8; ++i)
+                for (int n = 0; n < 8; ++n) {
+                    std::vector<Integer> numbers;
+                    for (const std::string& name : statement.free())
+                        numbers.emplace_back(name == "i" ? i : n);
+                    const bool said = formula.says({{"i", i}, {"n", n}});
+                    RC_ASSERT(contains(found.relation, word.numeration, numbers) == said);
+                    ++tuples;
+                    true_ones += said;
+                }
+            ++formulas;
+        }));
+    }
+    MESSAGE(formulas << " formulas, " << large << " with large automata left out, " << tuples
+                     << " tuples, " << true_ones << " of them hold");
+    CHECK(formulas + large == 100 * words().size());
+    CHECK(formulas >= 90 * words().size());
+    CHECK(true_ones > tuples / 10);
+    CHECK(true_ones < tuples - tuples / 10);
+}
+
+TEST_CASE("known results on repetitions, reversal and recurrence") {
+    const auto power = [](int times) {
+        return "for some i, n with n >= 1: for all k < " + std::to_string(times - 1) +
+               "*n: T[i+k] = T[i+n+k]";
+    };
+    const std::string
+        overlap = "for some i, n with n >= 1: for all k <= n: T[i+k] = T[i+n+k]",
+        reversed =
+            "for all i, n: for some j: for all u, v with u >= i and u < i+n and u+v+1 = "
+            "i+j+n: T[u] = T[v]",
+        squares = "for all m: for some i, n with n > m: equal(i, i+n, n)",
+        rich =
+            "for all n with n >= 1: for some m with m >= 1 and m <= n: "
+            "(for some i with i + m = n: palindrome(i, m)) and not (for some j with j + m < n: "
+            "for all i with i + m = n: equal(i, j, m))";
+    CHECK(!holds("Thue-Morse", overlap));  // Thue 1912
+    CHECK(holds("Thue-Morse", squares));
+    CHECK(holds("Thue-Morse", "for all i, n: for some j: for all k < n: T[i+k] != T[j+k]"));
+    CHECK(!holds("Thue-Morse", "for some m, p with p >= 1: for all u with u >= m: T[u] = T[u+p]"));
+    CHECK(holds("Thue-Morse",
+                "for all i, j, n with n >= 1: for some k with j <= k <= j+9n: equal(i, k, n)"));
+    CHECK(holds("Rudin-Shapiro", power(4)));
+    CHECK(!holds("Rudin-Shapiro", power(5)));
+    CHECK(!holds("Stewart", power(3)));
+    CHECK(!holds("Stewart", reversed));  // Noche 2008
+    CHECK(holds("Fibonacci", power(3)));
+    CHECK(!holds("Fibonacci", power(4)));  // Karhumaki 1983
+    CHECK(holds("Fibonacci", reversed));
+    CHECK(holds("Fibonacci", rich));      // Droubay, Justin and Pirillo 2001
+    CHECK(holds("Tribonacci", squares));  // Mousavi and Shallit 2014
+    CHECK(holds("Tribonacci", power(2)));
+    CHECK(!holds("Narayana", power(3)));
+    CHECK(holds("Narayana", power(2)));
+    CHECK(holds("Pell", power(4)));
+    CHECK(!holds("Pell", power(5)));
+    const AutomaticWord thue = words()[0].word();
+    // The orders of squares in the Thue-Morse word are 2^k and 3 2^k (Pansiot 1981; Brlek 1989).
+    const FirstOrderAnswer orders = answer(thue, "n >= 1 and for some i: equal(i, i+n, n)");
+    std::vector<std::vector<Integer>> wanted;
+    for (const int n : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32}) wanted.push_back({n});
+    CHECK(members(orders.relation, thue.numeration, 10) == wanted);
+}
+
+TEST_CASE("what makes a statement true or false is told") {
+    const AutomaticWord fibonacci = words()[1].word();
+    const auto cube =
+        answer(fibonacci, "for some i, n with n >= 1: for all k < 2n: T[i+k] = T[i+n+k]");
+    CHECK(cube.holds);
+    REQUIRE(cube.witness.size() == 2);
+    std::map<std::string, std::size_t> at;
+    for (const auto& [name, value] : cube.witness)
+        at[name] = static_cast<std::size_t>(value.to_int64());
+    const std::string prefix = words()[1].prefix(10'000);
+    for (std::size_t k = 0; k < 2 * at["n"]; ++k)
+        CHECK(prefix[at["i"] + k] == prefix[at["i"] + at["n"] + k]);
+    const auto no = answer(fibonacci, "for all i: T[i] = a or T[i+1] = b");
+    CHECK(!no.holds);
+    REQUIRE(no.witness.size() == 1);
+    const auto i = static_cast<std::size_t>(no.witness[0].second.to_int64());
+    CHECK(prefix.substr(i, 2) == "ba");
+}
+
+TEST_CASE("words without a numeration or without addition are refused by name") {
+    const auto refused = [](const Rules& rules, const std::string& statement) {
+        try {
+            const AutomaticWord word = KnownWord{"", rules, {}}.word();
+            answer(word, statement);
+        } catch (const Error& error) {
+            return std::string(error.what());
+        }
+        return std::string("nothing");
+    };
+    CHECK(refused({{'a', "abc"}, {'b', ""}, {'c', "a"}}, "0 = 0") ==
+          "written: no infinite word with a numeration of its own: 'b' vanishes; an equivalent "
+          "system without "
+          "erasing rules has one");
+    CHECK(refused({{'a', "b"}, {'b', "ab"}}, "0 = 0") ==
+          "written: no infinite word with a numeration of its own: the first letters of the words "
+          "go round, 'a' among them");
+    CHECK(refused({{'a', "a"}}, "0 = 0") ==
+          "written: no infinite word with a numeration of its own: its words begin with 'a', which "
+          "stays as it is");
+    const std::string chacon = refused({{'a', "abbb"}, {'b', "a"}}, "for all i: T[i + i] = b");
+    CHECK(chacon.find(
+              "addition is not known to be regular in the numeration of this word: the lengths of "
+              "its images "
+              "follow the recurrence of x^2 - x - 3, whose roots are not one Pisot number") == 0);
+    // Without sums there is an answer even there.
+    CHECK(answer(KnownWord{"", {{'a', "abbb"}, {'b', "a"}}, {}}.word(),
+                 "for all i: for some j with j > i: T[j] = b")
+              .holds);
+}
+
+TEST_CASE("errors in statements name the place and what could stand there") {
+    const std::vector<std::string> letters{"a", "b"};
+    const auto message = [&](const std::string& text) {
+        try {
+            read_first_order(text, "statement", "T", letters);
+        } catch (const Diagnostics& found) {
+            const Diagnostic& one = found.findings().front();
+            return std::to_string(one.place.column) + ": " + one.message;
+        }
+        return std::string("nothing");
+    };
+    CHECK(message("for all i: T[i]") == "16: expected a comparison: = != < <= > >=, found the end");
+    CHECK(message("T[i - n] = a") ==
+          "1: expected a position without differences, which may be below 0; say it by another "
+          "variable: for some j "
+          "with j + n = i: ... T[j]");
+    CHECK(message("i * n = 3") ==
+          "5: expected a number: products of variables are not linear, and truth is not decidable "
+          "with them");
+    CHECK(message("T[i] = c") == "8: expected a letter of the word, a or b, found 'c'");
+    CHECK(message("T[i] < a") == "6: expected '=' or '!=' between letters, found '<'");
+    CHECK(message("for all T: 0 = 0") == "9: expected a variable, 'T' is the word");
+    CHECK(message("for all i, n >= 1: 0 = 0") ==
+          "14: expected 'with' before the condition of several variables");
+    CHECK(message("W[i] = a") == "1: expected the word T, found 'W'");
+    CHECK(message("i = 1 and") == "10: expected a number, a variable or T[...], found the end");
+    CHECK(message("(i = 1") == "7: expected ')' behind the statement, found the end");
+    CHECK(message("i = 1 i = 2") ==
+          "7: expected 'and', 'or', 'implies', 'iff' or the end, found 'i'");
+    CHECK(message("T + 1 = 2") == "3: expected '[' and a position behind the word T, found '+'");
+    CHECK(message(std::string(1000, '(') + "0 = 0").find("nested more than 200 deep") !=
+          std::string::npos);
+    CHECK(message("equal(i, j) = 1").find("expected ',' between the terms, found ')'") !=
+          std::string::npos);
+    CHECK(message("T[i] = 'a' and T[0] != b and 'b' = T[2i+1]") == "nothing");
+}
+
+TEST_CASE("bounds of memory and time end a decision") {
+    const AutomaticWord tribonacci = words()[2].word();
+    Budget small;
+    small.memory = 1 << 20;
+    const auto statement = read_first_order(
+        "for all i, n: for some j: for all u, v with u >= i and u < i+n and u+v+1 = i+j+n: T[u] = "
+        "T[v]",
+        "statement", "T", tribonacci.letters);
+    CHECK_THROWS_AS(decide_first_order(statement, tribonacci, small), BoundReached);
+    Budget short_time;
+    short_time.deadline = std::chrono::steady_clock::now();
+    CHECK_THROWS_AS(decide_first_order(statement, tribonacci, short_time), BoundReached);
+}

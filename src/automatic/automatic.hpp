@@ -138,6 +138,57 @@ FirstOrderAnswer decide_first_order(const FirstOrderStatement& statement, const 
                                     const Budget& budget,
                                     const std::function<void(std::size_t states)>& progress = {});
 
+/// A sequence of integers by matrices: the value at n is begin times the matrices of the digits of n, greatest first, times end. Digits that are
+/// no path give anything.
+struct LinearRepresentation {
+    std::vector<Integer> begin, end;
+    std::vector<std::vector<std::vector<Integer>>> matrices;  // by digit, row, column
+
+    std::size_t size() const { return begin.size(); }
+    /// The value at n. O(digits size^2) big-number steps.
+    Integer value(const Numeration& numeration, const Integer& n) const;
+};
+
+/// How many numbers make a tuple with n, for each n: of a relation of two variables, of which `n` names one. For each n there have to
+/// be finitely many. Throws Error otherwise, or if the relation has other variables.
+LinearRepresentation counts(const AutomaticRelation& relation, const std::string& n,
+                            const Numeration& numeration);
+
+/// The sum of representations, each times a number.
+LinearRepresentation combination(
+    const std::vector<std::pair<Integer, LinearRepresentation>>& parts);
+
+/// The values of a sequence that has finitely many, each with the set of numbers n where it is taken; nothing if more than `most` vectors come.
+std::optional<std::vector<std::pair<Integer, AutomaticRelation>>> value_sets(
+    const LinearRepresentation& sequence, const Numeration& numeration, std::size_t most,
+    const Budget& budget);
+
+/// What is proved of a complexity of the word, for all lengths n: the number of its different factors of n letters, or of its palindromes among
+/// them.
+struct ComplexityProof {
+    LinearRepresentation sequence;
+    /// For n >= from: slope n + constant.
+    struct Linear {
+        Integer slope, constant, from;
+    };
+    std::optional<Linear> linear;
+    /// For n >= from: values[n mod period].
+    struct Periodic {
+        std::vector<Integer> values;
+        Integer from;
+    };
+    std::optional<Periodic> periodic;
+    /// The values that a(n + 1) - a(n) takes, if they are finitely many.
+    std::vector<Integer> differences;
+};
+
+/// Of all factors, or of palindromes. Throws as `decide_first_order`.
+///
+/// The factors of n letters are counted where they occur first (Charlier, Rampersad and Shallit, Enumeration and decidable properties of automatic
+/// sequences, 2012).
+ComplexityProof factor_complexity_proof(const AutomaticWord& word, bool palindromes,
+                                        const Budget& budget);
+
 /// Whether a tuple, numbers from 0 on in the order of the variables, is in a relation. O(digits).
 bool contains(const AutomaticRelation& relation, const Numeration& numeration,
               const std::vector<Integer>& numbers);

@@ -163,23 +163,46 @@ private:
         add(evaluate(node, negated), block);
     }
 
+    static LinearTerm term(std::map<std::string, Integer> coefficients, int constant) {
+        return LinearTerm{std::move(coefficients), constant};
+    }
+
+    /// Factors of n letters at i and j that differ: at a distance d from each other, some letter u of the first of them differs from that at u + d.
+    AutomaticRelation unequal() {
+        Block apart;
+        apart.bound = {"u", "v"};
+        apart.below = {term({{"i", 1}, {"u", -1}}, -1), term({{"u", 1}, {"i", -1}, {"n", -1}}, 0)};
+        apart.equations = {term({{"u", 1}, {"d", 1}, {"v", -1}}, 0)};
+        add(relations_.same_letter("u", "v", false), apart);
+        const AutomaticRelation differing = solved(std::move(apart), {});
+        const auto placed = [&](const char* first, const char* second) {
+            return relations_.without(
+                relations_.both(
+                    relations_.renamed(differing, {{"i", first}, {"d", "d"}, {"n", "n"}}),
+                    relations_.sum({{first, 1}, {"d", 1}}, 0, second)),
+                {"d"});
+        };
+        return relations_.either(placed("i", "j"), placed("j", "i"));
+    }
+
+    /// Factors of n letters at i that are no palindromes: letters u and s - u differ, for s = 2i + n - 1.
+    AutomaticRelation no_palindrome() {
+        Block mirrored;
+        mirrored.bound = {"u", "v"};
+        mirrored.below = {term({{"i", 1}, {"u", -1}}, -1), term({{"i", 1}, {"v", -1}}, -1)};
+        mirrored.equations = {term({{"u", 1}, {"v", 1}, {"s", -1}}, 0)};
+        add(relations_.same_letter("u", "v", false), mirrored);
+        const AutomaticRelation differing = solved(std::move(mirrored), {});
+        return relations_.without(
+            relations_.both(differing, relations_.equation({{"i", 2}, {"n", 1}, {"s", -1}}, -1)),
+            {"s"});
+    }
+
     /// The relation of equal factors, or of palindromes, of variables.
     AutomaticRelation predicate(const FirstOrderNode& node, bool negated, Block& block) {
         auto& known = node.kind == Kind::equal ? equal_ : palindrome_;
         if (!known) {
-            // Equal: not for some u, v with i <= u < i + n and u + j = v + i: T[u] != T[v]. A palindrome: u + v + 1 = 2i + n.
-            const auto term = [](std::map<std::string, Integer> coefficients, int constant) {
-                return LinearTerm{std::move(coefficients), constant};
-            };
-            Block differing;
-            differing.bound = {"u", "v"};
-            differing.below = {term({{"i", 1}, {"u", -1}}, -1),
-                               term({{"u", 1}, {"i", -1}, {"n", -1}}, 0)};
-            differing.equations = {node.kind == Kind::equal
-                                       ? term({{"u", 1}, {"j", 1}, {"v", -1}, {"i", -1}}, 0)
-                                       : term({{"u", 1}, {"v", 1}, {"i", -2}, {"n", -1}}, 1)};
-            add(relations_.same_letter("u", "v", false), differing);
-            known = relations_.complement(solved(std::move(differing), {}));
+            known = relations_.complement(node.kind == Kind::equal ? unequal() : no_palindrome());
         }
         static const std::vector<std::string> places{"i", "j", "n"}, of_palindrome{"i", "n"};
         const auto& from = node.kind == Kind::equal ? places : of_palindrome;
@@ -280,8 +303,44 @@ private:
         return false;
     }
 
+    /// Gives the sums that are compared names of their own, so that what they are compared with can go before them.
+    void name_sums(Block& block) {
+        std::map<std::pair<std::map<std::string, Integer>, Integer>, std::string> named;
+        for (LinearTerm& term : block.below) {
+            LinearTerm left, right;
+            for (const auto& [name, times] : term.coefficients) {
+                if (times > 0) left.coefficients[name] = times;
+                if (times < 0) right.coefficients[name] = -times;
+            }
+            // A difference with 1 says < or <=, as it is; other constants belong to their side.
+            if (term.constant > 0) left.constant = term.constant;
+            if (term.constant < -1) right.constant = -term.constant - Integer(1);
+            LinearTerm compared;
+            compared.constant = term.constant < 0 ? Integer(-1) : Integer(0);
+            for (const auto& [side, sign] : {std::pair(&left, 1), {&right, -1}}) {
+                if (side->variable() || side->coefficients.empty()) {
+                    compared.add(*side, sign);
+                    continue;
+                }
+                std::string& name = named[{side->coefficients, side->constant}];
+                if (name.empty()) {
+                    name = relations_.fresh();
+                    LinearTerm equation = *side;
+                    equation.coefficients[name] = -1;
+                    block.equations.push_back(equation);
+                    block.bound.insert(name);
+                }
+                LinearTerm variable;
+                variable.coefficients[name] = 1;
+                compared.add(variable, sign);
+            }
+            term = compared;
+        }
+    }
+
     AutomaticRelation solved(Block block, const std::set<std::string>& shown) {
         while (eliminate(block, shown)) continue;
+        if (block.bound.size() > 0) name_sums(block);
         std::vector<AutomaticRelation> relations = std::move(block.relations);
         const auto add_new = [&](AutomaticRelation one) {
             if (std::ranges::count(relations, one) == 0) relations.push_back(std::move(one));

@@ -25,7 +25,7 @@ struct WordsOptions {
     std::optional<std::string> word, say;
     std::vector<std::string> order;
     std::optional<std::uint64_t> to;
-    bool json = false;
+    bool prove = false, json = false;
     Bounds bounds;
 };
 
@@ -107,15 +107,43 @@ bool is_system(const std::string& what) {
            std::ranges::count(names, what) > 0 || what.find("->") != std::string::npos;
 }
 
-/// Decides --say.
-int decide(const WordsOptions& options, const Model& model, const D0L& rules,
-           const Budget& budget) {
+/// The infinite word of a system, after its coding.
+AutomaticWord word_of(const Model& model, const D0L& rules) {
     std::optional<LetterCoding> coding;
     if (!model.coding.empty()) coding.emplace(model.alphabet, model.coding);
-    const AutomaticWord word = automatic_word(rules, [&](Symbol letter) {
+    return automatic_word(rules, [&](Symbol letter) {
         return coding ? coding->alphabet.name(coding->morphism[letter].front())
                       : model.alphabet.name(letter);
     });
+}
+
+/// Adds what can be proved for all lengths, with automata that take little memory unless --prove says otherwise.
+void prove(FactorValues& report, const WordsOptions& options, const Model& model, const D0L& rules,
+           Budget budget) {
+    constexpr std::uint64_t little = std::uint64_t{96} << 20;
+    if (!report.infinite_word) {
+        report.not_proved =
+            "the factors are those of all words, and not those of one infinite word";
+        return;
+    }
+    if (!options.prove) budget.memory = std::min(budget.memory, little);
+    try {
+        const AutomaticWord word = word_of(model, rules);
+        report.all_factors = factor_complexity_proof(word, false, budget);
+        report.all_palindromes = factor_complexity_proof(word, true, budget);
+    } catch (const BoundReached& bound) {
+        if (bound.bound() != Bound::memory || options.prove) throw;
+        report.not_proved = "the automata are large; --prove goes on with them";
+    } catch (const Error& error) {
+        if (options.prove) throw;
+        report.not_proved = error.what();
+    }
+}
+
+/// Decides --say.
+int decide(const WordsOptions& options, const Model& model, const D0L& rules,
+           const Budget& budget) {
+    const AutomaticWord word = word_of(model, rules);
     const FirstOrderStatement statement =
         read_first_order(*options.say, "statement", "T", word.letters);
     const FirstOrderReport report{*options.say, model.name, word, statement.free(),
@@ -139,8 +167,8 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
             std::string(as_dil(model) ? "contexts" : "choices") + "; --word " + options.what +
             " is the word");
     if (options.say) return decide(options, model, *rules, budget);
-    const FactorValues report =
-        factor_values(*rules, model.coding, options.to.value_or(24), budget);
+    FactorValues report = factor_values(*rules, model.coding, options.to.value_or(24), budget);
+    prove(report, options, model, *rules, budget);
     print(options.json ? to_json(report).text() : to_text(report));
     return success;
 }
@@ -153,6 +181,8 @@ int words(const WordsOptions& options) {
                                : "expected one of a word, a system, --word WORD and --letters "
                                  "FILE, found several");
     if (!options.what.empty() && is_system(options.what)) return words_of_system(options, budget);
+    if (options.prove)
+        throw Error("--prove is for the infinite word of a system, and one finite word is given");
     if (options.say)
         throw Error("--say is for the infinite word of a system, and one finite word is given");
     if (options.to)
@@ -189,6 +219,9 @@ void add_words(Verbs& verbs) {
     verb.option("--say", options.say, given_word, "STATEMENT",
                 "decides a first-order statement about the infinite word T of a system; exit 1 if "
                 "it is refuted");
+    verb.flag("--prove", options.prove,
+              "of a system: proves complexities for all lengths by automata of any size, or says "
+              "why not");
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
 }

@@ -168,13 +168,15 @@ struct FactorValues {
     Alphabet alphabet;
     bool coded = false;  // the factors are those of the words after the coding of the system
     std::size_t to = 0;
-    bool infinite_word =
-        false;  // all words are beginnings of one, so the factors are those of the infinite word
+    bool infinite_word = false;  // the factors are those of the infinite word of the system
     std::vector<std::uint64_t> factors, palindromes,
         abelian;  // different ones; those with other numbers of letters
     std::vector<std::uint64_t>
         imbalance;  // by length: how far two factors differ in the number of a letter
     std::optional<Word> not_reversed;  // a shortest factor whose reversal is none
+    /// What is proved for all lengths, of the infinite word; otherwise why it is not.
+    std::optional<ComplexityProof> all_factors, all_palindromes;
+    std::string not_proved;
 };
 
 /// With a coding they are the factors of the images of the words. Throws BoundReached at the end of the time or memory.

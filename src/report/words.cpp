@@ -205,11 +205,30 @@ Json to_json(const WordReport& report) {
             {"abelian_periods", std::move(abelian)}};
 }
 
+namespace {
+
+/// Whether the words of a system have the factors of its infinite word: they begin it, or the axiom is a factor of it and so are the others.
+bool has_factors_of_infinite_word(const D0L& system, const Budget& budget) {
+    constexpr std::size_t longest = 64;  // axiom that is looked for
+    if (generates_infinite_word(system)) return true;
+    if (system.axiom.size() > longest) return false;
+    try {
+        D0L limit = system;
+        limit.axiom = {Numeration(system).letters().front()};
+        return std::ranges::count(factors(limit, system.axiom.size(), budget).words, system.axiom) >
+               0;
+    } catch (const Error&) {
+        return false;  // there is none
+    }
+}
+
+}  // namespace
+
 FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t to,
                            const Budget& budget) {
     FactorValues found;
     found.to = to;
-    found.infinite_word = generates_infinite_word(system);
+    found.infinite_word = has_factors_of_infinite_word(system, budget);
     FactorSet longest = factors(system, to, budget);
     found.alphabet = *system.alphabet;
     if (!coding.empty()) {
@@ -255,36 +274,91 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
     return found;
 }
 
+namespace {
+
+/// A formula for the values from some n on, and that n; nothing if none was found.
+std::optional<std::pair<std::string, Integer>> formula_of(
+    const std::optional<ComplexityProof>& proof) {
+    if (!proof) return std::nullopt;
+    if (const auto& linear = proof->linear) {
+        const auto& [slope, constant, from] = *linear;
+        std::string text = slope.is_zero() ? "" : slope == 1 ? "n" : to_string(slope) + "n";
+        if (text.empty())
+            text = to_string(constant);
+        else if (!constant.is_zero())
+            text += (constant > 0 ? " + " : " - ") + to_string(constant > 0 ? constant : -constant);
+        return std::pair(text, from);
+    }
+    if (const auto& periodic = proof->periodic) {
+        std::string text;
+        for (const Integer& value : periodic->values)
+            text += (text.empty() ? "" : ", ") + to_string(value);
+        return std::pair(
+            text + fmt::format(" for n = 0, 1, ... modulo {}", periodic->values.size()),
+            periodic->from);
+    }
+    return std::nullopt;
+}
+
+/// The line below the values, if something is proved for all n.
+std::string for_all_line(const std::optional<ComplexityProof>& proof) {
+    if (!proof) return "";
+    if (const auto found = formula_of(proof))
+        return line(
+            "  for all n",
+            found->first +
+                (found->second.is_zero() ? "" : " from n = " + to_string(found->second) + " on") +
+                ": proved");
+    if (proof->differences.empty()) return "";
+    return line("  for all n", "the next one is greater by " +
+                                   joined(proof->differences, ", ",
+                                          [](const Integer& one) { return to_string(one); }) +
+                                   ": proved");
+}
+
+}  // namespace
+
 std::string to_text(const FactorValues& report) {
     const auto values = [](const std::vector<std::uint64_t>& all) {
         return joined(all, ", ", number);
     };
-    std::string page = line("factors of", std::string(report.infinite_word
-                                                          ? "the infinite word that all words begin"
-                                                          : "all words of the system") +
-                                              (report.coded ? ", after the coding" : "")) +
-                       line("of 0, 1, ... letters",
-                            fmt::format("up to {}; nothing is said of longer ones", report.to));
-    page += line("factor complexity", values(report.factors));
-    page += line("palindromic complexity", values(report.palindromes));
+    std::string page =
+        line("factors of", std::string(report.infinite_word ? "the infinite word of the system"
+                                                            : "all words of the system") +
+                               (report.coded ? ", after the coding" : "")) +
+        line("of 0, 1, ... letters",
+             fmt::format("up to {}{}", report.to,
+                         report.all_factors ? "" : "; nothing is said of longer ones"));
+    page += line("factor complexity", values(report.factors)) + for_all_line(report.all_factors);
+    page += line("palindromic complexity", values(report.palindromes)) +
+            for_all_line(report.all_palindromes);
     page += line("Abelian complexity", values(report.abelian));
     page += line("imbalance", values(report.imbalance));
     page += line("closed under reversal",
                  report.not_reversed ? "no: " + spell(report.alphabet, *report.not_reversed) +
                                            " is a factor, its reversal is not"
                                      : fmt::format("up to {} letters", report.to));
+    if (!report.not_proved.empty()) page += line("not for all n", report.not_proved);
     return page;
 }
 
 Json to_json(const FactorValues& report) {
-    const auto values = [](const std::vector<std::uint64_t>& all) {
-        return Json{{"values", all}, {"formula", nullptr}, {"proved_for_all", false}};
+    const auto values = [](const std::vector<std::uint64_t>& all,
+                           const std::optional<ComplexityProof>& proof = {}) {
+        const auto formula = formula_of(proof);
+        return Json{{"values", all},
+                    {"formula", formula ? Json(formula->first) : Json()},
+                    {"from", formula ? Json(formula->second) : Json()},
+                    {"proved_for_all", formula.has_value()},
+                    {"differences",
+                     proof && !proof->differences.empty() ? Json(proof->differences) : Json()}};
     };
     return {{"language", report.infinite_word ? "infinite word" : "all words"},
             {"coded", report.coded},
             {"to", report.to},
-            {"factor_complexity", values(report.factors)},
-            {"palindromic_complexity", values(report.palindromes)},
+            {"factor_complexity", values(report.factors, report.all_factors)},
+            {"palindromic_complexity", values(report.palindromes, report.all_palindromes)},
+            {"not_proved", report.not_proved.empty() ? Json() : Json(report.not_proved)},
             {"abelian_complexity", values(report.abelian)},
             {"imbalance_values", report.imbalance},
             {"closed_under_reversal", report.not_reversed ? Json(false) : Json()},

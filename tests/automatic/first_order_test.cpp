@@ -6,6 +6,7 @@
 
 #include <functional>
 #include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -320,6 +321,65 @@ TEST_CASE("known results on repetitions, reversal and recurrence") {
     std::vector<std::vector<Integer>> wanted;
     for (const int n : {1, 2, 3, 4, 6, 8, 12, 16, 24, 32}) wanted.push_back({n});
     CHECK(members(orders.relation, thue.numeration, 10) == wanted);
+}
+
+TEST_CASE(
+    "complexities for all lengths are those of long prefixes, and formulas those of the "
+    "literature") {
+    std::size_t values = 0;
+    for (const char* name : {"Thue-Morse", "Fibonacci", "Rudin-Shapiro", "Stewart", "Pell",
+                             "Tribonacci", "not primitive", "Sturmian", "period doubling"}) {
+        const auto one = std::ranges::find_if(
+            words(), [&](const KnownWord& word) { return word.name == std::string(name); });
+        CAPTURE(name);
+        const AutomaticWord word = one->word();
+        const std::string prefix = one->prefix(20'000);
+        for (const bool palindromes : {false, true}) {
+            CAPTURE(palindromes);
+            const ComplexityProof proof = factor_complexity_proof(word, palindromes, Budget());
+            for (std::size_t n = 0; n <= 30; ++n) {
+                std::set<std::string> factors;
+                for (std::size_t i = 0; i + n <= prefix.size(); ++i) {
+                    const std::string factor = prefix.substr(i, n);
+                    if (!palindromes || factor == std::string(factor.rbegin(), factor.rend()))
+                        factors.insert(factor);
+                }
+                const Integer value(factors.size());
+                REQUIRE(proof.sequence.value(word.numeration, Integer(n)) == value);
+                if (proof.linear && Integer(n) >= proof.linear->from)
+                    REQUIRE(proof.linear->slope * Integer(n) + proof.linear->constant == value);
+                if (proof.periodic && Integer(n) >= proof.periodic->from)
+                    REQUIRE(proof.periodic->values[n % proof.periodic->values.size()] == value);
+                ++values;
+            }
+        }
+    }
+    CHECK(values == 9 * 2 * 31);
+    const auto linear = [](std::size_t at) {
+        const auto found = factor_complexity_proof(words()[at].word(), false, Budget()).linear;
+        REQUIRE(found);
+        return std::vector<Integer>{found->slope, found->constant, found->from};
+    };
+    CHECK(linear(1) == std::vector<Integer>{1, 1, 0});   // Morse and Hedlund 1940
+    CHECK(linear(3) == std::vector<Integer>{8, -8, 8});  // Allouche and Shallit 1993
+    const ComplexityProof thue = factor_complexity_proof(words()[0].word(), false, Budget());
+    CHECK(!thue.linear);
+    CHECK(thue.differences == std::vector<Integer>{1, 2, 4});  // Brlek 1989
+    const auto palindromes = factor_complexity_proof(words()[1].word(), true, Budget()).periodic;
+    REQUIRE(palindromes);
+    CHECK(palindromes->values == std::vector<Integer>{1, 2});  // Droubay 1995
+    CHECK(palindromes->from == 0);
+}
+
+TEST_CASE("what cannot be counted is refused") {
+    const AutomaticWord fibonacci = words()[1].word();
+    const auto relation = [&](const std::string& text) { return answer(fibonacci, text).relation; };
+    CHECK_THROWS_WITH_AS(counts(relation("i > n"), "n", fibonacci.numeration),
+                         "infinitely many numbers belong to one n, so they cannot be counted",
+                         Error);
+    CHECK_THROWS_AS(counts(relation("i > 3"), "n", fibonacci.numeration), Error);
+    const LinearRepresentation below = counts(relation("i < n"), "n", fibonacci.numeration);
+    for (int n = 0; n < 100; ++n) CHECK(below.value(fibonacci.numeration, n) == n);
 }
 
 TEST_CASE("what makes a statement true or false is told") {

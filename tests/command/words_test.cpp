@@ -52,7 +52,7 @@ TEST_CASE("words: the order of letters, words that are names, words in files") {
 TEST_CASE("words of a system: complexities up to a length") {
     const auto found = json_of("fibonacci --to 6");
     CHECK(found["factor_complexity"]["values"] == std::vector<int>{1, 2, 3, 4, 5, 6, 7});
-    CHECK(found["factor_complexity"]["proved_for_all"] == false);
+    CHECK(found["factor_complexity"]["proved_for_all"] == true);
     CHECK(found["palindromic_complexity"]["values"] == std::vector<int>{1, 2, 1, 2, 1, 2, 1});
     CHECK(found["abelian_complexity"]["values"] == std::vector<int>{1, 2, 2, 2, 2, 2, 2});
     CHECK(found["imbalance_values"] == std::vector<int>{0, 1, 1, 1, 1, 1, 1});
@@ -98,7 +98,7 @@ TEST_CASE("words of a system with a coding are those after it") {
     CHECK(report["factor_complexity"]["values"] ==
           nlohmann::json::parse("[1, 2, 4, 8, 16, 24, 36, 46, 56, 64, 72]"));
     CHECK(run("words rudin-shapiro")
-              .out.find("the infinite word that all words begin, after the coding\n") !=
+              .out.find("the infinite word of the system, after the coding\n") !=
           std::string::npos);
 }
 
@@ -127,4 +127,23 @@ TEST_CASE("words decides first-order statements") {
           "  ^\n");
     CHECK(run("words abaab --say '0 = 0'").err ==
           "algae: --say is for the infinite word of a system, and one finite word is given\n");
+}
+
+TEST_CASE("words proves complexities for all lengths") {
+    const Run fibonacci = run("words fibonacci --to 3");
+    CHECK(fibonacci.out.find(
+              "factor complexity       1, 2, 3, 4\n  for all n             n + 1: proved\n"
+              "palindromic complexity  1, 2, 1, 2\n"
+              "  for all n             1, 2 for n = 0, 1, ... modulo 2: proved\n") !=
+          std::string::npos);
+    const auto shapiro = json_of("rudin-shapiro --to 2");
+    CHECK(shapiro["factor_complexity"]["formula"] == "8n - 8");
+    CHECK(shapiro["factor_complexity"]["from"] == 8);
+    CHECK(shapiro["factor_complexity"]["proved_for_all"] == true);
+    const auto thue = json_of("thue-morse --to 2");
+    CHECK(thue["factor_complexity"]["proved_for_all"] == false);
+    CHECK(thue["factor_complexity"]["differences"] == nlohmann::json::parse("[1, 2, 4]"));
+    CHECK(json_of("'a -> abbb, b -> a' --to 2")["not_proved"].get<std::string>().find(
+              "addition is not known") == 0);
+    CHECK(run("words 'a -> abbb, b -> a' --to 2 --prove").status == 2);
 }

@@ -46,7 +46,7 @@ Section OneLetter.
     - destruct u as [|[] [|]], v as [|[] [|[] [|]]]; cbn in *; try lia.
       + inversion S.
       + inversion S.
-      + apply -> (@parallel_letter unit unit) in S. now apply not_double in S.
+      + apply of_letter in S. now apply not_double in S.
     - now destruct (not_both (shorter_erases u v S Q)).
   Qed.
 End OneLetter.

@@ -63,7 +63,7 @@ Section Pure.
     assert (H : forall x : bool, is (LSystem k) (if x then (fun w => In w [[a]; [b; b]]) else eq [a]))
       by (intros []; [apply a_or_bb|now apply single_word]).
     specialize (C H). revert C. apply is_same. intro w. unfold substitution. split.
-    - intros (u & <- & K). apply parallel_first in K as (u1 & w1 & -> & <- & K). apply -> (@parallel_letter bool bool) in K.
+    - intros (u & <- & K). apply parallel_first in K as (u1 & w1 & -> & <- & K). apply of_letter in K.
       cbn in K. destruct K as [<-|[<-|[]]]; cbn; auto.
     - intros [<-|[<-|[]]]; exists [a; b]; (split; [easy|]); apply (parallel_cons _ a [a] [b]); auto; apply parallel_letter; cbn; auto.
   Qed.
@@ -96,7 +96,7 @@ Section Pure.
   Proof.
     intro C. apply (a_or_aa k p). specialize (C unit _ unit _ (fun _ => [[tt]; [tt; tt]]) _ (single_word k [tt] p ltac:(easy))).
     revert C. apply is_same. intro w. unfold finite_substitution, substitution. split.
-    - intros (u & <- & H). now apply -> (@parallel_letter unit unit) in H.
+    - intros (u & <- & H). now apply of_letter in H.
     - intro I. exists [tt]. split; auto. now apply parallel_letter.
   Qed.
   Theorem not_closed_under_inverse_homomorphism : ~ closed InverseHomomorphism (LSystem k).

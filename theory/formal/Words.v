@@ -14,6 +14,8 @@ Section Parallel.
     - inversion H as [|? v ? w ? H']; subst. inversion H'; subst. now rewrite app_nil_r.
     - rewrite <- (app_nil_r u). auto.
   Qed.
+  Lemma of_letter R x u : parallel R [x] u -> R x u.
+  Proof. apply parallel_letter. Qed.
   Lemma parallel_empty R w : parallel R [] w <-> w = [].
   Proof. split; [now inversion 1|intros ->; auto]. Qed.
   Lemma parallel_first R x v w : parallel R (x :: v) w <-> exists u w', w = u ++ w' /\ R x u /\ parallel R v w'.
@@ -204,3 +206,5 @@ Proof.
     + intros (G & g & H). exists G. split; auto. intro w. now rewrite <- (S w), (H w).
   - intros (G & g & t & H). exists G. split; [|split]; auto. intro w. now rewrite <- (S w), (H w).
 Qed.
+(* to use that a family is closed, where alphabets are found by Coq *)
+Ltac under H := apply H; try exact _.

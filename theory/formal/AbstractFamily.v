@@ -60,17 +60,22 @@ Section Machines.
   Qed.
 End Machines.
 
-Section Full.
+(* Union, concatenation, star and plus are substitutions of languages of the family into regular languages. *)
+Definition closed_under_regular_operations (f : family) : Prop := forall (A B : Set) (_ : Alphabet A) (_ : Alphabet B)
+  (s : A -> language B) (R : language A), regular R -> (forall x, is f (s x)) -> is f (substitution s R).
+Definition has_regular_languages (f : family) : Prop := forall (A : Set) (_ : Alphabet A) (X : language A), regular X -> is f X.
+Lemma regular_operations_by_substitution f : closed Substitution f -> has_regular_languages f -> closed_under_regular_operations f.
+Proof. intros C H A B a b s R HR Hs. under C; [now under H|exact Hs]. Qed.
+
+Section RegularOperations.
   Variable f : family.
-  Hypothesis substitutions : closed Substitution f.
-  Hypothesis with_regular : closed IntersectionWithRegular f.
-  Hypothesis has_regular : forall (A : Set) (_ : Alphabet A) (X : language A), regular X -> is f X.
+  Hypothesis substitutions : closed_under_regular_operations f.
 
   Section Choice.
     Context {A : Set} {a : Alphabet A}.
     Lemma choice_of (X Y : language A) (R : language bool) : is f X -> is f Y -> regular R ->
       is f (substitution (fun q : bool => if q then Y else X) R).
-    Proof. intros HX HY HR. under substitutions; [now under has_regular|now intros []]. Qed.
+    Proof. intros HX HY HR. under substitutions; [exact HR|now intros []]. Qed.
   End Choice.
 
   Theorem union_by_substitution : closed Union f.
@@ -108,7 +113,7 @@ Section Full.
   Theorem star_by_substitution : closed Star f.
   Proof.
     intros A a. cbn. intros X HX. apply (is_same f (substitution (fun _ : unit => X) (fun w => forallb (fun _ => true) w = true))).
-    2: { under substitutions; [under has_regular; apply regular_words_of|easy]. }
+    2: { under substitutions; [apply regular_words_of|easy]. }
     intro w. unfold substitution, star. split.
     - intros (u & _ & (us & _ & H)%repeated_back). eauto.
     - intros (us & -> & F). exists (repeat tt (length us)). split; [|now apply repeated]. now apply forallb_forall.
@@ -116,22 +121,25 @@ Section Full.
   Theorem plus_by_substitution : closed Plus f.
   Proof.
     intros A a. cbn. intros X HX. apply (is_same f (substitution (fun _ : unit => X) (complement (eq [])))).
-    2: { under substitutions; [under has_regular; under regular_complement; apply regular_empty_word|easy]. }
+    2: { under substitutions; [under regular_complement; apply regular_empty_word|easy]. }
     intro w. unfold substitution, plus, complement. split.
     - intros (u & N & (us & Q & H)%repeated_back). exists us. split; auto. intros ->. now destruct u.
     - intros (us & N & -> & F). exists (repeat tt (length us)). split; [|now apply repeated]. now destruct us.
   Qed.
-End Full.
+End RegularOperations.
+
+Lemma regular_into_regular : closed_under_regular_operations REG.
+Proof. now apply regular_operations_by_substitution; [apply regular_substitution|]. Qed.
 
 (* ---- the regular languages themselves; with them finite languages are regular ---- *)
 Lemma regular_union : closed Union REG.
-Proof. apply union_by_substitution; [apply regular_substitution|easy]. Qed.
+Proof. apply union_by_substitution, regular_into_regular. Qed.
 Lemma regular_concatenation : closed Concatenation REG.
-Proof. apply concatenation_by_substitution; [apply regular_substitution|easy]. Qed.
+Proof. apply concatenation_by_substitution, regular_into_regular. Qed.
 Lemma regular_star : closed Star REG.
-Proof. apply star_by_substitution; [apply regular_substitution|easy]. Qed.
+Proof. apply star_by_substitution, regular_into_regular. Qed.
 Lemma regular_plus : closed Plus REG.
-Proof. apply plus_by_substitution; [apply regular_substitution|easy]. Qed.
+Proof. apply plus_by_substitution, regular_into_regular. Qed.
 Lemma regular_word {A : Set} {a : Alphabet A} (w : list A) : regular (eq w).
 Proof.
   induction w as [|x w IH]; [apply regular_empty_word|].
@@ -147,11 +155,11 @@ Proof.
   under regular_union; [apply regular_word|exact IH].
 Qed.
 
-Section FullAgain.
+Section Full.
   Variable f : family.
   Hypothesis substitutions : closed Substitution f.
   Hypothesis with_regular : closed IntersectionWithRegular f.
-  Hypothesis has_regular : forall (A : Set) (_ : Alphabet A) (X : language A), regular X -> is f X.
+  Hypothesis has_regular : has_regular_languages f.
 
   Theorem finite_substitution_by_substitution : closed FiniteSubstitution f.
   Proof.
@@ -173,7 +181,7 @@ Section FullAgain.
     set (spread := fun y : B => concatenation loose (eq [inr y])).
     apply (is_same f (image keep (intersection (concatenation (substitution spread X) loose) blocks))).
     2: { under homomorphism_by_substitution; [now apply finite_substitution_by_substitution|]. under with_regular.
-         - under concatenation_by_substitution; try assumption; [|now under has_regular]. under substitutions; [exact HX|]. intro y. under has_regular.
+         - under concatenation_by_substitution; [now apply regular_operations_by_substitution| |now under has_regular]. under substitutions; [exact HX|]. intro y. under has_regular.
            under regular_concatenation; [exact Rl|apply regular_word].
          - under regular_star. apply regular_finite. }
     assert (L0 : forall w, loose w -> flat_map images w = []).
@@ -205,7 +213,7 @@ Section FullAgain.
     - intro H. exists (flat_map block w). destruct (Bl w) as (Q1 & Q2). rewrite Q1, Q2. split; auto. split; auto.
       exists (map block w). split; [apply flat_map_concat_map|]. intros v (x & <- & _)%in_map_iff. apply in_map, all_letters.
   Qed.
-End FullAgain.
+End Full.
 
 Theorem regular_finite_substitution : closed FiniteSubstitution REG.
 Proof. apply finite_substitution_by_substitution; [apply regular_substitution|easy]. Qed.

@@ -94,6 +94,13 @@ Proof.
   - intros x u. now setoid_rewrite Q.
 Qed.
 
+Lemma parallel_onto {V W X : Set} (f : W -> X) (R : V -> list W -> Prop) (Q : V -> list X -> Prop) v w :
+  (forall x u, In x v -> R x u -> Q x (map f u)) -> parallel R v w -> parallel Q v (map f w).
+Proof.
+  intros H K. induction K as [|x u v w I K IH]; cbn; auto. rewrite map_app. constructor; [apply H; auto; now left|].
+  apply IH. intros; apply H; auto. now right.
+Qed.
+
 (* a word that is a product has a cut for each factor *)
 Lemma parallel_concat {V W : Set} (R : V -> list W -> Prop) vs w : parallel R (concat vs) w <->
   exists ws, w = concat ws /\ Forall2 (parallel R) vs ws.

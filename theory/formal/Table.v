@@ -1,6 +1,6 @@
 (* The table: what is proved of each operation and family, and by which theorem.  [None] says that nothing is. *)
 From Coq Require Import String.
-From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable.
+From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable Star Pumping.
 Open Scope string_scope.
 
 Definition yes (name : string) := Some (true, name).
@@ -29,9 +29,9 @@ Definition context_free_cell (o : operation) : option (bool * string) :=
   | Concatenation => yes "ContextFree.v:context_free_concatenation"
   | Star => yes "ContextFree.v:context_free_star"
   | Plus => yes "ContextFree.v:context_free_plus"
-  | Intersection => None
+  | Intersection => no "Pumping.v:context_free_not_closed_under_intersection"
   | IntersectionWithRegular => yes "ContextFree.v:context_free_intersection_with_regular"
-  | Complement => None
+  | Complement => no "Pumping.v:context_free_not_closed_under_complement"
   | Homomorphism => yes "ContextFree.v:context_free_homomorphism"
   | NonErasingHomomorphism => yes "ContextFree.v:context_free_non_erasing_homomorphism"
   | InverseHomomorphism => yes "ContextFree.v:context_free_inverse_homomorphism"
@@ -41,12 +41,12 @@ Definition context_free_cell (o : operation) : option (bool * string) :=
   | GsmMapping => yes "ContextFree.v:context_free_gsm_mapping"
   end.
 (* without nonterminals *)
-Definition pure_cell (k : kind) (o : operation) : option (bool * string) :=
+Definition pure_cell (o : operation) : option (bool * string) :=
   match o with
   | Union => no "NonClosure.v:not_closed_under_union"
   | Concatenation => no "NonClosure.v:not_closed_under_concatenation"
-  | Star => if propagating k then no "NonClosure.v:propagating_not_closed_under_star" else None
-  | Plus => None
+  | Star => no "Star.v:not_closed_under_star"
+  | Plus => no "Star.v:not_closed_under_plus"
   | Intersection => no "NonClosure.v:not_closed_under_intersection"
   | IntersectionWithRegular => no "NonClosure.v:not_closed_under_intersection_with_regular"
   | Complement => no "Complement.v:not_closed_under_complement"
@@ -87,7 +87,7 @@ Definition cell (o : operation) (f : family) : option (bool * string) :=
   | LSystem k =>
     if extended k then
       if propagating k || (deterministic k && negb (tabled k)) then None else extended_cell (tabled k) (deterministic k) o
-    else pure_cell k o
+    else pure_cell o
   end.
 
 Definition holds (o : operation) (f : family) (sign : bool) : Prop := if sign then closed o f else ~ closed o f.
@@ -103,17 +103,16 @@ Qed.
 Lemma context_free_right o sign name : context_free_cell o = Some (sign, name) -> holds o CF sign.
 Proof.
   destruct o; [by_theorem context_free_union|by_theorem context_free_concatenation|by_theorem context_free_star|by_theorem context_free_plus|
-    easy|by_theorem context_free_intersection_with_regular|easy|
+    by_theorem context_free_not_closed_under_intersection|by_theorem context_free_intersection_with_regular|by_theorem context_free_not_closed_under_complement|
     by_theorem context_free_homomorphism|by_theorem context_free_non_erasing_homomorphism|by_theorem context_free_inverse_homomorphism|
     by_theorem context_free_reversal|by_theorem context_free_finite_substitution|by_theorem context_free_substitution|by_theorem context_free_gsm_mapping].
 Qed.
-Lemma pure_right k o sign name : pure k -> pure_cell k o = Some (sign, name) -> holds o (LSystem k) sign.
+Lemma pure_right k o sign name : pure k -> pure_cell o = Some (sign, name) -> holds o (LSystem k) sign.
 Proof.
-  intro p. destruct o; cbn [pure_cell]; [by_theorem not_closed_under_union|by_theorem not_closed_under_concatenation| |easy|
+  intro p. destruct o; cbn [pure_cell]; [by_theorem not_closed_under_union|by_theorem not_closed_under_concatenation|by_theorem not_closed_under_star|by_theorem not_closed_under_plus|
     by_theorem not_closed_under_intersection|by_theorem not_closed_under_intersection_with_regular|by_theorem not_closed_under_complement|
     by_theorem not_closed_under_homomorphism|by_theorem not_closed_under_non_erasing_homomorphism|by_theorem not_closed_under_inverse_homomorphism|
     by_theorem lsystem_reversal|by_theorem not_closed_under_finite_substitution|by_theorem not_closed_under_substitution|by_theorem not_closed_under_gsm_mapping].
-  destruct (propagating k) eqn:Pk; [by_theorem propagating_not_closed_under_star|easy].
 Qed.
 Lemma extended_right many one o sign name : (one = true -> many = true) ->
   extended_cell many one o = Some (sign, name) -> holds o (LSystem (E_kind many one)) sign.

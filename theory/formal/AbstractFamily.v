@@ -225,3 +225,14 @@ Theorem regular_gsm_mapping : closed GsmMapping REG.
 Proof. apply gsm_by_substitution; [apply regular_finite_substitution|apply regular_intersection_with_regular]. Qed.
 Theorem regular_inverse_homomorphism : closed InverseHomomorphism REG.
 Proof. apply inverse_homomorphism_by_substitution; [apply regular_substitution|apply regular_intersection_with_regular|easy]. Qed.
+(* a homomorphism is a machine with one state *)
+Lemma homomorphism_by_gsm f : closed GsmMapping f -> closed Homomorphism f.
+Proof.
+  intros C A a. cbn. intros B b h X HX.
+  apply (is_same f (translation (Machine tt (fun _ x => [(h x, tt)]) (fun _ => true)) X)); [|under C; exact HX].
+  assert (Q : forall q u w, translates (Machine tt (fun _ x => [(h x, tt)]) (fun _ => true)) q u w <-> w = flat_map h u).
+  { intros [] u w. split; [|intros ->].
+    - induction 1 as [|q x q' u v w I H IH]; cbn in *; [easy|]. destruct I as [[= <- _]|[]]. now subst.
+    - induction u as [|x u IH]; [now constructor|]. apply (translates_cons _ tt x tt); auto. now left. }
+  intro w. unfold translation, image. now setoid_rewrite Q.
+Qed.

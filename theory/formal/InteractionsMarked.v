@@ -6,10 +6,10 @@ From Algae Require Import Words Regular AbstractFamily NonClosure Interactions.
 Theorem interacting_not_closed_under_gsm_mapping : ~ closed GsmMapping IL.
 Proof. intro C. now apply interacting_not_closed_under_homomorphism, homomorphism_by_gsm. Qed.
 
-Notation letter := (option bool).
-Notation a := (@None bool).
-Notation c := (Some false).
-Notation d := (Some true).
+Local Notation letter := (option bool).
+Local Notation a := (@None bool).
+Local Notation c := (Some false).
+Local Notation d := (Some true).
 (* c stays, or ends: then nothing or an a stands for it.  A word that begins with a gets a d, which stays. *)
 Definition marks : interactive letter := Interactive [c; a] 1 0 (fun p x _ =>
   match x with None => match p with [] => [[d; a; a]] | _ => [[a; a]] end | Some false => [[c]; []; [a]] | Some true => [[d]] end).

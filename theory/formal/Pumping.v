@@ -92,7 +92,7 @@ Proof.
 Qed.
 
 (* ---- a^n b^n c^n ---- *)
-Notation letter := (option bool).
+Local Notation letter := (option bool).
 Definition a : letter := Some false.
 Definition b : letter := Some true.
 Definition c : letter := None.
@@ -112,7 +112,7 @@ Proof.
   assert (C : ordered (repeat c k)) by (rewrite <- (app_nil_r (repeat c k)); apply ordered_row; easy).
   apply ordered_row; [apply ordered_row; auto|]; intros y I; cbn; try lia. apply repeat_spec in I as ->. cbn. lia.
 Qed.
-Notation count := (count_occ (@letter_eq letter _)).
+Local Notation count := (count_occ (@letter_eq letter _)).
 Lemma count_row x y n : count (repeat x n) y = if letter_eq x y then n else 0.
 Proof. induction n as [|n IH]; cbn [repeat count_occ]; [now destruct letter_eq|]. rewrite IH. now destruct letter_eq. Qed.
 Lemma count_abc i j k : count (abc i j k) a = i /\ count (abc i j k) b = j /\ count (abc i j k) c = k.

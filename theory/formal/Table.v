@@ -1,6 +1,7 @@
 (* The table: what is proved of each operation and family, and by which theorem.  [None] says that nothing is. *)
 From Coq Require Import String.
-From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable Star Pumping.
+From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable Star Pumping
+  Interactions InteractionsMarked InteractionsComplement.
 Open Scope string_scope.
 
 Definition yes (name : string) := Some (true, name).
@@ -77,7 +78,22 @@ Definition extended_cell (many one : bool) (o : operation) : option (bool * stri
   | GsmMapping => if one then None else yes "OneTable.v:extended_gsm_mapping"
   end.
 Definition interacting_cell (o : operation) : option (bool * string) :=
-  match o with Reversal => yes "Reversal.v:interacting_reversal" | _ => None end.
+  match o with
+  | Union => no "Interactions.v:interacting_not_closed_under_union"
+  | Concatenation => no "Interactions.v:interacting_not_closed_under_concatenation"
+  | Star => None
+  | Plus => None
+  | Intersection => no "InteractionsMarked.v:interacting_not_closed_under_intersection"
+  | IntersectionWithRegular => no "InteractionsMarked.v:interacting_not_closed_under_intersection_with_regular"
+  | Complement => no "InteractionsComplement.v:interacting_not_closed_under_complement"
+  | Homomorphism => no "Interactions.v:interacting_not_closed_under_homomorphism"
+  | NonErasingHomomorphism => no "Interactions.v:interacting_not_closed_under_non_erasing_homomorphism"
+  | InverseHomomorphism => no "InteractionsMarked.v:interacting_not_closed_under_inverse_homomorphism"
+  | Reversal => yes "Reversal.v:interacting_reversal"
+  | FiniteSubstitution => no "Interactions.v:interacting_not_closed_under_finite_substitution"
+  | Substitution => no "Interactions.v:interacting_not_closed_under_substitution"
+  | GsmMapping => no "InteractionsMarked.v:interacting_not_closed_under_gsm_mapping"
+  end.
 
 Definition cell (o : operation) (f : family) : option (bool * string) :=
   match f with
@@ -126,7 +142,14 @@ Proof.
   - destruct one; [easy|by_theorem extended_gsm_mapping].
 Qed.
 Lemma interacting_right o sign name : interacting_cell o = Some (sign, name) -> holds o IL sign.
-Proof. destruct o; try easy. by_theorem interacting_reversal. Qed.
+Proof.
+  destruct o; [by_theorem interacting_not_closed_under_union|by_theorem interacting_not_closed_under_concatenation|easy|easy|
+    by_theorem interacting_not_closed_under_intersection|by_theorem interacting_not_closed_under_intersection_with_regular|
+    by_theorem interacting_not_closed_under_complement|by_theorem interacting_not_closed_under_homomorphism|
+    by_theorem interacting_not_closed_under_non_erasing_homomorphism|by_theorem interacting_not_closed_under_inverse_homomorphism|
+    by_theorem interacting_reversal|by_theorem interacting_not_closed_under_finite_substitution|
+    by_theorem interacting_not_closed_under_substitution|by_theorem interacting_not_closed_under_gsm_mapping].
+Qed.
 
 Theorem table_is_right o f sign name : cell o f = Some (sign, name) -> holds o f sign.
 Proof.

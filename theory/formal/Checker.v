@@ -1,7 +1,7 @@
 (* A checker of statements, with the proof that what it accepts is true.  It is extracted to OCaml for verify.ml, which
    reads certificates.  Covered are statements on finite languages, that a finite language is in no family without
    nonterminals of some kind, and derivations. *)
-From Algae Require Import Words Obstruction.
+From Algae Require Import Words Obstruction Extended.
 
 (* ---- one table: what is known of it is known at every step ---- *)
 Section OneTable.
@@ -10,7 +10,7 @@ Section OneTable.
   Variable K : list (list A).
   Notation rule := (A * list A)%type.
   Fixpoint reachable (n : nat) (rs : list rule) (U : list (list A)) : list (list A) :=
-    match n with 0 => U | S n => reachable n rs (nodup word_eq (U ++ flat_map (results rs) U)) end.
+    match n with 0 => U | S n => reachable n rs (nodup word_eq (U ++ flat_map (Obstruction.results rs) U)) end.
   Fixpoint refuted_from (w : list A) (n : nat) (rs : list rule) : bool :=
     match n with
     | 0 => false
@@ -154,9 +154,58 @@ Section Statements.
   Lemma derives_in_derives ts n u w : derives_in ts n u w -> derives ts u w.
   Proof. revert u. induction n as [|n IH]; cbn; intro u; [now intros ->|]. intros (t & v & I & S & H). exact (derives_first I S (IH v H)). Qed.
 
+  (* ---- systems without nonterminals: their form, and their languages where these are finite ---- *)
+  Definition has_form (k : kind) (ts : list (list (A * word))) (u : word) : bool :=
+    negb (extended k) && (match u with [] => false | _ => true end) && (match ts with [] => false | _ => true end) &&
+    (tabled k || (length ts =? 1)) && forallb (fun rs => (negb (deterministic k) || negb (clash rs)) && (negb (propagating k) || negb (erases rs))) ts.
+  Lemma table_of_in rs x v : In v (table_of rs x) -> In (x, v) rs \/ v = [x] /\ forall w, ~ In (x, w) rs.
+  Proof.
+    assert (Q : forall v, In v (map snd (filter (fun r => if letter_eq (fst r) x then true else false) rs)) <-> In (x, v) rs).
+    { intro w. rewrite in_map_iff. split.
+      - intros ((y, w') & <- & (I & J)%filter_In). cbn in *. now destruct (letter_eq y x) as [->|].
+      - intro I. exists (x, w). split; auto. apply filter_In. cbn. now destruct letter_eq. }
+    unfold table_of. destruct (map snd _) as [|w ws] eqn:M.
+    - intros [<-|[]]. right. split; auto. intros w I. now apply Q in I.
+    - intro I. left. now apply Q.
+  Qed.
+  Lemma has_form_right k ts u : has_form k ts u = true -> lsystem k (derives (map table_of ts) u).
+  Proof.
+    unfold has_form. rewrite !andb_true_iff. intros ((((E%negb_true_iff & U) & Ne) & One) & F). unfold lsystem. rewrite E.
+    exists (System u (map table_of ts)). split; [|easy]. split; [now destruct u|]. split; [now destruct ts|]. split.
+    - intro T. rewrite T in One. cbn in *. rewrite map_length. now apply Nat.eqb_eq.
+    - cbn. intros t x (rs & <- & I)%in_map_iff. rewrite forallb_forall in F. specialize (F rs I). apply andb_true_iff in F as (Fd & Fp).
+      split; [unfold table_of; now destruct (map snd _)|]. split.
+      + intros D v w Iv Iw. rewrite D in Fd. cbn in Fd. apply negb_true_iff in Fd.
+        apply table_of_in in Iv as [Iv|(-> & Nv)], Iw as [Iw|(-> & Nw)]; auto; [|now apply Nw in Iv|now apply Nv in Iw].
+        destruct (word_eq v w) as [|N]; auto. exfalso. enough (clash rs = true) by congruence. apply existsb_exists. exists (x, v). split; auto.
+        apply existsb_exists. exists (x, w). split; auto. cbn [fst snd]. destruct (letter_eq x x) as [|M]; [|now destruct M]. destruct (word_eq v w); [now destruct N|reflexivity].
+      + intros P I0. rewrite P in Fp. cbn in Fp. apply negb_true_iff in Fp. apply table_of_in in I0 as [I0|(? & _)]; [|easy].
+        enough (erases rs = true) by congruence. apply existsb_exists. now exists (x, []).
+  Qed.
+  Definition after (ts : list (table A)) (w : word) : list word := flat_map (fun t => Extended.results t w) ts.
+  Fixpoint derived (ts : list (table A)) (n : nat) (U : list word) : list word :=
+    match n with 0 => U | S n => derived ts n (nodup word_eq (U ++ flat_map (after ts) U)) end.
+  Lemma after_in ts w v : In v (after ts w) <-> exists t, In t ts /\ step t w v.
+  Proof. unfold after. rewrite in_flat_map. split; intros (t & I & H); exists t; split; auto; now apply Extended.results_in. Qed.
+  Lemma derived_right ts n U u : (forall w, In w U -> derives ts u w) -> forall w, In w (derived ts n U) -> derives ts u w.
+  Proof.
+    revert U. induction n as [|n IH]; cbn; intros U H; auto. apply IH. intros w [I|(v & I & (t & It & S)%after_in)%in_flat_map]%nodup_In%in_app_or; auto.
+    exact (derives_step _ _ v w t (H v I) It S).
+  Qed.
+  Definition generates_values (ts : list (table A)) (u : word) (K : list word) : bool :=
+    member u K && forallb (fun w => subset (after ts w) K) K && subset K (derived ts (length K) [u]).
+  Lemma generates_values_right ts u K : generates_values ts u K = true -> same (derives ts u) (fun w => In w K).
+  Proof.
+    unfold generates_values. rewrite !andb_true_iff, forallb_forall, !subset_right, member_in. intros ((Iu & F) & D) w. split.
+    - induction 1 as [|v w t H IH I S]; auto. specialize (F v IH). rewrite subset_right in F. apply F, after_in. eauto.
+    - intro I. apply (derived_right ts (length K) [u] u); auto. intros v [<-|[]]. constructor.
+  Qed.
+
   (* ---- statements ---- *)
   Inductive statement :=
   | Is_not (k : kind) (e : expression)                 (* no system of this kind generates the language *)
+  | Has_form (k : kind) (ts : list (list (A * word))) (u : word)                       (* L(G) is of the kind *)
+  | Is (k : kind) (e : expression) (ts : list (list (A * word))) (u : word)             (* this system generates it *)
   | Equal (e f : expression) | Not_equal (e f : expression)
   | Included (e f : expression) | Not_included (e f : expression)
   | Member (w : word) (e : expression) | Not_member (w : word) (e : expression)
@@ -165,6 +214,8 @@ Section Statements.
   Definition meaning (s : statement) : Prop :=
     match s with
     | Is_not k e => ~ lsystem k (denotes e)
+    | Has_form k ts u => lsystem k (derives (map table_of ts) u)
+    | Is k e _ _ => lsystem k (denotes e)
     | Equal e f => same (denotes e) (denotes f)
     | Not_equal e f => ~ same (denotes e) (denotes f)
     | Included e f => forall w, denotes e w -> denotes f w
@@ -178,6 +229,8 @@ Section Statements.
     match s with
     | Is_not k e => let K := nodup word_eq (value e) in negb (extended k) &&
         (if tabled k then excluded (deterministic k) (propagating k) K fuel else excluded_one (deterministic k) (propagating k) K fuel)
+    | Has_form k ts u => has_form k ts u
+    | Is k e ts u => has_form k ts u && generates_values (map table_of ts) u (nodup word_eq (value e))
     | Equal e f => subset (value e) (value f) && subset (value f) (value e)
     | Not_equal e f => negb (subset (value e) (value f) && subset (value f) (value e))
     | Included e f => subset (value e) (value f)
@@ -195,12 +248,15 @@ Section Statements.
   Qed.
   Theorem check_right fuel s : check fuel s = true -> meaning s.
   Proof.
-    destruct s as [k e|e f|e f|e f|e f|w e|w e|ts u n w steps|ts u terminals w steps]; cbn [check meaning]; intro H.
+    destruct s as [k e|k ts u|k e ts u|e f|e f|e f|e f|w e|w e|ts u n w steps|ts u terminals w steps]; cbn [check meaning]; intro H.
     - apply andb_true_iff in H as (E%negb_true_iff & H). assert (Q : same (fun w => In w (nodup word_eq (value e))) (denotes e)).
       { intro w. rewrite nodup_In. apply value_right. }
       intro B. apply (is_same (LSystem k) (denotes e) (fun w => In w (nodup word_eq (value e)))) in B; [|intro w; symmetry; apply Q].
       revert B. cbn [is]. destruct (tabled k) eqn:T; [now apply (excluded_right (deterministic k) (propagating k) _ fuel)|
         now apply (excluded_one_right (deterministic k) (propagating k) _ fuel)].
+    - now apply has_form_right.
+    - apply andb_true_iff in H as (F & H). apply generates_values_right in H. apply has_form_right in F.
+      apply (is_same (LSystem k) _ (denotes e)) in F; [exact F|]. intro w. now rewrite (H w), nodup_In, value_right.
     - now apply equal_values.
     - apply negb_true_iff in H. intros S%equal_values. congruence.
     - intros w. rewrite <- !value_right. now apply subset_right.

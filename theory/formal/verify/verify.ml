@@ -91,12 +91,12 @@ let statement_of certificate entry =
     | [ "image", e; "morphism", h ] | [ "morphism", h; "image", e ] ->
       Imaged (List.map (fun (x, u) -> (letter x, word u)) (fields h), language e)
     | _ -> raise (Not_covered "a language that is not given as finite") in
-  let system name =
-    let s = get name (get "systems" certificate) in
+  let rules_of s =
     if find "terminals" s = None && find "tables" s = None then raise (Not_covered "a system with context");
     let table t = List.concat_map (fun (x, us) -> List.map (fun u -> (letter x, word u)) (items us)) (fields t) in
     (word (get "axiom" s), List.map table (items (get "tables" s)),
      match find "terminals" s with Some l -> word l | None -> List.map letter names) in
+  let system name = rules_of (get name (get "systems" certificate)) in
   let derivation proof = List.map word (items (get "words" proof)) in
   let rec meant is v = match fields v with
     | [ "not", v ] -> meant (not is) v
@@ -105,6 +105,17 @@ let statement_of certificate entry =
        | Some (tabled, deterministic, propagating) ->
          Is_not ({ tabled; deterministic; propagating; extended = false }, language (get "language" v))
        | None -> raise (Not_covered (text (get "is" v))))
+    | _ when find "is" v <> None && find "language" v <> None ->
+      let k = match List.assoc_opt (text (get "is" v)) kinds with
+        | Some (tabled, deterministic, propagating) -> { tabled; deterministic; propagating; extended = false }
+        | None -> raise (Not_covered (text (get "is" v))) in
+      let l = get "language" v and proof = get "proof" entry in
+      (match find "by" proof, find "generated" l with
+       | Some (String "form"), Some name when find "terminals" (get (text name) (get "systems" certificate)) = None ->
+         let axiom, tables, _ = system (text name) in Has_form (k, tables, axiom)
+       | Some (String "system"), _ ->
+         let axiom, tables, _ = rules_of (get "system" proof) in Is (k, language l, tables, axiom)
+       | _ -> raise (Not_covered "a family, by another proof"))
     | [ "equal", List [ e; f ] ] -> if is then Equal (language e, language f) else Not_equal (language e, language f)
     | [ "included", List [ e; f ] ] -> if is then Included (language e, language f) else Not_included (language e, language f)
     | _ when find "member" v <> None ->
@@ -142,7 +153,20 @@ let wrong file entry why =
   incr failed;
   Printf.printf "FAILED   %s: %s: %s\n" file (match find "text" entry with Some (String s) -> s | _ -> "?") why
 
-let check_entry file certificate entry =
+(* Of a statement with parts that all hold each part is checked, by its own proof. *)
+let rec parts entry =
+  match find "all of" (get "statement" entry), get "verdict" entry, find "proof" entry with
+  | Some (List statements), String "proved", Some proof when find "by" proof = Some (String "parts") ->
+    let shown = items (get "parts" proof) in
+    List.concat (List.mapi (fun i statement ->
+      let is_it p = match find "part" p with Some (Number n) | Some (String n) -> int_of_string n = i | _ -> false in
+      match List.filter is_it shown with
+      | [ p ] when find "holds" p = Some (Bool true) ->
+        parts (Object [ "statement", statement; "verdict", String "proved"; "proof", get "proof" p; "text", get "text" entry ])
+      | _ -> raise (Not_covered "a part without its proof")) statements)
+  | _ -> [ entry ]
+
+let check_part file certificate entry =
   match statement_of certificate entry with
   | exception Not_covered reason -> leave reason
   | exception Failure why -> wrong file entry why
@@ -150,9 +174,17 @@ let check_entry file certificate entry =
     ignore (Unix.alarm seconds);
     (match check_numbers size fuel statement with
      | true -> incr checked
-     | false -> (match statement with Is_not _ -> leave "the search finds no proof" | _ -> wrong file entry "not so")
+     | false -> (match statement with
+       | Is_not _ -> leave "the search finds no proof"
+       | Has_form _ -> leave "a form that only letters which never occur disturb"
+       | _ -> wrong file entry "not so")
      | exception (Too_long | Stack_overflow | Out_of_memory) -> leave "too long");
     ignore (Unix.alarm 0)
+
+let check_entry file certificate entry =
+  match parts entry with
+  | exception Not_covered reason -> leave reason
+  | parts -> List.iter (check_part file certificate) parts
 
 let read file =
   let channel = open_in_bin file in

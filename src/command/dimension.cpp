@@ -291,12 +291,28 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const Model& sys
     return chosen;
 }
 
+/// Where the time is bounded, few cells in few grids come first, and are kept when it is over.
+LimitMeasure measured_in_time(const ExactDimension& exact, const LimitCounting& counting,
+                              const Budget& budget) {
+    if (!budget.deadline) return measure_limit(exact, counting, budget);
+    LimitCounting quick = counting;
+    quick.places = std::min<std::size_t>(counting.places, 4);
+    quick.most_cells = 20'000;
+    LimitMeasure first = measure_limit(exact, quick, budget);
+    try {
+        return measure_limit(exact, counting, budget);
+    } catch (const BoundReached& bound) {
+        if (bound.bound() != Bound::time) throw;
+        return first;
+    }
+}
+
 /// The limit of all generations, from the rules alone.
 DimensionReport measure_limit(const Model& system, const ExactDimension& exact,
                               const Options& options, const Budget& budget) {
     LimitCounting counting;
     counting.places = options.places();
-    LimitMeasure measure = measure_limit(exact, counting, budget);
+    LimitMeasure measure = measured_in_time(exact, counting, budget);
     DimensionReport found;
     found.what =
         (system.title.empty() ? system.name : system.title) + ", the limit of all generations";

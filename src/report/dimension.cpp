@@ -105,8 +105,9 @@ Json formula_json(const std::optional<DimensionFormula>& formula) {
 /// Whether the formula of an upper bound is more than the dimension of the plane, which is a better
 /// bound then.
 bool exceeds_plane(const ExactDimension& exact) {
-    return exact.status == ExactDimension::Status::upper_bound &&
-           compare(exact.value->enclosure(64), Ball(2, 64)) == Order::greater;
+    return (exact.status == ExactDimension::Status::upper_bound ||
+            exact.status == ExactDimension::Status::unfinished) &&
+           exact.value && compare(exact.value->enclosure(64), Ball(2, 64)) == Order::greater;
 }
 
 Json exact_json(const ExactDimension& exact) {
@@ -115,10 +116,13 @@ Json exact_json(const ExactDimension& exact) {
               {"value", nullptr},
               {"decimal", nullptr}};
     const bool is_unfinished = exact.status == ExactDimension::Status::unfinished;
-    if (exact.value && !is_unfinished) json.update(formula_json(exact.value));
-    if (exact.value && is_unfinished) json.set("at_most", formula_json(exact.value));
+    Json bound = formula_json(exact.value);
     if (exceeds_plane(exact))
-        json.update({{"value", 2.0}, {"decimal", decimal(Rational(2), digits)}});
+        bound.update({{"value", 2.0}, {"decimal", decimal(Rational(2), digits)}});
+    if (exact.value && is_unfinished)
+        json.set("at_most", std::move(bound));
+    else if (exact.value)
+        json.update(bound);
     json.set("conditions", exact.conditions);
     json.set("similarity", formula_json(exact.similarity));
     json.set("boundary", formula_json(exact.boundary));
@@ -141,8 +145,10 @@ std::string exact_page(const ExactDimension& exact) {
                            *exact.value)
                     : line("upper bound: ", *exact.value);
     if (exact.status == ExactDimension::Status::unfinished)
-        text +=
-            exact.value ? line("exact: unfinished, at most ", *exact.value) : "exact: unfinished\n";
+        text += exceeds_plane(exact)
+                    ? line("exact: unfinished, at most 2; the formula gives ", *exact.value)
+                : exact.value ? line("exact: unfinished, at most ", *exact.value)
+                              : "exact: unfinished\n";
     if (exact.status == ExactDimension::Status::none) text += "exact: no formula\n";
     for (const std::string& condition : exact.conditions) text += "  " + condition + "\n";
     if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())

@@ -6,7 +6,6 @@
 
 #include "model/model.hpp"
 
-#include "nature/detail/cyclotomic_field.hpp"
 #include "nature/detail/iterated_functions.hpp"
 
 // What is known exactly of iterated function systems: their similarity dimension, and which of them

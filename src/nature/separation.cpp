@@ -3,7 +3,6 @@
 #include <deque>
 #include <unordered_set>
 
-#include "nature/detail/cyclotomic_field.hpp"
 #include "nature/detail/iterated_functions.hpp"
 
 // Whether the parts of an attractor of similarities lie apart but for their edges: by neighbour maps.

@@ -158,7 +158,8 @@ std::string exact_page(const ExactDimension& exact) {
 }
 
 Json box_json(const DimensionReport& found) {
-    const auto& [what, exact, generation, counts, fit] = found;
+    const BoxCounts& counts = found.counts;
+    const BoxFit& fit = found.fit;
     Json box = estimate_json(fit.estimate);
     box.set("because", fit.because);
     const auto compared = compared_with(found);
@@ -180,7 +181,8 @@ Json box_json(const DimensionReport& found) {
 }
 
 std::string box_page(const DimensionReport& found) {
-    const auto& [what, exact, generation, counts, fit] = found;
+    const BoxCounts& counts = found.counts;
+    const BoxFit& fit = found.fit;
     std::string text = fit_text("boxes", fit, comparison_text(found));
     if (counts.counts.empty()) return text;
     text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",
@@ -204,14 +206,45 @@ const MeasureNames& names_of(Measure measure) {
     return measures[static_cast<std::size_t>(measure)];
 }
 
+namespace {
+
+/// The digits of a bound, whose denominator is a power of 10.
+std::string digits_of(const Rational& bound) { return shortest_text(bound); }
+
+std::string bounds_page(const DimensionReport& found) {
+    if (!found.bounds) return "";
+    const DimensionBounds& bounds = *found.bounds;
+    std::string text = "proved: between " + digits_of(bounds.low) + " and " +
+                       digits_of(bounds.high) + "\n  from below by " + bounds.low_by +
+                       "\n  from above by " + bounds.high_by + "\n";
+    if (!found.is_within())
+        text += "  they are " + digits_of(bounds.width()) + " apart, more than " +
+                shortest_text(found.within) + "\n";
+    return text + "\n";
+}
+
+Json bounds_json(const DimensionReport& found) {
+    const DimensionBounds& bounds = *found.bounds;
+    return {{"low", digits_of(bounds.low)},
+            {"high", digits_of(bounds.high)},
+            {"low_by", bounds.low_by},
+            {"high_by", bounds.high_by},
+            {"within", shortest_text(found.within)},
+            {"reached", found.is_within()}};
+}
+
+}  // namespace
+
 std::string to_text(const DimensionReport& found) {
-    return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") + box_page(found);
+    return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") +
+           bounds_page(found) + box_page(found);
 }
 
 Json to_json(const DimensionReport& found) {
     Json json{{"input", found.what}};
     if (found.generation) json.set("generation", *found.generation);
     if (found.exact) json.set("exact", exact_json(*found.exact));
+    if (found.bounds) json.set("bounds", bounds_json(found));
     json.set("box", box_json(found));
     return json;
 }

@@ -187,6 +187,11 @@ struct DimensionReport {
     std::optional<std::uint64_t> generation;
     BoxCounts counts;
     BoxFit fit;
+    std::optional<DimensionBounds> bounds = {};  // where they were asked for
+    Rational within = {};                        // how near they were to be
+
+    /// Whether the bounds, if there are any, are as near as that.
+    bool is_within() const { return !bounds || !(within < bounds->width()); }
 };
 
 std::string to_text(const DimensionReport& report);

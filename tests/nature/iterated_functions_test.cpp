@@ -13,7 +13,6 @@
 #include <map>
 
 #include "exact/exact.hpp"
-#include "nature/detail/cyclotomic_field.hpp"
 #include "nature/detail/iterated_functions.hpp"
 #include "notation/notation.hpp"
 #include "oracle/addresses.hpp"

@@ -2,8 +2,6 @@
 
 #include "dimension/dimension.hpp"
 
-#include "nature/detail/cyclotomic_field.hpp"
-
 // The field Q(zeta_m), as integers of Z[zeta_m] over a common denominator.
 //
 // The square root of a prime p lies in Q(zeta_p) or, times i, in it: Gauss's sum of the Legendre

@@ -55,6 +55,7 @@ struct Options {
     std::string generation, seed;  // of a generator the text of a statement, else a number
     std::optional<double> threshold;
     std::optional<std::size_t> grids;
+    std::optional<Rational> within;
     Measure measure = Measure::boxes;
     bool points = false, invert = false, json = false, table = false, quick = false;
     Bounds bounds;
@@ -67,6 +68,13 @@ std::size_t grid_count(const std::string& option, const std::string& text) {
     const std::uint64_t count = natural(option, text);
     if (count == 0 || count > 1000) throw Error(option + ": expected 1 to 1000, found " + text);
     return count;
+}
+
+/// A reader: how near bounds are to be.
+Rational width(const std::string& option, const std::string& text) {
+    const Rational found(text);
+    if (!(Rational(0) < found)) throw Error(option + ": expected a number above 0, found " + text);
+    return found;
 }
 
 // Measures other than boxes.
@@ -291,12 +299,28 @@ std::pair<std::uint64_t, std::unique_ptr<Figure>> chosen_figure(const Model& sys
     return chosen;
 }
 
+/// Where the time is bounded, few cells in few grids come first, and are kept when it is over.
+LimitMeasure measured_in_time(const ExactDimension& exact, const LimitCounting& counting,
+                              const Budget& budget) {
+    if (!budget.deadline) return measure_limit(exact, counting, budget);
+    LimitCounting quick = counting;
+    quick.places = std::min<std::size_t>(counting.places, 4);
+    quick.most_cells = 20'000;
+    LimitMeasure first = measure_limit(exact, quick, budget);
+    try {
+        return measure_limit(exact, counting, budget);
+    } catch (const BoundReached& bound) {
+        if (bound.bound() != Bound::time) throw;
+        return first;
+    }
+}
+
 /// The limit of all generations, from the rules alone.
 DimensionReport measure_limit(const Model& system, const ExactDimension& exact,
                               const Options& options, const Budget& budget) {
     LimitCounting counting;
     counting.places = options.places();
-    LimitMeasure measure = measure_limit(exact, counting, budget);
+    LimitMeasure measure = measured_in_time(exact, counting, budget);
     DimensionReport found;
     found.what =
         (system.title.empty() ? system.name : system.title) + ", the limit of all generations";
@@ -401,6 +425,32 @@ DimensionReport measured(const Model& system, const ExactDimension& exact, const
     return found;
 }
 
+/// Bounds from both sides, as near as was asked for or as they come; the exact value where a short
+/// search finds it.
+DimensionReport bounded(const Model& system, const Options& options, const Budget& budget) {
+    ExactDimension exact;
+    try {
+        exact = exact_dimension(system, for_at_most(first_search, budget));
+    } catch (const BoundReached& bound) {
+        if (!is_time(bound)) throw;
+        exact = dimension_bound(system, budget);
+    }
+    DimensionBounds bounds;
+    if (exact.status == ExactDimension::Status::exact) {
+        const Ball value = exact.value->enclosure(96);
+        const Rational unit = power(Rational(10), 12);
+        bounds.low = Rational(floor(value.lower() * unit)) / unit;
+        bounds.high = Rational(ceiling(value.upper() * unit)) / unit;
+        bounds.low_by = bounds.high_by = "the exact value";
+    } else {
+        bounds = dimension_bounds(system, *options.within, budget);
+    }
+    DimensionReport found = measured(system, exact, options, budget);
+    found.bounds = std::move(bounds);
+    found.within = *options.within;
+    return found;
+}
+
 /// The search for parts that coincide may take long. What it has not ended in a few seconds goes on
 /// behind the bound and the measurement, which a page shows at once; what they are is kept when the
 /// time is over.
@@ -479,10 +529,16 @@ DimensionReport measured_generator(const Options& options, const Budget& budget)
 }
 
 DimensionReport measured(const Options& options, const Budget& budget) {
-    if (is_generator(options.file)) return measured_generator(options, budget);
+    if (is_generator(options.file)) {
+        if (options.within)
+            throw Error("--within is for systems, and " + options.file + " is not one");
+        return measured_generator(options, budget);
+    }
     const Input read = input(options, budget);
     if (const auto* system = std::get_if<Model>(&read.content))
-        return measured(*system, options, budget);
+        return options.within ? bounded(*system, options, budget)
+                              : measured(*system, options, budget);
+    if (options.within) throw Error("--within is for systems, and " + read.name + " is not one");
     return measure(std::get<PointSet>(read.content), read.name, options, budget);
 }
 
@@ -509,9 +565,12 @@ int dimension(const Options& options) {
     if (options.quick && !options.table) throw Error("--quick is for --table");
     if (options.table) {
         if (options.measure != Measure::boxes) throw Error("--table is for --measure boxes");
+        if (options.within) throw Error("--within is for one system, not for --table");
         return print_table(options, budget);
     }
     if (options.file.empty()) throw Error("dimension: expected FILE, or --table");
+    if (options.within && options.measure != Measure::boxes)
+        throw Error("--within is for --measure boxes");
     if (!options.plot.empty()) picture_format(options.plot);  // before the work
     if (options.measure != Measure::boxes) {
         const bool plotted = options.measure == Measure::divider ||
@@ -528,6 +587,7 @@ int dimension(const Options& options) {
     if (!options.plot.empty() && !found.counts.counts.empty())
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
     print_report(found, options.json);
+    if (found.bounds) return found.is_within() ? success : undecided;
     // What the rules say is an answer where no generation was asked about.
     if (found.late) return undecided;
     if (found.exact && found.exact->status == ExactDimension::Status::unfinished) return undecided;
@@ -559,6 +619,9 @@ void add_dimension(Verbs& verbs) {
                 ".eps");
     verb.option("--grids", options.grids, grid_count, "N",
                 "over how many places of the grid counts are averaged (default 16)");
+    verb.option("--within", options.within, width, "W",
+                "systems: bounds that are proved, from above and from below, at most W apart where "
+                "they come so near; otherwise the best, and the exit status is 3");
     verb.flag("--points", options.points,
               "FILE holds points, whatever its name and first line are");
     verb.option("--threshold", options.threshold, positive_or_zero, "T",

@@ -205,8 +205,9 @@ struct ExactDimension {
 /// each have their own dimension; the largest is that of the whole.
 ///
 /// A parametric system whose rules multiply all lengths by the same constant is treated in the same
-/// way. With several constants the value is the similarity dimension (`RatioSum`), an upper bound,
-/// as overlaps of parts are not looked at; segments that stay segments have the dimension 1.
+/// way. With several constants, or an angle of no lattice, the value is the similarity dimension
+/// (`RatioSum`): exact where neighbour maps show that no parts coincide, else an upper bound.
+/// Segments that stay segments have the dimension 1.
 ///
 /// Throws BoundReached past the deadline, Interrupted: neither says anything about the rules.
 ///
@@ -218,6 +219,24 @@ ExactDimension exact_dimension(const Model& system, const Budget& budget = {});
 ///
 /// Example: dimension_bound(read_lsystem("axiom F; F -> FF-F-F-F-F-F+F; angle 90", "")).value->text() == "log 8 / log sqrt 10"
 ExactDimension dimension_bound(const Model& system, const Budget& budget = {});
+
+/// Certified bounds of the Hausdorff dimension, the upper one also of the box dimension.
+struct DimensionBounds {
+    Rational low = 0, high = 2;  // rounded outward
+    std::string low_by = "no set is smaller", high_by = "as for every set in the plane";
+
+    Rational width() const { return high - low; }
+};
+
+/// Bounds of the dimension of the recurrent set of a D0L system, also where it has no formula. From
+/// above by the number of different parts of a level, from below by the pairs of parts of a level
+/// that may meet (`dimension_bounds.cpp`): both tend to the dimension where parts do not crowd. Ends
+/// when the bounds are so near, or when the budget's time or 10^6 parts of a level do not bring them
+/// nearer.
+///
+/// Throws what RecurrentSet throws where the system has none, and Error if it is not a D0L system.
+DimensionBounds dimension_bounds(const Model& system, const Rational& within,
+                                 const Budget& budget = {});
 
 // Dimensions as numbers to compare with, and ratios as expressions.
 
@@ -271,6 +290,65 @@ std::optional<Rational> rational_value(const Expression& expression);
 ///
 /// Throws Error for other functions of irrational numbers.
 Ball enclosure(const Expression& constant, long bits);
+
+// Exact numbers of the plane: positions and turns by rational numbers of degrees, and square roots
+// of rational numbers, lie in the field of the rational numbers and a root of unity.
+
+/// above / below, in lowest terms, so that equal numbers have equal members.
+struct CyclotomicNumber {
+    CyclotomicInteger above;
+    Integer below = 1;
+
+    bool operator==(const CyclotomicNumber&) const = default;
+};
+
+/// The field Q(zeta_m). Elements handed to it must be its own; this is not checked.
+class CyclotomicField {
+public:
+    /// Throws `Error` unless 1 <= order <= CyclotomicRing::largest_order.
+    explicit CyclotomicField(long order) : ring_(order) {}
+
+    long order() const { return ring_.order(); }
+    std::size_t degree() const { return ring_.degree(); }
+
+    CyclotomicNumber rational(const Rational& value) const;
+    /// zeta^exponent.
+    CyclotomicNumber zeta(std::int64_t exponent) const;
+    /// e^(i degrees), if it lies in the field.
+    std::optional<CyclotomicNumber> direction(const Rational& degrees) const;
+    /// The square root that is not negative, or a positive multiple of i; nothing if it does not lie
+    /// in the field, or is not seen to.
+    std::optional<CyclotomicNumber> square_root(const Rational& value) const;
+    /// The value of an expression without names: of rational numbers, + - * /, integral powers,
+    /// square roots of what is rational, sines, cosines and tangents of rational degrees. Nothing
+    /// if some part of it is of another kind or lies outside the field.
+    std::optional<CyclotomicNumber> value_of(const Expression& constant) const;
+
+    CyclotomicNumber sum(const CyclotomicNumber& left, const CyclotomicNumber& right) const;
+    CyclotomicNumber difference(const CyclotomicNumber& left, const CyclotomicNumber& right) const;
+    CyclotomicNumber product(const CyclotomicNumber& left, const CyclotomicNumber& right) const;
+    CyclotomicNumber conjugate(const CyclotomicNumber& value) const;
+    /// Throws Error for 0.
+    CyclotomicNumber inverse(const CyclotomicNumber& value) const;
+    bool is_zero(const CyclotomicNumber& value) const;
+    /// The number, if it is rational.
+    std::optional<Rational> as_rational(const CyclotomicNumber& value) const;
+    /// Within about 1e-15 of its size.
+    std::complex<double> to_complex(const CyclotomicNumber& value) const;
+    /// How two real numbers compare.
+    std::weak_ordering compare(const CyclotomicNumber& left, const CyclotomicNumber& right) const;
+
+private:
+    CyclotomicNumber lowest(CyclotomicInteger above, Integer below) const;
+
+    CyclotomicRing ring_;
+};
+
+/// The least m, a multiple of 4, such that Q(zeta_m) has the values of all these expressions; of what
+/// `CyclotomicField::value_of` does not know, nothing is asked. Nothing beyond the largest order.
+///
+/// Example: (void)0, cyclotomic_order({}) == 4
+std::optional<long> cyclotomic_order(const std::vector<const Expression*>& constants);
 
 // The parts of the limit: for those who draw it or write it down in another way.
 

@@ -20,8 +20,9 @@
 // of the plane, and otherwise not known.
 //
 // Parametric systems (ratio_graph.cpp): with one ratio they are D0L systems in disguise. Otherwise
-// the similarity dimension (ratio_sum.cpp) is an upper bound, as overlaps are not looked at;
-// figures that only contain whole segments have dimension 1.
+// the similarity dimension (ratio_sum.cpp) is an upper bound, and exact where neighbour maps prove
+// that no parts coincide (neighbour_maps.cpp); figures that only contain whole segments have
+// dimension 1. D0L systems with angles of no lattice go the same way, with all ratios 1.
 
 namespace algae {
 
@@ -51,8 +52,8 @@ bool vanishes(const std::vector<RatioSum::Entry>& cycle, const WayGrowth& growth
 
 /// The dimension of the limit curve of a parametric system whose rules multiply lengths by
 /// constants (`RatioGraph`). Where all of them are the same, it is that of the D0L system with
-/// steps of one length. Otherwise it is the similarity dimension (`RatioSum`), an upper bound, as
-/// whether parts overlap is not looked at; segments that stay segments have the dimension 1.
+/// steps of one length. Otherwise it is the similarity dimension (`RatioSum`), exact where
+/// `parts_apart` proves it, else an upper bound; segments that stay segments have the dimension 1.
 ///
 /// Throws what `ratio_graph`, `WayGrowth` and `RatioSum` throw.
 ExactDimension parametric_dimension(const Model& system, bool searched, const Budget& budget) {
@@ -76,6 +77,7 @@ ExactDimension parametric_dimension(const Model& system, bool searched, const Bu
     const Components all = RatioSum::components(graph.states.size(), entries, budget);
 
     std::optional<RatioSum> largest;
+    std::vector<std::size_t> states;  // of that component
     double dimension = 0;
     bool has_segments = false;
     for (const Component& component : all.list) {
@@ -93,6 +95,7 @@ ExactDimension parametric_dimension(const Model& system, bool searched, const Bu
         if (largest && value <= dimension) continue;
         dimension = value;
         largest = std::move(sum);
+        states = component.letters;
     }
     ExactDimension found;
     if (largest && (!has_segments || dimension > 1)) {
@@ -101,7 +104,20 @@ ExactDimension parametric_dimension(const Model& system, bool searched, const Bu
         found.conditions.push_back(
             "rules multiply lengths by constants, and m is the factor by which the ways from the "
             "beginnings to the ends of figures grow in each generation");
-        found.conditions.push_back("whether parts overlap is not known");
+        if (!searched) {
+            found.conditions.push_back("whether parts coincide has not been looked at");
+            return found;
+        }
+        const PartsApart parts = parts_apart(graph, states, drawing, budget);
+        if (parts.answer == PartsApart::Answer::apart) {
+            found.status = Status::exact;
+            found.conditions.push_back("parts meet in " + counted(parts.ways, "way") +
+                                       "; no two coincide, so all of them count");
+        } else if (parts.answer == PartsApart::Answer::coincide) {
+            found.conditions.push_back("parts coincide, so it is an upper bound");
+        } else {
+            found.conditions.push_back("whether parts overlap is not known: " + parts.reason);
+        }
         return found;
     }
     found.status = Status::exact;
@@ -275,9 +291,11 @@ bool has_parameters(const LSystem& system) {
            });
 }
 
-}  // namespace
-
-namespace {
+/// Whether the angle is one of those that the recurrent set is exact for.
+bool has_lattice_angle(const Drawing& drawing) {
+    return !drawing.angle ||
+           (drawing.angle->exact && (*drawing.angle->exact / Rational(360)).denominator() <= 360);
+}
 
 /// `searched`: parts that coincide are looked for.
 ExactDimension found_dimension(const Model& system, bool searched, const Budget& budget) {
@@ -292,7 +310,8 @@ ExactDimension found_dimension(const Model& system, bool searched, const Budget&
         if (drawing.tropism) throw Error("strokes bend to a tropism");
         if (!drawing.solids.empty()) throw Error("symbols leave solids");
         if (!drawing.surfaces.empty()) throw Error("symbols leave surfaces");
-        if (!rules) return parametric_dimension(system, searched, budget);
+        if (!rules || !has_lattice_angle(drawing))
+            return parametric_dimension(system, searched, budget);
         const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);
         Search search(*limit, budget);
         ExactDimension found = searched ? search.result() : search.bound();

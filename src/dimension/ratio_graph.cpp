@@ -326,14 +326,16 @@ private:
         if (name == "*" && (key.arity > 0 || drawing.scale))
             throw Error("the symbol * changes the turtle's step");
         if (name == "%") throw Error("the symbol % leaves branches out");
-        if (name == "|") state.degrees = 180;
+        if (name == "|") state.turn = {180, 0};
         if (name == "+" || name == "-") {
-            if (key.arity == 0 && drawing.angle && !drawing.angle->exact)
-                throw Error("the angle is no rational number of degrees");
-            state.degrees = key.arity > 0   ? key.numbers[0]
-                            : drawing.angle ? *drawing.angle->exact
-                                            : Rational(90);
-            if ((name == "-") != drawing.clockwise) state.degrees = -state.degrees;
+            if (key.arity > 0)
+                state.turn = Rotation{} + Rotation{key.numbers[0], 0};
+            else if (!drawing.angle || drawing.angle->exact)
+                state.turn =
+                    Rotation{} + Rotation{drawing.angle ? *drawing.angle->exact : Rational(90), 0};
+            else
+                state.turn = {0, 1};
+            if ((name == "-") != drawing.clockwise) state.turn = -state.turn;
         }
         return state;
     }
@@ -413,8 +415,19 @@ private:
 
 }  // namespace
 
+Rotation operator+(const Rotation& left, const Rotation& right) {
+    const Rational sum = left.degrees + right.degrees;
+    return {sum - Rational(360) * Rational(floor(sum / Rational(360))), left.angles + right.angles};
+}
+
+Rotation operator-(const Rotation& turn) {
+    return Rotation{} + Rotation{-turn.degrees, -turn.angles};
+}
+
 RatioGraph ratio_graph(const Model& system, const Budget& budget) {
-    return Builder(system, budget).graph();
+    RatioGraph found = Builder(system, budget).graph();
+    if (system.drawing.angle) found.angle = system.drawing.angle->expression;
+    return found;
 }
 
 std::vector<bool> lasting(const RatioGraph& graph, const std::vector<bool>& holds) {
@@ -448,7 +461,7 @@ bool stays(const RatioGraph& graph, std::size_t k) {
 Rational common_angle(const RatioGraph& graph) {
     Rational common = 360;
     for (const RatioGraph::State& state : graph.states)
-        for (Rational rest = abs(state.degrees); !rest.is_zero();) {
+        for (Rational rest = state.turn.degrees; !rest.is_zero();) {
             const Rational next = common - rest * Rational(floor(common / rest));
             common = rest;
             rest = next;
@@ -459,7 +472,7 @@ Rational common_angle(const RatioGraph& graph) {
 }  // namespace
 
 std::optional<Model> with_equal_lengths(const RatioGraph& graph) {
-    constexpr long most_directions = 720;
+    constexpr long most_directions = 360;
     if (!has_one_ratio(graph)) return std::nullopt;
     const Rational unit = common_angle(graph);
     if (unit * Rational(most_directions) < Rational(360)) return std::nullopt;
@@ -468,12 +481,11 @@ std::optional<Model> with_equal_lengths(const RatioGraph& graph) {
     std::vector<Word> words;
     for (std::size_t k = 0; k < graph.states.size(); ++k) {
         const RatioGraph::State& state = graph.states[k];
-        if (!state.degrees.is_zero()) {
-            if (!stays(graph, k)) return std::nullopt;
-            const Rational times = abs(state.degrees) / unit;
-            const Rational turns =
-                times - Rational(360) / unit * Rational(floor(times * unit / Rational(360)));
-            const Symbol turn = system.alphabet.symbol(sign(state.degrees) > 0 ? "+" : "-");
+        if (!state.turn.is_zero()) {
+            if (!stays(graph, k) || state.turn.angles != 0) return std::nullopt;
+            const bool left = state.turn.degrees < Rational(180);
+            const Rational turns = (left ? state.turn : -state.turn).degrees / unit;
+            const Symbol turn = system.alphabet.symbol(left ? "+" : "-");
             words.emplace_back(static_cast<std::size_t>(turns.numerator().to_int64()), turn);
         } else {
             const std::string kind = state.draws ? "F_" : state.moves ? "f_" : "X_";
@@ -492,7 +504,7 @@ std::optional<Model> with_equal_lengths(const RatioGraph& graph) {
         return found;
     };
     for (std::size_t k = 0; k < graph.states.size(); ++k) {
-        if (!graph.states[k].degrees.is_zero()) continue;
+        if (!graph.states[k].turn.is_zero()) continue;
         Production rule;
         rule.predecessor.symbol = words[k].front();
         rule.successor.letters = word(graph.states[k].parts);

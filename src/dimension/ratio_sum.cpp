@@ -102,6 +102,10 @@ Ball enclosure(const Expression& constant, long bits) {
             if (name == "cos") return cos_pi(part, bits);
             return sin_pi(part, bits) / cos_pi(part, bits);
         }
+        const Ball half_turn(180, bits);
+        if (name == "atan") return atan(operand(0)) * half_turn / pi(bits);
+        if (name == "asin") return asin(operand(0)) * half_turn / pi(bits);
+        if (name == "acos") return acos(operand(0)) * half_turn / pi(bits);
     }
     throw Error("no exact value of '" + to_text(constant) + "' is known");
 }
@@ -110,10 +114,6 @@ namespace {
 
 constexpr std::size_t most_levels = 1000;
 using Matrix = std::vector<std::vector<ComplexBall>>;
-
-Rational normal(const Rational& degrees) {
-    return degrees - Rational(360) * Rational(floor(degrees / Rational(360)));
-}
 
 Matrix product(const Matrix& left, const Matrix& right) {
     Matrix out = left;
@@ -157,7 +157,17 @@ Ball trace(const Matrix& matrix) {
     return larger(abs(sum.real), abs(sum.imaginary));
 }
 
-/// The parts outside branches.
+}  // namespace
+
+ComplexBall direction(const Rotation& turn, const Expression& angle, long bits) {
+    const Rational half_turns = turn.degrees / Rational(180);
+    const ComplexBall exact{cos_pi(half_turns, bits), sin_pi(half_turns, bits)};
+    if (turn.angles == 0) return exact;
+    const Ball radians =
+        enclosure(angle, bits) * pi(bits) * Ball(turn.angles, bits) / Ball(180, bits);
+    return exact * ComplexBall{cos(radians), sin(radians)};
+}
+
 std::vector<const RatioGraph::Part*> stem(const RatioGraph::State& state) {
     std::vector<const RatioGraph::Part*> found;
     std::size_t depth = 0;
@@ -170,8 +180,6 @@ std::vector<const RatioGraph::Part*> stem(const RatioGraph::State& state) {
     return found;
 }
 
-/// By state, whether it steps outside branches in every later generation, or leads to one that
-/// does.
 std::vector<bool> moving_for_ever(const RatioGraph& graph) {
     std::vector<std::vector<std::size_t>> stems;
     std::vector<bool> moves;
@@ -183,9 +191,8 @@ std::vector<bool> moving_for_ever(const RatioGraph& graph) {
     return lasting(stems, moves);
 }
 
-}  // namespace
-
-WayGrowth::WayGrowth(const RatioGraph& graph, const Budget& budget) : budget_(budget) {
+WayGrowth::WayGrowth(const RatioGraph& graph, const Budget& budget)
+    : angle_(graph.angle), budget_(budget) {
     const std::vector<bool> moving = moving_for_ever(graph);
     std::vector<std::size_t> row(graph.states.size());
     for (std::size_t k = 0; k < graph.states.size(); ++k) {
@@ -199,22 +206,22 @@ WayGrowth::WayGrowth(const RatioGraph& graph, const Budget& budget) : budget_(bu
                            "more than " + std::to_string(most_moving) + " kinds of modules move");
 
     // The turns of each level until they come back.
-    std::vector<Rational> turns;
-    for (const auto& state : graph.states) turns.push_back(normal(state.degrees));
-    std::map<std::vector<Rational>, std::size_t> seen;
+    std::vector<Rotation> turns;
+    for (const auto& state : graph.states) turns.push_back(state.turn);
+    std::map<std::vector<Rotation>, std::size_t> seen;
     while (seen.emplace(turns, levels_.size()).second) {
         if (levels_.size() == most_levels)
             throw BoundReached(Bound::method, "turns do not come back within " +
                                                   std::to_string(most_levels) + " generations");
         budget.check();
         auto& level = levels_.emplace_back();
-        std::vector<Rational> next;
+        std::vector<Rotation> next;
         for (std::size_t k = 0; k < graph.states.size(); ++k) {
-            Rational heading;
+            Rotation heading;
             for (const RatioGraph::Part* part : stem(graph.states[k])) {
                 if (moving[k] && moving[part->state])
                     level.push_back({row[k], row[part->state], part->ratio, heading});
-                heading = normal(heading + turns[part->state]);
+                heading = heading + turns[part->state];
             }
             next.push_back(heading);
         }
@@ -236,10 +243,9 @@ Ball WayGrowth::enclosure(long bits) const {
                          std::vector<ComplexBall>(size_, {Ball(0, precision), Ball(0, precision)}));
             for (const Entry& entry : levels_[preperiod_ + phase]) {
                 const Ball ratio = algae::enclosure(entry.ratio, precision);
-                const Rational half_turns = entry.degrees / Rational(180);
+                const ComplexBall turn = direction(entry.turn, angle_, precision);
                 ComplexBall& sum = level[entry.row][entry.column];
-                sum = sum + ComplexBall{ratio * cos_pi(half_turns, precision),
-                                        ratio * sin_pi(half_turns, precision)};
+                sum = sum + ComplexBall{ratio * turn.real, ratio * turn.imaginary};
             }
             power = phase == 0 ? level : product(level, power);
         }
@@ -277,9 +283,11 @@ void WayGrowth::check_evenness() const {
     std::vector<std::vector<std::complex<double>>> factors;
     for (const auto& level : levels_) {
         auto& of_level = factors.emplace_back();
-        for (const Entry& entry : level)
-            of_level.push_back(std::polar(1.0, entry.degrees.to_double() * std::numbers::pi / 180) *
+        for (const Entry& entry : level) {
+            const ComplexBall turn = direction(entry.turn, angle_, 64);
+            of_level.push_back(std::complex(turn.real.midpoint(), turn.imaginary.midpoint()) *
                                algae::enclosure(entry.ratio, 64).midpoint());
+        }
     }
     double scale = 0, at_first = -INFINITY, at_second = -INFINITY;
     for (std::size_t n = 0; n < second + window; ++n) {

@@ -554,7 +554,12 @@ struct ProofWriter {
         return {{"by", "morphism"}, {"morphism", morphism_json(said.step, alphabet)}};
     }
     Json operator()(const steps::LimitSet& said) const {
-        return {{"by", "dimension"}, {"conditions", said.found->conditions}};
+        std::vector<std::string> conditions = said.found->conditions;
+        if (said.bounds)
+            conditions.push_back("at least " + shortest_text(said.bounds->low) + " by " +
+                                 said.bounds->low_by + ", at most " +
+                                 shortest_text(said.bounds->high) + " by " + said.bounds->high_by);
+        return {{"by", "dimension"}, {"conditions", conditions}};
     }
     Json operator()(const steps::OtherValues& said) const { return by_word(said.word); }
     Json operator()(const steps::Distinguished& said) const { return by_word(said.word); }

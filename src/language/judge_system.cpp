@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <chrono>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -322,11 +323,30 @@ Answer judge_bounded(steps::LimitSet said) {
     return open(said);
 }
 
-template <class Said>
-steps::LimitSet limit_set(const Said& said, bool boundary, const Budget& budget) {
-    return {said.name,
-            std::make_shared<const ExactDimension>(exact_dimension(*said.system, budget)), boundary,
-            said.dimension, Order::unknown};
+Budget for_at_most(std::chrono::seconds time, Budget budget) {
+    const auto end = std::chrono::steady_clock::now() + time;
+    if (!budget.deadline || end < *budget.deadline) budget.deadline = end;
+    return budget;
+}
+
+/// What certified bounds say, ever nearer ones until they decide; without an answer where they do
+/// not.
+std::optional<Answer> judge_certified(steps::LimitSet said, const Model& system,
+                                      const Budget& budget) {
+    const DimensionValue& claimed = *said.claimed.value;
+    const Budget brief = for_at_most(std::chrono::seconds(40), budget);
+    for (const char* const within : {"0.3", "0.1", "0.03", "0.01", "0.003"}) {
+        const auto bounds = std::make_shared<const DimensionBounds>(
+            dimension_bounds(system, Rational(within), brief));
+        said.bounds = bounds;
+        said.order = compare(DimensionValue(bounds->high), claimed);
+        if (said.order == Order::less) return decided(said.claimed.at_most, std::move(said));
+        if (said.order == Order::equal && said.claimed.at_most) return proved(std::move(said));
+        said.order = compare(DimensionValue(bounds->low), claimed);
+        if (said.order == Order::greater) return decided(false, std::move(said));
+        if (Rational(within) < bounds->width()) break;  // they come no nearer
+    }
+    return std::nullopt;
 }
 
 }  // namespace
@@ -336,14 +356,36 @@ bool exceeds_plane(const ExactDimension& found) {
 }
 
 Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
-    const steps::LimitSet said = limit_set(claimed, false, budget);
-    if (said.found->status == Status::exact) return judge_exact(*said.found->value, said);
-    if (said.found->status == Status::upper_bound) return judge_bounded(said);
-    return open(said);
+    const auto judged = [&](const ExactDimension& found) -> std::pair<Answer, steps::LimitSet> {
+        const steps::LimitSet said{claimed.name, std::make_shared<const ExactDimension>(found),
+                                   false, claimed.dimension, Order::unknown};
+        if (found.status == Status::exact) return {judge_exact(*found.value, said), said};
+        if (found.status == Status::upper_bound) return {judge_bounded(said), said};
+        return {open(said), said};
+    };
+    const auto by_bounds = [&](const ExactDimension& found) {
+        auto [answer, said] = judged(found);
+        if (answer.truth != Truth::undecided || found.status != Status::upper_bound) return answer;
+        const auto certified = judge_certified(said, *claimed.system, budget);
+        return certified ? *certified : answer;
+    };
+    // A search of some seconds; what bounds say; the search as long as it takes.
+    try {
+        return by_bounds(exact_dimension(*claimed.system,
+                                         for_at_most(std::chrono::seconds(10), budget)));
+    } catch (const BoundReached& bound) {
+        if (bound.bound() != Bound::time) throw;
+        budget.check();
+    }
+    const Answer answer = by_bounds(dimension_bound(*claimed.system, budget));
+    if (answer.truth != Truth::undecided) return answer;
+    return judged(exact_dimension(*claimed.system, budget)).first;
 }
 
 Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget) {
-    const steps::LimitSet said = limit_set(claimed, true, budget);
+    const steps::LimitSet said{
+        claimed.name, std::make_shared<const ExactDimension>(exact_dimension(*claimed.system, budget)),
+        true, claimed.dimension, Order::unknown};
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
 }
 

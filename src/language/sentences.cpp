@@ -363,6 +363,8 @@ public:
             say(marked(said.system) + ": " + condition + ".");
         if (said.boundary)
             boundary(said);
+        else if (said.bounds)
+            certified(said);
         else if (found.status == ExactDimension::Status::exact)
             exactly("The dimension of the limit set of " + marked(said.system), *found.value, said);
         else if (found.status == ExactDimension::Status::upper_bound)
@@ -1110,6 +1112,15 @@ private:
         const std::string compared = sign_between(said.order) + claimed;
         const bool is_said = value.text() == claimed || known.ends_with(compared);
         say(line + (is_said ? "" : marked(compared)) + ".");
+    }
+
+    /// What certified bounds say.
+    void certified(const steps::LimitSet& said) {
+        const bool below = said.order == Order::greater;
+        say("The dimension of the limit set of " + marked(said.system) + " is at " +
+            (below ? "least " : "most ") +
+            marked(shortest_text(below ? said.bounds->low : said.bounds->high)) + ", by " +
+            (below ? said.bounds->low_by : said.bounds->high_by) + ".");
     }
 
     /// What an upper bound says.

@@ -14,14 +14,15 @@
 // If all maps are similarities, the s for which the sum of ratio^s is 1 (Moran 1946), with several
 // states the matrix of these sums has the spectral radius 1 (Mauldin and Williams 1988), is an
 // upper bound of the dimension of the attractor, and equal to it where the open set condition
-// holds, which is not looked at here. Each strongly connected component of states that is reached
+// holds, which `separation` proves by neighbour maps. Each strongly connected component of states that is reached
 // has its own s; the largest counts. Where all ratios are one over the square root of the same
 // natural number, the value is written as log rate / log ratio.
 //
 // The curves of a D0L system approach a recurrent set (Dekking 1982), which is the attractor of a
 // graph-directed system: a state for each piece, and a map of the ratio 1/|mu| for each part of it,
 // with the heading of the part less the argument of mu as its turn. Ratios are written exactly
-// where |mu|^2 is a whole number; turns and offsets are decimals.
+// where |mu|^2 is a whole number; offsets with square roots where these are recognised, so that a
+// lattice remains one; other offsets and turns are decimals.
 
 namespace algae {
 
@@ -32,15 +33,11 @@ using Entry = RatioSum::Entry;
 
 /// The square of a ratio, where that is a rational number.
 std::optional<Rational> rational_square(const Expression& ratio) {
-    if (const auto plain = rational_value(shortened(ratio))) return *plain * *plain;
-    if (ratio.kind == Expression::Kind::call && ratio.name == "sqrt")
-        return rational_value(shortened(ratio.operands.front()));
-    if (ratio.kind == Expression::Kind::binary && ratio.name == "/") {
-        const auto above = rational_square(ratio.operands[0]),
-                   below = rational_square(ratio.operands[1]);
-        if (above && below && !below->is_zero()) return *above / *below;
-    }
-    return std::nullopt;
+    const auto order = cyclotomic_order({&ratio});
+    if (!order) return std::nullopt;
+    const CyclotomicField field(*order);
+    const auto value = field.value_of(shortened(ratio));
+    return value ? field.as_rational(field.product(*value, *value)) : std::nullopt;
 }
 
 /// log rate / log ratio, where all ratios are the same and one over the root of a natural number.
@@ -60,24 +57,27 @@ std::optional<LogRatio> equal_ratios(const std::vector<Entry>& entries, const Ra
 
 ExactDimension similarity_dimension(const IteratedFunctions& system, const Budget& budget) {
     ExactDimension found;
-    for (const auto& map : system.maps)
-        if (!map.ratio) {
+    std::vector<Expression> ratios;
+    for (const auto& map : system.maps) {
+        const auto ratio = exact_ratio(map);
+        if (!ratio) {
             found.conditions.push_back(map.name + " is no similarity");
             return found;
         }
+        ratios.push_back(*ratio);
+    }
     std::vector<bool> is_reached = reachable(system).front();
     is_reached.front() = true;
     std::vector<Entry> entries;
-    for (const auto& map : system.maps) entries.push_back({map.from, map.to, *map.ratio});
+    for (std::size_t k = 0; k < ratios.size(); ++k)  // maps to points add countably many points
+        if (sign(enclosure(ratios[k], 64)) != 0)
+            entries.push_back({system.maps[k].from, system.maps[k].to, ratios[k]});
     const Components all = RatioSum::components(system.states.size(), entries, budget);
     std::optional<double> largest;
+    std::vector<std::size_t> states;
     for (const Component& component : all.list) {
         if (!component.rate || !is_reached[component.letters.front()]) continue;
         std::vector<Entry> own = RatioSum::within(component, entries);
-        const bool to_points = std::any_of(own.begin(), own.end(), [](const Entry& entry) {
-            return sign(enclosure(entry.ratio, 64)) == 0;
-        });
-        if (to_points) continue;  // adds nothing
         const bool single = *component.rate == Rate(1);
         DimensionFormula formula = LogRatio(Rate(1), ScalingRatio(Integer(2)));
         if (const auto log_ratio = equal_ratios(own, *component.rate))
@@ -88,6 +88,7 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
         if (largest && value <= *largest) continue;
         largest = value;
         found.value = found.similarity = formula;
+        states = component.letters;
     }
     if (!largest) {
         found.conditions.push_back("a map takes everything to one point");
@@ -95,14 +96,16 @@ ExactDimension similarity_dimension(const IteratedFunctions& system, const Budge
     }
     found.status = Status::upper_bound;
     found.conditions.push_back("all maps are similarities");
-    const Separation parts = separation(system, budget);
+    const Separation parts = separation(system, states, budget);
     if (parts == Separation::apart) {
         found.status = Status::exact;
         found.conditions.push_back(
             "parts meet in finitely many ways and no two coincide, so the open set condition "
             "holds");
     } else if (parts == Separation::coincide) {
-        found.conditions.push_back("two parts coincide, so the dimension is smaller");
+        found.conditions.push_back(all.list.size() == 1
+                                       ? "two parts coincide, so the dimension is smaller"
+                                       : "two parts coincide, so it is an upper bound");
     } else {
         found.conditions.push_back("an upper bound unless the open set condition holds");
     }
@@ -116,6 +119,45 @@ Quantity decimal(double value) {
     const double whole = std::round(value);
     if (std::fabs(value - whole) < 1e-13) return quantity(Rational(static_cast<long>(whole)));
     return quantity(Rational(shortest_decimal(value)));
+}
+
+/// (a + b sqrt k) / d with small numbers, if the number is as near to one as doubles tell.
+std::optional<Quantity> recognised(double value) {
+    constexpr long largest_denominator = 36, largest_factor = 36;
+    constexpr double rounding = 2e-14;
+    for (long d = 1; d <= largest_denominator; ++d)
+        for (const long k : {1L, 2L, 3L, 5L}) {
+            const double root = k == 1 ? 0 : std::sqrt(static_cast<double>(k));
+            const long most = k == 1 ? 0 : largest_factor;
+            for (long b = -most; b <= most; ++b) {
+                const double above = value * static_cast<double>(d) - static_cast<double>(b) * root;
+                const double whole = std::round(above);
+                if (std::fabs(whole) > 1000 ||
+                    std::fabs(above - whole) > rounding * static_cast<double>(d))
+                    continue;
+                const Quantity plain = quantity(Rational(static_cast<long>(whole), d));
+                if (b == 0) return plain;
+                const bool single = plain.exact->is_zero();
+                Expression root_of, part, sum;
+                root_of.kind = Expression::Kind::call;
+                root_of.name = "sqrt";
+                root_of.operands = {quantity(Rational(k)).expression};
+                part.kind = sum.kind = Expression::Kind::binary;
+                part.name = "*";
+                part.operands = {quantity(Rational(single ? b : std::abs(b), d)).expression,
+                                 root_of};
+                sum.name = b < 0 ? "-" : "+";
+                sum.operands = {plain.expression, part};
+                return evaluate(single ? part : sum, {});
+            }
+        }
+    return std::nullopt;
+}
+
+/// The number as recognised, so that a lattice remains one, or else as a decimal.
+Quantity coordinate(double value) {
+    const auto found = recognised(value);
+    return found ? *found : decimal(value);
 }
 
 /// 1/|mu|, exactly where |mu|^2 is a whole number.
@@ -139,11 +181,16 @@ IteratedFunctions::Map similarity(const Quantity& ratio, double degrees,
     map.ratio = ratio.expression;
     const double turn = map.similarity->second.value / 180 * std::numbers::pi;
     const double c = ratio.value * std::cos(turn), s = ratio.value * std::sin(turn);
-    const Quantity x = decimal(offset.real()), y = decimal(offset.imag());
+    const Quantity x = coordinate(offset.real()), y = coordinate(offset.imag());
     map.numbers.fill(quantity(0));
     map.numbers[4] = x;
     map.numbers[5] = y;
     map.map = {c, -s, s, c, x.value, y.value};
+    if (map.similarity->second.exact->is_integer()) return map;
+    const auto cosine = recognised(c), sine = recognised(s), opposite = recognised(-s);
+    if (!cosine || !sine || !opposite) return map;
+    map.similarity.reset();
+    map.numbers = {*cosine, *opposite, *sine, *cosine, x, y};
     return map;
 }
 

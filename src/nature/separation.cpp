@@ -1,122 +1,281 @@
-#include <array>
+#include <algorithm>
 #include <cmath>
 #include <deque>
-#include <set>
+#include <unordered_set>
 
 #include "nature/detail/iterated_functions.hpp"
 
 // Whether the parts of an attractor of similarities lie apart but for their edges: by neighbour maps.
 //
-// A part f_v(K) seen from the part f_u(K) is h(K) with h = f_u^-1 f_v. From h = f_i^-1 f_j, the larger
-// one of the two is divided: f_i^-1 h, or h f_j, or both where they are equally large. Only maps for
-// which h(K) can meet K are kept: discs say so. If there are finitely many and the identity is none
-// of them, no sequence of them tends to it, so the open set condition holds (Bandt and Graf,
-// Self-similar sets 7, Proc. AMS 114, 1992). If the identity is reached, two parts are one. All maps
-// are exact, with rational numbers; discs are in doubles with a margin.
+// A part f_v(K_t) seen from the part f_u(K_s) is h(K_t) with h = f_u^-1 f_v. From h = f_i^-1 f_j, the
+// larger one of the two is divided: f_i^-1 h, or h f_j, or both where they are equally large. Only
+// maps for which h(K_t) can meet K_s are kept: discs say so. If there are finitely many and none is
+// the identity between a state and itself, then a part has boundedly many others of about its size
+// beside it, so the parts all count and the dimension is that of their ratios (Bandt and Graf,
+// Self-similar sets 7, Proc. AMS 114, 1992: the open set condition; Das and Ngai for several
+// states). If the identity is reached, two parts are one.
+//
+// A similarity of the plane is z -> c z + d or z -> c conj(z) + d. Its numbers are exact, in the
+// field of the rational numbers and a root of unity; discs are in doubles with a margin.
 
 namespace algae {
 
 namespace {
 
-/// x -> (a x + b y + e, c x + d y + f), exactly: a, b, c, d, e, f.
-using ExactMap = std::array<Rational, 6>;
+using Number = CyclotomicNumber;
 
-ExactMap composed(const ExactMap& g, const ExactMap& h) {
-    return {g[0] * h[0] + g[1] * h[2],        g[0] * h[1] + g[1] * h[3],
-            g[2] * h[0] + g[3] * h[2],        g[2] * h[1] + g[3] * h[3],
-            g[0] * h[4] + g[1] * h[5] + g[4], g[2] * h[4] + g[3] * h[5] + g[5]};
-}
+struct Similarity {
+    Number factor, shift;
+    bool reflects = false;
 
-ExactMap inverse(const ExactMap& g) {
-    const Rational area = g[0] * g[3] - g[1] * g[2];
-    const Rational a = g[3] / area, b = -g[1] / area, c = -g[2] / area, d = g[0] / area;
-    return {a, b, c, d, -(a * g[4] + b * g[5]), -(c * g[4] + d * g[5])};
-}
+    bool operator==(const Similarity&) const = default;
+};
 
-/// The square of the factor of a similarity.
-Rational square_of_ratio(const ExactMap& g) { return g[0] * g[0] + g[2] * g[2]; }
+/// How a part of the state `to` lies to one of the state `from`.
+struct Neighbour {
+    std::size_t from = 0, to = 0;
+    Similarity map;
 
-/// The map, if it is written with rational numbers.
-std::optional<ExactMap> exact_map(const IteratedFunctions::Map& map) {
-    ExactMap found;
-    if (map.similarity) {
-        const auto& [ratio, degrees] = *map.similarity;
-        if (!ratio.exact || !degrees.exact) return std::nullopt;
-        const Rational quarters = *degrees.exact / Rational(90);
-        if (!quarters.is_integer() || !quarters.numerator().fits_int64()) return std::nullopt;
-        constexpr std::array cosines{1L, 0L, -1L, 0L};
-        const auto turn = static_cast<std::size_t>(quarters.numerator().to_int64() & 3);
-        const Rational c = *ratio.exact * Rational(cosines[turn]),
-                       s = *ratio.exact * Rational(cosines[(turn + 3) % 4]);
-        found = {c, -s, s, c, 0, 0};
+    bool operator==(const Neighbour&) const = default;
+};
+
+struct HashNeighbour {
+    std::size_t operator()(const Neighbour& key) const {
+        std::size_t hash = 2 * (key.from * 1'000'003 + key.to) + (key.map.reflects ? 1 : 0);
+        for (const Number* number : {&key.map.factor, &key.map.shift}) {
+            hash = hash * 0x9E3779B97F4A7C15u ^ hash_value(number->above);
+            hash = hash * 0x9E3779B97F4A7C15u ^ hash_value(number->below);
+        }
+        return hash;
     }
-    for (std::size_t k = map.similarity ? 4 : 0; k < 6; ++k) {
-        if (!map.numbers[k].exact) return std::nullopt;
-        found[k] = *map.numbers[k].exact;
+};
+
+/// What can be done with similarities whose numbers lie in a field.
+class Similarities {
+public:
+    explicit Similarities(long order) : field_(order) {}
+
+    const CyclotomicField& field() const { return field_; }
+
+    Number linear(const Similarity& map, const Number& z) const {
+        return field_.product(map.factor, map.reflects ? field_.conjugate(z) : z);
     }
-    return found;
+
+    /// First `inner`, then `outer`.
+    Similarity composed(const Similarity& outer, const Similarity& inner) const {
+        return {linear(outer, inner.factor), field_.sum(linear(outer, inner.shift), outer.shift),
+                outer.reflects != inner.reflects};
+    }
+
+    Similarity inverse(const Similarity& map) const {
+        // Of z -> c conj(z) + d it is z -> conj(z / c) - conj(d / c).
+        Number factor = field_.inverse(map.factor);
+        Number shift = field_.difference(field_.rational(0), field_.product(factor, map.shift));
+        if (map.reflects) {
+            factor = field_.conjugate(factor);
+            shift = field_.conjugate(shift);
+        }
+        return {std::move(factor), std::move(shift), map.reflects};
+    }
+
+    /// The square of the factor of distances.
+    Number size(const Similarity& map) const {
+        return field_.product(map.factor, field_.conjugate(map.factor));
+    }
+
+    bool is_identity(const Similarity& map) const {
+        return !map.reflects && field_.is_zero(map.shift) && map.factor == field_.rational(1);
+    }
+
+    /// The map of a file, if it is written with numbers of the field.
+    std::optional<Similarity> exactly(const IteratedFunctions::Map& map) const {
+        Similarity found;
+        const auto value = [&](std::size_t k) {
+            const Quantity& number = map.numbers[k];
+            return number.exact ? field_.rational(*number.exact)
+                                : field_.value_of(number.expression);
+        };
+        const Number i = field_.zeta(field_.order() / 4);
+        if (map.similarity) {
+            const auto& [ratio, degrees] = *map.similarity;
+            const auto size =
+                ratio.exact ? field_.rational(*ratio.exact) : field_.value_of(ratio.expression);
+            const auto turn = degrees.exact ? field_.direction(*degrees.exact) : std::nullopt;
+            if (!size || !turn) return std::nullopt;
+            found.factor = field_.product(*size, *turn);
+        } else {
+            const auto a = value(0), b = value(1), c = value(2), d = value(3);
+            if (!a || !b || !c || !d) return std::nullopt;
+            const auto negative = [&](const Number& x) {
+                return field_.difference(field_.rational(0), x);
+            };
+            found.reflects = *d == negative(*a) && *b == *c;
+            if (!found.reflects && (*d != *a || *b != negative(*c))) return std::nullopt;
+            found.factor = field_.sum(*a, field_.product(i, *c));
+        }
+        const auto e = value(4), f = value(5);
+        if (!e || !f || field_.is_zero(found.factor)) return std::nullopt;
+        found.shift = field_.sum(*e, field_.product(i, *f));
+        return found;
+    }
+
+private:
+    CyclotomicField field_;
+};
+
+struct Disc {
+    std::complex<double> centre;
+    double radius = 0;
+};
+
+/// A map within the states looked at.
+struct Step {
+    std::size_t from, to;
+    Similarity map, inverse;
+    double ratio;
+    std::complex<double> of_centre;
+};
+
+/// For each state a disc that its maps take the discs of others into.
+void find_discs(std::vector<Disc>& discs, const std::vector<Step>& steps) {
+    double farthest = 0, largest = 0;
+    for (const Step& step : steps) {
+        farthest = std::max(farthest, std::abs(step.of_centre - discs[step.from].centre));
+        largest = std::max(largest, step.ratio);
+    }
+    for (Disc& disc : discs) disc.radius = farthest / (1 - largest);
+    // Each round holds the sets, and is smaller.
+    for (int round = 0; round < 60; ++round) {
+        std::vector<double> radii(discs.size(), 0);
+        for (const Step& step : steps)
+            radii[step.from] =
+                std::max(radii[step.from], std::abs(step.of_centre - discs[step.from].centre) +
+                                               step.ratio * discs[step.to].radius);
+        for (std::size_t k = 0; k < discs.size(); ++k) discs[k].radius = radii[k];
+    }
 }
 
-Point image(const ExactMap& g, Point p) {
-    return {g[0].to_double() * p.x + g[1].to_double() * p.y + g[4].to_double(),
-            g[2].to_double() * p.x + g[3].to_double() * p.y + g[5].to_double()};
+/// The field in which all numbers of the maps lie, where there is one.
+std::optional<long> common_order(std::span<const IteratedFunctions::Map> maps) {
+    std::vector<const Expression*> numbers;
+    std::vector<Expression> turns;  // cos degrees
+    turns.reserve(maps.size());
+    for (const auto& map : maps) {
+        for (std::size_t k = map.similarity ? 4 : 0; k < 6; ++k)
+            numbers.push_back(&map.numbers[k].expression);
+        if (!map.similarity) continue;
+        numbers.push_back(&map.similarity->first.expression);
+        Expression turn;
+        turn.kind = Expression::Kind::call;
+        turn.name = "cos";
+        turn.operands = {map.similarity->second.expression};
+        turns.push_back(std::move(turn));
+        numbers.push_back(&turns.back());
+    }
+    return cyclotomic_order(numbers);
 }
 
 }  // namespace
 
-Separation separation(const IteratedFunctions& system, const Budget& budget, std::size_t most) {
-    if (system.states.size() != 1) return Separation::unknown;
-    std::vector<ExactMap> maps, inverses;
+std::optional<Expression> exact_ratio(const IteratedFunctions::Map& map) {
+    if (map.ratio) return map.ratio;
+    const auto order = common_order(std::span(&map, 1));
+    if (!order) return std::nullopt;
+    const Similarities similarities(*order);
+    const auto exact = similarities.exactly(map);
+    if (!exact) return std::nullopt;
+    Expression ratio;
+    ratio.kind = Expression::Kind::call;
+    ratio.name = "sqrt";
+    if (const auto square = similarities.field().as_rational(similarities.size(*exact))) {
+        ratio.operands = {quantity(*square).expression};
+        return ratio;
+    }
+    Expression sum;
+    sum.kind = Expression::Kind::binary;
+    sum.name = "+";
+    for (const std::size_t k : {std::size_t{0}, std::size_t{2}}) {
+        Expression square;
+        square.kind = Expression::Kind::binary;
+        square.name = "*";
+        square.operands = {map.numbers[k].expression, map.numbers[k].expression};
+        sum.operands.push_back(std::move(square));
+    }
+    ratio.operands = {std::move(sum)};
+    return ratio;
+}
+
+Separation separation(const IteratedFunctions& system, const std::vector<std::size_t>& states,
+                      const Budget& budget, std::size_t most) {
+    const auto order = common_order(system.maps);
+    if (!order) return Separation::unknown;
+    const Similarities similarities(*order);
+    const CyclotomicField& field = similarities.field();
+    std::vector<bool> inside(system.states.size());
+    for (const std::size_t state : states) inside[state] = true;
+
+    const std::vector<Box> boxes = attractor_boxes(system);
+    std::vector<Disc> discs(system.states.size());
+    for (const std::size_t state : states)
+        discs[state].centre = {(boxes[state].low.x + boxes[state].high.x) / 2,
+                               (boxes[state].low.y + boxes[state].high.y) / 2};
+    std::vector<Step> steps;
+    std::vector<std::vector<std::size_t>> from(system.states.size());
     for (const auto& map : system.maps) {
-        const auto exact = exact_map(map);
-        if (!exact || !map.ratio || square_of_ratio(*exact).is_zero()) return Separation::unknown;
-        maps.push_back(*exact);
-        inverses.push_back(inverse(*exact));
+        if (!inside[map.from] || !inside[map.to]) continue;
+        if (map.ratio && sign(enclosure(*map.ratio, 64)) == 0) continue;  // to a point
+        const auto exact = similarities.exactly(map);
+        if (!exact) return Separation::unknown;
+        const std::complex<double> at = discs[map.to].centre;
+        from[map.from].push_back(steps.size());
+        steps.push_back({map.from, map.to, *exact, similarities.inverse(*exact),
+                         std::abs(field.to_complex(exact->factor)),
+                         field.to_complex(exact->factor) * (exact->reflects ? std::conj(at) : at) +
+                             field.to_complex(exact->shift)});
     }
-    // A disc around the attractor: maps take it into itself.
-    Point centre;
-    for (const ExactMap& map : maps) {
-        const Point at = image(map, {0, 0});
-        centre.x += at.x / static_cast<double>(maps.size());
-        centre.y += at.y / static_cast<double>(maps.size());
-    }
-    double radius = 0;
-    for (const ExactMap& map : maps) {
-        const Point at = image(map, centre);
-        radius = std::max(radius, std::hypot(at.x - centre.x, at.y - centre.y) /
-                                      (1 - std::sqrt(square_of_ratio(map).to_double())));
-    }
-    const ExactMap identity{1, 0, 0, 1, 0, 0};
-    std::set<ExactMap> seen;
-    std::deque<ExactMap> open;
+    find_discs(discs, steps);
+
+    std::unordered_set<Neighbour, HashNeighbour> seen;
+    std::deque<const Neighbour*> open;
     bool coincide = false;
-    const auto visit = [&](const ExactMap& map) {
-        if (map == identity) coincide = true;
-        const Point at = image(map, centre);
-        const double own = radius * std::sqrt(square_of_ratio(map).to_double());
-        if (std::hypot(at.x - centre.x, at.y - centre.y) > (radius + own) * (1 + 1e-9) + 1e-12)
-            return;
-        if (seen.insert(map).second) open.push_back(map);
+    const auto visit = [&](Neighbour found) {
+        if (found.from == found.to && similarities.is_identity(found.map)) coincide = true;
+        const std::complex<double> factor = field.to_complex(found.map.factor),
+                                   inner = discs[found.to].centre;
+        const std::complex<double> at = factor * (found.map.reflects ? std::conj(inner) : inner) +
+                                        field.to_complex(found.map.shift);
+        const double reach = discs[found.from].radius + std::abs(factor) * discs[found.to].radius;
+        if (std::abs(at - discs[found.from].centre) > reach * (1 + 1e-9) + 1e-12) return;
+        const auto [place, is_new] = seen.insert(std::move(found));
+        if (is_new) open.push_back(&*place);
     };
-    for (std::size_t i = 0; i < maps.size(); ++i)
-        for (std::size_t k = 0; k < maps.size(); ++k)
-            if (i != k) visit(composed(inverses[i], maps[k]));
+    for (const std::size_t state : states)
+        for (const std::size_t i : from[state])
+            for (const std::size_t k : from[state])
+                if (i != k)
+                    visit({steps[i].to, steps[k].to,
+                           similarities.composed(steps[i].inverse, steps[k].map)});
+    const Number one = field.rational(1);
     while (!open.empty() && !coincide) {
         budget.check();
         if (seen.size() > most) return Separation::unknown;
-        const ExactMap map = open.front();
+        const Neighbour found = *open.front();
         open.pop_front();
-        const Rational size = square_of_ratio(map);
-        std::vector<ExactMap> first{map};
-        if (!(Rational(1) < size)) {
+        const auto size = field.compare(similarities.size(found.map), one);
+        std::vector<Neighbour> first{found};
+        if (size <= 0) {
             first.clear();
-            for (const ExactMap& smaller : inverses) first.push_back(composed(smaller, map));
+            for (const std::size_t i : from[found.from])
+                first.push_back(
+                    {steps[i].to, found.to, similarities.composed(steps[i].inverse, found.map)});
         }
-        for (const ExactMap& seen_from_part : first)
-            if (size < Rational(1))
-                visit(seen_from_part);
+        for (Neighbour& seen_from_part : first)
+            if (size < 0)
+                visit(std::move(seen_from_part));
             else
-                for (const ExactMap& part : maps) visit(composed(seen_from_part, part));
+                for (const std::size_t k : from[found.to])
+                    visit({seen_from_part.from, steps[k].to,
+                           similarities.composed(seen_from_part.map, steps[k].map)});
     }
     return coincide ? Separation::coincide : Separation::apart;
 }

@@ -105,8 +105,9 @@ Json formula_json(const std::optional<DimensionFormula>& formula) {
 /// Whether the formula of an upper bound is more than the dimension of the plane, which is a better
 /// bound then.
 bool exceeds_plane(const ExactDimension& exact) {
-    return exact.status == ExactDimension::Status::upper_bound &&
-           compare(exact.value->enclosure(64), Ball(2, 64)) == Order::greater;
+    return (exact.status == ExactDimension::Status::upper_bound ||
+            exact.status == ExactDimension::Status::unfinished) &&
+           exact.value && compare(exact.value->enclosure(64), Ball(2, 64)) == Order::greater;
 }
 
 Json exact_json(const ExactDimension& exact) {
@@ -115,10 +116,13 @@ Json exact_json(const ExactDimension& exact) {
               {"value", nullptr},
               {"decimal", nullptr}};
     const bool is_unfinished = exact.status == ExactDimension::Status::unfinished;
-    if (exact.value && !is_unfinished) json.update(formula_json(exact.value));
-    if (exact.value && is_unfinished) json.set("at_most", formula_json(exact.value));
+    Json bound = formula_json(exact.value);
     if (exceeds_plane(exact))
-        json.update({{"value", 2.0}, {"decimal", decimal(Rational(2), digits)}});
+        bound.update({{"value", 2.0}, {"decimal", decimal(Rational(2), digits)}});
+    if (exact.value && is_unfinished)
+        json.set("at_most", std::move(bound));
+    else if (exact.value)
+        json.update(bound);
     json.set("conditions", exact.conditions);
     json.set("similarity", formula_json(exact.similarity));
     json.set("boundary", formula_json(exact.boundary));
@@ -141,8 +145,10 @@ std::string exact_page(const ExactDimension& exact) {
                            *exact.value)
                     : line("upper bound: ", *exact.value);
     if (exact.status == ExactDimension::Status::unfinished)
-        text +=
-            exact.value ? line("exact: unfinished, at most ", *exact.value) : "exact: unfinished\n";
+        text += exceeds_plane(exact)
+                    ? line("exact: unfinished, at most 2; the formula gives ", *exact.value)
+                : exact.value ? line("exact: unfinished, at most ", *exact.value)
+                              : "exact: unfinished\n";
     if (exact.status == ExactDimension::Status::none) text += "exact: no formula\n";
     for (const std::string& condition : exact.conditions) text += "  " + condition + "\n";
     if (exact.value && exact.similarity && exact.similarity->text() != exact.value->text())
@@ -152,7 +158,8 @@ std::string exact_page(const ExactDimension& exact) {
 }
 
 Json box_json(const DimensionReport& found) {
-    const auto& [what, exact, generation, counts, fit, late] = found;
+    const BoxCounts& counts = found.counts;
+    const BoxFit& fit = found.fit;
     Json box = estimate_json(fit.estimate);
     box.set("because", fit.because);
     const auto compared = compared_with(found);
@@ -174,7 +181,8 @@ Json box_json(const DimensionReport& found) {
 }
 
 std::string box_page(const DimensionReport& found) {
-    const auto& [what, exact, generation, counts, fit, late] = found;
+    const BoxCounts& counts = found.counts;
+    const BoxFit& fit = found.fit;
     std::string text = fit_text("boxes", fit, comparison_text(found));
     if (counts.counts.empty()) return text;
     text += fmt::format("  {:>12}  {:>14}  {:>12}  {:>12}  {:>8}\n", "cell", "cells touched",
@@ -198,14 +206,45 @@ const MeasureNames& names_of(Measure measure) {
     return measures[static_cast<std::size_t>(measure)];
 }
 
+namespace {
+
+/// The digits of a bound, whose denominator is a power of 10.
+std::string digits_of(const Rational& bound) { return shortest_text(bound); }
+
+std::string bounds_page(const DimensionReport& found) {
+    if (!found.bounds) return "";
+    const DimensionBounds& bounds = *found.bounds;
+    std::string text = "proved: between " + digits_of(bounds.low) + " and " +
+                       digits_of(bounds.high) + "\n  from below by " + bounds.low_by +
+                       "\n  from above by " + bounds.high_by + "\n";
+    if (!found.is_within())
+        text += "  they are " + digits_of(bounds.width()) + " apart, more than " +
+                shortest_text(found.within) + "\n";
+    return text + "\n";
+}
+
+Json bounds_json(const DimensionReport& found) {
+    const DimensionBounds& bounds = *found.bounds;
+    return {{"low", digits_of(bounds.low)},
+            {"high", digits_of(bounds.high)},
+            {"low_by", bounds.low_by},
+            {"high_by", bounds.high_by},
+            {"within", shortest_text(found.within)},
+            {"reached", found.is_within()}};
+}
+
+}  // namespace
+
 std::string to_text(const DimensionReport& found) {
-    return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") + box_page(found);
+    return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") +
+           bounds_page(found) + box_page(found);
 }
 
 Json to_json(const DimensionReport& found) {
     Json json{{"input", found.what}};
     if (found.generation) json.set("generation", *found.generation);
     if (found.exact) json.set("exact", exact_json(*found.exact));
+    if (found.bounds) json.set("bounds", bounds_json(found));
     json.set("box", box_json(found));
     return json;
 }

@@ -205,6 +205,11 @@ struct DimensionReport {
     BoxCounts counts;
     BoxFit fit;
     bool late = false;  // the time was over before the measurement
+    std::optional<DimensionBounds> bounds = {};  // where they were asked for
+    Rational within = {};                        // how near they were to be
+
+    /// Whether the bounds, if there are any, are as near as that.
+    bool is_within() const { return !bounds || !(within < bounds->width()); }
 };
 
 std::string to_text(const DimensionReport& report);

@@ -58,6 +58,14 @@ TEST_CASE(
     CHECK(std::abs(found["box"]["error"].get<double>()) < 0.01);
 }
 
+TEST_CASE("a measurement in less time takes fewer cells, and is kept when the time is over") {
+    const Scratch scratch;
+    const std::string plant =
+        "'" + scratch.file("f.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n") + "'";
+    const json found = json::parse(run("dimension " + plant + " --timeout 40 --json").out);
+    CHECK(found["box"]["value"] > 1);
+}
+
 TEST_CASE("a search that takes long does not take the bound and the measurement with it") {
     const Scratch scratch;
     const std::string plant =
@@ -94,6 +102,10 @@ TEST_CASE(
     CHECK(found["value"] == 2);
     CHECK(found["decimal"] == "2.000000000000000000000000000000");
     CHECK(found["similarity"]["value"] > 2.09);
+    const std::string island =
+        "'" + scratch.file("i.lsys", "axiom F\nF -> FF-F+F-F-FF\nangle 90\n") + "'";
+    const Run over = run("dimension " + island + " --timeout 1 --json");
+    if (over.status == 3) CHECK(json::parse(over.out)["exact"]["at_most"]["value"] == 2);
     const std::string picture = scratch.file("small.png");
     CHECK(run("draw koch -n 3 --width 64 -o '" + picture + "'").status == 0);
     const Run small = run("dimension '" + picture + "'");

@@ -137,12 +137,19 @@ TEST_CASE("systems without a formula say why") {
     CHECK(reason("axiom X; X -> XX") == "the turtle always comes back to where it began");
     CHECK(reason("axiom f; f -> fff") == "nothing is drawn in late generations");
     CHECK(reason("axiom F; F -> F*F; scale 1/2") == "the symbol * changes the turtle's step");
-    CHECK(reason("axiom F; F -> F[+F]F; angle sqrt(2)") ==
-          "the angle sqrt(2) is no rational part of a turn with a denominator up to 360");
     CHECK(reason("axiom F; F -> F[+F]F; angle 60; start 0 0 sqrt(2)") ==
           "the start's heading, together with the angle, is no rational part of a turn with a "
           "denominator up to 360");
     CHECK(reason("axiom X; X -> FX; F -> F+G; G -> F").find("grow") != std::string::npos);
+}
+
+TEST_CASE("plants with angles of no lattice have the bound of their ratios, and no more") {
+    const ExactDimension found =
+        exact_dimension(read_lsystem("axiom F; F -> F[+F]F; angle sqrt(2)", ""));
+    CHECK(found.status == ExactDimension::Status::upper_bound);
+    CHECK(found.value->decimal(6) == "1.584963");
+    CHECK(found.conditions.back() ==
+          "whether parts overlap is not known: more than 3000 ways in which two parts may meet");
 }
 
 TEST_CASE("past the deadline there is no answer") {

@@ -114,3 +114,12 @@ TEST_CASE("certificates of dimensions say that they are not checked") {
     CHECK(most.finding.outcome == verify::Finding::Outcome::not_checked);
     CHECK(most.finding.statement == "the boundary's dimension of G is not at most 1");
 }
+
+TEST_CASE("claims are decided by certified bounds where no search ends") {
+    const char* const plant =
+        "D0L { axiom X; X -> F-[[X]+X]+F[+FX]-X; F -> FF; angle 90 }";
+    CHECK(truth(plant, "dimension(G) <= 1.95") == Truth::proved);
+    CHECK(last_sentence(plant, "dimension(G) <= 1.95").find("is at most") != std::string::npos);
+    CHECK(truth(plant, "not dimension(G) <= 1.2") == Truth::proved);
+    CHECK(last_sentence(plant, "dimension(G) = 1.2").find("is at least") != std::string::npos);
+}

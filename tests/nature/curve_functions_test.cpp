@@ -128,3 +128,27 @@ TEST_CASE("the similarity dimension of a curve's functions is the curve's exact 
             CHECK(mine.value->text() == exact.value->text());
     }
 }
+
+TEST_CASE("the functions of curves are exact where those of the curves are") {
+    const std::pair<const char*, const char*> known[] = {
+        {"axiom F; F -> F+F--F+F; angle 60", "log 4 / log 3"},
+        {"axiom F; F -> F+G; G -> F-G; angle 90", "log 2 / log sqrt 2 = 2"},
+        {"axiom F; F -> +F--F+; angle 45", "log 2 / log sqrt 2 = 2"},
+        {"axiom F; F -> F+F-F; angle 120", "log 3 / log sqrt 3 = 2"},
+        {"axiom F; F -> G-F-G; G -> F+G+F; angle 60", "log 3 / log 2"},
+        {"axiom F; F -> F+G++G-F--FF-G+; G -> -F+GG++G+F--F-G; angle 60", "log 7 / log sqrt 7 = 2"},
+    };
+    for (const auto& [text, formula] : known) {
+        INFO(text);
+        const IteratedFunctions functions = functions_of_curve(read_lsystem(text, "curve.lsys"));
+        const ExactDimension found = similarity_dimension(functions);
+        const auto read = read_generator(converted(text, "curve.lsys", "lsys", "ifs", {}), "a.ifs");
+        const ExactDimension again =
+            similarity_dimension(dynamic_cast<const IteratedFunctions&>(*read));
+        CHECK(found.status == again.status);
+        CHECK(found.value->decimal(9) == again.value->decimal(9));
+        if (!formula) continue;
+        CHECK(found.status == ExactDimension::Status::exact);
+        CHECK(found.value->text() == formula);
+    }
+}

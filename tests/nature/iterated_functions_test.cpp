@@ -3,6 +3,7 @@
 #include "turtle/turtle.hpp"
 
 #include <doctest/doctest.h>
+#include <fmt/format.h>
 #include <rapidcheck.h>
 #include <set>
 #include <string>
@@ -194,9 +195,127 @@ TEST_CASE("parts that are proved to lie apart make the similarity dimension exac
         found("map 1/3 0 0 1/3 0 0\nmap 1/3 0 0 1/3 3 0\nmap 1/3 0 0 1/3 1 0\n");
     CHECK(overlaps.status == Status::upper_bound);
     CHECK(overlaps.conditions.back() == "two parts coincide, so the dimension is smaller");
-    // No rational numbers: not decided.
-    CHECK(found("similarity sqrt(1/2) 45 0 0\nsimilarity sqrt(1/2) 135 1 0\n").status ==
+    // Numbers outside every cyclotomic field: not decided.
+    CHECK(found("similarity 2^(-1/3) 45 0 0\nsimilarity 2^(-1/3) 135 1 0\n").status ==
           Status::upper_bound);
+}
+
+TEST_CASE("curves written with square roots and turns have their exact dimensions") {
+    using Status = ExactDimension::Status;
+    const std::pair<const char*, const char*> known[] = {
+        {"similarity 1/3 0 0 0\nsimilarity 1/3 60 1/3 0\nsimilarity 1/3 -60 1/2 sqrt(3)/6\n"
+         "similarity 1/3 0 2/3 0\n",
+         "log 4 / log 3"},
+        {"map 1/3 0 0 1/3 0 0\nmap 1/6 -sqrt(3)/6 sqrt(3)/6 1/6 1/3 0\n"
+         "map 1/6 sqrt(3)/6 -sqrt(3)/6 1/6 1/2 sqrt(3)/6\nmap 1/3 0 0 1/3 2/3 0\n",
+         "log 4 / log 3"},
+        {"similarity sqrt(1/2) 45 0 0\nsimilarity sqrt(1/2) 135 1 0\n", "log 2 / log sqrt 2 = 2"},
+        {"similarity 2^(-1/2) 45 0 0\nsimilarity 0.5^0.5 -45 1/2 1/2\n", "log 2 / log sqrt 2 = 2"},
+        {"similarity 1/sqrt(3) 30 0 0\nsimilarity 1/sqrt(3) -90 1/2 1/(2*sqrt(3))\n"
+         "similarity 1/sqrt(3) 30 1/2 -1/(2*sqrt(3))\n",
+         "log 3 / log sqrt 3 = 2"},
+        {"similarity (3-sqrt(5))/2 0 1 0\nsimilarity (3-sqrt(5))/2 0 cos(72) sin(72)\n"
+         "similarity (3-sqrt(5))/2 0 cos(144) sin(144)\n"
+         "similarity (3-sqrt(5))/2 0 cos(144) -sin(144)\n"
+         "similarity (3-sqrt(5))/2 0 cos(72) -sin(72)\n",
+         nullptr},
+        // Mirror images: Levy's curve has none, the right triangle in two halves does.
+        {"map 1/2 1/2 1/2 -1/2 0 0\nmap 1/2 -1/2 -1/2 -1/2 1/2 1/2\n", "log 2 / log sqrt 2 = 2"},
+        {"similarity 1/3 45.5 0 0\nsimilarity 1/3 0 1 0\n", "log 2 / log 3"},
+        // Two states: segments in halves and Cantor's set of them.
+        {"state A\nmap 1/3 0 0 1/3 0 0 -> A\nmap 1/3 0 0 1/3 2/3 0 -> B\nstate B\n"
+         "map 1/3 0 0 1/3 0 0 -> A\nmap 1/3 0 0 1/3 2/3 0 -> B\n",
+         "log 2 / log 3"},
+    };
+    for (const auto& [maps, formula] : known) {
+        INFO(maps);
+        const ExactDimension found = similarity_dimension(functions(maps));
+        CHECK(found.status == Status::exact);
+        if (formula)
+            CHECK(found.value->text() == formula);
+        else  // Sierpinski's pentagon
+            CHECK(found.value->decimal(6) == "1.672276");
+    }
+    // Both states are one set: their parts lie in the same places, but no part is there twice.
+    const char* const twice =
+        "state A\nmap 1/2 0 0 1/2 0 0 -> A\nmap 1/2 0 0 1/2 0 0 -> A\nmap 1/2 0 0 1/2 1/2 0 -> B\n"
+        "state B\nmap 1/2 0 0 1/2 0 0 -> A\n";
+    CHECK(similarity_dimension(functions(twice)).conditions.back() ==
+          "two parts coincide, so the dimension is smaller");
+}
+
+TEST_CASE("maps to points add nothing to the dimension") {
+    const ExactDimension found = similarity_dimension(
+        functions("map 0 0 0 0 3 3\nmap 1/3 0 0 1/3 0 0\nmap 1/3 0 0 1/3 2/3 0\n"));
+    CHECK(found.status == ExactDimension::Status::exact);
+    CHECK(found.value->text() == "log 2 / log 3");
+    CHECK(similarity_dimension(functions("map 0 0 0 0 3 3\n")).conditions.front() ==
+          "a map takes everything to one point");
+}
+
+TEST_CASE("numbers of a cyclotomic field are those of floating point") {
+    int compared = 0;
+    CHECK(rc::check([&] {
+        const long n = *rc::gen::inRange(1, 30), m = *rc::gen::inRange(1, 30);
+        const long degrees = *rc::gen::inRange(-40, 40) * 9;
+        const std::string text = "(sqrt(" + std::to_string(n) + "/" + std::to_string(m) +
+                                 ")-1/3*cos(" + std::to_string(degrees) + "))/(2+sin(" +
+                                 std::to_string(degrees) + "))^2*" + std::to_string(m) + "^(-0.5)";
+        const IteratedFunctions maps = functions("map 1/2 0 0 1/2 " + text + " 0\n");
+        const Expression& number = maps.maps[0].numbers[4].expression;
+        const auto order = cyclotomic_order({&number});
+        if (!order) return;
+        const CyclotomicField field(*order);
+        const auto value = field.value_of(number);
+        RC_ASSERT(value.has_value());
+        const std::complex<double> found = field.to_complex(*value);
+        RC_ASSERT(std::abs(found - maps.maps[0].numbers[4].value) < 1e-9);
+        if (!field.is_zero(*value))
+            RC_ASSERT(field.product(*value, field.inverse(*value)) == field.rational(1));
+        ++compared;
+    }));
+    CHECK(compared > 50);
+}
+
+TEST_CASE("parts of random maps in an exact lattice coincide exactly where words written out do") {
+    // z -> zeta_6^a (z + d) / b with d in the lattice of zeta_6; all words of up to five maps.
+    int apart = 0, coincide = 0;
+    CHECK(rc::check([&] {
+        const long base = *rc::gen::inRange(2, 4);
+        using Word = std::array<long, 3>;  // turn, and the shift in the basis 1, zeta
+        const auto turned = [](long x, long y, long turn) {
+            for (; turn > 0; --turn) std::tie(x, y) = std::pair(-y, x + y);
+            return std::pair(x, y);
+        };
+        std::vector<Word> maps;
+        std::string text;
+        for (int k = 0; k < 3; ++k) {
+            const long turn = *rc::gen::inRange(0, 6), x = *rc::gen::inRange(0, 3),
+                       y = *rc::gen::inRange(0, 3);
+            maps.push_back({turn, x, y});
+            text += fmt::format("similarity 1/{0} {1} ({2}+{3}/2)/{0} {3}*sqrt(3)/2/{0}\n", base,
+                                60 * turn, x, y);
+        }
+        std::set<Word> words{{0, 0, 0}};
+        std::size_t all = 1;
+        for (int level = 0; level < 5 && words.size() == all; ++level, all *= 3) {
+            std::set<Word> next;  // w then a map inside: w(z) = zeta^t z + base^-n s
+            for (const auto& [t, x, y] : words)
+                for (const auto& [turn, u, v] : maps) {
+                    const auto [p, q] = turned(u, v, t);
+                    next.insert({(t + turn) % 6, base * x + p, base * y + q});
+                }
+            words = std::move(next);
+        }
+        const bool lost = words.size() < all;
+        const Separation found = separation(functions(text), {0}, Budget());
+        if (lost) RC_ASSERT(found == Separation::coincide);
+        if (found == Separation::apart) RC_ASSERT(!lost);
+        RC_ASSERT(found != Separation::unknown);
+        ++(lost ? coincide : apart);
+    }));
+    CHECK(apart > 20);
+    CHECK(coincide > 5);
 }
 
 TEST_CASE("parts coincide exactly where sums of digits do") {
@@ -219,7 +338,7 @@ TEST_CASE("parts coincide exactly where sums of digits do") {
             words *= digits.size();
         }
         const bool lost = sums.size() < words;
-        const Separation found = separation(functions(maps), Budget());
+        const Separation found = separation(functions(maps), {0}, Budget());
         RC_ASSERT(found == (lost ? Separation::coincide : Separation::apart));
         ++(lost ? coincide : apart);
     }));

@@ -6,6 +6,29 @@
 
 namespace algae {
 
+/// How far something turns, counter-clockwise: by degrees, and so many times by the system's angle
+/// where that is no rational number of degrees. The degrees are from 0 (included) to 360.
+struct Rotation {
+    Rational degrees = 0;
+    std::int64_t angles = 0;
+
+    bool is_zero() const { return degrees.is_zero() && angles == 0; }
+    bool operator==(const Rotation&) const = default;
+    friend bool operator<(const Rotation& left, const Rotation& right) {
+        return left.angles != right.angles ? left.angles < right.angles
+                                           : left.degrees < right.degrees;
+    }
+};
+
+/// The turns one after the other.
+///
+/// Example: (void)0, (Rotation{350} + Rotation{20}).degrees == Rational(10)
+Rotation operator+(const Rotation& left, const Rotation& right);
+Rotation operator-(const Rotation& turn);
+
+/// e^(i turn), where the angle in degrees is as given.
+ComplexBall direction(const Rotation& turn, const Expression& angle, long bits);
+
 /// How lengths pass from modules to those that they become, in a deterministic parametric system
 /// without contexts whose turtle walks in the plane.
 ///
@@ -24,11 +47,12 @@ struct RatioGraph {
         std::vector<Part> parts;  // what becomes of it, in order; itself where no rule fits
         bool draws = false;       // a step with the pen down
         bool moves = false;       // any step
-        Rational degrees;         // that it turns by itself, counter-clockwise
+        Rotation turn;            // that it turns by itself
         bool matters = false;     // it steps, or leads to steps
     };
     std::vector<State> states;
-    std::vector<Part> axiom;  // without ratios
+    std::vector<Part> axiom;                               // without ratios
+    Expression angle = quantity(Rational(90)).expression;  // the system's, in degrees
 
     static constexpr std::size_t most_states = 500;
 };
@@ -67,7 +91,7 @@ private:
     struct Entry {
         std::size_t row, column;
         Expression ratio;
-        Rational degrees;
+        Rotation turn;
     };
     void check_evenness() const;
 
@@ -75,7 +99,29 @@ private:
     std::vector<std::vector<Entry>> levels_;  // until turns have come back twice
     std::size_t preperiod_ = 0, period_ = 1;
     std::vector<bool> moves_;  // by row: whether the state itself steps
+    Expression angle_;
     Budget budget_;
 };
+
+/// The parts of each state's figure outside branches.
+std::vector<const RatioGraph::Part*> stem(const RatioGraph::State& state);
+
+/// By state, whether it steps outside branches in every later generation, or leads to one that
+/// does.
+std::vector<bool> moving_for_ever(const RatioGraph& graph);
+
+/// Whether the parts within a strongly connected component of states lie so that all of them count.
+struct PartsApart {
+    enum class Answer { apart, coincide, unknown };
+    Answer answer = Answer::unknown;
+    std::size_t ways = 0;  // in which parts meet
+    std::string reason;    // why it is not known
+};
+
+/// By neighbour maps (`neighbour_maps.cpp`), of which at most `most` are looked at. `drawing`: by
+/// state, whether it draws for ever.
+PartsApart parts_apart(const RatioGraph& graph, const std::vector<std::size_t>& component,
+                       const std::vector<bool>& drawing, const Budget& budget,
+                       std::size_t most = 3'000);
 
 }  // namespace algae

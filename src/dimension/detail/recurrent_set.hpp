@@ -131,6 +131,11 @@ struct CellGrowth {
 CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget = {},
                        std::size_t most = 50'000);
 
+/// Certified bounds, at most so far apart where that is found. `with_types`: components whose parts
+/// meet in few ways are looked at exactly.
+DimensionBounds dimension_bounds(const RecurrentSet& set, const Rational& within, bool with_types,
+                                 const Budget& budget);
+
 /// By piece, whether it leads to a piece for which this holds, at every later level: where it lies
 /// on a cycle of pieces that lead to one, or leads to such a cycle. `parts` are the pieces of each
 /// piece.

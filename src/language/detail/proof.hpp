@@ -25,6 +25,8 @@
 
 namespace algae {
 
+struct DimensionBounds;
+
 struct Dfa;
 struct ExactDimension;
 struct FamilyAnswer;
@@ -303,6 +305,7 @@ struct LimitSet {
     bool boundary = false;
     ClaimedDimension claimed;
     Order order = Order::unknown;
+    std::shared_ptr<const DimensionBounds> bounds = {};  // where they decide
 };
 
 // --- Equality and inclusion ---

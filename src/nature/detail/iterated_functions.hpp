@@ -69,10 +69,15 @@ std::unique_ptr<PathFigure> copies(const IteratedFunctions& system, std::uint64_
 /// two that are one and the same.
 enum class Separation { apart, coincide, unknown };
 
-/// For a single state and maps that are written with rational numbers and turn by quarters, or as
-/// matrices: where at most `most` neighbour maps decide it.
-Separation separation(const IteratedFunctions& system, const Budget& budget,
-                      std::size_t most = 5'000);
+/// Of the parts within a strongly connected component of states. For maps whose numbers lie in the
+/// field of the rational numbers and a root of unity (`CyclotomicField`): turns by rational numbers
+/// of degrees, square roots of rational numbers; where at most `most` neighbour maps decide it.
+Separation separation(const IteratedFunctions& system, const std::vector<std::size_t>& states,
+                      const Budget& budget, std::size_t most = 20'000);
+
+/// The ratio of a map that is a similarity: as it is written, or where its numbers, exactly, make it
+/// one.
+std::optional<Expression> exact_ratio(const IteratedFunctions::Map& map);
 
 /// The similarity dimension of an iterated function system whose maps are similarities: the s for
 /// which the sum of ratio^s is 1 (Moran 1946), with several states the matrix of these sums has the

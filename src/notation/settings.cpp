@@ -661,7 +661,8 @@ const std::vector<Setting>& settings() {
          repeats,
          outside,
          [](C c, R r) {
-             for (const auto name : blank_separated(c.value())) r.system.identifiers.emplace_back(name);
+             for (const auto name : blank_separated(c.value()))
+                 r.system.identifiers.emplace_back(name);
          },
          [](P p) -> Values { return {joined(p.system.identifiers, " ")}; }},
         {{"alphabet",

@@ -43,11 +43,16 @@ public:
         std::string out = sum().text;
         // "a(n) = ..., for n >= 2"
         while (true) {
-            if (takes("=")) out += " = " + sum().text;
-            else if (takes(", for ")) out += " \\quad\\text{for } " + sum().text;
-            else if (takes(">=")) out += " \\ge " + sum().text;
-            else if (takes(", ")) out += ",\\ " + sum().text;
-            else break;
+            if (takes("="))
+                out += " = " + sum().text;
+            else if (takes(", for "))
+                out += " \\quad\\text{for } " + sum().text;
+            else if (takes(">="))
+                out += " \\ge " + sum().text;
+            else if (takes(", "))
+                out += ",\\ " + sum().text;
+            else
+                break;
         }
         blanks();
         if (at_ != text_.size()) throw NotRead();
@@ -155,8 +160,8 @@ private:
         }
         if (std::isdigit(static_cast<unsigned char>(c))) {
             std::string digits;
-            while (at_ < text_.size() && (std::isdigit(static_cast<unsigned char>(text_[at_])) ||
-                                          text_[at_] == '.'))
+            while (at_ < text_.size() &&
+                   (std::isdigit(static_cast<unsigned char>(text_[at_])) || text_[at_] == '.'))
                 digits += text_[at_++];
             if (text_.substr(at_).starts_with("…")) {
                 at_ += 3;
@@ -207,7 +212,8 @@ std::string factored_latex(const Factorisation& factors) {
     for (const auto& [factor, exponent] : factors.powers) {
         if (exponent == 0) continue;
         const std::string inner = formula_latex(to_string(factor));
-        const bool alone = factor == Polynomial({0, 1}) || (factors.powers.size() == 1 && exponent == 1);
+        const bool alone =
+            factor == Polynomial({0, 1}) || (factors.powers.size() == 1 && exponent == 1);
         text += alone ? inner : "(" + inner + ")";
         if (exponent > 1) text += "^{" + std::to_string(exponent) + "}";
     }
@@ -229,9 +235,8 @@ std::string growth_text(const GrowthClass& growth) {
         case GrowthKind::polynomial:
             return "The lengths grow like $n^{" + std::to_string(growth.order.degree) + "}$.";
         case GrowthKind::exponential: {
-            std::string text =
-                "The lengths grow exponentially, with the rate $" +
-                formula_latex(growth.order.rate.exact()) + "$";
+            std::string text = "The lengths grow exponentially, with the rate $" +
+                               formula_latex(growth.order.rate.exact()) + "$";
             if (!growth.order.rate.integer())
                 text += " $= " + growth.order.rate.decimal(10) + "\\dots$";
             return text + ".";
@@ -254,7 +259,8 @@ std::string word_latex(const Alphabet& alphabet, const Word& word) {
     if (word.empty()) return "\\varepsilon";
     std::string text;
     bool blank = false;
-    const auto end = word.begin() + static_cast<std::ptrdiff_t>(std::min(word.size(), longest_word));
+    const auto end =
+        word.begin() + static_cast<std::ptrdiff_t>(std::min(word.size(), longest_word));
     const bool spaced = std::any_of(word.begin(), end, [&](Symbol letter) {
         const std::string& name = alphabet.name(letter);
         return name.size() > 1 && name.find('_') == std::string::npos &&
@@ -364,20 +370,19 @@ std::string to_latex(const DimensionReport& report) {
         if (exact.boundary) text += line("The boundary has dimension", *exact.boundary) + ".\n";
     }
     if (const auto& estimate = report.fit.estimate)
-        text += "Counting boxes gives $" + five_digits(estimate->value) +
-                "$, expected between $" + five_digits(estimate->low) + "$ and $" +
-                five_digits(estimate->high) + "$.\n";
+        text += "Counting boxes gives $" + five_digits(estimate->value) + "$, expected between $" +
+                five_digits(estimate->low) + "$ and $" + five_digits(estimate->high) + "$.\n";
     return text;
 }
 
 std::string to_latex(const std::vector<DimensionRow>& rows) {
-    std::string text =
-        "\\begin{tabular}{llll}\n  system & dimension & & boundary \\\\ \\hline\n";
+    std::string text = "\\begin{tabular}{llll}\n  system & dimension & & boundary \\\\ \\hline\n";
     for (const DimensionRow& one : rows) {
         const ExactDimension& exact = one.exact;
         const bool known = exact.value && (exact.status == ExactDimension::Status::exact ||
                                            exact.status == ExactDimension::Status::upper_bound);
-        const std::string bound = exact.status == ExactDimension::Status::upper_bound ? "\\le " : "";
+        const std::string bound =
+            exact.status == ExactDimension::Status::upper_bound ? "\\le " : "";
         text += "  " + escaped_latex(one.title.empty() ? one.name : one.title) + " & " +
                 (known ? "$" + bound + formula_latex(exact.value->text()) + "$" : "---") + " & " +
                 (known ? "$" + exact.value->decimal(5) + "$" : "") + " & " +

@@ -279,6 +279,23 @@ Json to_json(const EndlessRound& round, const OL& system);
 std::string to_text(const EndlessTables& proof, const ET0L& system);
 Json to_json(const EndlessTables& proof, const ET0L& system);
 
+/// What a message says in parts, each empty where it says nothing of the kind: "expected an angle, found 'x'; did you mean 'y'?".
+struct MessageParts {
+    std::string expected, found, suggestion;
+};
+
+/// Example: parts_of("expected a symbol, found ','").found == ","
+/// Example: parts_of("unknown setting 'angel'; did you mean 'angle'?").suggestion == "angle"
+MessageParts parts_of(std::string_view message);
+
+/// The column behind what is wrong, counted from 1 as the place's: that of what was found there, or of one character.
+std::size_t end_column(const Diagnostic& finding);
+
+/// An error for editors and programs: {"file", "line", "column", "end", "message", "expected", "suggestion"}, null where there is none.
+Json to_json(const Diagnostic& finding);
+/// The same of a message without a place.
+Json error_json(std::string_view message);
+
 // Comparisons of two systems, A and B.
 
 std::string to_text(const GrowthComparison& found);

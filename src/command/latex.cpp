@@ -294,8 +294,11 @@ std::string printed_by(std::vector<std::string> words) {
     Verbs verbs;
     add_verbs(verbs);
     Caught caught;
-    verbs.run(static_cast<int>(words.size()), pointers.data());
-    return caught.text();
+    const int status = verbs.run(static_cast<int>(words.size()), pointers.data());
+    std::string text = caught.text();
+    if (status == undecided)
+        throw Error("it is undecided within the bounds of `algae " + words[1] + "`");
+    return text;
 }
 
 /// "5cm" in points of 1/72 inch.

@@ -39,6 +39,8 @@ const std::vector<SystemFormat>& system_formats() {
          print_fractint},
         {"cpfg", "a system of cpfg", read_cpfg, print_cpfg},
         {"lpy", "the declarative part of a system of L-Py", read_lpy, print_lpy},
+        {"inkscape", "the fields of Inkscape's L-system", read_inkscape, print_inkscape},
+        {"tikz", "a system of the TikZ library lindenmayersystems", read_tikz, print_tikz},
         {"jff", "an L-system of JFLAP", read_jflap, print_jflap},
         {"walnut", "a morphism or a word automaton of Walnut", read_walnut, print_walnut},
         {"sage", "a WordMorphism of Sage", read_sage, print_sage},

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "exchange/detail/cpfg.hpp"
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/scanner.hpp"
 #include "exchange/exchange.hpp"
@@ -36,42 +37,6 @@
 namespace algae {
 
 namespace {
-
-struct Dialect {
-    bool python = false;
-    const char* name = "cpfg";
-    double angle = 45;
-};
-
-/// A text whose characters know where they stood.
-struct Placed {
-    std::string text;
-    std::vector<std::size_t> at;
-
-    void add(char c, std::size_t place) {
-        text += c;
-        at.push_back(place);
-    }
-    Placed part(std::size_t from, std::size_t to) const {
-        to = std::min(to, text.size());
-        from = std::min(from, to);
-        return {text.substr(from, to - from),
-                {at.begin() + static_cast<std::ptrdiff_t>(from),
-                 at.begin() + static_cast<std::ptrdiff_t>(to)}};
-    }
-    Placed trimmed() const {
-        std::size_t from = 0, to = text.size();
-        while (from < to && std::isspace(static_cast<unsigned char>(text[from]))) ++from;
-        while (to > from && std::isspace(static_cast<unsigned char>(text[to - 1]))) --to;
-        return part(from, to);
-    }
-    std::size_t place(std::size_t i) const {
-        return at.empty() ? 0 : i < at.size() ? at[i] : at.back() + 1;
-    }
-};
-
-bool is_name_start(char c) { return std::isalpha(static_cast<unsigned char>(c)) || c == '_'; }
-bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
 /// A module: its symbol and the texts of its arguments.
 struct Module {
@@ -103,11 +68,11 @@ struct Rule {
 
 class Reader {
 public:
-    Reader(std::string_view text, const std::string& name, const Dialect& dialect)
+    Reader(std::string_view text, const std::string& name, const CpfgDialect& dialect)
         : dialect_(dialect), text_(text), source_(text_, name), findings_(source_) {}
 
     Model read() {
-        Placed whole = preprocessed();
+        const Placed whole = preprocessed(source_, dialect_);
         if (dialect_.python)
             read_python(whole);
         else
@@ -130,171 +95,6 @@ private:
     [[noreturn]] void refuse(std::size_t place, const std::string& what,
                              const std::string& why) const {
         fail(place, what + " " + why);
-    }
-
-    // --- Text ---
-
-    /// Without comments, macros replaced; the part of L-Py that the editor saves is cut off.
-    Placed preprocessed() {
-        Placed out;
-        std::string_view text = text_;
-        if (dialect_.python) text = text.substr(0, text.find("###### INITIALISATION ######"));
-        for (std::size_t i = 0; i < text.size();) {
-            const bool line_begins = i == 0 || text[i - 1] == '\n';
-            if (dialect_.python) {
-                if (text[i] == '#') {
-                    while (i < text.size() && text[i] != '\n') ++i;
-                    continue;
-                }
-            } else {
-                if (text.substr(i).starts_with("/*")) {
-                    const std::size_t end = text.find("*/", i + 2);
-                    if (end == std::string_view::npos) fail(i, "a comment that is never closed");
-                    i = end + 2;
-                    continue;
-                }
-                if (text.substr(i).starts_with("//")) {
-                    while (i < text.size() && text[i] != '\n') ++i;
-                    continue;
-                }
-                if (line_begins && text[i] == '#') {
-                    i = directive(text, i);
-                    continue;
-                }
-                if (is_name_start(text[i]) && (i == 0 || !is_name_part(text[i - 1]))) {
-                    i = expand(text, i, i, out, 0);
-                    continue;
-                }
-            }
-            if (text[i] != '\r') out.add(text[i], i);
-            ++i;
-        }
-        return out;
-    }
-
-    struct Macro {
-        std::vector<std::string> parameters;
-        bool takes = false;
-        std::string body;
-    };
-
-    /// A line of the preprocessor; gives where the next line begins.
-    std::size_t directive(std::string_view text, std::size_t at) {
-        std::size_t end = at;
-        std::string line;
-        while (end < text.size() && text[end] != '\n') {
-            if (text[end] == '\\' && end + 1 < text.size() && text[end + 1] == '\n') {
-                end += 2;
-                continue;
-            }
-            if (text.substr(end).starts_with("//")) {
-                while (end < text.size() && text[end] != '\n') ++end;
-                break;
-            }
-            if (text.substr(end).starts_with("/*")) {
-                const std::size_t close = text.find("*/", end + 2);
-                end = close == std::string_view::npos ? text.size() : close + 2;
-                continue;
-            }
-            line += text[end++];
-        }
-        std::size_t i = 1;
-        const auto word = [&] {
-            while (i < line.size() && (line[i] == ' ' || line[i] == '\t')) ++i;
-            std::string found;
-            while (i < line.size() && is_name_part(line[i])) found += line[i++];
-            return found;
-        };
-        const std::string kind = word();
-        if (kind != "define")
-            refuse(at, "#" + kind, "is not read: expected #define, with the other files put in");
-        const std::string name = word();
-        if (name.empty()) fail(at, "expected a name behind #define");
-        Macro macro;
-        if (i < line.size() && line[i] == '(') {
-            macro.takes = true;
-            for (++i; i < line.size() && line[i] != ')';) {
-                const std::string parameter = word();
-                if (parameter.empty()) fail(at, "expected names between the brackets of #define");
-                macro.parameters.push_back(parameter);
-                while (i < line.size() && (line[i] == ' ' || line[i] == ',')) ++i;
-            }
-            ++i;
-        }
-        macro.body = i < line.size() ? line.substr(i) : "";
-        macro.body.erase(0, std::min(macro.body.find_first_not_of(" \t\r"), macro.body.size()));
-        macro.body.erase(macro.body.find_last_not_of(" \t\r") + 1);
-        macros_[name] = macro;
-        return std::min(end + 1, text.size());
-    }
-
-    /// Appends a name or what it stands for; gives where the text goes on.
-    std::size_t expand(std::string_view text, std::size_t at, std::size_t place, Placed& out,
-                       std::size_t depth) {
-        constexpr std::size_t deepest = 50, longest = 1'000'000;
-        std::size_t end = at;
-        while (end < text.size() && is_name_part(text[end])) ++end;
-        const std::string name(text.substr(at, end - at));
-        const auto macro = macros_.find(name);
-        if (depth > deepest || out.text.size() > longest)
-            fail(place, "macros that go round in circles, or become too long");
-        if (macro == macros_.end()) {
-            for (std::size_t i = at; i < end; ++i) out.add(text[i], depth == 0 ? i : place);
-            return end;
-        }
-        std::vector<std::string> values;
-        if (macro->second.takes) {
-            std::size_t i = end;
-            while (i < text.size() && text[i] == ' ') ++i;
-            if (i >= text.size() || text[i] != '(') {
-                for (std::size_t k = at; k < end; ++k) out.add(text[k], depth == 0 ? k : place);
-                return end;
-            }
-            std::size_t open = 0;
-            std::string value;
-            for (; i < text.size(); ++i) {
-                const char c = text[i];
-                if (c == '(' && open++ == 0) continue;
-                if (c == ')' && --open == 0) break;
-                if (c == ',' && open == 1) {
-                    values.push_back(value);
-                    value.clear();
-                } else {
-                    value += c;
-                }
-            }
-            values.push_back(value);
-            if (values.size() != macro->second.parameters.size())
-                fail(place, "the macro " + name + " has " +
-                                std::to_string(macro->second.parameters.size()) +
-                                " parameters, found " + std::to_string(values.size()));
-            end = std::min(i + 1, text.size());
-        }
-        std::string body;
-        const std::string& written = macro->second.body;
-        for (std::size_t i = 0; i < written.size();) {
-            if (!is_name_start(written[i])) {
-                body += written[i++];
-                continue;
-            }
-            std::size_t stop = i;
-            while (stop < written.size() && is_name_part(written[stop])) ++stop;
-            const std::string part = written.substr(i, stop - i);
-            const auto parameter = std::ranges::find(macro->second.parameters, part);
-            body += parameter == macro->second.parameters.end()
-                        ? part
-                        : values[static_cast<std::size_t>(parameter -
-                                                          macro->second.parameters.begin())];
-            i = stop;
-        }
-        for (std::size_t i = 0; i < body.size();) {
-            if (is_name_start(body[i]) && (i == 0 || !is_name_part(body[i - 1]))) {
-                i = expand(body, i, place, out, depth + 1);
-                continue;
-            }
-            out.add(body[i++], place);
-        }
-        return end;
     }
 
     /// Lines, joined where the next one begins with a tabulator, or within brackets.
@@ -827,210 +627,14 @@ private:
         return names.empty() ? "" : "ignore " + spaced_word(names) + "\n";
     }
 
-    // --- Expressions ---
-
-    /// An expression in the notation, with the brackets that keep the grouping of the program.
     std::string expression(const Placed& text, const std::set<std::string>& names) const {
-        Expressions reader{*this, text, names};
-        const std::string found = reader.all();
-        return found;
+        return cpfg_expression(source_, dialect_, text, names, known_);
     }
 
-    struct Expressions {
-        const Reader& reader;
-        const Placed& text;
-        const std::set<std::string>& names;
-        std::size_t at = 0;
-
-        std::string all() {
-            std::string found = either();
-            blanks();
-            if (at < text.text.size()) unexpected();
-            return found;
-        }
-        [[noreturn]] void unexpected() const {
-            const std::string found =
-                at < text.text.size() ? "'" + text.text.substr(at, 1) + "'" : "its end";
-            std::string hint;
-            if (at < text.text.size() && text.text[at] == '=') hint = "; a comparison is ==";
-            if (at < text.text.size() && (text.text[at] == '&' || text.text[at] == '|'))
-                hint = "; 'and' is && and 'or' is ||";
-            if (at < text.text.size() && text.text[at] == '?')
-                hint = "; ?: has no meaning in the notation";
-            reader.fail(text.place(at),
-                        "expected an operator or the end of the expression, found " + found + hint);
-        }
-        void blanks() {
-            while (at < text.text.size() && (text.text[at] == ' ' || text.text[at] == '\t')) ++at;
-        }
-        bool takes(std::string_view sign) {
-            blanks();
-            if (!std::string_view(text.text).substr(at).starts_with(sign)) return false;
-            at += sign.size();
-            return true;
-        }
-        bool python() const { return reader.dialect_.python; }
-
-        std::string either() {
-            std::string left = both();
-            while (python() ? takes("or ") : takes("||")) left = "(" + left + " | " + both() + ")";
-            return left;
-        }
-        std::string both() {
-            std::string left = equal();
-            while (python() ? takes("and ") : takes("&&"))
-                left = "(" + left + " & " + equal() + ")";
-            return left;
-        }
-        std::string equal() {
-            std::string left = compared();
-            while (true) {
-                if (takes("=="))
-                    left = "(" + left + " = " + compared() + ")";
-                else if (takes("!=") || takes("<>"))
-                    left = "(" + left + " != " + compared() + ")";
-                else
-                    return left;
-            }
-        }
-        std::string compared() {
-            std::string left = sum();
-            while (true) {
-                if (takes("<="))
-                    left = "(" + left + " <= " + sum() + ")";
-                else if (takes(">="))
-                    left = "(" + left + " >= " + sum() + ")";
-                else if (takes("<"))
-                    left = "(" + left + " < " + sum() + ")";
-                else if (takes(">"))
-                    left = "(" + left + " > " + sum() + ")";
-                else
-                    return left;
-            }
-        }
-        std::string sum() {
-            std::string left = product();
-            while (true) {
-                if (takes("+"))
-                    left = "(" + left + " + " + product() + ")";
-                else if (takes("-"))
-                    left = "(" + left + " - " + product() + ")";
-                else
-                    return left;
-            }
-        }
-        std::string product() {
-            std::string left = python() ? signed_power() : power();
-            while (true) {
-                blanks();
-                if (at < text.text.size() && text.text[at] == '%')
-                    reader.refuse(text.place(at), "%",
-                                  "in an expression has no meaning in the notation");
-                const std::size_t sign = at;
-                if (python() && text.text.compare(at, 2, "**") == 0) return left;
-                if (python() && text.text.compare(at, 2, "//") == 0)
-                    reader.refuse(text.place(sign), "//",
-                                  "in an expression has no meaning in the notation");
-                if (takes("*"))
-                    left = "(" + left + "*" + (python() ? signed_power() : power()) + ")";
-                else if (takes("/"))
-                    left = "(" + left + "/" + (python() ? signed_power() : power()) + ")";
-                else
-                    return left;
-            }
-        }
-        /// Of cpfg: from the left, and a sign binds tighter.
-        std::string power() {
-            std::string left = signed_atom();
-            while (takes("^")) left = "((" + left + ")^(" + signed_atom() + "))";
-            return left;
-        }
-        std::string signed_atom() {
-            if (takes("-")) return "(-" + signed_atom() + ")";
-            blanks();
-            if (at + 1 < text.text.size() && text.text[at] == '!' && text.text[at + 1] != '=') {
-                ++at;
-                return "(!(" + signed_atom() + "))";
-            }
-            if (takes("&")) unexpected();
-            return atom();
-        }
-        /// Of Python: from the right, and a sign is looser.
-        std::string signed_power() {
-            if (takes("-")) return "(-" + signed_power() + ")";
-            if (takes("not ")) return "(!(" + signed_power() + "))";
-            const std::string base = atom();
-            if (!takes("**")) {
-                blanks();
-                if (at < text.text.size() && text.text[at] == '^')
-                    reader.refuse(text.place(at), "^", "is exclusive or in Python: a power is **");
-                return base;
-            }
-            return "((" + base + ")^(" + signed_power() + "))";
-        }
-        std::string atom() {
-            blanks();
-            const std::size_t begin = at;
-            if (takes("(")) {
-                const std::string inside = either();
-                if (!takes(")")) unexpected();
-                return "(" + inside + ")";
-            }
-            if (at < text.text.size() &&
-                (std::isdigit(static_cast<unsigned char>(text.text[at])) || text.text[at] == '.'))
-                return number();
-            std::string called;
-            while (at < text.text.size() && is_name_part(text.text[at])) called += text.text[at++];
-            if (python() && called == "math" && takes(".")) {
-                called.clear();
-                while (at < text.text.size() && is_name_part(text.text[at]))
-                    called += text.text[at++];
-            }
-            if (called.empty()) unexpected();
-            if (!takes("(")) {
-                if (!names.contains(called) && !reader.known_.contains(called))
-                    reader.fail(text.place(begin), "the name '" + called + "' has no value" +
-                                                       (python() ? "" : "; cpfg takes 0 for it"));
-                return called;
-            }
-            static const std::map<std::string, std::string> functions{
-                {"sin", "sin"},   {"cos", "cos"},   {"tan", "tan"}, {"asin", "asin"},
-                {"acos", "acos"}, {"atan", "atan"}, {"exp", "exp"}, {"log", "log"},
-                {"sqrt", "sqrt"}, {"fabs", "abs"},  {"abs", "abs"}, {"floor", "floor"},
-                {"ceil", "ceil"}, {"min", "min"},   {"max", "max"}};
-            const auto known = functions.find(called);
-            const bool trigonometric =
-                called.ends_with("sin") || called.ends_with("cos") || called.ends_with("tan");
-            if (known == functions.end() || (python() && trigonometric))
-                reader.refuse(text.place(begin), "the function " + called,
-                              trigonometric ? "takes radians in Python, degrees in the notation"
-                                            : "has no meaning in the notation");
-            std::vector<std::string> arguments{either()};
-            while (takes(",")) arguments.push_back(either());
-            if (!takes(")")) unexpected();
-            return known->second + "(" + joined(arguments, ",") + ")";
-        }
-        std::string number() {
-            const std::size_t size = number_size(std::string_view(text.text).substr(at));
-            std::string digits = text.text.substr(at, size);
-            if (!python() && digits.find_first_of("eE") != std::string::npos &&
-                digits.find('.') == std::string::npos)
-                reader.fail(text.place(at),
-                            "the exponent of a number needs a decimal point: 1.0e5");
-            at += size;
-            digits = plain_number(digits);
-            if (digits.starts_with('.')) digits = "0" + digits;
-            if (digits.find_first_of("eE") == std::string::npos) return digits;
-            const auto exact = exact_decimal(Rational(digits));
-            return exact ? *exact : digits;
-        }
-    };
-
-    Dialect dialect_;
+    CpfgDialect dialect_;
     std::string text_;
     Source source_;
     Findings findings_;
-    std::map<std::string, Macro> macros_;
     std::vector<std::pair<std::string, Placed>> constants_;
     std::set<std::string> known_;
     std::vector<std::string> modules_;

@@ -1,6 +1,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include "exchange/compared.hpp"
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
 #include "exchange/inputs.hpp"
@@ -14,7 +15,7 @@ using namespace algae::exchange_tests;
 namespace {
 
 /// The word of the system's own derivation length, as the program prints it.
-std::string word_of(const Model& system, std::optional<std::uint64_t> n = {}) {
+std::string printed_word(const Model& system, std::optional<std::uint64_t> n = {}) {
     const std::uint64_t generation = n ? *n
                                      : system.drawing.generations
                                          ? system.drawing.generations->second
@@ -30,7 +31,7 @@ std::string file(const std::string& rules, const std::string& axiom = "A",
                  const std::string& before = "") {
     return before + "Lsystem: 1\n" + header + "Axiom: " + axiom + "\n" + rules + "endlsystem\n";
 }
-std::string cpfg_word(const std::string& text) { return word_of(read_cpfg(text, "x.l")); }
+std::string cpfg_word(const std::string& text) { return printed_word(read_cpfg(text, "x.l")); }
 std::string cpfg_fault(const std::string& text) {
     return refusal([&] { read_cpfg(text, "x.l"); });
 }
@@ -143,7 +144,7 @@ TEST_CASE("the declarative part of L-Py is read, and programs are refused") {
         "2\nproduction:\nF(x) --> F(x*p)+(86)F(x*h)-(172)F(x*h)+(86)F(x*q)\nendlsystem\n###### "
         "INITIALISATION ######\n}{",
         "row.lpy");
-    CHECK(word_of(row, 1).starts_with("-(90)F(0.3)+(86)F(0.458257569"));
+    CHECK(printed_word(row, 1).starts_with("-(90)F(0.3)+(86)F(0.458257569"));
     const Model dragon = read_lpy(
         "Axiom: FX # the start\nderivation length: 10\nproduction:\nX --> X+(90)YF+(90)\nY --> "
         "-(90)FX-(90)Y\nendlsystem\n",
@@ -153,10 +154,10 @@ TEST_CASE("the declarative part of L-Py is read, and programs are refused") {
         "module Apex, Node(x)\nAxiom: Apex\nderivation length: 2\nproduction:\nApex --> Node Apex\n"
         "endlsystem\n",
         "n.lpy");
-    CHECK(word_of(named) == "NodeNodeApex");
+    CHECK(printed_word(named) == "NodeNodeApex");
     const Model erased =
         read_lpy("Axiom: AB\nderivation length: 1\nproduction:\nA -->\nendlsystem\n", "e");
-    CHECK(word_of(erased) == "B");
+    CHECK(printed_word(erased) == "B");
     CHECK(holds(lpy_fault("Axiom: A\nproduction:\nA :\n  produce B\n"),
                 "a line of Python is not read"));
     CHECK(holds(lpy_fault("import math\nAxiom: A\n"),
@@ -202,7 +203,7 @@ TEST_CASE("systems written for cpfg and L-Py read back with the same words and t
         }
         const Model back = python ? read_lpy(file, "back") : read_cpfg(file, "back");
         for (std::uint64_t n = 0; n < 4; ++n) {
-            RC_ASSERT(word_of(back, n) == word_of(system, n));
+            RC_ASSERT(printed_word(back, n) == printed_word(system, n));
             ++compared;
             const auto a = figure(system, n, {}), b = figure(back, n, {});
             RC_ASSERT(a->segments() == b->segments());
@@ -226,7 +227,7 @@ TEST_CASE("parameters and conditions are written for cpfg") {
     const Model plain = read_lsystem(
         text.substr(0, text.find("A(x,y) : x >= 4")) + "angle 30\nstart 0 0 90\n", "s");
     const Model back = read_cpfg(print_cpfg(plain), "back");
-    for (std::uint64_t n = 0; n < 5; ++n) CHECK(word_of(back, n) == word_of(plain, n));
+    for (std::uint64_t n = 0; n < 5; ++n) CHECK(printed_word(back, n) == printed_word(plain, n));
     CHECK(holds(refusal([&] { print_lpy(plain); }), "its condition is a program there"));
     const auto refused = [](const std::string& said) {
         return refusal([&] { print_cpfg(read_lsystem(said, "s")); });
@@ -238,7 +239,7 @@ TEST_CASE("parameters and conditions are written for cpfg") {
     CHECK(holds(refused("axiom F'; F -> F"), "it means something else there"));
     // Of the rules that match, the longest context is used.
     const Model ordered = read_lsystem("axiom BA; A -> X; B < A -> Y", "s");
-    CHECK(word_of(read_cpfg(print_cpfg(ordered), "b"), 1) == "BY");
+    CHECK(printed_word(read_cpfg(print_cpfg(ordered), "b"), 1) == "BY");
 }
 
 TEST_CASE("files ending in .l are told apart by what stands in them") {

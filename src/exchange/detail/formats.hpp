@@ -168,6 +168,20 @@ std::string print_lpy(const Model& system);
 /// Whether a text looks like a file of cpfg: a line begins with `Lsystem:`.
 bool looks_like_cpfg(std::string_view text);
 
+// Rule strings: rule_strings.cpp.
+
+/// The fields of Inkscape's extension L-system, a line `axiom = F` for each. A to F draw there, G to L move, and + turns to the right on the
+/// page. Throws Diagnostics for what Inkscape drops or never uses, and for what is random.
+Model read_inkscape(std::string_view text, const std::string& name);
+
+/// A system of the TikZ library lindenmayersystems: `\rule{F -> F-F}` and `\symbol{X}{...}` in a declaration, or `l-system={rule set={...}, ...}`. Throws
+/// Diagnostics with the place of TeX that is no command of the library.
+Model read_tikz(std::string_view text, const std::string& name);
+
+/// The same written. Throw Error that names what cannot be said: parameters, contexts, figures in space, several rules for a letter.
+std::string print_inkscape(const Model& system);
+std::string print_tikz(const Model& system);
+
 // JFLAP: jflap.cpp.
 
 /// The L-system in a file of JFLAP 4 to 7. Its turtle starts upward and + turns to the right; hues and widths of lines are left out. Throws

@@ -219,8 +219,8 @@ FigureSources::FigureSources(const std::vector<FigurePlate>& plates, const Plate
         FigureSource& source = all.emplace_back();
         source.plate = {plate.figure.get(), plate.name, plate.caption};
         source.generation = plate.generation;
-        // An external program is not asked twice.
-        if (!plate.system || !choices.environment.empty()) continue;
+        // An external program is not asked twice, and what is seen in space is in the order of its depth.
+        if (!plate.system || !choices.environment.empty() || plate.figure->is_layered()) continue;
         const Model& system = *plate.system;
         const FigureChoices chosen{plate.seed, choices.tables, choices.seeds.has_value()};
         try {

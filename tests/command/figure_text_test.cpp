@@ -62,6 +62,13 @@ TEST_CASE("tables have exact coordinates where the figure is exact") {
     CHECK(facts["format"] == "csv");
 }
 
+TEST_CASE("a figure in space is written in the order of its depth, without letters") {
+    const Run space = run("draw honda-a -n 3 --format csv -o -");
+    CHECK(space.status == 0);
+    CHECK(space.out.starts_with("path,kind,letter,position,"));
+    CHECK(holds(space.out, ",side,,,#"));
+}
+
 TEST_CASE("several generations stand in one table") {
     const Run csv = run("draw koch -n 0..1 --format csv -o -");
     CHECK(csv.out.starts_with("figure,path,"));

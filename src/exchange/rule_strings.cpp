@@ -230,16 +230,49 @@ public:
         strings_.axiom = axiom_.empty() ? strings_.rules.front().first
                                         : word_of(text_, axiom_, axiom_place_, met_, false);
         strings_.angle = left_;
-        if (right_ != left_ && met_.contains('-') && !said_.contains('-'))
-            strings_.interpretations.push_back("- -> -(" + right_ + ")");
+        interpret();
         for (const char c : met_)
-            if (!said_.contains(c) &&
+            if (!images_.contains(c) &&
                 std::string_view("|&^\\/$!'.{}%*@~G").find(c) != std::string_view::npos)
                 strings_.interpretations.push_back(symbol_of(text_, c, 0) + " -> ε");
         return model_of(strings_, name_);
     }
 
 private:
+    /// Interpretations of symbols that do something else than their names say. Turns that stand for each other are `turn clockwise`.
+    void interpret() {
+        const auto image = [&](char c) {
+            const auto said = images_.find(c);
+            return said == images_.end() ? std::string(1, c) : said->second;
+        };
+        const bool swapped = (image('+') == "-" && (image('-') == "+" || !met_.contains('-'))) ||
+                             (image('-') == "+" && (image('+') == "-" || !met_.contains('+')));
+        if (swapped) {
+            if (left_ != right_)
+                text_.fail(0, "turns that stand for each other, with different angles");
+            strings_.clockwise = true;
+            images_.erase('+');
+            images_.erase('-');
+        }
+        for (auto& [symbol, what] : images_) {
+            const bool turns = what.find_first_of("+-") != std::string::npos;
+            if ((symbol == '+' || symbol == '-') && turns && what != std::string(1, symbol))
+                text_.fail(0, "\\symbol makes " + quoted(std::string(1, symbol)) +
+                                  " turn otherwise, which has no meaning here");
+            if (what == std::string(1, symbol)) continue;
+            std::string written;
+            for (const char c : what) {
+                const char said = !swapped ? c : c == '+' ? '-' : c == '-' ? '+' : c;
+                written += said;
+                if (c == '-' && right_ != left_) written += "(" + right_ + ")";
+            }
+            strings_.interpretations.push_back(symbol_of(text_, symbol, 0) + " -> " +
+                                               (written.empty() ? "ε" : written));
+        }
+        if (right_ != left_ && met_.contains('-') && !images_.contains('-'))
+            strings_.interpretations.push_back("- -> -(" + right_ + ")");
+    }
+
     /// Where the brace closes that was opened before this place.
     std::size_t end_of(std::size_t from) const {
         int open = 1;
@@ -346,7 +379,7 @@ private:
             const std::string command = body.substr(i + 1, stop - i - 1);
             const auto known = commands.find(command);
             if (body[i] == '\\' && command == "pgflsystemturnright")
-                image += right_ == left_ ? "-" : "-(" + right_ + ")";
+                image += '-';
             else if (body[i] == '\\' && known != commands.end())
                 image += known->second;
             else
@@ -355,10 +388,7 @@ private:
                            "turnright, savestate and restorestate has no meaning here");
             i = stop;
         }
-        const std::string name = symbol_of(text_, left[0], from);
-        said_.insert(left[0]);
-        if (image != name)
-            strings_.interpretations.push_back(name + " -> " + (image.empty() ? "ε" : image));
+        images_[left[0]] = image;
     }
 
     Text text_;
@@ -366,7 +396,8 @@ private:
     Strings strings_;
     std::string axiom_, left_ = "90", right_ = "90";
     std::size_t axiom_place_ = 0;
-    std::set<char> met_, said_;
+    std::set<char> met_;
+    std::map<char, std::string> images_;  // what `\\symbol` says
 };
 
 /// What both writers need of a system: words of single characters, and what each does.

@@ -101,6 +101,41 @@ TEST_CASE("a plotter is told how many paths there are") {
                 "--plotter: expected svg, tex, typ, csv, geojson, dxf or html, found png"));
 }
 
+TEST_CASE("the program of a page draws every stroke, and goes back to earlier ones") {
+    if (std::system("command -v node >/dev/null") != 0) {
+        MESSAGE("there is no node here: the program of the page was NOT run");
+        return;
+    }
+    const Scratch scratch;
+    CHECK(run("draw koch -n 0..3 -o " + scratch.file("k.html")).status == 0);
+    // A document of its own, which counts what is drawn.
+    const std::string program = scratch.file("run.js", R"(
+const fs = require("fs"), page = fs.readFileSync(process.argv[2], "utf8");
+const elements = {}; let lines = 0;
+const pen = new Proxy({}, {get: (t, k) => k in t ? t[k] : () => { if (k === "lineTo") ++lines; },
+                           set: (t, k, v) => (t[k] = v, true)});
+const element = id => elements[id] = elements[id] ||
+    {value: 0, clientWidth: 600, clientHeight: 400, getContext: () => pen};
+global.document = {getElementById: element, title: ""};
+global.window = {devicePixelRatio: 1};
+global.cancelAnimationFrame = () => {};
+eval(page.match(/<script>([^]*)<\/script>/)[1]);
+console.log(document.title, elements.count.textContent, lines);
+elements.generation.value = 1;
+elements.generation.oninput();
+elements.strokes.value = 2;
+lines = 0;
+elements.strokes.oninput();
+console.log(elements.name.textContent, elements.count.textContent, lines);
+)");
+    const std::string out = scratch.file("out");
+    REQUIRE(std::system(
+                ("node '" + program + "' " + scratch.file("k.html") + " >'" + out + "'").c_str()) ==
+            0);
+    CHECK(text_of(out) ==
+          "generation 3 of koch 64 of 64, F 64\ngeneration 1 of koch 2 of 4, F 2\n");
+}
+
 TEST_CASE("generators are written as text too") {
     const Run walk = run("draw weierstrass --format csv -o -");
     CHECK(walk.status == 0);

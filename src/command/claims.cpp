@@ -20,6 +20,7 @@
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "notation/notation.hpp"
+#include "render/render.hpp"
 #include "verify/verify.hpp"
 
 namespace algae::command {
@@ -72,7 +73,7 @@ struct CheckOptions {
     std::string statement, certificate, accept, checkpoint, resume;
     std::vector<std::string> alphabet;
     std::uint64_t instances = SearchLimits().instances, size = SearchLimits().size;
-    bool explain = false, json = false, outside = false;
+    bool explain = false, json = false, latex = false, outside = false;
     Bounds bounds;
 };
 
@@ -297,6 +298,8 @@ int check_claims(const CheckOptions& options) {
             write_file(options.certificate, Json(certificate(checked)).text(1));
         if (options.json)
             all.add(as_json(checked));
+        else if (options.latex)
+            print(latex(checked));
         else
             print(options.explain
                       ? (i > 0 ? "\n" + std::string(100, '=') + "\n\n" : "") + explanation(checked)
@@ -305,7 +308,7 @@ int check_claims(const CheckOptions& options) {
     }
     if (options.json)
         print(Json{{"claims", all}}.text());
-    else if (claims.size() > 1)
+    else if (claims.size() > 1 && !options.latex)
         print(std::to_string(claims.size()) + " claims: " +
               joined(counts, ", ",
                      [](const auto& one) {
@@ -321,7 +324,7 @@ int check_claims(const CheckOptions& options) {
 struct ClosureOptions {
     std::string family;
     std::vector<std::string> operation;  // its words
-    bool explain = false, json = false;
+    bool explain = false, json = false, latex = false;
     Bounds bounds;
 };
 
@@ -469,6 +472,31 @@ std::string cell_text(Theory& theory, const std::string& family, const std::stri
            explanation(checked, is_known ? family : "");  // the reason may be at another family
 }
 
+/// The table, or rows of it, in plus and minus signs.
+std::string table_latex(Theory& theory, const std::vector<std::string>& families,
+                        const std::vector<std::string>& operations) {
+    std::string text = "\\begin{tabular}{l" + std::string(families.size(), 'c') + "}\n ";
+    for (const std::string& family : families) text += " & " + family;
+    text += " \\\\ \\hline\n";
+    for (const std::string& operation : operations) {
+        text += "  " + escaped_latex(operation);
+        for (const std::string& family : families)
+            text += " & $" + escaped_latex(sign(theory, family, operation)) + "$";
+        text += " \\\\\n";
+    }
+    return text + "\\end{tabular}\n";
+}
+
+/// A cell with what stands behind it.
+std::string cell_latex(Theory& theory, const std::string& family, const std::string& operation) {
+    const auto cell = theory.cell(family, operation);
+    if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
+    std::string text;
+    if (const CheckedClaim* theorem = theory.theorem(family, operation, cell->closed))
+        text += latex(*theorem) + '\n';
+    return text + latex(theory.checked(cell->claim));
+}
+
 std::string known(const std::string& written, const std::vector<std::string>& all,
                   const std::string& what) {
     std::string plain = written;
@@ -491,7 +519,10 @@ int closure(const ClosureOptions& options) {
         operations = {known(joined(options.operation, " "), operations, "an operation")};
     }
     const bool one_cell = families.size() == 1 && operations.size() == 1;
-    if (options.json) {
+    if (options.latex) {
+        print(one_cell ? cell_latex(theory, families[0], operations[0])
+                       : table_latex(theory, families, operations));
+    } else if (options.json) {
         std::vector<Json> entries;
         for (const std::string& operation : operations)
             for (const std::string& family : families)
@@ -696,6 +727,8 @@ void add_check(Verbs& verbs) {
     verb.output("--certificate", options.certificate, "FILE",
                 "write what algae verify checks again");
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex,
+                    "print statements and arguments as LaTeX, which needs amsmath and amsthm");
     verb.bounded_by(options.bounds);
 }
 
@@ -707,6 +740,10 @@ void add_closure(Verbs& verbs) {
     verb.option("OP", options.operation, joined(closure_operations(), "|"), "an operation");
     verb.flag("--explain", options.explain, "print the proof of every cell asked for");
     verb.json_flag(options.json);
+    verb.latex_flag(
+        options.latex,
+        "print rows of the table, or a cell with its proof, as LaTeX, which needs amsmath "
+        "and amsthm");
     verb.bounded_by(options.bounds);
 }
 

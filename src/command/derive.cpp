@@ -31,7 +31,7 @@ struct DeriveOptions {
     std::optional<std::uint64_t> seed;
     std::optional<std::uint64_t> longest;
     bool all = false, all_words = false, language = false, distribution = false, expected = false,
-         json = false;
+         json = false, latex = false;
     Bounds bounds;
 };
 
@@ -369,6 +369,33 @@ void derive_all_words(const DeriveOptions& options, const LSystem& system, const
                                       : all_words(options, *rules, budget));
 }
 
+/// The words from the axiom on as a display; with a coding its letters.
+void print_derivation(const Model& system, const D0L* rules, const IL* interactive,
+                      std::uint64_t last, const Budget& budget) {
+    constexpr std::uint64_t most = 1000;
+    if (last > most)
+        throw BoundReached(Bound::letters, "--latex shows at most " + std::to_string(most) +
+                                               " steps, not " + std::to_string(last));
+    if (!rules && !interactive) throw Error("--latex: it needs rules without parameters");
+    std::vector<Word> words;
+    if (rules) {
+        for (std::uint64_t n = 0; n <= last; ++n) words.push_back(derive(*rules, n, budget));
+    } else {
+        Development development(*interactive, budget);
+        for (std::uint64_t n = 0; n <= last; ++n) {
+            if (n > 0) development.steps(1);
+            words.push_back(development.word());
+        }
+    }
+    if (system.coding.empty()) {
+        print(derivation_latex(words, system.alphabet));
+        return;
+    }
+    const LetterCoding coding(system.alphabet, system.coding);
+    for (Word& word : words) word = coding.morphism(word);
+    print(derivation_latex(words, coding.alphabet));
+}
+
 int derive_verb(const DeriveOptions& options) {
     const Budget budget = options.bounds.budget();
     const Model system = open_model(options.file, budget, options.let);
@@ -383,6 +410,15 @@ int derive_verb(const DeriveOptions& options) {
           std::pair("--distribution", options.distribution),
           std::pair("--expected", options.expected)})
         if (given) refuse_coding(system, option);
+    if (options.latex)
+        refuse_with("--latex", {{"--all-words", options.all_words},
+                                {"--language", options.language},
+                                {"--distribution", options.distribution},
+                                {"--expected", options.expected},
+                                {"--seed", options.seed.has_value()},
+                                {"--seeds", options.seeds.has_value()},
+                                {"--tables", !options.tables.empty()},
+                                {"--environment", !options.environment.empty()}});
     if (options.all_words)
         derive_all_words(options, system, budget);
     else if (options.language)
@@ -396,6 +432,8 @@ int derive_verb(const DeriveOptions& options) {
     if (!options.generation && options.tables.empty())
         throw Error("-n is missing: which generation?");
     const bool picked = options.seed || options.seeds || !options.tables.empty();
+    if (options.latex && !as_d0l(system) && !as_dil(system))
+        throw Error("--latex: " + as_d0l(system).reason());
     if (!options.environment.empty() || class_of(system).open) {
         derive_modules(options, system, budget);
         return success;
@@ -413,6 +451,11 @@ int derive_verb(const DeriveOptions& options) {
         return success;
     }
     const auto& [from, last, written] = *options.generation;
+    if (options.latex) {
+        print_derivation(system, rules ? &*rules : nullptr, interactive ? &*interactive : nullptr,
+                         last, budget);
+        return success;
+    }
     const std::uint64_t first = options.all ? 0 : from;
     if (rules)
         print_generations(options, system, *rules, first, last, budget);
@@ -525,6 +568,8 @@ void add_derive(Verbs& verbs) {
     verb.flag("--expected", options.expected,
               "the exact expected numbers of letters of the generation");
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex,
+                    "print the derivation from the axiom on as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 

@@ -57,7 +57,7 @@ struct Options {
     std::optional<std::size_t> grids;
     std::optional<Rational> within;
     Measure measure = Measure::boxes;
-    bool points = false, invert = false, json = false, table = false, quick = false;
+    bool points = false, invert = false, json = false, latex = false, table = false, quick = false;
     Bounds bounds;
 
     std::size_t places() const { return grids.value_or(usual_grids); }
@@ -238,12 +238,15 @@ int print_table(const Options& options, const Budget& budget) {
     for (const Entry& entry : all) width = std::max(width, entry.name.size());
     std::string without, unfinished;
     bool complete = true;
-    print(options.json ? "[" : dimension_header(width, options.quick));
+    std::vector<DimensionRow> rows;  // of --latex
+    if (!options.latex) print(options.json ? "[" : dimension_header(width, options.quick));
     ProgressBar bar("dimension");
     for (std::size_t i = 0; i < all.size(); ++i) {
         const DimensionRow row = row_of(all[i], options, budget);
         complete = complete && !row.unfinished;
-        if (options.json)
+        if (options.latex)
+            rows.push_back(row);
+        else if (options.json)
             print((i > 0 ? ",\n" : "\n") + element(to_json(row, options.quick)));
         else if (row.exact.status == Found::none)
             without += to_line(row, width);
@@ -253,6 +256,7 @@ int print_table(const Options& options, const Budget& budget) {
             print(to_line(row, width));
         bar.report(static_cast<double>(i + 1) / static_cast<double>(all.size()));
     }
+    if (options.latex) print(to_latex(rows));
     if (options.json) print("\n]\n");
     if (!without.empty()) print("\nno formula:\n" + without);
     if (!unfinished.empty()) print("\nunfinished:\n" + unfinished);
@@ -572,6 +576,8 @@ int dimension(const Options& options) {
     if (options.within && options.measure != Measure::boxes)
         throw Error("--within is for --measure boxes");
     if (!options.plot.empty()) picture_format(options.plot);  // before the work
+    if (options.latex && options.measure != Measure::boxes)
+        throw Error("--latex is for --measure boxes");
     if (options.measure != Measure::boxes) {
         const bool plotted = options.measure == Measure::divider ||
                              options.measure == Measure::mass ||
@@ -586,7 +592,10 @@ int dimension(const Options& options) {
     const DimensionReport found = measured(options, budget);
     if (!options.plot.empty() && !found.counts.counts.empty())
         draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
-    print_report(found, options.json);
+    if (options.latex)
+        print(to_latex(found));
+    else
+        print_report(found, options.json);
     if (found.bounds) return found.is_within() ? success : undecided;
     // What the rules say is an answer where no generation was asked about.
     if (found.late) return undecided;
@@ -634,6 +643,8 @@ void add_dimension(Verbs& verbs) {
               "about 50,000 cells, less exactly than without --table; minutes for the gallery");
     verb.flag("--quick", options.quick, "with --table: without measuring");
     verb.json_flag(options.json, "print one JSON object; with --table an array");
+    verb.latex_flag(options.latex,
+                    "print sentences, with --table a table, as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 

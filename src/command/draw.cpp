@@ -32,7 +32,7 @@ constexpr double usual_time = 0.8, usual_progress_time = 0.05;  // seconds a fra
 constexpr std::uint64_t most_strokes = 5'000'000;               // of all pages together
 
 struct Options {
-    std::string file, output, format, tables, environment, background, caption;
+    std::string file, output, format, tables, environment, background, caption, author;
     std::vector<std::string> let;
     std::string generation,
         seed;  // of a generator the text of a statement, else a range and a number
@@ -43,7 +43,7 @@ struct Options {
     std::vector<PointLabel> labels;
     SpaceOptions space;
     bool scale_bar = false, panels = false, common_scale = false, captions = false;
-    bool progressive = false, explain = false, json = false;
+    bool progressive = false, explain = false, plotter = false, json = false;
     Bounds bounds;
 
     std::vector<StatementOption> statements() const {
@@ -80,6 +80,7 @@ PictureOptions picture_options(const Options& options) {
     picture.common_scale = options.common_scale;
     picture.scale_bar = options.scale_bar;
     picture.labels = options.labels;
+    picture.author = options.author;
     return picture;
 }
 
@@ -528,6 +529,7 @@ public:
             else if (options.captions)
                 plates.caption_with_facts();
             for (FigurePlate& plate : plates.figures) {
+                plate.system = &system;
                 for (std::size_t i = 0; i < let.size() && variants.size() > 1; ++i) {
                     if (let[i] == options.let[i]) continue;  // the same in all panels
                     const std::string said = ", " + let[i].substr(0, let[i].find('=')) + " = " +
@@ -540,6 +542,8 @@ public:
         }
         varied = variants.size() > 1;
     }
+
+    const Model& system() const { return systems_.front(); }
 
     std::vector<Plate> plates() const {
         std::vector<Plate> found;
@@ -564,7 +568,7 @@ std::vector<double> numbers(const std::vector<Coordinate>& coordinates) {
     return values;
 }
 
-Json as_json(const VariedPlates& plates, const Drawn& drawn, const std::string& path) {
+Json figures_json(const VariedPlates& plates) {
     std::vector<Json> all;
     for (const FigurePlate& plate : plates.figures) {
         const Facts& facts = plate.figure->facts();
@@ -577,7 +581,11 @@ Json as_json(const VariedPlates& plates, const Drawn& drawn, const std::string& 
         one.set("exact", facts.exact);
         all.push_back(std::move(one));
     }
-    Json out = all.size() == 1 ? all.front() : Json{{"figures", all}};
+    return all.size() == 1 ? all.front() : Json{{"figures", all}};
+}
+
+Json as_json(const VariedPlates& plates, const Drawn& drawn, const std::string& path) {
+    Json out = figures_json(plates);
     out.set("output", path);
     out.set("width", drawn.width);
     out.set("height", drawn.height);
@@ -586,8 +594,20 @@ Json as_json(const VariedPlates& plates, const Drawn& drawn, const std::string& 
     return out;
 }
 
+/// Whether an svg is written with names for its parts: not where it would be an image, or take too much memory.
+bool is_written_as_text(const std::vector<Plate>& plates, const Budget& budget) {
+    std::uint64_t strokes = 0;
+    for (const Plate& plate : plates) {
+        const auto more = plate.figure->strokes();
+        if (!more || *more > most_strokes) return false;
+        strokes += *more;
+    }
+    return strokes <= most_strokes && strokes < budget.memory / 400;
+}
+
 /// Files of generators: what -n and --seed say stands in their statements.
-int draw_generator_file(const Options& options, PictureFormat format, const PictureOptions& picture,
+int draw_generator_file(const Options& options, PictureFormat format,
+                        std::optional<FigureFormat> text, const PictureOptions& picture,
                         const Budget& budget) {
     refuse_given({{"--seeds", options.seeds.has_value()},
                   {"--tables", !options.tables.empty()},
@@ -597,6 +617,17 @@ int draw_generator_file(const Options& options, PictureFormat format, const Pict
                   {"--fog", options.space.fog.has_value()}},
                  " is for systems, and " + options.file + " is not one of them");
     const auto generator = open_generator(options.file, budget, options.statements());
+    if (text) {
+        const std::vector<GeneratorFigure> figures = generator->figures(budget);
+        std::vector<FigureSource> all;
+        for (const Plate& plate : generator_plates(figures, options.captions, options.caption))
+            all.push_back({plate});
+        PictureOptions said = picture;
+        said.title = generator->title;
+        return write_as_text(all, *text,
+                             {options.output, said, options.plotter, all.size() > 1, options.json},
+                             {}, budget);
+    }
     const Drawn drawn = draw_generator(*generator, options.output, format, picture,
                                        options.captions, options.caption, budget);
     if (options.json) print(generator_json(*generator, drawn, options.output, budget).text());
@@ -614,18 +645,29 @@ int draw(const Options& options) {
     const std::string named = needed_format(options);
     if (const auto mesh = mesh_format(named)) return draw_to_mesh(options, *mesh);
     if (options.facets) throw Error("--facets is for " + mesh_format_names());
+    std::optional<FigureFormat> text = figure_format(named);
     const std::optional<AnimationFormat> animation = animation_format(named);
-    const PictureFormat format = animation ? PictureFormat::png : picture_of(named);
+    const PictureFormat format = animation ? PictureFormat::png
+                                 : text    ? PictureFormat::svg
+                                           : picture_of(named);
+    if (options.plotter && (animation || format != PictureFormat::svg))
+        throw Error(
+            std::string("--plotter: expected svg, tex, typ, csv, geojson, dxf or html, found ") +
+            (animation ? "an animation" : format_name(format)));
     const AnimationTiming timing = timing_of(options, usual_time);
     check_motion(options, animation.has_value());
     if (animation && options.panels) refuse_panels();
-    const PictureOptions picture = picture_options(options);
+    PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
-    if (is_generator(options.file)) return draw_generator_file(options, format, picture, budget);
+    if (is_generator(options.file)) {
+        if (!text && options.plotter) text = FigureFormat::svg;
+        return draw_generator_file(options, format, text, picture, budget);
+    }
     const VariedPlates plates(options, animation.has_value(), budget);
     const auto generations = plates.generations;
+    picture.title = plates.system().title;
+    picture.source = plates.system().source;
 
-    ProgressBar bar("Drawing");
     const bool single = plates.figures.size() == 1;
     const bool pages = !single && !options.panels && !plates.varied &&
                        (format == PictureFormat::pdf || format == PictureFormat::ps);
@@ -634,12 +676,26 @@ int draw(const Options& options) {
     const bool panels =
         options.panels ||
         ((options.generation.empty() || of_seeds || plates.varied) && !single && !pages);
-    if (!single && !pages && !panels && !animation)
+    // Tables and pages have room for several figures.
+    const bool apart = text && *text != FigureFormat::tex && *text != FigureFormat::typ;
+    if (!single && !pages && !panels && !animation && !apart)
         throw Error("-n " + options.generation +
                     ": several generations need --panels, pdf or ps for pages, or gif or webp for "
                     "an animation");
     const Target target = target_of(options.output);
     const std::vector<Plate> all = plates.plates();
+    if (!text && !animation && format == PictureFormat::svg &&
+        (options.plotter || is_written_as_text(all, budget)))
+        text = FigureFormat::svg;
+    if (text) {
+        const bool exact = *text == FigureFormat::csv || *text == FigureFormat::geojson;
+        const FigureSources sources(plates.figures, choices_of(options, plates.system()), exact,
+                                    budget);
+        return write_as_text(sources.all, *text,
+                             {options.output, picture, options.plotter, panels, options.json},
+                             figures_json(plates), budget);
+    }
+    ProgressBar bar("Drawing");
     const Drawn drawn =
         animation           ? draw_animation(all, target, *animation, picture, timing, budget, &bar)
         : single && !panels ? draw_picture(all.front(), target, format, picture, budget, &bar)
@@ -669,8 +725,10 @@ void add_draw(Verbs& verbs) {
                 "or --panels (default: what the file says)");
     verb.output("-o,--output", options.output, "FILE",
                 "the picture: .svg, .pdf, .png, .ps or .eps, the animation: .gif or .webp, the "
+                "figure as text: .tex (TikZ), .typ (Typst), .csv, .geojson, .dxf or .html, the "
                 "figure in space: .glb, .obj, .ply, .stl, .x3d or .wrl; - for standard output");
-    verb.option("--format", options.format, std::string(picture_formats) + '|' + mesh_formats,
+    verb.option("--format", options.format,
+                std::string(picture_formats) + '|' + text_formats + '|' + mesh_formats,
                 "the format, where the name does not say it; vrml1 for VRML 1.0");
     verb.flag("--panels", options.panels, "several generations side by side");
     verb.option("--columns", options.columns, natural, "N", "panels in a row");
@@ -698,6 +756,10 @@ void add_draw(Verbs& verbs) {
     verb.option("--tables", options.tables, "SEQUENCE",
                 "the table of each step: light,dark or, of one character each, abab or 1212");
     options.space.add_to(verb);
+    verb.flag("--plotter", options.plotter,
+              "each segment once, joined to as few paths as possible with short ways between: svg, "
+              "dxf and the other figures as text");
+    verb.option("--author", options.author, "TEXT", "what pdf, svg and html say of the author");
     verb.flag("--scale-bar", options.scale_bar,
               "a bar below the figure with its length, in the units of the file");
     verb.option("--label", options.labels, point_label, "TEXT@x,y[,z]",

@@ -33,7 +33,8 @@ struct Options {
     std::string file, plot, sequence;
     std::vector<std::string> let;
     std::optional<Range> generation;
-    bool bounds_wanted = false, words = false, counts = false, json = false, b_file = false;
+    bool bounds_wanted = false, words = false, counts = false, json = false, b_file = false,
+         latex = false;
     Bounds bounds;
 
     /// The generations asked for, or the usual ones.
@@ -267,6 +268,12 @@ int growth(const Options& options) {
         throw Error(
             "expected FILE, or --realise with a sequence; `algae growth --help` shows examples");
     const Model system = open_model(options.file, budget, options.let);
+    if (options.latex)
+        refuse_with("--latex", {{"-n", options.generation.has_value()},
+                                {"--words", options.words},
+                                {"--counts", options.counts},
+                                {"--bounds", options.bounds_wanted},
+                                {"--plot", !options.plot.empty()}});
     if (options.words) {
         const FactorReport report = factor_report(*as_d0l(system), budget);
         print_report(report, options.json);
@@ -284,6 +291,10 @@ int growth(const Options& options) {
     if (options.counts) return print_counts(system, rules, options, budget);
     if (options.generation) return print_lengths(rules, options, budget);
     const GrowthReport report{rules, growth_analysis(rules, budget)};
+    if (options.latex) {
+        print(to_latex(report));
+        return success;
+    }
     print(options.json ? to_json(report).text() : to_text(report, ", all in --json"));
     return success;
 }
@@ -318,6 +329,9 @@ void add_growth(Verbs& verbs) {
     verb.flag("--b-file", options.b_file, "with -n: lines `n length`, a b-file of the OEIS")
         .needs = {"-n"};
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex,
+                    "print matrix, polynomials, recurrence, generating function, closed form and "
+                    "class as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 

@@ -105,7 +105,7 @@ struct MemberOptions {
     std::vector<std::string> let;
     std::optional<Range> steps;
     std::optional<std::uint64_t> most;
-    bool brief = false, count = false, all = false, json = false;
+    bool brief = false, count = false, all = false, json = false, latex = false;
     Bounds bounds;
 };
 
@@ -115,6 +115,10 @@ void check_usage(const MemberOptions& options) {
     if (options.most && !options.all) throw Error("--max-derivations goes with --all");
     if (options.brief && options.all)
         throw Error("--brief leaves out the derivations that --all asks for");
+    if (options.latex)
+        refuse_with(
+            "--latex",
+            {{"--brief", options.brief}, {"--count", options.count}, {"--all", options.all}});
 }
 
 /// The derivations of the word by their numbers of steps: those of -n, otherwise all, or the first ones where they are
@@ -230,6 +234,8 @@ int member(const MemberOptions& options) {
         if (!found.member) out.set("reason", reason(found, alphabet, word));
         if (!found.member && options.count) out.update(to_json(DerivationCounts{{}, Integer(0)}));
         print(out.text());
+    } else if (found.member && options.latex) {
+        print(derivation_latex(witness->words, *system->alphabet));
     } else if (found.member) {
         print("yes: " + text + " is in the language, first in " + "generation " +
               std::to_string(found.step) + '\n' + (witness ? to_text(*witness, *system) : ""));
@@ -459,7 +465,7 @@ void add_expression_options(Verb& verb, std::string& expression,
 struct IsOptions {
     std::string family, expression, certificate;
     std::vector<std::string> alphabet;
-    bool empty_axiom = false, json = false;
+    bool empty_axiom = false, json = false, latex = false;
     Bounds bounds;
 };
 
@@ -535,6 +541,7 @@ int is(const IsOptions& options) {
                     certificate(found, *written.alphabet));
         text = out.text();
     }
+    if (options.latex) text = latex(found, *written.alphabet);
     print(text);
     return status_of(found.truth);
 }
@@ -684,6 +691,7 @@ void add_member(Verbs& verbs) {
                 "with --all: derivations that are shown (default 20)");
     add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex, "print the derivation as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 
@@ -736,6 +744,7 @@ void add_is(Verbs& verbs) {
               "systems may have the empty word as axiom");
     add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex, "print the argument as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 

@@ -112,8 +112,10 @@ PointLabel point_label(const std::string& option, const std::string& text) {
 std::string named_format(const std::string& output, const std::string& format) {
     if (!format.empty()) return "figure." + format;
     if (output == "-")
-        throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, " +
-                    mesh_format_names());
+        throw Error(
+            "-o -: say which format with --format: svg, pdf, png, ps, eps, gif, webp, tex, typ, "
+            "csv, geojson, dxf, html, " +
+            mesh_format_names());
     return output;
 }
 
@@ -202,6 +204,104 @@ std::vector<Plate> FigurePlates::plates() const {
     return found;
 }
 
+/// The letters of a word by their positions.
+struct FigureSources::Letters {
+    DerivedModules word;
+    std::vector<std::string> names;  // by kind
+    std::string_view at(std::uint64_t position) const {
+        return names[word.word.kinds[static_cast<std::size_t>(position)]];
+    }
+};
+
+FigureSources::FigureSources(const std::vector<FigurePlate>& plates, const PlateChoices& choices,
+                             bool exact, const Budget& budget) {
+    for (const FigurePlate& plate : plates) {
+        FigureSource& source = all.emplace_back();
+        source.plate = {plate.figure.get(), plate.name, plate.caption};
+        source.generation = plate.generation;
+        // An external program is not asked twice, and what is seen in space is in the order of its depth.
+        if (!plate.system || !choices.environment.empty() || plate.figure->is_layered()) continue;
+        const Model& system = *plate.system;
+        const FigureChoices chosen{plate.seed, choices.tables, choices.seeds.has_value()};
+        try {
+            auto letters = std::make_shared<Letters>();
+            letters->word = open_modules(system, plate.generation, chosen, nullptr, budget);
+            const ModuleKinds& kinds = letters->word.kinds;
+            for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+                letters->names.push_back(
+                    system.alphabet.name(kinds.letter(static_cast<ModuleKind>(kind))));
+            source.modules = letters->word.word.kinds.size();
+            source.letter = [letters = letters.get()](std::uint64_t at) { return letters->at(at); };
+            letters_.push_back(std::move(letters));
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+        }
+        if (!exact || !plate.figure->facts().exact) continue;
+        try {
+            source.outline =
+                std::make_shared<const Outline>(outline(system, plate.generation, budget, chosen));
+            const auto& start = system.drawing.start;
+            if (!start)
+                source.start = {0, 0};
+            else if (start->x.exact && start->y.exact)
+                source.start = {*start->x.exact, *start->y.exact};
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+        }
+    }
+}
+
+namespace {
+
+Json text_json(const FigureTextDrawn& drawn, FigureFormat format, bool plotter) {
+    Json out{{"format", figure_format_name(format)},
+             {"strokes", drawn.strokes},
+             {"paths", drawn.paths},
+             {"polygons", drawn.polygons}};
+    if (drawn.width > 0) out.set("width", drawn.width).set("height", drawn.height);
+    if (format == FigureFormat::csv || format == FigureFormat::geojson)
+        out.set("exact", drawn.exact);
+    if (plotter)
+        out.set("repeated", drawn.repeated)
+            .set("travel", drawn.travel)
+            .set("travel_in_order_of_word", drawn.travelled);
+    return out;
+}
+
+}  // namespace
+
+int write_as_text(const std::vector<FigureSource>& all, FigureFormat format,
+                  const TextChoices& options, Json facts, const Budget& budget) {
+    FigureTextOptions text;
+    text.picture = options.picture;
+    text.plotter = options.plotter;
+    text.panels = options.panels;
+    ProgressBar bar("Drawing");
+    const FigureTextDrawn drawn =
+        draw_as_text(all, target_of(options.output), format, text, budget, &bar);
+    for (const std::size_t blank : drawn.blank)
+        note("nothing is drawn in " + all[blank].plate.name);
+    constexpr std::uint64_t many_for_tex = 20'000;
+    if (format == FigureFormat::tex && drawn.strokes > many_for_tex)
+        note(std::to_string(drawn.strokes) +
+             " strokes: TeX may take minutes; a pdf of the same figure is set at once");
+    if (options.plotter) {
+        std::string said = std::to_string(drawn.strokes) + " segments in " +
+                           std::to_string(drawn.paths) + (drawn.paths == 1 ? " path" : " paths");
+        if (drawn.paths == 1) said += ", one stroke: an Euler path";
+        if (drawn.repeated > 0) said += "; " + std::to_string(drawn.repeated) + " were repeated";
+        if (drawn.paths > 1)
+            said += "; the pen is up for " + rounded_decimal(drawn.travel, 4) + " units, in the " +
+                    "order of the word for " + rounded_decimal(drawn.travelled, 4);
+        note(said);
+    }
+    if (!options.json) return success;
+    facts.set("output", options.output);
+    facts.update(text_json(drawn, format, options.plotter));
+    print(facts.text());
+    return success;
+}
+
 std::pair<std::uint64_t, std::uint64_t> shown_generations(const Model& system) {
     if (!system.drawing.generations)
         throw Error(system.name +
@@ -222,8 +322,9 @@ PictureFormat picture_of(const std::string& named) {
         return picture_format(named);
     } catch (const Error& error) {
         throw Error(std::string(error.what()) +
-                    "; an animation ends in .gif or .webp, a figure in space in .glb, .obj, .ply, "
-                    ".stl, .x3d or .wrl, or say --format vrml1");
+                    "; an animation ends in .gif or .webp, a figure as text in .tex, .typ, .csv, "
+                    ".geojson, .dxf or .html, a figure in space in .glb, .obj, .ply, .stl, .x3d or "
+                    ".wrl, or say --format vrml1");
     }
 }
 

@@ -32,7 +32,7 @@ struct ShowOptions {
     std::string file;
     std::vector<std::string> let;
     std::optional<std::uint64_t> generation;
-    bool axes = false, json = false;
+    bool axes = false, json = false, latex = false;
     Bounds bounds;
 };
 
@@ -66,8 +66,13 @@ int show(const ShowOptions& options) {
     const Budget budget = options.bounds.budget();
     const Model system = open_model(options.file, budget, options.let);
     if (options.axes != options.generation.has_value()) throw Error("--axes and -n go together");
+    if (options.latex) refuse_with("--latex", {{"--axes", options.axes}});
     if (options.axes) {
         print_axes(system, *options.generation, options.json, budget);
+        return success;
+    }
+    if (options.latex) {
+        print(to_latex(system));
         return success;
     }
     const SystemReport report{system, class_of(system)};
@@ -194,6 +199,9 @@ int list_gallery(const GalleryOptions& options) {
             generator_kind(file_name(entry))->what);
     }
     print(options.json ? Json{{"figures", entries}}.text() : text);
+    if (!found)
+        note("nothing in the gallery has the words " + options.find +
+             "; `algae gallery` lists everything");
     return found ? success : refuted;
 }
 
@@ -209,6 +217,7 @@ void add_show(Verbs& verbs) {
               "the axes of the tree that the word of generation N describes, by order");
     verb.option("-n", options.generation, natural, "N", "with --axes: the generation");
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex, "print axiom and rules as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 

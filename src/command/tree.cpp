@@ -40,20 +40,27 @@ struct Options {
 
 using SizeOf = std::function<Integer(const TreeShape&)>;
 
-/// The format by the name of the file or by --format; nothing for Graphviz's own language.
-std::optional<PictureFormat> format_of(const Options& options) {
+/// The format by the name of the file or by --format: a picture, otherwise LaTeX or Graphviz's own language.
+struct TreeFormat {
+    std::optional<PictureFormat> picture;
+    bool latex = false;
+};
+
+TreeFormat format_of(const Options& options) {
     if (options.output == "-" && options.format.empty())
-        throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps or dot");
+        throw Error("-o -: say which format with --format: svg, pdf, png, ps, eps, tex or dot");
     const std::string name = options.format.empty() ? options.output : "tree." + options.format;
     std::string end = name.substr(std::min(name.size(), name.find_last_of("./") + 1));
     for (char& letter : end)
         letter = static_cast<char>(std::tolower(static_cast<unsigned char>(letter)));
-    if (end == "dot" || end == "gv") return std::nullopt;
+    if (end == "dot" || end == "gv") return {};
+    if (end == "tex") return {std::nullopt, true};
     try {
-        return picture_format(name);
+        return {picture_format(name)};
     } catch (const Error&) {
-        throw Error("expected a file ending in .svg, .pdf, .png, .ps, .eps, .dot or .gv, found \"" +
-                    name + '"');
+        throw Error(
+            "expected a file ending in .svg, .pdf, .png, .ps, .eps, .tex, .dot or .gv, found \"" +
+            name + '"');
     }
 }
 
@@ -205,7 +212,7 @@ Drawing families() {
 
 int tree(const Options& options) {
     check_usage(options);
-    const std::optional<PictureFormat> format = format_of(options);
+    const TreeFormat format = format_of(options);
     const Budget budget = options.bounds.budget();
     const TreeShape shape{options.depth, options.shared};
     GraphOptions picture;
@@ -218,15 +225,21 @@ int tree(const Options& options) {
                       : options.generation ? generation_tree(options, shape, budget)
                                            : member_tree(options, shape, budget);
     drawing.facts.set("output", options.output);
-    if (!format) {
-        const std::string text = dot_text(drawing.graph);
+    if (!format.picture) {
+        if (format.latex)
+            refuse_given({{"--width", options.width.has_value()},
+                          {"--height", options.height.has_value()},
+                          {"--background", !options.background.empty()}},
+                         ": a figure for LaTeX has the size that its text needs");
+        const std::string text =
+            format.latex ? latex_text(drawing.graph, budget) : dot_text(drawing.graph);
         if (options.output == "-")
             print(text);
         else
             write_file(options.output, text);
     } else {
         const GraphDrawn drawn =
-            draw_graph(drawing.graph, target_of(options.output), *format, picture, budget);
+            draw_graph(drawing.graph, target_of(options.output), *format.picture, picture, budget);
         drawing.facts.set("width", drawn.width);
         drawing.facts.set("height", drawn.height);
     }
@@ -262,10 +275,10 @@ void add_tree(Verbs& verbs) {
         "of them");
     verb.flag("--families", options.families, "instead: the diagram of families of languages");
     verb.output("-o,--output", options.output, "FILE",
-                "the picture: .svg, .pdf, .png, .ps or .eps; .dot or .gv for Graphviz; - for "
-                "standard output")
+                "the picture: .svg, .pdf, .png, .ps or .eps; .tex for LaTeX, trees by its package "
+                "forest; .dot or .gv for Graphviz; - for standard output")
         .required = true;
-    verb.option("--format", options.format, "svg|pdf|png|ps|eps|dot|gv",
+    verb.option("--format", options.format, "svg|pdf|png|ps|eps|tex|dot|gv",
                 "the format, where the name does not say it");
     verb.flag("--dag", options.shared, "equal subtrees of one generation are drawn once");
     verb.option("--depth", options.depth, natural, "D",

@@ -32,6 +32,12 @@ namespace algae::command {
 std::atomic<bool> stop = false;
 const std::function<void()>* at_check = nullptr;
 
+void refuse_with(const std::string& option,
+                 const std::vector<std::pair<const char*, bool>>& given) {
+    for (const auto& [other, is_given] : given)
+        if (is_given) throw Error(option + " does not go with " + other);
+}
+
 void refuse(const std::string& option, const std::string& expected, const std::string& found) {
     throw Error(option + ": expected " + expected + ", found \"" + found + '"');
 }
@@ -205,6 +211,10 @@ Option& Verb::output(const std::string& names, std::string& target, const std::s
 
 Option& Verb::json_flag(bool& target, const std::string& text) {
     return flag("--json", target, text);
+}
+
+void Verb::latex_flag(bool& target, const std::string& text) {
+    flag("--latex", target, text).excludes = {"--json"};
 }
 
 void Verb::bounded_by(Bounds& bounds) {

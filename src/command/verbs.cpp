@@ -2,6 +2,7 @@
 // failures. Every failure becomes one message on standard error and an exit
 // status, and no verb prints a failure itself.
 
+#include <algorithm>
 #include <csignal>
 #include <cstdio>
 #include <cstdlib>
@@ -9,6 +10,7 @@
 #include <exception>
 #include <new>
 #include <string>
+#include <string_view>
 
 #include "command/detail/memory.hpp"
 #include "command/detail/output.hpp"
@@ -24,15 +26,44 @@ void add_verbs(Verbs& verbs) {
         add_show,    add_fmt,     add_derive, add_letter,     add_growth,    add_words,
         add_member,  add_finite,  add_equal,  add_is,         add_list,      add_check,
         add_closure, add_verify,  add_census, add_draw,       add_dimension, add_tree,
-        add_figures, add_gallery, add_lesson, add_generators, add_convert,   add_manual};
+        add_figures, add_gallery, add_lesson, add_generators, add_convert,   add_latex,
+        add_lsp,     add_manual};
     for (const auto add : table) add(verbs);
 }
 
 namespace {
 
+/// Whether answers, and so errors, are wanted as JSON.
+bool json_wanted = false;
+
+/// The error as JSON on standard output, for programs. What cannot be printed is said on standard error all the same.
+void print_error(Json error, int status) {
+    if (!json_wanted) return;
+    error.set("status", status);
+    try {
+        print(Json{{"error", std::move(error)}}.text());
+    } catch (const std::exception&) {
+    }
+}
+
 int report(const std::string& message, int status) {
+    print_error(error_json(printable(message)), status);
     std::fprintf(stderr, "algae: %s\n", printable(message).c_str());
     return status;
+}
+
+int report(const Diagnostics& error) {
+    if (json_wanted) {
+        Json first = to_json(error.findings().front());
+        if (error.findings().size() > 1) {
+            Json all = Json::array();
+            for (const Diagnostic& finding : error.findings()) all.add(to_json(finding));
+            first.set("all", std::move(all));
+        }
+        print_error(std::move(first), bad_input);
+    }
+    std::fprintf(stderr, "%s\n", printable(error.what()).c_str());
+    return bad_input;
 }
 
 /// Where memory ends in a place that cannot say so otherwise.
@@ -83,6 +114,8 @@ void handle_stops() {
 }
 
 int run_command(int argc, char** argv) {
+    json_wanted = std::any_of(argv, argv + argc,
+                              [](const char* word) { return std::string_view(word) == "--json"; });
     try {
         Verbs verbs;
         add_verbs(verbs);
@@ -94,8 +127,7 @@ int run_command(int argc, char** argv) {
     } catch (const ProgramWanted& error) {
         return report(std::string(error.what()) + ", with --environment 'COMMAND'", bad_input);
     } catch (const Diagnostics& error) {
-        std::fprintf(stderr, "%s\n", printable(error.what()).c_str());
-        return bad_input;
+        return report(error);
     } catch (const Error& error) {
         return report(error.what(), bad_input);
     } catch (const std::bad_alloc&) {

@@ -20,14 +20,27 @@
 
 namespace algae {
 
+namespace {
+
+/// Files that end in `.l` are those of two programs.
+Model read_l(std::string_view text, const std::string& name) {
+    return looks_like_cpfg(text) ? read_cpfg(text, name) : read_fractint(text, name);
+}
+
+}  // namespace
+
 const std::vector<SystemFormat>& system_formats() {
     static const std::vector<SystemFormat> all{
         {"brno", "a text file of a geometric interpreter of D0L systems", read_brno, print_brno},
         {"maple", "a worksheet that calls the Maple procedure Lsystem", read_maple, print_maple},
         {"netlogo", "the setup procedure of a NetLogo model of L-systems", read_netlogo,
          print_netlogo},
-        {"l", "a file of systems of Fractint, of which FILE.l:NAME is one", read_fractint,
+        {"l", "a file of systems of Fractint, of which FILE.l:NAME is one, or of cpfg", read_l,
          print_fractint},
+        {"cpfg", "a system of cpfg", read_cpfg, print_cpfg},
+        {"lpy", "the declarative part of a system of L-Py", read_lpy, print_lpy},
+        {"inkscape", "the fields of Inkscape's L-system", read_inkscape, print_inkscape},
+        {"tikz", "a system of the TikZ library lindenmayersystems", read_tikz, print_tikz},
         {"jff", "an L-system of JFLAP", read_jflap, print_jflap},
         {"walnut", "a morphism or a word automaton of Walnut", read_walnut, print_walnut},
         {"sage", "a WordMorphism of Sage", read_sage, print_sage},
@@ -60,6 +73,7 @@ const SystemFormat* system_format(std::string_view file_name) {
 }
 
 const SystemFormat* system_format_of(std::string_view text) {
+    if (looks_like_cpfg(text)) return system_format(".cpfg");
     if (looks_like_fractint(text)) return system_format(".l");
     if (looks_like_walnut(text)) return system_format(".walnut");
     return nullptr;

@@ -131,8 +131,16 @@ private:
         for (const Line& line : lines) {
             std::size_t at = 0;
             // The command `morphism NAME "..."` says the same.
-            if (line.text.starts_with("morphism"))
-                at = std::min(line.text.find('"'), line.text.size() - 1) + 1;
+            if (line.text.starts_with("morphism")) {
+                const std::size_t open = line.text.find('"');
+                if (open == std::string::npos)
+                    text_.fail(line.offset,
+                               "expected the images between quotation marks, such as "
+                               "morphism h \"0->01 1->10\"");
+                if (line.text.find('"', open + 1) == std::string::npos)
+                    text_.fail(line.offset + open, "the quotation mark is never closed");
+                at = open + 1;
+            }
             const auto skip = [&] {
                 while (at < line.text.size() &&
                        std::string_view(" \t,\";:").find(line.text[at]) != std::string_view::npos)

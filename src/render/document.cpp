@@ -433,6 +433,14 @@ void Document::paint_background() {
     cairo_paint(context_);
 }
 
+void Document::say(const std::string& title, const std::string& author) {
+    if (format_ != PictureFormat::pdf) return;
+    if (!title.empty())
+        cairo_pdf_surface_set_metadata(surface_, CAIRO_PDF_METADATA_TITLE, title.c_str());
+    if (!author.empty())
+        cairo_pdf_surface_set_metadata(surface_, CAIRO_PDF_METADATA_AUTHOR, author.c_str());
+}
+
 void Document::next_page() {
     cairo_show_page(context_);
     check();

@@ -341,6 +341,7 @@ Drawn draw(std::span<const Plate> plates, Output& output, const Plan& plan, cons
     drawn.height = plan.page.height;
     Document document(plan.format, plan.page.width, plan.page.height, plan.background, output,
                       budget);
+    document.say(plan.options.title, plan.options.author);
     double all = 0, done = 0;
     for (const Plate& plate : plates) all += work(*plate.figure);
     all *= 1.1;  // the rest is writing

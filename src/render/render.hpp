@@ -2,7 +2,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <iosfwd>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,9 +17,9 @@
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
 
-// render: figures, graphs and scenes as files. Pictures and pages by Cairo (svg, pdf, png, ps, eps), animations (gif, webp), pages
-// that explain a turtle, plots, graphs placed by Graphviz, and meshes of figures in space. No other room uses these
-// formats and libraries.
+// render: figures, graphs and scenes as files. Pictures and pages by Cairo (svg, pdf, png, ps, eps), figures as text (tex, typ,
+// csv, geojson, dxf, html, svg), animations (gif, webp), pages that explain a turtle, plots, graphs placed by Graphviz, and meshes of
+// figures in space. No other room uses these formats and libraries.
 //
 // A file appears whole or not at all, and equal figures make equal files, byte for byte. Functions draw to a Target: the path of a
 // file or a stream, such as standard output. Read in this order: files; pictures; animations; explanations; pages of
@@ -130,6 +132,8 @@ struct PictureOptions {
     std::vector<PointLabel> labels;
     /// Strokes end flat at their ends instead of round.
     bool flat_ends = false;
+    /// What the file says of itself: in pdf, and in figures as text. May be empty.
+    std::string title, source, author;
 
     enum class Route {
         automatic,  // strokes; cells where segments are finer than the picture can show
@@ -180,6 +184,72 @@ Drawn draw_pages(std::span<const Plate> plates, const Target& target, PictureFor
 Drawn draw_panels(std::span<const Plate> plates, const Target& target, PictureFormat format,
                   const PictureOptions& options, const Budget& budget,
                   Progress* progress = nullptr);
+
+/// Formats that hold figures in the plane as text, to be edited, set in a document or computed with.
+enum class FigureFormat {
+    tex,      // TikZ
+    typ,      // Typst
+    csv,      // a row for each stroke
+    geojson,  // a feature for each path
+    dxf,      // AutoCAD, release 12
+    html,     // a page that shows them, and how they come to be
+    svg,      // with a group for each colour; `draw_picture` writes svg by Cairo
+};
+
+/// The format that the extension of a file name stands for, in any case; nothing for other extensions and for svg.
+///
+/// Example: figure_format("koch.TEX") == FigureFormat::tex
+/// Example: !figure_format("koch.svg")
+std::optional<FigureFormat> figure_format(std::string_view path);
+
+/// The name of the format, which is the extension of its files.
+///
+/// Example: figure_format_name(FigureFormat::geojson) == std::string("geojson")
+const char* figure_format_name(FigureFormat format);
+
+/// A figure in the plane with what is known of it beyond its strokes.
+struct FigureSource {
+    Plate plate;
+    std::uint64_t generation = 0;
+    std::uint64_t modules = 0;  // of the word; 0 if there is none
+    /// The letter of the word at this position; empty if it is not known. It outlives the call.
+    std::function<std::string_view(std::uint64_t)> letter = {};
+    /// The same figure with exact points, as `outline` gives it, and its start where that is rational; may be missing.
+    std::shared_ptr<const Outline> outline = nullptr;
+    std::optional<std::pair<Rational, Rational>> start = {};
+};
+
+/// How figures are written as text.
+struct FigureTextOptions {
+    /// Sizes, colours and captions, as far as the format has them.
+    PictureOptions picture;
+    /// For a plotter: each segment once, joined to as few paths as possible, with short ways between them, a layer for
+    /// each colour.
+    bool plotter = false;
+    bool panels = false;  // several figures side by side, where the format has room for it
+};
+
+/// What was written.
+struct FigureTextDrawn {
+    double width = 0, height = 0;  // in points; 0 where the format has the units of the figure
+    std::uint64_t strokes = 0;     // straight ones
+    std::uint64_t paths = 0;       // each in one go
+    std::uint64_t polygons = 0;
+    std::uint64_t repeated = 0;  // strokes left out for a plotter, because they were there already
+    double travel = 0,
+           travelled = 0;  // the way with the pen up: as written, and in the order of the word
+    bool exact = false;    // whether exact coordinates stand beside the decimals
+    std::vector<std::size_t> blank;  // figures in which nothing is drawn
+};
+
+/// Writes figures as text, in the order of their words or, for a plotter, in the order of a short way. A file
+/// appears complete or not at all, and equal figures make equal files. tex, typ and svg are laid out as pictures
+/// are; html shows one figure at a time; csv, geojson and dxf have the units of the figures.
+///
+/// Throws what draw_panels throws, and BoundReached if the paths take more memory than the budget has.
+FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target& target,
+                             FigureFormat format, const FigureTextOptions& options,
+                             const Budget& budget, Progress* progress = nullptr);
 
 enum class AnimationFormat { gif, webp };
 
@@ -377,6 +447,23 @@ GraphDrawn draw_graph(const Graph& graph, const Target& target, PictureFormat fo
 /// n1... in the order of `nodes`; nodes of one row stand in a subgraph with rank=same, where the
 /// order of rows counts joined by invisible edges.
 std::string dot_text(const Graph& graph);
+
+/// The graph for LaTeX: a tree whose rows are generations in the language of the package `forest`, every other graph as TikZ
+/// with each node at its place, in styles that stand at the head. Labels are set as mathematics.
+///
+/// Throws Error if Graphviz cannot place the graph, and what budget.check throws.
+std::string latex_text(const Graph& graph, const Budget& budget = {});
+
+/// A text for LaTeX outside of mathematics.
+///
+/// Example: escaped_latex("50% of F_l") == "50\\% of F\\_l"
+std::string escaped_latex(std::string_view text);
+
+/// The name of a letter or module, or a word, as mathematics, without dollar signs.
+///
+/// Example: letter_latex("F_l") == "F_{l}"
+/// Example: letter_latex("wall") == "\\mathit{wall}"
+std::string letter_latex(std::string_view name);
 
 /// The growth digraph of a D0L system: an edge from a letter to each letter of its successor, with
 /// how often it occurs there if more than once; arrows without a start lead to the letters of

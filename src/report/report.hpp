@@ -114,6 +114,27 @@ struct GrowthReport {
 std::string to_text(const GrowthReport& report, const std::string& elsewhere = {});
 Json to_json(const GrowthReport& report);
 
+/// What a document says of growth.
+enum class GrowthPart { all, lengths, matrix, recurrence, function, form, rate };
+
+/// As LaTeX that needs amsmath: everything as displays and a sentence, a part as mathematics without dollar signs.
+std::string to_latex(const GrowthReport& report, GrowthPart part = GrowthPart::all);
+
+/// A formula of growth or dimension, as these print it, as LaTeX mathematics. What is no such formula becomes text.
+///
+/// Example: formula_latex("(7*4^n - 4)/3") == "\\frac{7\\cdot 4^{n} - 4}{3}"
+/// Example: formula_latex("log 4 / log sqrt 3") == "\\frac{\\log 4}{\\log \\sqrt{3}}"
+std::string formula_latex(std::string_view text);
+
+/// A word as LaTeX mathematics, which may be broken between letters; of a long one the beginning and the length.
+std::string word_latex(const Alphabet& alphabet, const Word& word);
+
+/// Words, each derived from the one before, as a display.
+std::string derivation_latex(const std::vector<Word>& words, const Alphabet& alphabet);
+
+/// Axiom and rules as an array of mathematics.
+std::string to_latex(const Model& system);
+
 /// The least and greatest lengths of the words of an 0L system, generation by generation from `first` on.
 struct LengthBoundsReport {
     OL system;
@@ -214,6 +235,8 @@ struct DimensionReport {
 
 std::string to_text(const DimensionReport& report);
 Json to_json(const DimensionReport& report);
+/// As sentences with formulas.
+std::string to_latex(const DimensionReport& report);
 
 /// The methods of measuring.
 enum class Measure { boxes, divider, mass, correlation, information, multifractal, lacunarity };
@@ -259,6 +282,8 @@ std::string dimension_header(std::size_t width, bool quick);
 std::string to_line(const DimensionRow& row, std::size_t width);
 /// `quick`: without measuring.
 Json to_json(const DimensionRow& row, bool quick);
+/// The rows as a table.
+std::string to_latex(const std::vector<DimensionRow>& rows);
 
 /// Why the word is not in the language, as a sentence without its capital and full stop.
 std::string reason(const Membership& found, const Alphabet& alphabet, const Word& word);
@@ -276,6 +301,23 @@ std::string to_text(const EndlessRound& round, const OL& system);
 Json to_json(const EndlessRound& round, const OL& system);
 std::string to_text(const EndlessTables& proof, const ET0L& system);
 Json to_json(const EndlessTables& proof, const ET0L& system);
+
+/// What a message says in parts, each empty where it says nothing of the kind: "expected an angle, found 'x'; did you mean 'y'?".
+struct MessageParts {
+    std::string expected, found, suggestion;
+};
+
+/// Example: parts_of("expected a symbol, found ','").found == ","
+/// Example: parts_of("unknown setting 'angel'; did you mean 'angle'?").suggestion == "angle"
+MessageParts parts_of(std::string_view message);
+
+/// The column behind what is wrong, counted from 1 as the place's: that of what was found there, or of one character.
+std::size_t end_column(const Diagnostic& finding);
+
+/// An error for editors and programs: {"file", "line", "column", "end", "message", "expected", "suggestion"}, null where there is none.
+Json to_json(const Diagnostic& finding);
+/// The same of a message without a place.
+Json error_json(std::string_view message);
 
 // Comparisons of two systems, A and B.
 

@@ -115,7 +115,10 @@ TEST_CASE("the gallery is searched") {
     CHECK(holds(run("gallery --find 'THUE 1912'").out, "thue-morse"));
     CHECK(holds(run("gallery --find pd0l").out, "tribonacci"));
     CHECK(!holds(run("gallery --find pd0l").out, "padovan-like"));
-    CHECK(run("gallery --find nothing-like-this").status == 1);
+    const Run nothing = run("gallery --find nothing-like-this");
+    CHECK(nothing.status == 1);
+    CHECK(nothing.out.empty());
+    CHECK(holds(nothing.err, "nothing in the gallery has the words nothing-like-this"));
     for (const char* name :
          {"thue-morse", "tribonacci", "tetranacci", "period-doubling", "rudin-shapiro",
           "paperfolding", "chacon", "cantor-word", "pell", "arshon"})

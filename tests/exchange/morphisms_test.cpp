@@ -76,6 +76,13 @@ TEST_CASE("a morphism of Walnut, with letters of several digits in brackets") {
     CHECK(coded_word(big, 2) == "0 10 -1 1 ");
 }
 
+TEST_CASE("a Walnut morphism with an open quotation mark or none is refused") {
+    CHECK(walnut_fault("morphism h \"0->01 1->10").find("the quotation mark is never closed") !=
+          std::string::npos);
+    CHECK(walnut_fault("morphism h 0->01 1->10").find("expected the images between quotation") !=
+          std::string::npos);
+}
+
 TEST_CASE("what of Walnut says no morphism is refused with its place") {
     const std::pair<const char*, const char*> all[] = {
         {"lsd_2\n0 0\n", "x.walnut:1:1: error: the number system 'lsd_2' has the last digit first"},

@@ -97,15 +97,28 @@ const std::vector<Case>& cases() {
         {"closure", {}, {"0L union", "0L union --json"}},
         {"verify", {"IN/all.json", "IN/all.json --json", "IN/drawn.json"}},
         {"draw",
-         {"koch -n 3 -o OUT.svg", "koch -n 3 -o OUT.png --width 60",
-          "koch -n 0..2 -o OUT.pdf --captions", "koch -n 0..2 --panels -o OUT.eps",
-          "koch -n 0..3 -o OUT.gif --width 40", "koch -n 0..2 -o OUT.webp --width 40",
-          "koch -n 2 --progressive --max-frames 5 -o OUT.gif --width 40", "koch --explain -n 1",
-          "koch --explain -n 1 -o OUT.svg", "IN/space.lsys -n 3 -o OUT.png --width 60",
-          "IN/space.lsys -n 3 -o OUT.glb", "IN/space.lsys -n 3 -o OUT.stl",
-          "IN/space.lsys -n 3 -o OUT.x3d", "IN/boxes.lsys -n 3 -o OUT.obj",
-          "IN/plant.lsys -n 3 -o OUT.svg", "IN/chance.lsys -n 3 --seeds 1..3 -o OUT.pdf",
-          "IN/lights.lsys -n 4 -o OUT.svg", "boxes-on-koch -o OUT.svg", "weierstrass -o OUT.svg"}},
+         {"koch -n 3 -o OUT.svg",
+          "koch -n 3 -o OUT.png --width 60",
+          "koch -n 2 -o OUT.tex",
+          "koch -n 2 -o OUT.csv",
+          "IN/plant.lsys -n 3 --plotter -o OUT.dxf",
+          "koch -n 0..2 -o OUT.pdf --captions",
+          "koch -n 0..2 --panels -o OUT.eps",
+          "koch -n 0..3 -o OUT.gif --width 40",
+          "koch -n 0..2 -o OUT.webp --width 40",
+          "koch -n 2 --progressive --max-frames 5 -o OUT.gif --width 40",
+          "koch --explain -n 1",
+          "koch --explain -n 1 -o OUT.svg",
+          "IN/space.lsys -n 3 -o OUT.png --width 60",
+          "IN/space.lsys -n 3 -o OUT.glb",
+          "IN/space.lsys -n 3 -o OUT.stl",
+          "IN/space.lsys -n 3 -o OUT.x3d",
+          "IN/boxes.lsys -n 3 -o OUT.obj",
+          "IN/plant.lsys -n 3 -o OUT.svg",
+          "IN/chance.lsys -n 3 --seeds 1..3 -o OUT.pdf",
+          "IN/lights.lsys -n 4 -o OUT.svg",
+          "boxes-on-koch -o OUT.svg",
+          "weierstrass -o OUT.svg"}},
         {"dimension",
          {"koch -n 3 --grids 2", "IN/scaled.lsys --grids 2 -n 4",
           "IN/bush.lsys -n 4 --grids 2 --json", "koch -n 3 --measure divider",
@@ -150,13 +163,15 @@ const std::vector<Case>& cases() {
         {"convert",
          {"IN/bush.brno --to lsys", "dragon --to ifs", "koch-island-002 --to netlogo",
           "rule-110.ca --to lsys"}},
+        {"latex", {"IN/paper.tex -o OUT.algae", "IN/paper.tex -o OUT.algae --json"}},
+        {"lsp", {}},  // reads what an editor sends
         {"manual", {"--man"}},
     };
     return all;
 }
 
 /// The verbs that never look at a budget: they print what is known beforehand.
-const std::set<std::string> never_checks{"gallery", "manual"};
+const std::set<std::string> never_checks{"gallery", "lsp", "manual"};
 
 /// The files that the cases read and, one after the other, write.
 class Folder {
@@ -261,6 +276,9 @@ private:
              "growth(H)\n"
              "show sequence(H) != sequence(D)\nshow abaab in L(F) | L(G)\nshow L(F) is not "
              "regular\n"},
+            {"paper.tex",
+             "\\algaefigure[n=2]{koch}\\algaegrowth{fibonacci}\\algaeword[n=3]{koch}\n"
+             "\\algaeis{0L}{{a, aa}}\n"},
             {"drawn.claim",
              "claim Dimensions\nlet G = D0L gosper\nlet K = D0L koch\nshow dimension(G) = 2\n"
              "show boundary(G) = log 3 / log sqrt 7\nrefute dimension(K) = 3/2\nshow dimension(K) "

@@ -19,6 +19,7 @@ namespace algae::command {
 
 /// What --format takes, for types of options.
 inline constexpr const char* picture_formats = "svg|pdf|png|ps|eps|gif|webp";
+inline constexpr const char* text_formats = "tex|typ|csv|geojson|dxf|html";
 inline constexpr const char* mesh_formats = "glb|obj|ply|stl|x3d|wrl|vrml1";
 
 /// The format of a picture by the extension of this name. Throws Error, which lists the other formats.
@@ -62,6 +63,7 @@ struct FigurePlate {
     std::optional<std::uint64_t> seed;
     std::unique_ptr<Figure> figure;
     std::string name, caption;
+    const Model* system = nullptr;  // that it shows, where the caller keeps it
 };
 
 /// The choices of a picture of a system with choices; what is not set comes from the file.
@@ -93,6 +95,31 @@ private:
     std::string title_, angle_;
     bool many_seeds_ = false;
 };
+
+/// Figures with the letters of their words, and their exact points where `exact` asks for these and they are known. What would take more
+/// letters or memory than the budget has is left out. Everything must outlive the result.
+class FigureSources {
+public:
+    FigureSources(const std::vector<FigurePlate>& plates, const PlateChoices& choices, bool exact,
+                  const Budget& budget);
+    std::vector<FigureSource> all;
+
+private:
+    struct Letters;
+    std::vector<std::shared_ptr<Letters>> letters_;
+};
+
+/// How figures are written as text.
+struct TextChoices {
+    std::string output;
+    PictureOptions picture;
+    bool plotter = false, panels = false, json = false;
+};
+
+/// Writes figures as text, notes what a plotter needs to know, and with `json` prints the facts and what was written. Gives the
+/// exit status.
+int write_as_text(const std::vector<FigureSource>& all, FigureFormat format,
+                  const TextChoices& choices, Json facts, const Budget& budget);
 
 /// The generations that the figure shows according to its file. Throws Error if the file does not say it.
 std::pair<std::uint64_t, std::uint64_t> shown_generations(const Model& system);

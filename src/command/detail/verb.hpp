@@ -74,6 +74,9 @@ Range range(const std::string& option, const std::string& text);
 [[noreturn]] void refuse(const std::string& option, const std::string& expected,
                          const std::string& found);
 
+/// Throws Error if one of these options is given beside `option`, which does not go with them.
+void refuse_with(const std::string& option, const std::vector<std::pair<const char*, bool>>& given);
+
 /// An option or an argument of a verb. The name of its type says which values are possible: FILE and DIR
 /// are paths, NAME is a name from the gallery, COLOUR the name of a colour, `map|solid` one of these words.
 struct Option {
@@ -159,6 +162,9 @@ public:
                    const std::string& text);
     /// `--json`, with the same text in nearly all verbs.
     Option& json_flag(bool& target, const std::string& text = "print one JSON object");
+    /// `--latex`, which excludes `--json`.
+    void latex_flag(bool& target,
+                    const std::string& text = "print it as LaTeX, which needs amsmath");
     /// --max-letters, --max-memory and --timeout.
     void bounded_by(Bounds& bounds);
 
@@ -231,6 +237,8 @@ void add_dimension(Verbs& verbs);
 void add_tree(Verbs& verbs);
 void add_figures(Verbs& verbs);
 void add_lesson(Verbs& verbs);
+void add_latex(Verbs& verbs);
+void add_lsp(Verbs& verbs);
 void add_generators(Verbs& verbs);  // ifs, walk, brownian, terrain, dla, particles, ca
 void add_manual(Verbs& verbs);
 

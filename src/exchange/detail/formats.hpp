@@ -151,6 +151,37 @@ std::string print_fractint(const Model& system);
 /// Whether a text looks like a file of Fractint: a line `NAME {` and one with Axiom or Angle.
 bool looks_like_fractint(std::string_view text);
 
+// cpfg and L-Py: cpfg.cpp, cpfg_print.cpp.
+
+/// The L-system in a file of cpfg, as its preprocessor leaves it. Its `/` is the notation's `\`, its turtle looks up the page. Throws Diagnostics
+/// with the place of what is wrong and of what has no meaning in the notation: decompositions, rings, blocks, arrays, predecessors of several
+/// modules, and rules whose order decides otherwise than the lengths of their contexts.
+Model read_cpfg(std::string_view text, const std::string& name);
+
+/// The declarative part of a file of L-Py: constants, modules, axiom and rules with `-->`. Throws Diagnostics where it is a program.
+Model read_lpy(std::string_view text, const std::string& name);
+
+/// The file of a system. Throws Error that names what it cannot say.
+std::string print_cpfg(const Model& system);
+std::string print_lpy(const Model& system);
+
+/// Whether a text looks like a file of cpfg: a line begins with `Lsystem:`.
+bool looks_like_cpfg(std::string_view text);
+
+// Rule strings: rule_strings.cpp.
+
+/// The fields of Inkscape's extension L-system, a line `axiom = F` for each. A to F draw there, G to L move, and + turns to the right on the
+/// page. Throws Diagnostics for what Inkscape drops or never uses, and for what is random.
+Model read_inkscape(std::string_view text, const std::string& name);
+
+/// A system of the TikZ library lindenmayersystems: `\rule{F -> F-F}` and `\symbol{X}{...}` in a declaration, or `l-system={rule set={...}, ...}`. Throws
+/// Diagnostics with the place of TeX that is no command of the library.
+Model read_tikz(std::string_view text, const std::string& name);
+
+/// The same written. Throw Error that names what cannot be said: parameters, contexts, figures in space, several rules for a letter.
+std::string print_inkscape(const Model& system);
+std::string print_tikz(const Model& system);
+
 // JFLAP: jflap.cpp.
 
 /// The L-system in a file of JFLAP 4 to 7. Its turtle starts upward and + turns to the right; hues and widths of lines are left out. Throws

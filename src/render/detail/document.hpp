@@ -96,6 +96,8 @@ public:
 
     cairo_t* context() const { return context_; }
     PictureFormat format() const { return format_; }
+    /// What a pdf says of itself; nothing in other formats. Empty texts are left out.
+    void say(const std::string& title, const std::string& author);
     /// Opens another page of the same size.
     void next_page();
     /// Completes the document. Throws what went wrong while writing.

@@ -1,0 +1,276 @@
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "exchange/detail/formats.hpp"
+#include "exchange/detail/plain_rules.hpp"
+#include "exchange/exchange.hpp"
+#include "model/model.hpp"
+
+// Systems as files of cpfg and of L-Py.
+//
+// The order of rules becomes the choice between them: those with the longest contexts come first, as the program takes the first that
+// applies. What a turtle does with a symbol that has no parameter is said by the homomorphism, `+ --> +(60)`, since a file has no angle
+// of its own; so words are the same in both. Expressions have brackets wherever operators meet, as the programs group some of them otherwise.
+// Files do not say where a figure stands: it looks up the page there.
+
+namespace algae {
+
+namespace {
+
+class FilePrinter final : public FormatWriter {
+public:
+    FilePrinter(const Model& system, bool python)
+        : FormatWriter(system, python ? "lpy" : "cpfg"), python_(python) {}
+
+    std::string text() {
+        check();
+        std::string out = commented(python_ ? "# " : "// ", {system_.title, system_.source});
+        for (const auto& [called, value] : system_.constants)
+            out += (python_ ? called + " = " : "#define " + called + " ") +
+                   expression(value.expression) + "\n";
+        if (!python_) out += "Lsystem: 1\n";
+        const auto& shown = system_.drawing.generations;
+        const std::string generation = std::to_string(shown ? shown->second : 5);
+        std::string header;
+        if (is_stochastic()) {
+            if (python_) refuse("probabilities: a choice is a program there");
+            header += "seed: 1\n";
+        }
+        header += "derivation length: " + generation + "\n";
+        if (!system_.ignored.empty()) {
+            header += "ignore: ";
+            for (const Symbol letter : system_.ignored) header += symbol(letter);
+            header += "\n";
+        }
+        out += header + "Axiom: " + word(system_.axiom) + "\n";
+        if (python_) out += "production:\n";
+        std::vector<const Production*> rules;
+        for (const Production& rule : system_.rules) rules.push_back(&rule);
+        std::ranges::stable_sort(rules, std::greater<>(), [&](const Production* rule) {
+            return reach(rule->left) + reach(rule->right);
+        });
+        for (const Production* rule : rules) out += line(*rule) + "\n";
+        if (rules.empty()) out += "\n";
+        const std::string drawn = homomorphism();
+        if (!drawn.empty()) out += (python_ ? "interpretation:\n" : "homomorphism:\n") + drawn;
+        return out + "endlsystem\n";
+    }
+
+private:
+    /// Brackets do not count.
+    std::size_t reach(const Pattern& pattern) const {
+        return static_cast<std::size_t>(
+            std::ranges::count_if(pattern, [&](const ModulePattern& one) {
+                return name(one.symbol) != "[" && name(one.symbol) != "]";
+            }));
+    }
+    bool is_stochastic() const {
+        return std::ranges::any_of(
+            system_.rules, [](const Production& rule) { return rule.probability.has_value(); });
+    }
+
+    void check() const {
+        check_parts();
+        check_plain_settings();
+        const Drawing& drawing = system_.drawing;
+        if (!drawing.stamps.empty()) refuse("stamps");
+        if (!drawing.solids.empty()) refuse("solids");
+        if (drawing.scale) refuse("the setting scale");
+        if (drawing.narrow) refuse("the setting narrow");
+        if (drawing.clockwise) refuse("`turn clockwise`");
+        if (!system_.coding.empty()) refuse("a coding");
+        if (!system_.axiom.splices.empty()) refuse("the axiom's words");
+        std::map<std::pair<Symbol, std::size_t>, const Production*> chosen;
+        for (const Production& rule : system_.rules) {
+            if (rule.shape) refuse(rule, "it is a shape rule");
+            if (!rule.elsewhere.empty()) refuse(rule, "it looks elsewhere in the word");
+            if (!rule.successor.splices.empty()) refuse(rule, "it holds words");
+            if (!is_stochastic()) continue;
+            if (rule.condition) refuse(rule, "it has a condition beside probabilities");
+            const auto [entry, is_new] = chosen.try_emplace(
+                {rule.predecessor.symbol, rule.predecessor.parameters.size()}, &rule);
+            if (!is_new &&
+                !(entry->second->left == rule.left && entry->second->right == rule.right))
+                refuse(rule, "all rules that apply take part in the choice there");
+        }
+    }
+
+    std::string symbol(Symbol letter) const {
+        const std::string& said = name(letter);
+        if (said.size() != 1 || static_cast<unsigned char>(said[0]) >= 0x80)
+            refuse("the letter " + said + ": symbols are single characters of ASCII");
+        if (std::string_view("*@~?$;,_#'%").find(said[0]) != std::string_view::npos)
+            refuse("the letter " + said + ": it means something else there");
+        if (!python_ && said == "/") return "\\";
+        if (!python_ && said == "\\") return "/";
+        return said;
+    }
+
+    std::string word(const ModuleWord& written) const {
+        if (written.letters.empty()) return python_ ? "" : "*";
+        std::string out;
+        for (std::size_t i = 0; i < written.letters.size(); ++i) {
+            const std::string letter = symbol(written.letters[i]);
+            // Two of them would begin a comment.
+            if (out.ends_with('/') && letter == "/") out += ' ';
+            out += letter;
+            const auto arguments = written.arguments.find(i);
+            if (arguments == written.arguments.end()) continue;
+            out +=
+                "(" +
+                joined(arguments->second, ",", [&](const Expression& e) { return expression(e); }) +
+                ")";
+        }
+        return out;
+    }
+
+    std::string module(const ModulePattern& pattern) const {
+        std::string out = symbol(pattern.symbol);
+        if (!pattern.parameters.empty()) out += "(" + joined(pattern.parameters, ",") + ")";
+        return out;
+    }
+    std::string context(const Pattern& pattern) const {
+        std::string out;
+        for (const ModulePattern& one : pattern) out += module(one);
+        return out;
+    }
+
+    std::string line(const Production& rule) const {
+        std::string out;
+        if (!rule.left.empty()) out += context(rule.left) + " < ";
+        out += module(rule.predecessor);
+        if (!rule.right.empty()) out += " > " + context(rule.right);
+        if (rule.condition) {
+            if (python_) refuse(rule, "its condition is a program there");
+            out += " : " + expression(*rule.condition);
+        }
+        out += " --> " + word(rule.successor);
+        if (rule.probability) out += " : " + number(*rule.probability);
+        return out;
+    }
+
+    /// What the turtle does with symbols that have no parameters, and the interpretation of the file.
+    std::string homomorphism() const {
+        std::string out;
+        std::set<std::pair<Symbol, std::size_t>> interpreted;
+        for (const Production& rule : system_.interpretation)
+            interpreted.emplace(rule.predecessor.symbol, rule.predecessor.parameters.size());
+        const Drawing& drawing = system_.drawing;
+        const double angle = drawing.angle ? drawing.angle->value : 90;
+        const bool says_angle = angle != (python_ ? 60 : 45);
+        const bool says_step = drawing.step && drawing.step->value != 1;
+        std::set<Symbol> bare = bare_symbols(system_.axiom);
+        const auto add = [&](const ModuleWord& more) {
+            for (const Symbol letter : bare_symbols(more)) bare.insert(letter);
+        };
+        for (const Production& rule : system_.rules) add(rule.successor);
+        const auto turned = [&](Symbol letter) -> std::string {
+            const std::string& said = name(letter);
+            const bool turns = said.size() == 1 &&
+                               std::string_view("+-&^\\/").find(said) != std::string_view::npos;
+            if (turns && says_angle)
+                return "(" +
+                       amount(*(drawing.angle ? drawing.angle
+                                              : std::optional(quantity(Rational(90))))) +
+                       ")";
+            if (says_step && (said == "F" || said == "f" || said == "G"))
+                return "(" + amount(*drawing.step) + ")";
+            return "";
+        };
+        for (const Symbol letter : bare) {
+            if (interpreted.contains({letter, 0})) continue;
+            if (const std::string parameter = turned(letter); !parameter.empty())
+                out += symbol(letter) + " --> " + symbol(letter) + parameter + "\n";
+        }
+        for (const Production& rule : system_.interpretation) {
+            if (rule.probability || !rule.left.empty() || !rule.right.empty())
+                refuse(rule, "it is an interpretation with contexts or chance");
+            for (std::size_t i = 0; i < rule.successor.letters.size(); ++i) {
+                const auto arguments = rule.successor.arguments.find(i);
+                const std::size_t arity =
+                    arguments == rule.successor.arguments.end() ? 0 : arguments->second.size();
+                if (interpreted.contains({rule.successor.letters[i], arity}))
+                    refuse(rule, "it is an interpretation of what another one gives");
+                if (arity == 0 && !turned(rule.successor.letters[i]).empty())
+                    refuse(
+                        rule,
+                        "a homomorphism is applied once there, and the angle is said by another");
+            }
+            out += line(rule) + "\n";
+        }
+        return out;
+    }
+
+    static std::set<Symbol> bare_symbols(const ModuleWord& written) {
+        std::set<Symbol> found;
+        for (std::size_t i = 0; i < written.letters.size(); ++i)
+            if (!written.arguments.contains(i)) found.insert(written.letters[i]);
+        return found;
+    }
+
+    std::string amount(const Quantity& value) const {
+        return value.exact ? number(*value.exact) : shortest_decimal(value.value);
+    }
+
+    /// A number as the programs read it: a decimal, or a quotient between brackets.
+    static std::string number(const Rational& value) {
+        const auto decimal = exact_decimal(value);
+        return decimal ? *decimal : "(" + to_string(value) + ")";
+    }
+
+    std::string expression(const Expression& said) const {
+        switch (said.kind) {
+            case Expression::Kind::number: {
+                const std::string digits = number(said.value);
+                return sign(said.value) < 0 ? "(" + digits + ")" : digits;
+            }
+            case Expression::Kind::name:
+                return said.name;
+            case Expression::Kind::unary: {
+                const std::string inside = expression(said.operands[0]);
+                return "(" + (python_ && said.name == "!" ? "not " : said.name) + "(" + inside +
+                       "))";
+            }
+            case Expression::Kind::binary: {
+                static const std::map<std::string, std::pair<const char*, const char*>> signs{
+                    {"=", {"==", "=="}},
+                    {"&", {"&&", " and "}},
+                    {"|", {"||", " or "}},
+                    {"^", {"^", "**"}}};
+                const auto other = signs.find(said.name);
+                const std::string operation = other == signs.end() ? said.name
+                                              : python_            ? other->second.second
+                                                                   : other->second.first;
+                return "(" + expression(said.operands[0]) + operation +
+                       expression(said.operands[1]) + ")";
+            }
+            case Expression::Kind::call: {
+                const bool extreme = said.name == "min" || said.name == "max";
+                const bool radians = said.name.ends_with("sin") || said.name.ends_with("cos") ||
+                                     said.name.ends_with("tan");
+                if ((extreme && !python_) || (radians && python_) || said.name == "distance" ||
+                    said.name == "length")
+                    refuse("the function " + said.name);
+                return (said.name == "abs" && !python_ ? "fabs" : said.name) + "(" +
+                       joined(said.operands, ",",
+                              [&](const Expression& e) { return expression(e); }) +
+                       ")";
+            }
+            case Expression::Kind::word:
+                refuse("words as parameters");
+        }
+        return "";
+    }
+
+    bool python_;
+};
+
+}  // namespace
+
+std::string print_cpfg(const Model& system) { return FilePrinter(system, false).text(); }
+std::string print_lpy(const Model& system) { return FilePrinter(system, true).text(); }
+
+}  // namespace algae

@@ -1,0 +1,412 @@
+#include <algorithm>
+#include <utility>
+
+#include "exchange/detail/cpfg.hpp"
+#include "exchange/detail/scanner.hpp"
+
+// Texts of cpfg and L-Py before their meaning: comments, macros, and expressions.
+//
+// The preprocessor replaces names by the texts of `#define`, again and again; what comes of a macro stands where the macro stood, so that errors
+// name a place of the file. In expressions of cpfg `^` groups from the left and a sign binds tighter than it; in Python a power groups from the
+// right and binds tighter than a sign. Each operator is written with brackets, so the notation groups it the same.
+
+namespace algae {
+
+namespace {
+
+[[noreturn]] void cpfg_fail(const Source& source, std::size_t place, const std::string& message) {
+    throw Diagnostics({source.finding(std::min(place, source.text().size()), message)});
+}
+[[noreturn]] void cpfg_refuse(const Source& source, std::size_t place, const std::string& what,
+                              const std::string& why) {
+    cpfg_fail(source, place, what + " " + why);
+}
+
+class Preprocessor {
+public:
+    Preprocessor(const Source& source, const CpfgDialect& dialect)
+        : source_(source), text_(source.text()), dialect_(dialect) {}
+
+    /// Without comments, macros replaced; the part of L-Py that the editor saves is cut off.
+    Placed preprocessed() {
+        Placed out;
+        std::string_view text = text_;
+        if (dialect_.python) text = text.substr(0, text.find("###### INITIALISATION ######"));
+        for (std::size_t i = 0; i < text.size();) {
+            const bool line_begins = i == 0 || text[i - 1] == '\n';
+            if (dialect_.python) {
+                if (text[i] == '#') {
+                    while (i < text.size() && text[i] != '\n') ++i;
+                    continue;
+                }
+            } else {
+                if (text.substr(i).starts_with("/*")) {
+                    const std::size_t end = text.find("*/", i + 2);
+                    if (end == std::string_view::npos) fail(i, "a comment that is never closed");
+                    i = end + 2;
+                    continue;
+                }
+                if (text.substr(i).starts_with("//")) {
+                    while (i < text.size() && text[i] != '\n') ++i;
+                    continue;
+                }
+                if (line_begins && text[i] == '#') {
+                    i = directive(text, i);
+                    continue;
+                }
+                if (is_name_start(text[i]) && (i == 0 || !is_name_part(text[i - 1]))) {
+                    i = expand(text, i, i, out, 0);
+                    continue;
+                }
+            }
+            if (text[i] != '\r') out.add(text[i], i);
+            ++i;
+        }
+        return out;
+    }
+
+private:
+    struct Macro {
+        std::vector<std::string> parameters;
+        bool takes = false;
+        std::string body;
+    };
+
+    /// A line of the preprocessor; gives where the next line begins.
+    std::size_t directive(std::string_view text, std::size_t at) {
+        std::size_t end = at;
+        std::string line;
+        while (end < text.size() && text[end] != '\n') {
+            if (text[end] == '\\' && end + 1 < text.size() && text[end + 1] == '\n') {
+                end += 2;
+                continue;
+            }
+            if (text.substr(end).starts_with("//")) {
+                while (end < text.size() && text[end] != '\n') ++end;
+                break;
+            }
+            if (text.substr(end).starts_with("/*")) {
+                const std::size_t close = text.find("*/", end + 2);
+                end = close == std::string_view::npos ? text.size() : close + 2;
+                continue;
+            }
+            line += text[end++];
+        }
+        std::size_t i = 1;
+        const auto word = [&] {
+            while (i < line.size() && (line[i] == ' ' || line[i] == '\t')) ++i;
+            std::string found;
+            while (i < line.size() && is_name_part(line[i])) found += line[i++];
+            return found;
+        };
+        const std::string kind = word();
+        if (kind != "define")
+            refuse(at, "#" + kind, "is not read: expected #define, with the other files put in");
+        const std::string name = word();
+        if (name.empty()) fail(at, "expected a name behind #define");
+        Macro macro;
+        if (i < line.size() && line[i] == '(') {
+            macro.takes = true;
+            for (++i; i < line.size() && line[i] != ')';) {
+                const std::string parameter = word();
+                if (parameter.empty()) fail(at, "expected names between the brackets of #define");
+                macro.parameters.push_back(parameter);
+                while (i < line.size() && (line[i] == ' ' || line[i] == ',')) ++i;
+            }
+            ++i;
+        }
+        macro.body = i < line.size() ? line.substr(i) : "";
+        macro.body.erase(0, std::min(macro.body.find_first_not_of(" \t\r"), macro.body.size()));
+        macro.body.erase(macro.body.find_last_not_of(" \t\r") + 1);
+        macros_[name] = macro;
+        return std::min(end + 1, text.size());
+    }
+
+    /// Appends a name or what it stands for; gives where the text goes on.
+    std::size_t expand(std::string_view text, std::size_t at, std::size_t place, Placed& out,
+                       std::size_t depth) {
+        constexpr std::size_t deepest = 50, longest = 1'000'000;
+        std::size_t end = at;
+        while (end < text.size() && is_name_part(text[end])) ++end;
+        const std::string name(text.substr(at, end - at));
+        const auto macro = macros_.find(name);
+        if (depth > deepest || out.text.size() > longest)
+            fail(place, "macros that go round in circles, or become too long");
+        if (macro == macros_.end()) {
+            for (std::size_t i = at; i < end; ++i) out.add(text[i], depth == 0 ? i : place);
+            return end;
+        }
+        std::vector<std::string> values;
+        if (macro->second.takes) {
+            std::size_t i = end;
+            while (i < text.size() && text[i] == ' ') ++i;
+            if (i >= text.size() || text[i] != '(') {
+                for (std::size_t k = at; k < end; ++k) out.add(text[k], depth == 0 ? k : place);
+                return end;
+            }
+            std::size_t open = 0;
+            std::string value;
+            for (; i < text.size(); ++i) {
+                const char c = text[i];
+                if (c == '(' && open++ == 0) continue;
+                if (c == ')' && --open == 0) break;
+                if (c == ',' && open == 1) {
+                    values.push_back(value);
+                    value.clear();
+                } else {
+                    value += c;
+                }
+            }
+            values.push_back(value);
+            if (values.size() != macro->second.parameters.size())
+                fail(place, "the macro " + name + " has " +
+                                std::to_string(macro->second.parameters.size()) +
+                                " parameters, found " + std::to_string(values.size()));
+            end = std::min(i + 1, text.size());
+        }
+        std::string body;
+        const std::string& written = macro->second.body;
+        for (std::size_t i = 0; i < written.size();) {
+            if (!is_name_start(written[i])) {
+                body += written[i++];
+                continue;
+            }
+            std::size_t stop = i;
+            while (stop < written.size() && is_name_part(written[stop])) ++stop;
+            const std::string part = written.substr(i, stop - i);
+            const auto parameter = std::ranges::find(macro->second.parameters, part);
+            body += parameter == macro->second.parameters.end()
+                        ? part
+                        : values[static_cast<std::size_t>(parameter -
+                                                          macro->second.parameters.begin())];
+            i = stop;
+        }
+        for (std::size_t i = 0; i < body.size();) {
+            if (is_name_start(body[i]) && (i == 0 || !is_name_part(body[i - 1]))) {
+                i = expand(body, i, place, out, depth + 1);
+                continue;
+            }
+            out.add(body[i++], place);
+        }
+        return end;
+    }
+
+    [[noreturn]] void fail(std::size_t place, const std::string& message) const {
+        cpfg_fail(source_, place, message);
+    }
+    [[noreturn]] void refuse(std::size_t place, const std::string& what,
+                             const std::string& why) const {
+        cpfg_refuse(source_, place, what, why);
+    }
+
+    const Source& source_;
+    std::string_view text_;
+    const CpfgDialect& dialect_;
+    std::map<std::string, Macro> macros_;
+};
+
+struct Expressions {
+    const Source& source;
+    const CpfgDialect& dialect;
+    const std::set<std::string>& known_names;
+    const Placed& text;
+    const std::set<std::string>& names;
+    std::size_t at = 0;
+
+    std::string all() {
+        std::string found = either();
+        blanks();
+        if (at < text.text.size()) unexpected();
+        return found;
+    }
+    [[noreturn]] void unexpected() const {
+        const std::string found =
+            at < text.text.size() ? "'" + text.text.substr(at, 1) + "'" : "its end";
+        std::string hint;
+        if (at < text.text.size() && text.text[at] == '=') hint = "; a comparison is ==";
+        if (at < text.text.size() && (text.text[at] == '&' || text.text[at] == '|'))
+            hint = "; 'and' is && and 'or' is ||";
+        if (at < text.text.size() && text.text[at] == '?')
+            hint = "; ?: has no meaning in the notation";
+        cpfg_fail(source, text.place(at),
+                  "expected an operator or the end of the expression, found " + found + hint);
+    }
+    void blanks() {
+        while (at < text.text.size() && (text.text[at] == ' ' || text.text[at] == '\t')) ++at;
+    }
+    bool takes(std::string_view sign) {
+        blanks();
+        if (!std::string_view(text.text).substr(at).starts_with(sign)) return false;
+        at += sign.size();
+        return true;
+    }
+    bool python() const { return dialect.python; }
+
+    std::string either() {
+        std::string left = both();
+        while (python() ? takes("or ") : takes("||")) left = "(" + left + " | " + both() + ")";
+        return left;
+    }
+    std::string both() {
+        std::string left = equal();
+        while (python() ? takes("and ") : takes("&&")) left = "(" + left + " & " + equal() + ")";
+        return left;
+    }
+    std::string equal() {
+        std::string left = compared();
+        while (true) {
+            if (takes("=="))
+                left = "(" + left + " = " + compared() + ")";
+            else if (takes("!=") || takes("<>"))
+                left = "(" + left + " != " + compared() + ")";
+            else
+                return left;
+        }
+    }
+    std::string compared() {
+        std::string left = sum();
+        while (true) {
+            if (takes("<="))
+                left = "(" + left + " <= " + sum() + ")";
+            else if (takes(">="))
+                left = "(" + left + " >= " + sum() + ")";
+            else if (takes("<"))
+                left = "(" + left + " < " + sum() + ")";
+            else if (takes(">"))
+                left = "(" + left + " > " + sum() + ")";
+            else
+                return left;
+        }
+    }
+    std::string sum() {
+        std::string left = product();
+        while (true) {
+            if (takes("+"))
+                left = "(" + left + " + " + product() + ")";
+            else if (takes("-"))
+                left = "(" + left + " - " + product() + ")";
+            else
+                return left;
+        }
+    }
+    std::string product() {
+        std::string left = python() ? signed_power() : power();
+        while (true) {
+            blanks();
+            if (at < text.text.size() && text.text[at] == '%')
+                cpfg_refuse(source, text.place(at), "%",
+                            "in an expression has no meaning in the notation");
+            const std::size_t sign = at;
+            if (python() && text.text.compare(at, 2, "**") == 0) return left;
+            if (python() && text.text.compare(at, 2, "//") == 0)
+                cpfg_refuse(source, text.place(sign), "//",
+                            "in an expression has no meaning in the notation");
+            if (takes("*"))
+                left = "(" + left + "*" + (python() ? signed_power() : power()) + ")";
+            else if (takes("/"))
+                left = "(" + left + "/" + (python() ? signed_power() : power()) + ")";
+            else
+                return left;
+        }
+    }
+    /// Of cpfg: from the left, and a sign binds tighter.
+    std::string power() {
+        std::string left = signed_atom();
+        while (takes("^")) left = "((" + left + ")^(" + signed_atom() + "))";
+        return left;
+    }
+    std::string signed_atom() {
+        if (takes("-")) return "(-" + signed_atom() + ")";
+        blanks();
+        if (at + 1 < text.text.size() && text.text[at] == '!' && text.text[at + 1] != '=') {
+            ++at;
+            return "(!(" + signed_atom() + "))";
+        }
+        if (takes("&")) unexpected();
+        return atom();
+    }
+    /// Of Python: from the right, and a sign is looser.
+    std::string signed_power() {
+        if (takes("-")) return "(-" + signed_power() + ")";
+        if (takes("not ")) return "(!(" + signed_power() + "))";
+        const std::string base = atom();
+        if (!takes("**")) {
+            blanks();
+            if (at < text.text.size() && text.text[at] == '^')
+                cpfg_refuse(source, text.place(at), "^",
+                            "is exclusive or in Python: a power is **");
+            return base;
+        }
+        return "((" + base + ")^(" + signed_power() + "))";
+    }
+    std::string atom() {
+        blanks();
+        const std::size_t begin = at;
+        if (takes("(")) {
+            const std::string inside = either();
+            if (!takes(")")) unexpected();
+            return "(" + inside + ")";
+        }
+        if (at < text.text.size() &&
+            (std::isdigit(static_cast<unsigned char>(text.text[at])) || text.text[at] == '.'))
+            return number();
+        std::string called;
+        while (at < text.text.size() && is_name_part(text.text[at])) called += text.text[at++];
+        if (python() && called == "math" && takes(".")) {
+            called.clear();
+            while (at < text.text.size() && is_name_part(text.text[at])) called += text.text[at++];
+        }
+        if (called.empty()) unexpected();
+        if (!takes("(")) {
+            if (!names.contains(called) && !known_names.contains(called))
+                cpfg_fail(source, text.place(begin),
+                          "the name '" + called + "' has no value" +
+                              (python() ? "" : "; cpfg takes 0 for it"));
+            return called;
+        }
+        static const std::map<std::string, std::string> functions{
+            {"sin", "sin"},   {"cos", "cos"},   {"tan", "tan"}, {"asin", "asin"},
+            {"acos", "acos"}, {"atan", "atan"}, {"exp", "exp"}, {"log", "log"},
+            {"sqrt", "sqrt"}, {"fabs", "abs"},  {"abs", "abs"}, {"floor", "floor"},
+            {"ceil", "ceil"}, {"min", "min"},   {"max", "max"}};
+        const auto known = functions.find(called);
+        const bool trigonometric =
+            called.ends_with("sin") || called.ends_with("cos") || called.ends_with("tan");
+        if (known == functions.end() || (python() && trigonometric))
+            cpfg_refuse(source, text.place(begin), "the function " + called,
+                        trigonometric ? "takes radians in Python, degrees in the notation"
+                                      : "has no meaning in the notation");
+        std::vector<std::string> arguments{either()};
+        while (takes(",")) arguments.push_back(either());
+        if (!takes(")")) unexpected();
+        return known->second + "(" + joined(arguments, ",") + ")";
+    }
+    std::string number() {
+        const std::size_t size = number_size(std::string_view(text.text).substr(at));
+        std::string digits = text.text.substr(at, size);
+        if (!python() && digits.find_first_of("eE") != std::string::npos &&
+            digits.find('.') == std::string::npos)
+            cpfg_fail(source, text.place(at),
+                      "the exponent of a number needs a decimal point: 1.0e5");
+        at += size;
+        digits = plain_number(digits);
+        if (digits.starts_with('.')) digits = "0" + digits;
+        if (digits.find_first_of("eE") == std::string::npos) return digits;
+        const auto exact = exact_decimal(Rational(digits));
+        return exact ? *exact : digits;
+    }
+};
+
+}  // namespace
+
+Placed preprocessed(const Source& source, const CpfgDialect& dialect) {
+    return Preprocessor(source, dialect).preprocessed();
+}
+
+std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
+                            const std::set<std::string>& names,
+                            const std::set<std::string>& known) {
+    return Expressions{source, dialect, known, text, names}.all();
+}
+
+}  // namespace algae

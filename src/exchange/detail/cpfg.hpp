@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cctype>
+#include <cstddef>
+#include <map>
+#include <set>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "notation/notation.hpp"
+
+namespace algae {
+
+// What the readers of cpfg and L-Py share: texts whose characters know where they stood, the preprocessor, expressions.
+
+/// Which of the two programs.
+struct CpfgDialect {
+    bool python = false;
+    const char* name = "cpfg";
+    double angle = 45;
+};
+
+/// A text whose characters know where they stood.
+struct Placed {
+    std::string text;
+    std::vector<std::size_t> at;
+
+    void add(char c, std::size_t place) {
+        text += c;
+        at.push_back(place);
+    }
+    Placed part(std::size_t from, std::size_t to) const {
+        to = std::min(to, text.size());
+        from = std::min(from, to);
+        return {text.substr(from, to - from),
+                {at.begin() + static_cast<std::ptrdiff_t>(from),
+                 at.begin() + static_cast<std::ptrdiff_t>(to)}};
+    }
+    Placed trimmed() const {
+        std::size_t from = 0, to = text.size();
+        while (from < to && std::isspace(static_cast<unsigned char>(text[from]))) ++from;
+        while (to > from && std::isspace(static_cast<unsigned char>(text[to - 1]))) --to;
+        return part(from, to);
+    }
+    std::size_t place(std::size_t i) const {
+        return at.empty() ? 0 : i < at.size() ? at[i] : at.back() + 1;
+    }
+};
+
+inline bool is_name_start(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) || c == '_';
+}
+inline bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
+
+/// The text without comments, with macros replaced; of L-Py without what its editor saves. Throws Diagnostics for directives other than #define, for
+/// macros that go round in circles and comments that are never closed.
+Placed preprocessed(const Source& source, const CpfgDialect& dialect);
+
+/// An expression in the notation, with the brackets that keep the grouping of the program. Names are those of parameters and `known` ones.
+/// Throws Diagnostics with the place of what is wrong or has no meaning in the notation.
+std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
+                            const std::set<std::string>& names, const std::set<std::string>& known);
+
+}  // namespace algae

@@ -1,0 +1,123 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "render/detail/drawing.hpp"
+#include "render/render.hpp"
+
+namespace algae {
+
+/// How strokes and polygons look.
+struct PathStyle {
+    Colour colour;
+    std::optional<std::uint32_t> listed;  // its place in the figure's list of colours
+    double width = 1;                     // in points of the picture
+    std::string letter;                   // that draws it; empty if it is not known
+    bool operator==(const PathStyle&) const = default;
+};
+
+/// Strokes that go on from each other, or a filled polygon.
+struct FigurePath {
+    std::uint32_t style = 0;
+    bool filled = false;
+    std::vector<Point> points;  // in the units of the figure
+    std::vector<std::uint64_t>
+        positions;  // of the letter of each stroke; of a polygon one. Empty for a plotter
+};
+
+/// A figure as paths, in the order of its word.
+struct FigurePaths {
+    std::vector<PathStyle> styles;
+    std::vector<FigurePath> paths;
+    std::uint64_t strokes = 0, polygons = 0;
+};
+
+/// The paths of a figure whose strokes are `width` points wide where a unit is `scale` points long.
+FigurePaths paths_of(const FigureSource& source, const std::vector<std::string>& colours,
+                     double width, double scale, const Budget& budget);
+
+/// What a plotter draws instead: each segment once, in as few paths as there can be for each colour and width, in an order
+/// with short ways between them. `grid`: points that are this near are the same. Notes in `drawn` what was left out.
+///
+/// Paths are trails of Euler: a component with k ends where an odd number of segments meet needs k/2 of them, or 1
+/// (Hierholzer 1873). The next path begins at the end nearest to where the pen is.
+FigurePaths for_plotter(const FigurePaths& figure, double grid, const Budget& budget,
+                        FigureTextDrawn& drawn);
+
+/// The way with the pen up, from the start of the first path to the last, in the order given.
+double travel_of(const FigurePaths& figure);
+
+/// The exact coordinates of points of a figure, where there are any.
+class ExactPoints {
+public:
+    explicit ExactPoints(const FigureSource& source);
+    bool known() const { return !texts_.empty(); }
+    /// The two coordinates, "3*sqrt(3)/2"; empty texts for a point that is not known.
+    const std::pair<std::string, std::string>& at(Point point) const;
+
+private:
+    std::pair<std::int64_t, std::int64_t> cell(Point point) const;
+
+    double grid_ = 1;
+    std::map<std::pair<std::int64_t, std::int64_t>, std::pair<std::string, std::string>> texts_;
+};
+
+/// factor times the real (or imaginary) part of a number of the ring, plus an offset, in square roots and, where these do not
+/// do, cosines of parts of pi.
+///
+/// Example: exact_part(CyclotomicRing(12), CyclotomicRing(12).zeta(1), false, 3, 0) == "3*sqrt(3)/2"
+std::string exact_part(const CyclotomicRing& ring, const CyclotomicInteger& value, bool imaginary,
+                       const Rational& factor, const Rational& offset);
+
+/// A figure with its place on the page.
+struct PlacedFigure {
+    const FigureSource* source = nullptr;
+    FigurePaths paths;
+    Cell cell;
+    double width = 1;  // of its strokes, in points
+};
+
+/// All that a writer of a format needs.
+struct FigureDocument {
+    std::vector<PlacedFigure> figures;
+    const Plan* plan = nullptr;
+    const FigureTextOptions* options = nullptr;
+    std::string head;  // what the figures are, in a line
+};
+
+// A writer for each format.
+std::string tikz_text(const FigureDocument& document);
+std::string typst_text(const FigureDocument& document);
+std::string csv_text(const FigureDocument& document, FigureTextDrawn& drawn);
+std::string geojson_text(const FigureDocument& document, FigureTextDrawn& drawn);
+std::string dxf_text(const FigureDocument& document);
+std::string page_text(const FigureDocument& document);
+std::string svg_text(const FigureDocument& document);
+
+/// A number with at most so many digits behind the point, without zeros at the end.
+///
+/// Example: fixed_text(0.25, 6) == "0.25"
+/// Example: fixed_text(-1e-9, 6) == "0"
+std::string fixed_text(double value, int digits);
+
+/// The height of letters at which a text is at most so wide.
+double fitting_size(const std::string& text, double size, double width);
+
+/// "#rrggbb"
+std::string hex_colour(const Colour& colour);
+
+/// A name for styles, classes and layers: other characters than letters, digits and _ become their codes.
+///
+/// Example: plain_name("F_l") == "F_l"
+/// Example: plain_name("+") == "u2B"
+std::string plain_name(std::string_view letter);
+
+}  // namespace algae

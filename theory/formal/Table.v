@@ -1,6 +1,6 @@
 (* The table: what is proved of each operation and family, and by which theorem.  [None] says that nothing is. *)
 From Coq Require Import String.
-From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable Star Pumping
+From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable GapsExtended Star Pumping
   Interactions InteractionsMarked InteractionsComplement.
 Open Scope string_scope.
 
@@ -66,9 +66,9 @@ Definition extended_cell (many one : bool) (o : operation) : option (bool * stri
   | Concatenation => yes "OneTable.v:extended_concatenation"
   | Star => yes "OneTable.v:extended_star"
   | Plus => yes "OneTable.v:extended_plus"
-  | Intersection => None
+  | Intersection => no "GapsExtended.v:extended_not_closed_under_intersection"
   | IntersectionWithRegular => yes "OneTable.v:extended_intersection_with_regular"
-  | Complement => None
+  | Complement => no "GapsExtended.v:extended_not_closed_under_complement"
   | Homomorphism => yes "OneTable.v:extended_homomorphism"
   | NonErasingHomomorphism => yes "OneTable.v:extended_non_erasing_homomorphism"
   | InverseHomomorphism => match many, one with true, false => yes "OneTable.v:et0l_inverse_homomorphism" | _, _ => None end
@@ -134,7 +134,8 @@ Lemma extended_right many one o sign name : (one = true -> many = true) ->
   extended_cell many one o = Some (sign, name) -> holds o (LSystem (E_kind many one)) sign.
 Proof.
   intro H. destruct o; cbn [extended_cell]; [by_theorem extended_union|by_theorem extended_concatenation|by_theorem extended_star|by_theorem extended_plus|
-    easy|by_theorem extended_intersection_with_regular|easy|by_theorem extended_homomorphism|by_theorem extended_non_erasing_homomorphism| |
+    by_theorem extended_not_closed_under_intersection|by_theorem extended_intersection_with_regular|
+    by_theorem extended_not_closed_under_complement|by_theorem extended_homomorphism|by_theorem extended_non_erasing_homomorphism| |
     by_theorem lsystem_reversal| | |].
   - destruct many, one; try easy. by_theorem et0l_inverse_homomorphism.
   - destruct one; [easy|by_theorem extended_finite_substitution].

@@ -347,7 +347,7 @@ private:
 /// The least m, a multiple of 4, such that Q(zeta_m) has the values of all these expressions; of what
 /// `CyclotomicField::value_of` does not know, nothing is asked. Nothing beyond the largest order.
 ///
-/// Example: (void)0, cyclotomic_order({}) == 4
+/// With nothing asked for, 4.
 std::optional<long> cyclotomic_order(const std::vector<const Expression*>& constants);
 
 // The parts of the limit: for those who draw it or write it down in another way.

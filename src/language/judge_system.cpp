@@ -371,8 +371,8 @@ Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
     };
     // A search of some seconds; what bounds say; the search as long as it takes.
     try {
-        return by_bounds(exact_dimension(*claimed.system,
-                                         for_at_most(std::chrono::seconds(10), budget)));
+        return by_bounds(
+            exact_dimension(*claimed.system, for_at_most(std::chrono::seconds(10), budget)));
     } catch (const BoundReached& bound) {
         if (bound.bound() != Bound::time) throw;
         budget.check();
@@ -384,8 +384,9 @@ Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
 
 Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget) {
     const steps::LimitSet said{
-        claimed.name, std::make_shared<const ExactDimension>(exact_dimension(*claimed.system, budget)),
-        true, claimed.dimension, Order::unknown};
+        claimed.name,
+        std::make_shared<const ExactDimension>(exact_dimension(*claimed.system, budget)), true,
+        claimed.dimension, Order::unknown};
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
 }
 

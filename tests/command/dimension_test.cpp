@@ -114,6 +114,32 @@ TEST_CASE(
           std::string::npos);
 }
 
+TEST_CASE(
+    "dimension --within gives bounds that are proved, and ends with 3 where they stay apart") {
+    const Run near = run("dimension koch --within 0.01 --grids 1");
+    CHECK(near.status == 0);
+    CHECK(near.out.find("proved: between 1.261859507142 and 1.261859507143\n"
+                        "  from below by the exact value\n") != std::string::npos);
+    const Scratch scratch;
+    const std::string fine =
+        "'" + scratch.file("fine.lsys", "axiom F\nF -> F[+F]F\nangle sqrt(2)\n") + "'";
+    const Run apart = run("dimension " + fine + " --within 0.01 -n 6 --json");
+    CHECK(apart.status == 3);
+    const json bounds = json::parse(apart.out)["bounds"];
+    CHECK(bounds["low"] == "0");
+    CHECK(bounds["high"] == "1.584962501");
+    CHECK(bounds["high_by"] == "the similarity dimension");
+    CHECK(bounds["reached"] == false);
+    CHECK(run("dimension koch --within 0").err ==
+          "algae: --within: expected a number above 0, found 0\n");
+    CHECK(run("dimension fern --within 0.1").err ==
+          "algae: --within is for systems, and fern is not one\n");
+    CHECK(run("dimension koch --within 0.1 --measure mass").err ==
+          "algae: --within is for --measure boxes\n");
+    CHECK(run("dimension --table --within 0.1").err ==
+          "algae: --within is for one system, not for --table\n");
+}
+
 TEST_CASE("dimension says when a generation is too low, and leaves it undecided") {
     const Run low = run("dimension koch -n 2");
     CHECK(low.status == 3);

@@ -116,8 +116,7 @@ TEST_CASE("certificates of dimensions say that they are not checked") {
 }
 
 TEST_CASE("claims are decided by certified bounds where no search ends") {
-    const char* const plant =
-        "D0L { axiom X; X -> F-[[X]+X]+F[+FX]-X; F -> FF; angle 90 }";
+    const char* const plant = "D0L { axiom X; X -> F-[[X]+X]+F[+FX]-X; F -> FF; angle 90 }";
     CHECK(truth(plant, "dimension(G) <= 1.95") == Truth::proved);
     CHECK(last_sentence(plant, "dimension(G) <= 1.95").find("is at most") != std::string::npos);
     CHECK(truth(plant, "not dimension(G) <= 1.2") == Truth::proved);

@@ -22,7 +22,7 @@ struct Rotation {
 
 /// The turns one after the other.
 ///
-/// Example: (void)0, (Rotation{350} + Rotation{20}).degrees == Rational(10)
+/// Example: (Rotation{350} + Rotation{20}).degrees == Rational(10)
 Rotation operator+(const Rotation& left, const Rotation& right);
 Rotation operator-(const Rotation& turn);
 

@@ -140,8 +140,8 @@ TEST_CASE("bash completes verbs, options, their values, names of the gallery and
     CHECK(offered({"algae", "draw", "--common"}) == "--common-scale\n");
     CHECK(offered({"algae", "draw", "mandel"}) == "mandelbrot-tree\n");
     CHECK(offered({"algae", "draw", "my"}) == "my garden.lsys\n");
-    CHECK(offered({"algae", "draw", "koch", "--format", "g"}) == "gif\nglb\n");
-    CHECK(offered({"algae", "draw", "koch", "--format", "=", "g"}) == "gif\nglb\n");
+    CHECK(offered({"algae", "draw", "koch", "--format", "g"}) == "gif\ngeojson\nglb\n");
+    CHECK(offered({"algae", "draw", "koch", "--format", "=", "g"}) == "gif\ngeojson\nglb\n");
     CHECK(offered({"algae", "draw", "koch", "-o", "my"}) == "my garden.lsys\n");
     CHECK(offered({"algae", "equal", "--as", ""}) == "language\nsequence\ngrowth\n");
     CHECK(offered({"algae", "equal", "--as", "growth", "mandel"}) == "mandelbrot-tree\n");
@@ -170,6 +170,6 @@ TEST_CASE("fish completes them as well, where it is installed") {
     };
     CHECK(offers("algae dr") == "draw\n");
     CHECK(offers("algae draw mandel") == "mandelbrot-tree\n");
-    CHECK(offers("algae draw koch --format g") == "gif\nglb\n");
+    CHECK(offers("algae draw koch --format g") == "gif\ngeojson\nglb\n");
     CHECK(offers("algae equal --as ") == "growth\nlanguage\nsequence\n");
 }

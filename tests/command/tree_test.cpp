@@ -200,7 +200,8 @@ TEST_CASE("tree says what is wrong with what was asked") {
             "--families draws families of languages and takes no FILE, found \"koch\"");
     refused("koch --graph --dag -o t.svg", "", "--dag and --depth are for trees");
     refused("- -n 3 -o t.gif", fibonacci,
-            "expected a file ending in .svg, .pdf, .png, .ps, .eps, .dot or .gv, found \"t.gif\"");
+            "expected a file ending in .svg, .pdf, .png, .ps, .eps, .tex, .dot or .gv, found "
+            "\"t.gif\"");
     refused("- -n 3 -o tree", fibonacci, "expected a file ending in .svg");
     refused("- -n 3 -o -", fibonacci, "-o -: say which format with --format");
     refused("- -n x -o t.svg", fibonacci, "-n: expected a whole number from 0 on, found \"x\"");

@@ -298,7 +298,9 @@ std::string printed_by(std::vector<std::string> words) {
     std::string text = caught.text();
     // Exact numbers stand beside a measurement that is undecided.
     if (status == undecided && words[1] != "dimension")
-        throw Error("it is undecided within the bounds of `algae " + words[1] + "`");
+        throw BoundReached(
+            Bound::method,
+            "a command of the document is undecided within the bounds of `algae " + words[1] + "`");
     return text;
 }
 

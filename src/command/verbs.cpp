@@ -38,7 +38,7 @@ bool json_wanted = false;
 
 /// The error as JSON on standard output, for programs. What cannot be printed is said on standard error all the same.
 void print_error(Json error, int status) {
-    if (!json_wanted) return;
+    if (!json_wanted || status == interrupted) return;  // who stops the work wants no answer
     error.set("status", status);
     try {
         print(Json{{"error", std::move(error)}}.text());

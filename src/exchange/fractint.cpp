@@ -684,11 +684,12 @@ bool looks_like_fractint(std::string_view text) {
     }
     return std::ranges::any_of(entries, [](const Entry& entry) {
         // `system NAME {` is a system within one of the notation.
-        return !entry.name.empty() && entry.name != "system" && std::ranges::any_of(entry.lines, [](const Line& line) {
-            std::string word;
-            for (const char c : trimmed(line.text).substr(0, 6)) word += lower(c);
-            return word.starts_with("axiom ") || word.starts_with("angle ");
-        });
+        return !entry.name.empty() && entry.name != "system" &&
+               std::ranges::any_of(entry.lines, [](const Line& line) {
+                   std::string word;
+                   for (const char c : trimmed(line.text).substr(0, 6)) word += lower(c);
+                   return word.starts_with("axiom ") || word.starts_with("angle ");
+               });
     });
 }
 

@@ -225,7 +225,7 @@ struct DimensionReport {
     std::optional<std::uint64_t> generation;
     BoxCounts counts;
     BoxFit fit;
-    bool late = false;  // the time was over before the measurement
+    bool late = false;                           // the time was over before the measurement
     std::optional<DimensionBounds> bounds = {};  // where they were asked for
     Rational within = {};                        // how near they were to be
 

@@ -154,7 +154,9 @@ Target system_format_target(const SystemFormat& format) {
                 print_lsystem(system);
                 const std::string printed = format.print(system);
                 is_read_again(printed, [&] {
-                    expect(format.read(printed, "y." + format.name) == system,
+                    // What a file leaves out may be written, such as how often its rules are applied.
+                    const Model again = format.read(printed, "y." + format.name);
+                    expect(again == system || format.print(again) == printed,
                            "it reads back as another system:\n" + printed);
                 });
             },

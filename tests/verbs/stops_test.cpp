@@ -370,7 +370,11 @@ TEST_CASE("work that is stopped at any check gives the whole answer or none") {
                         CHECK(whole.first.out.starts_with(ran.out));
                     } else {
                         CHECK(ran.status == command::undecided);
-                        CHECK((ran.out + ran.err).find(over) != std::string::npos);
+                        // A document says of its commands that they are undecided.
+                        const std::string said = ran.out + ran.err;
+                        CHECK((said.find(over) != std::string::npos ||
+                               (one.verb == "latex" &&
+                                said.find("undecided within the bounds") != std::string::npos)));
                     }
                 }
         }

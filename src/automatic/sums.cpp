@@ -16,8 +16,6 @@ namespace algae {
 
 namespace {
 
-constexpr std::uint32_t none = ~std::uint32_t{0};
-
 struct HashOfVector {
     std::size_t operator()(const std::vector<std::int64_t>& all) const {
         std::uint64_t hash = 1469598103934665603u;

@@ -70,8 +70,7 @@ double radius_above(const std::vector<std::vector<std::size_t>>& rows, const Bud
 /// The pairs that a search of bounded length finds, with the levels until they coincide.
 class Coincidences {
 public:
-    Coincidences(const RecurrentSet& set, std::size_t component, const Budget& budget)
-        : set_(set), budget_(budget) {
+    Coincidences(const RecurrentSet& set, std::size_t component, const Budget& budget) : set_(set) {
         for (const std::size_t piece : set.components().list[component].letters) {
             const Placement here{piece, 0, set.displacement().zero()};
             add_pairs(here, here, starts_, true);
@@ -149,7 +148,6 @@ private:
     }
 
     const RecurrentSet& set_;
-    const Budget& budget_;
     std::vector<Pair> pairs_;
     std::vector<std::size_t> starts_;
     std::vector<std::vector<std::size_t>> before_;

@@ -48,8 +48,8 @@ public:
     std::vector<std::uint32_t> digits(const Integer& n) const;
     /// The number of digits that are a path; nothing if they are none.
     std::optional<Integer> value(const std::vector<std::uint32_t>& digits) const;
-    /// The letter at a position: where its digits end.
-    Symbol letter(const Integer& n) const;
+    /// The state where the digits of a number end: the letter at that position.
+    std::uint32_t state(const Integer& n) const;
 
 private:
     const Integer& length(std::uint32_t state, std::size_t power) const;
@@ -67,7 +67,7 @@ struct AutomaticRelation {
     struct Edge {
         std::uint32_t column;  // digit of variable i times base^i, summed
         std::uint32_t target;
-        bool operator==(const Edge&) const = default;
+        auto operator<=>(const Edge&) const = default;
     };
     std::vector<std::string> variables;  // in increasing order
     std::vector<std::uint32_t> first;    // edges of state s are first[s] up to first[s + 1]
@@ -154,17 +154,7 @@ struct LinearRepresentation {
 LinearRepresentation counts(const AutomaticRelation& relation, const std::string& n,
                             const Numeration& numeration);
 
-/// The sum of representations, each times a number.
-LinearRepresentation combination(
-    const std::vector<std::pair<Integer, LinearRepresentation>>& parts);
-
-/// The values of a sequence that has finitely many, each with the set of numbers n where it is taken; nothing if more than `most` vectors come.
-std::optional<std::vector<std::pair<Integer, AutomaticRelation>>> value_sets(
-    const LinearRepresentation& sequence, const Numeration& numeration, std::size_t most,
-    const Budget& budget);
-
-/// What is proved of a complexity of the word, for all lengths n: the number of its different factors of n letters, or of its palindromes among
-/// them.
+/// What is proved of a sequence of numbers, for all n.
 struct ComplexityProof {
     LinearRepresentation sequence;
     /// For n >= from: slope n + constant.
@@ -182,12 +172,16 @@ struct ComplexityProof {
     std::vector<Integer> differences;
 };
 
-/// Of all factors, or of palindromes. Throws as `decide_first_order`.
+/// Of the numbers of different factors of n letters, and of palindromes among them.
+struct ComplexityProofs {
+    ComplexityProof factors, palindromes;
+};
+
+/// The complexities of the word. Throws as `decide_first_order`.
 ///
 /// The factors of n letters are counted where they occur first (Charlier, Rampersad and Shallit, Enumeration and decidable properties of automatic
 /// sequences, 2012).
-ComplexityProof factor_complexity_proof(const AutomaticWord& word, bool palindromes,
-                                        const Budget& budget);
+ComplexityProofs complexity_proofs(const AutomaticWord& word, const Budget& budget);
 
 /// Whether a tuple, numbers from 0 on in the order of the variables, is in a relation. O(digits).
 bool contains(const AutomaticRelation& relation, const Numeration& numeration,

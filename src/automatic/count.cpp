@@ -57,15 +57,6 @@ private:
     std::map<std::size_t, std::vector<Rational>> rows_;
 };
 
-/// The numbers from one on.
-AutomaticRelation numbers_from(Relations& relations, const std::string& variable,
-                               const Integer& from) {
-    const std::string bound = relations.fresh();
-    return relations.without(
-        relations.both(relations.sum({}, from, bound), relations.less(bound, variable, true)),
-        {bound});
-}
-
 }  // namespace
 
 Integer LinearRepresentation::value(const Numeration& numeration, const Integer& n) const {
@@ -103,6 +94,9 @@ LinearRepresentation counts(const AutomaticRelation& relation, const std::string
     throw Error("infinitely many numbers belong to one " + n + ", so they cannot be counted");
 }
 
+namespace {
+
+/// The sum of representations, each times a number.
 LinearRepresentation combination(
     const std::vector<std::pair<Integer, LinearRepresentation>>& parts) {
     LinearRepresentation sum;
@@ -122,8 +116,6 @@ LinearRepresentation combination(
     return sum;
 }
 
-namespace {
-
 /// Calls `visit` with the vectors of numbers and the states where their digits end, breadth first, until it says that nothing
 /// new comes from one.
 template <class Visit>
@@ -141,11 +133,11 @@ void walk(const LinearRepresentation& sequence, const Numeration& numeration, Vi
     }
 }
 
-}  // namespace
-
+/// The values of a sequence that has finitely many, each with the set of numbers n where it is taken; nothing if more than `most` vectors
+/// come.
 std::optional<std::vector<std::pair<Integer, AutomaticRelation>>> value_sets(
-    const LinearRepresentation& sequence, const Numeration& numeration, std::size_t most,
-    const Budget& budget) {
+    const LinearRepresentation& sequence, const Numeration& numeration, Relations& relations,
+    std::size_t most, const Budget& budget) {
     // Vectors that give the same values for all digits behind are one: coordinates along a basis of what the ends give.
     std::vector<Vector> basis;
     {
@@ -194,37 +186,29 @@ std::optional<std::vector<std::pair<Integer, AutomaticRelation>>> value_sets(
     if (too_many) return std::nullopt;
     std::vector<std::pair<Integer, AutomaticRelation>> found;
     for (const Integer& value : std::set<Integer>(values.begin(), values.end())) {
-        AutomaticRelation set{{"n"}, {0}, {}, {}};
+        RawAutomaton set;
         for (std::size_t s = 0; s < edges.size(); ++s) {
             set.edges.insert(set.edges.end(), edges[s].begin(), edges[s].end());
-            set.first.push_back(static_cast<std::uint32_t>(set.edges.size()));
-            set.accepting.push_back(values[s] == value);
+            set.close(values[s] == value);
         }
-        found.emplace_back(value, std::move(set));
+        found.emplace_back(value, relations.minimal(set, {"n"}));
     }
     return found;
 }
 
-ComplexityProof factor_complexity_proof(const AutomaticWord& word, bool palindromes,
-                                        const Budget& budget) {
-    const Numeration& numeration = word.numeration;
-    const auto relation = [&](const std::string& statement) {
-        return decide_first_order(read_first_order(statement, "complexity", "T", word.letters),
-                                  word, budget)
-            .relation;
-    };
-    const auto first_ones = [&](const std::string& n) {
-        return (palindromes ? "palindrome(i, " + n + ") and " : std::string()) +
-               "not for some j, d with d >= 1 and j + d = i: for all u with j <= u < j + " + n +
-               ": T[u] = T[u + d]";
-    };
+/// What holds for all n of the numbers of i that `places`, a relation of i and n, has.
+ComplexityProof proof_of(const AutomaticRelation& places, Relations& relations,
+                         const Numeration& numeration, const Budget& budget) {
     ComplexityProof found;
-    found.sequence = counts(relation(first_ones("n")), "n", numeration);
-    const LinearRepresentation difference = combination(
-        {{1, counts(relation(first_ones("n + 1")), "n", numeration)}, {-1, found.sequence}});
+    found.sequence = counts(places, "n", numeration);
+    const AutomaticRelation next = relations.without(  // has n where `places` has n + 1
+        relations.both(relations.renamed(places, {{"i", "i"}, {"n", "m"}}),
+                       relations.sum({{{"n", 1}}, 1}, "m")),
+        {"m"});
+    const LinearRepresentation difference =
+        combination({{1, counts(next, "n", numeration)}, {-1, found.sequence}});
     constexpr std::size_t most = 5'000;
-    Relations relations(word, budget, {});
-    const auto values = value_sets(difference, numeration, most, budget);
+    const auto values = value_sets(difference, numeration, relations, most, budget);
     if (!values) return found;
     for (const auto& [value, set] : *values) found.differences.push_back(value);
     // The first number from which on a set holds all numbers with a property; nothing if there is none.
@@ -240,14 +224,13 @@ ComplexityProof factor_complexity_proof(const AutomaticWord& word, bool palindro
         if (last.empty()) return std::optional<Integer>();
         return std::optional(relations.witness(last).front().second + Integer(1));
     };
-    const AutomaticRelation everything = numbers_from(relations, "n", 0);
     for (const auto& [value, set] : *values) {
-        const auto from = from_of(set, everything);
+        const auto from = from_of(set, relations.all({"n"}));
         if (!from) continue;
         found.linear = {value, found.sequence.value(numeration, *from) - value * *from, *from};
     }
     constexpr int longest_period = 12;
-    const auto sets = value_sets(found.sequence, numeration, most, budget);
+    const auto sets = value_sets(found.sequence, numeration, relations, most, budget);
     if (!sets || (found.linear && found.linear->slope.is_zero())) return found;
     for (int period = 2; period <= longest_period && !found.periodic; ++period) {
         ComplexityProof::Periodic guess{std::vector<Integer>(static_cast<std::size_t>(period)), 0};
@@ -255,7 +238,7 @@ ComplexityProof factor_complexity_proof(const AutomaticWord& word, bool palindro
         for (int rest = 0; rest < period && holds; ++rest) {
             const std::string part = relations.fresh();
             const AutomaticRelation wanted =
-                relations.without(relations.sum({{part, period}}, rest, "n"), {part});
+                relations.without(relations.sum({{{part, period}}, rest}, "n"), {part});
             holds = false;
             for (const auto& [value, set] : *sets) {
                 const auto from = from_of(set, wanted);
@@ -268,6 +251,24 @@ ComplexityProof factor_complexity_proof(const AutomaticWord& word, bool palindro
         if (holds) found.periodic = std::move(guess);
     }
     return found;
+}
+
+}  // namespace
+
+ComplexityProofs complexity_proofs(const AutomaticWord& word, const Budget& budget) {
+    const auto relation = [&](const std::string& statement) {
+        return decide_first_order(read_first_order(statement, "complexity", "T", word.letters),
+                                  word, budget)
+            .relation;
+    };
+    Relations relations(word, budget, {});
+    const AutomaticRelation first = relation(
+        "not for some j, d with d >= 1 and j + d = i: for all u with j <= u < j + n: "
+        "T[u] = T[u + d]");
+    const auto proof = [&](const AutomaticRelation& places) {
+        return proof_of(places, relations, word.numeration, budget);
+    };
+    return {proof(first), proof(relations.both(first, relation("palindrome(i, n)")))};
 }
 
 }  // namespace algae

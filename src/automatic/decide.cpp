@@ -42,12 +42,14 @@ public:
                                              evaluate(*node.parts[1], false));
                 break;
             case Kind::equivalence: {
-                const auto left = evaluate(*node.parts[0], false),
-                           right = evaluate(*node.parts[1], negated);
-                const auto not_left = evaluate(*node.parts[0], true),
-                           not_right = evaluate(*node.parts[1], !negated);
-                return relations_.either(relations_.both(left, right),
-                                         relations_.both(not_left, not_right));
+                AutomaticRelation found = evaluate(*node.parts[0], negated);
+                for (std::size_t i = 1; i < node.parts.size(); ++i) {
+                    const AutomaticRelation part = evaluate(*node.parts[i], false);
+                    found = relations_.either(
+                        relations_.both(found, part),
+                        relations_.both(relations_.complement(found), relations_.complement(part)));
+                }
+                return found;
             }
             default:
                 break;
@@ -85,16 +87,18 @@ private:
 
     /// The variable that a position is, or a new one with an equation.
     std::string variable_of(const LinearTerm& term, Block& block) {
-        if (const std::string* variable = term.variable()) {
-            block.fixed.insert(*variable);
-            return *variable;
-        }
-        const std::string name = relations_.fresh();
-        LinearTerm equation = term;
-        equation.coefficients[name] = -1;
-        block.equations.push_back(equation);
-        block.bound.insert(name);
+        const std::string* variable = term.variable();
+        const std::string name = variable ? *variable : named(term, block);
         block.fixed.insert(name);
+        return name;
+    }
+
+    /// A new variable that is a term.
+    std::string named(LinearTerm term, Block& block) {
+        const std::string name = relations_.fresh();
+        term.coefficients[name] = -1;
+        block.equations.push_back(std::move(term));
+        block.bound.insert(name);
         return name;
     }
 
@@ -179,7 +183,7 @@ private:
             return relations_.without(
                 relations_.both(
                     relations_.renamed(differing, {{"i", first}, {"d", "d"}, {"n", "n"}}),
-                    relations_.sum({{first, 1}, {"d", 1}}, 0, second)),
+                    relations_.sum({{{first, 1}, {"d", 1}}}, second)),
                 {"d"});
         };
         return relations_.either(placed("i", "j"), placed("j", "i"));
@@ -194,7 +198,7 @@ private:
         add(relations_.same_letter("u", "v", false), mirrored);
         const AutomaticRelation differing = solved(std::move(mirrored), {});
         return relations_.without(
-            relations_.both(differing, relations_.equation({{"i", 2}, {"n", 1}, {"s", -1}}, -1)),
+            relations_.both(differing, relations_.equation({{{"i", 2}, {"n", 1}, {"s", -1}}, -1})),
             {"s"});
     }
 
@@ -210,16 +214,7 @@ private:
         std::set<std::string> taken;
         for (std::size_t i = 0; i < from.size(); ++i) {
             std::string name = variable_of(node.terms[i], block);
-            if (!taken.insert(name).second) {  // the same variable twice
-                LinearTerm same;
-                same.coefficients[name] = 1;
-                const std::string copy = relations_.fresh();
-                same.coefficients[copy] = -1;
-                block.equations.push_back(same);
-                block.bound.insert(copy);
-                taken.insert(copy);
-                name = copy;
-            }
+            if (!taken.insert(name).second) name = named({{{name, 1}}}, block);  // a second time
             names[from[i]] = name;
         }
         AutomaticRelation found = relations_.renamed(*known, names);
@@ -228,28 +223,20 @@ private:
 
     /// The tuples for which a term is below 0.
     AutomaticRelation below(const LinearTerm& term) {
-        std::map<std::string, Integer> left, right;
-        for (const auto& [name, times] : term.coefficients) {
-            if (times > 0) left[name] = times;
-            if (times < 0) right[name] = -times;
-        }
-        Integer more = term.constant > 0 ? term.constant : Integer(0),
-                less = term.constant < 0 ? -term.constant : Integer(0);
-        const bool or_equal = less >= 1;  // l < r + 1 is l <= r
-        if (or_equal) less -= 1;
-        if (left.empty() && right.empty())
-            return relations_.constant(or_equal ? more <= less : more < less);
+        if (term.coefficients.empty()) return relations_.constant(term.constant < 0);
+        auto [left, right] = term.sides();
+        const bool or_equal = right.constant >= 1;  // l < r + 1 is l <= r
+        if (or_equal) right.constant -= 1;
         std::set<std::string> helpers;
         std::vector<AutomaticRelation> sums;
-        const auto side = [&](const std::map<std::string, Integer>& of, const Integer& with) {
-            if (of.size() == 1 && of.begin()->second == 1 && with.is_zero())
-                return of.begin()->first;
+        const auto side = [&](const LinearTerm& of) {
+            if (of.variable()) return *of.variable();
             const std::string name = relations_.fresh();
             helpers.insert(name);
-            sums.push_back(relations_.sum(of, with, name));
+            sums.push_back(relations_.sum(of, name));
             return name;
         };
-        const std::string one = side(left, more), other = side(right, less);
+        const std::string one = side(left), other = side(right);
         AutomaticRelation found = relations_.less(one, other, or_equal);
         for (const AutomaticRelation& sum : sums) {
             found = relations_.both(found, sum);
@@ -305,34 +292,23 @@ private:
 
     /// Gives the sums that are compared names of their own, so that what they are compared with can go before them.
     void name_sums(Block& block) {
-        std::map<std::pair<std::map<std::string, Integer>, Integer>, std::string> named;
+        std::map<std::pair<std::map<std::string, Integer>, Integer>, std::string> names;
         for (LinearTerm& term : block.below) {
-            LinearTerm left, right;
-            for (const auto& [name, times] : term.coefficients) {
-                if (times > 0) left.coefficients[name] = times;
-                if (times < 0) right.coefficients[name] = -times;
-            }
-            // A difference with 1 says < or <=, as it is; other constants belong to their side.
-            if (term.constant > 0) left.constant = term.constant;
-            if (term.constant < -1) right.constant = -term.constant - Integer(1);
+            auto [left, right] = term.sides();
             LinearTerm compared;
-            compared.constant = term.constant < 0 ? Integer(-1) : Integer(0);
+            if (right.constant >=
+                1) {  // a difference of 1 says < or <=; the rest belongs to its side
+                right.constant -= 1;
+                compared.constant = -1;
+            }
             for (const auto& [side, sign] : {std::pair(&left, 1), {&right, -1}}) {
                 if (side->variable() || side->coefficients.empty()) {
                     compared.add(*side, sign);
                     continue;
                 }
-                std::string& name = named[{side->coefficients, side->constant}];
-                if (name.empty()) {
-                    name = relations_.fresh();
-                    LinearTerm equation = *side;
-                    equation.coefficients[name] = -1;
-                    block.equations.push_back(equation);
-                    block.bound.insert(name);
-                }
-                LinearTerm variable;
-                variable.coefficients[name] = 1;
-                compared.add(variable, sign);
+                std::string& name = names[{side->coefficients, side->constant}];
+                if (name.empty()) name = named(*side, block);
+                compared.add({{{name, 1}}}, sign);
             }
             term = compared;
         }
@@ -346,8 +322,7 @@ private:
             if (std::ranges::count(relations, one) == 0) relations.push_back(std::move(one));
         };
         for (const LinearTerm& term : block.below) add_new(below(term));
-        for (const LinearTerm& term : block.equations)
-            add_new(relations_.equation(term.coefficients, term.constant));
+        for (const LinearTerm& term : block.equations) add_new(relations_.equation(term));
         const auto joined = [&](std::vector<AutomaticRelation> some) {
             std::ranges::sort(some, {},
                               [](const AutomaticRelation& one) { return one.edges.size(); });

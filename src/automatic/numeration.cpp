@@ -96,10 +96,10 @@ std::optional<Integer> Numeration::value(const std::vector<std::uint32_t>& digit
     return total;
 }
 
-Symbol Numeration::letter(const Integer& n) const {
+std::uint32_t Numeration::state(const Integer& n) const {
     std::uint32_t state = 0;
     for (const std::uint32_t digit : digits(n)) state = images_[state][digit];
-    return letters_[state];
+    return state;
 }
 
 AutomaticWord automatic_word(const D0L& system, const std::function<std::string(Symbol)>& coded) {

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <type_traits>
 
 #include "automatic/detail/statement.hpp"
 
@@ -20,6 +21,15 @@ const std::string* LinearTerm::variable() const {
     const bool is_one =
         coefficients.size() == 1 && constant.is_zero() && coefficients.begin()->second == 1;
     return is_one ? &coefficients.begin()->first : nullptr;
+}
+
+std::pair<LinearTerm, LinearTerm> LinearTerm::sides() const {
+    std::pair<LinearTerm, LinearTerm> found;
+    auto& [left, right] = found;
+    for (const auto& [name, times] : coefficients)
+        (times > 0 ? left : right).coefficients[name] = times > 0 ? times : -times;
+    (constant > 0 ? left : right).constant = constant > 0 ? constant : -constant;
+    return found;
 }
 
 std::string written_name(const std::string& variable) {
@@ -151,6 +161,31 @@ private:
 
     // statement: implication { iff implication }
     Node statement() {
+        return nested(
+            [&] { return chain(Kind::equivalence, "iff", [&] { return implication(); }); });
+    }
+    Node implication() {
+        Node left = disjunction();
+        if (take_name("implies") || take_sign("=>"))
+            return node(Kind::implication, {left, nested([&] { return implication(); })});
+        return left;
+    }
+    Node disjunction() {
+        return chain(Kind::disjunction, "or", [&] { return conjunction(); });
+    }
+    Node conjunction() {
+        return chain(Kind::conjunction, "and", [&] { return single(); });
+    }
+    /// Parts with a word between them.
+    template <class Read>
+    Node chain(Kind kind, std::string_view between, Read read) {
+        std::vector<Node> parts{read()};
+        while (take_name(between)) parts.push_back(read());
+        return parts.size() == 1 ? parts.front() : node(kind, std::move(parts));
+    }
+    /// What is read one deeper: what reads and decides statements goes down into itself.
+    template <class Read>
+    std::invoke_result_t<Read> nested(Read read) {
         struct Depth {
             std::size_t& depth;
             ~Depth() { --depth; }
@@ -158,37 +193,10 @@ private:
         if (depth_ > most_depth)
             fail(now().at,
                  "the statement is nested more than " + std::to_string(most_depth) + " deep");
-        Node left = implication();
-        while (take_name("iff")) left = node(Kind::equivalence, {left, implication()});
-        return left;
-    }
-    Node implication() {
-        Node left = disjunction();
-        if (take_name("implies") || take_sign("=>"))
-            return node(Kind::implication, {left, implication()});
-        return left;
-    }
-    Node disjunction() {
-        std::vector<Node> parts{conjunction()};
-        while (take_name("or")) parts.push_back(conjunction());
-        return parts.size() == 1 ? parts.front() : node(Kind::disjunction, std::move(parts));
-    }
-    Node conjunction() {
-        std::vector<Node> parts{single()};
-        while (take_name("and")) parts.push_back(single());
-        return parts.size() == 1 ? parts.front() : node(Kind::conjunction, std::move(parts));
+        return read();
     }
     Node single() {
-        if (take_name("not")) {
-            struct Depth {
-                std::size_t& depth;
-                ~Depth() { --depth; }
-            } const guard{++depth_};
-            if (depth_ > most_depth)
-                fail(now().at,
-                     "the statement is nested more than " + std::to_string(most_depth) + " deep");
-            return node(Kind::negation, {single()});
-        }
+        if (take_name("not")) return nested([&] { return node(Kind::negation, {single()}); });
         if (is_name("for") && (next().text == "all" || next().text == "some")) {
             ++at_;
             const bool all = now().text == "all";
@@ -435,11 +443,7 @@ private:
             return found;
         }
         if (take_sign("(")) {
-            if (++depth_ > most_depth)
-                fail(token.at,
-                     "the statement is nested more than " + std::to_string(most_depth) + " deep");
-            found = term();
-            --depth_;
+            found = nested([&] { return term(); });
             want(")", "behind the term");
             return found;
         }

@@ -337,8 +337,7 @@ AutomaticRelation Relations::minimal(const RawAutomaton& raw, std::vector<std::s
     found.first.push_back(0);
     for (std::size_t i = 0; i < order.size(); ++i) {
         auto& own = edges[order[i]];
-        std::sort(own.begin(), own.end(),
-                  [](const Edge& a, const Edge& b) { return a.column < b.column; });
+        std::sort(own.begin(), own.end());
         for (Edge edge : own) {
             if (number[edge.target] == none) {
                 number[edge.target] = static_cast<std::uint32_t>(order.size());
@@ -358,17 +357,26 @@ AutomaticRelation Relations::constant(bool holds) const {
     return {{}, {0, 1}, {{0, 0}}, {1}};
 }
 
-AutomaticRelation Relations::all(const std::vector<std::string>& variables) {
-    AutomaticRelation found = constant(true);
-    for (const std::string& variable : variables) {
-        RawAutomaton one;
-        for (std::uint32_t s = 0; s < numeration_.letters().size(); ++s) {
-            for (std::uint32_t digit = 0; digit < numeration_.image(s).size(); ++digit)
-                one.edges.push_back({digit, numeration_.image(s)[digit]});
-            one.close(true);
-        }
-        found = both(found, minimal(one, {variable}));
+AutomaticRelation Relations::numbers(const std::string& variable,
+                                     const std::function<bool(std::uint32_t state)>& accepts) {
+    RawAutomaton raw;
+    for (std::uint32_t s = 0; s < numeration_.letters().size(); ++s) {
+        for (std::uint32_t digit = 0; digit < numeration_.image(s).size(); ++digit)
+            raw.edges.push_back({digit, numeration_.image(s)[digit]});
+        raw.close(accepts(s));
     }
+    return minimal(raw, {variable});
+}
+
+AutomaticRelation Relations::all(const std::vector<std::string>& variables) {
+    // Their automaton has no names in it, so one serves all variables.
+    if (all_.empty()) all_.push_back(constant(true));
+    while (all_.size() <= variables.size()) {
+        const auto one = numbers(std::to_string(all_.size()), [](std::uint32_t) { return true; });
+        all_.push_back(both(all_.back(), one));
+    }
+    AutomaticRelation found = all_[variables.size()];
+    found.variables = variables;
     return found;
 }
 
@@ -420,7 +428,18 @@ AutomaticRelation Relations::over(const AutomaticRelation& one,
 
 AutomaticRelation Relations::either(const AutomaticRelation& left, const AutomaticRelation& right) {
     const std::vector<std::string> variables = united(left.variables, right.variables);
-    const AutomaticRelation one = over(left, variables), other = over(right, variables);
+    return merged(over(left, variables), over(right, variables),
+                  [](bool is_left, bool is_right) { return is_left || is_right; });
+}
+
+AutomaticRelation Relations::complement(const AutomaticRelation& one) {
+    return merged(all(one.variables), one,
+                  [](bool is_number, bool is_one) { return is_number && !is_one; });
+}
+
+template <class Accepts>
+AutomaticRelation Relations::merged(const AutomaticRelation& one, const AutomaticRelation& other,
+                                    Accepts accepts) {
     Pairs pairs;
     pairs.number(0, 0);
     RawAutomaton raw;
@@ -438,29 +457,7 @@ AutomaticRelation Relations::either(const AutomaticRelation& left, const Automat
             const std::uint32_t too = y == column ? other.edges[b++].target : none;
             raw.edges.push_back({static_cast<std::uint32_t>(column), pairs.number(to, too)});
         }
-        raw.close((p != none && one.accepting[p]) || (q != none && other.accepting[q]));
-    }
-    return minimal(raw, variables);
-}
-
-AutomaticRelation Relations::complement(const AutomaticRelation& one) {
-    const AutomaticRelation universe = all(one.variables);
-    Pairs pairs;
-    pairs.number(0, 0);
-    RawAutomaton raw;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        if (i % 1024 == 0) count(pairs.size(), raw.edges.size());
-        const std::uint32_t u = pairs.left(i), s = pairs.right(i);
-        std::uint32_t b = s == none ? 0 : one.first[s];
-        const std::uint32_t b_end = s == none ? 0 : one.first[s + 1];
-        for (std::uint32_t a = universe.first[u]; a < universe.first[u + 1]; ++a) {
-            const Edge& edge = universe.edges[a];
-            while (b < b_end && one.edges[b].column < edge.column) ++b;
-            const bool is_there = b < b_end && one.edges[b].column == edge.column;
-            raw.edges.push_back(
-                {edge.column, pairs.number(edge.target, is_there ? one.edges[b].target : none)});
-        }
-        raw.close(universe.accepting[u] && !(s != none && one.accepting[s]));
+        raw.close(accepts(p != none && one.accepting[p], q != none && other.accepting[q]));
     }
     return minimal(raw, one.variables);
 }
@@ -480,9 +477,7 @@ AutomaticRelation Relations::without(const AutomaticRelation& one,
         for (std::uint32_t e = one.first[s]; e < one.first[s + 1]; ++e)
             edges.push_back(
                 {translated(one.edges[e].column, weight, numeration_.base()), one.edges[e].target});
-        std::sort(edges.begin() + begin, edges.end(), [](const Edge& a, const Edge& b) {
-            return a.column != b.column ? a.column < b.column : a.target < b.target;
-        });
+        std::sort(edges.begin() + begin, edges.end());
         edges.erase(std::unique(edges.begin() + begin, edges.end()), edges.end());
         first.push_back(static_cast<std::uint32_t>(edges.size()));
     }
@@ -511,10 +506,7 @@ AutomaticRelation Relations::without(const AutomaticRelation& one,
             accepts = accepts || one.accepting[s];
             leaving.insert(leaving.end(), edges.begin() + first[s], edges.begin() + first[s + 1]);
         }
-        if (states.size() > 1)
-            std::sort(leaving.begin(), leaving.end(), [](const Edge& a, const Edge& b) {
-                return a.column != b.column ? a.column < b.column : a.target < b.target;
-            });
+        if (states.size() > 1) std::sort(leaving.begin(), leaving.end());
         std::vector<std::uint32_t> next;
         for (std::size_t e = 0; e < leaving.size();) {
             const std::uint32_t column = leaving[e].column;
@@ -596,8 +588,7 @@ bool contains(const AutomaticRelation& relation, const Numeration& numeration,
         }
         const auto begin = relation.edges.begin() + relation.first[state],
                    end = relation.edges.begin() + relation.first[state + 1];
-        const auto edge = std::lower_bound(
-            begin, end, column, [](const Edge& one, std::uint32_t c) { return one.column < c; });
+        const auto edge = std::lower_bound(begin, end, Edge{column, 0});
         if (edge == end || edge->column != column) return false;
         state = edge->target;
     }

@@ -305,29 +305,23 @@ AutomaticRelation Relations::same_letter(const std::string& left, const std::str
 }
 
 AutomaticRelation Relations::letter_is(const std::string& at, const std::string& letter, bool is) {
-    RawAutomaton raw;
-    for (std::uint32_t b = 0; b < numeration_.letters().size(); ++b) {
-        for (std::uint32_t x = 0; x < numeration_.image(b).size(); ++x)
-            raw.edges.push_back({x, numeration_.image(b)[x]});
-        raw.close((word_.letters[b] == letter) == is);
-    }
-    return minimal(raw, {at});
+    return numbers(at, [&](std::uint32_t state) { return (word_.letters[state] == letter) == is; });
 }
 
-AutomaticRelation Relations::sum(std::map<std::string, Integer> coefficients, Integer constant,
-                                 const std::string& total) {
+AutomaticRelation Relations::sum(LinearTerm term, const std::string& total) {
+    auto& [coefficients, constant] = term;
     constexpr int greatest = 8;  // coefficient and constant that one automaton takes
     AutomaticRelation parts = Relations::constant(true);
     std::set<std::string> helpers;
-    const auto helper = [&](std::map<std::string, Integer> terms, const Integer& more) {
+    const auto helper = [&](LinearTerm part) {
         const std::string name = fresh();
         helpers.insert(name);
-        parts = both(parts, sum(std::move(terms), more, name));
+        parts = both(parts, sum(std::move(part), name));
         return name;
     };
     if (coefficients.empty()) return exactly(constant, total);
     if (constant > greatest) {
-        coefficients[helper({}, constant)] = 1;
+        coefficients[helper({{}, constant})] = 1;
         constant = 0;
     }
     for (auto at = coefficients.begin(); at != coefficients.end();) {
@@ -338,7 +332,7 @@ AutomaticRelation Relations::sum(std::map<std::string, Integer> coefficients, In
         const auto [name, times] = *at;  // greatest times a part of it, and what is left over
         at = coefficients.erase(at);
         const Integer part = floor_divide(times, greatest), rest = times - part * Integer(greatest);
-        coefficients[helper({{name, part}}, 0)] = greatest;
+        coefficients[helper({{{name, part}}})] = greatest;
         if (!rest.is_zero()) coefficients[name] = rest;
         at = coefficients.begin();
     }
@@ -347,7 +341,7 @@ AutomaticRelation Relations::sum(std::map<std::string, Integer> coefficients, In
         coefficients.erase(coefficients.begin());
         const auto other = *coefficients.begin();
         coefficients.erase(coefficients.begin());
-        coefficients[helper({one, other}, 0)] = 1;
+        coefficients[helper({{one, other}})] = 1;
     }
     AutomaticRelation found;
     const auto& [first, times] = *coefficients.begin();
@@ -368,24 +362,13 @@ AutomaticRelation Relations::sum(std::map<std::string, Integer> coefficients, In
     return helpers.empty() ? found : without(both(parts, found), helpers);
 }
 
-AutomaticRelation Relations::equation(const std::map<std::string, Integer>& coefficients,
-                                      const Integer& constant) {
-    std::map<std::string, Integer> left, right;
-    for (const auto& [name, times] : coefficients) {
-        if (times > 0) left[name] = times;
-        if (times < 0) right[name] = -times;
-    }
-    const Integer more = constant > 0 ? constant : Integer(0),
-                  less = constant < 0 ? -constant : Integer(0);
-    if (left.empty() && right.empty()) return Relations::constant(constant.is_zero());
-    const auto is_variable = [](const std::map<std::string, Integer>& side, const Integer& with) {
-        return side.size() == 1 && side.begin()->second == 1 && with.is_zero();
-    };
-    if (is_variable(right, less) && !left.contains(right.begin()->first))
-        return sum(left, more, right.begin()->first);
-    if (is_variable(left, more)) return sum(right, less, left.begin()->first);
+AutomaticRelation Relations::equation(const LinearTerm& term) {
+    if (term.coefficients.empty()) return constant(term.constant.is_zero());
+    const auto [left, right] = term.sides();
+    if (right.variable()) return sum(left, *right.variable());
+    if (left.variable()) return sum(right, *left.variable());
     const std::string total = fresh();
-    return without(both(sum(left, more, total), sum(right, less, total)), {total});
+    return without(both(sum(left, total), sum(right, total)), {total});
 }
 
 }  // namespace algae

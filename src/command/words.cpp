@@ -128,9 +128,7 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
     }
     if (!options.prove) budget.memory = std::min(budget.memory, little);
     try {
-        const AutomaticWord word = word_of(model, rules);
-        report.all_factors = factor_complexity_proof(word, false, budget);
-        report.all_palindromes = factor_complexity_proof(word, true, budget);
+        report.proofs = complexity_proofs(word_of(model, rules), budget);
     } catch (const BoundReached& bound) {
         if (bound.bound() != Bound::memory || options.prove) throw;
         report.not_proved = "the automata are large; --prove goes on with them";

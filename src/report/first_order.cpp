@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "report/detail/page.hpp"
 #include "report/report.hpp"
 
 namespace algae {
@@ -11,20 +12,13 @@ namespace {
 constexpr std::size_t letters_shown = 24, members_shown = 12, members_listed = 100,
                       states_listed = 10'000;
 
-std::string line(const char* label, const std::string& value) {
-    return fmt::format("{:<24}{}\n", label, value);
-}
-
 std::string beginning(const AutomaticWord& word) {
     std::string all;
     bool blanks = false;
     for (const std::string& letter : word.letters) blanks = blanks || letter.size() > 1;
     for (std::size_t n = 0; n < letters_shown; ++n) {
-        std::uint32_t state = 0;
-        for (const std::uint32_t digit : word.numeration.digits(n))
-            state = word.numeration.image(state)[digit];
         if (blanks && n > 0) all += ' ';
-        all += word.letters[state];
+        all += word.letters[word.numeration.state(n)];
     }
     return all + "...";
 }
@@ -61,7 +55,7 @@ std::string to_text(const FirstOrderReport& report) {
             all += (i == 0 ? "" : ", ") + (report.free.size() == 1 ? one : "(" + one + ")");
         }
         if (tuples.size() > members_shown) all += ", ...";
-        if (!tuples.empty()) page += line(("true for " + joined(report.free, ", ")).c_str(), all);
+        if (!tuples.empty()) page += line("true for " + joined(report.free, ", "), all);
         page += line("automaton", fmt::format("{} states, digits 0 to {}", relation.states(),
                                               report.word.numeration.base() - 1));
     }

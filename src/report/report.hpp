@@ -196,7 +196,7 @@ struct FactorValues {
         imbalance;  // by length: how far two factors differ in the number of a letter
     std::optional<Word> not_reversed;  // a shortest factor whose reversal is none
     /// What is proved for all lengths, of the infinite word; otherwise why it is not.
-    std::optional<ComplexityProof> all_factors, all_palindromes;
+    std::optional<ComplexityProofs> proofs;
     std::string not_proved;
 };
 

@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "report/detail/page.hpp"
 #include "report/report.hpp"
 
 namespace algae {
@@ -17,10 +18,6 @@ namespace {
 constexpr std::size_t entries = 12;        // of a list on the page
 constexpr std::size_t letters_shown = 60;  // of a word on the page
 constexpr std::size_t runs_listed = 1000;  // in JSON
-
-std::string line(const char* label, const std::string& value) {
-    return fmt::format("{:<24}{}\n", label, value);
-}
 
 template <class Things, class Text>
 std::string some_of(const Things& things, const char* between, Text text) {
@@ -277,8 +274,7 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
 namespace {
 
 /// A formula for the values from some n on, and that n; nothing if none was found.
-std::optional<std::pair<std::string, Integer>> formula_of(
-    const std::optional<ComplexityProof>& proof) {
+std::optional<std::pair<std::string, Integer>> formula_of(const ComplexityProof* proof) {
     if (!proof) return std::nullopt;
     if (const auto& linear = proof->linear) {
         const auto& [slope, constant, from] = *linear;
@@ -301,7 +297,7 @@ std::optional<std::pair<std::string, Integer>> formula_of(
 }
 
 /// The line below the values, if something is proved for all n.
-std::string for_all_line(const std::optional<ComplexityProof>& proof) {
+std::string for_all_line(const ComplexityProof* proof) {
     if (!proof) return "";
     if (const auto found = formula_of(proof))
         return line(
@@ -316,22 +312,28 @@ std::string for_all_line(const std::optional<ComplexityProof>& proof) {
                                    ": proved");
 }
 
+/// What is proved of the factors, and of the palindromes; none where nothing is.
+std::pair<const ComplexityProof*, const ComplexityProof*> proofs_of(const FactorValues& report) {
+    if (!report.proofs) return {nullptr, nullptr};
+    return {&report.proofs->factors, &report.proofs->palindromes};
+}
+
 }  // namespace
 
 std::string to_text(const FactorValues& report) {
     const auto values = [](const std::vector<std::uint64_t>& all) {
         return joined(all, ", ", number);
     };
+    const auto [factors, palindromes] = proofs_of(report);
     std::string page =
         line("factors of", std::string(report.infinite_word ? "the infinite word of the system"
                                                             : "all words of the system") +
                                (report.coded ? ", after the coding" : "")) +
         line("of 0, 1, ... letters",
              fmt::format("up to {}{}", report.to,
-                         report.all_factors ? "" : "; nothing is said of longer ones"));
-    page += line("factor complexity", values(report.factors)) + for_all_line(report.all_factors);
-    page += line("palindromic complexity", values(report.palindromes)) +
-            for_all_line(report.all_palindromes);
+                         factors ? "" : "; nothing is said of longer ones"));
+    page += line("factor complexity", values(report.factors)) + for_all_line(factors);
+    page += line("palindromic complexity", values(report.palindromes)) + for_all_line(palindromes);
     page += line("Abelian complexity", values(report.abelian));
     page += line("imbalance", values(report.imbalance));
     page += line("closed under reversal",
@@ -343,8 +345,9 @@ std::string to_text(const FactorValues& report) {
 }
 
 Json to_json(const FactorValues& report) {
+    const auto [factors, palindromes] = proofs_of(report);
     const auto values = [](const std::vector<std::uint64_t>& all,
-                           const std::optional<ComplexityProof>& proof = {}) {
+                           const ComplexityProof* proof = nullptr) {
         const auto formula = formula_of(proof);
         return Json{{"values", all},
                     {"formula", formula ? Json(formula->first) : Json()},
@@ -356,8 +359,8 @@ Json to_json(const FactorValues& report) {
     return {{"language", report.infinite_word ? "infinite word" : "all words"},
             {"coded", report.coded},
             {"to", report.to},
-            {"factor_complexity", values(report.factors, report.all_factors)},
-            {"palindromic_complexity", values(report.palindromes, report.all_palindromes)},
+            {"factor_complexity", values(report.factors, factors)},
+            {"palindromic_complexity", values(report.palindromes, palindromes)},
             {"not_proved", report.not_proved.empty() ? Json() : Json(report.not_proved)},
             {"abelian_complexity", values(report.abelian)},
             {"imbalance_values", report.imbalance},

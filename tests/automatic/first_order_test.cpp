@@ -225,9 +225,8 @@ TEST_CASE("numbers of the numeration of Dumont and Thomas are those of the lette
             REQUIRE((digits.empty() || digits.front() != 0));
             if (n > 0) REQUIRE((digits.size() > before.size() || digits > before));  // radix order
             before = digits;
-            std::uint32_t state = 0;
-            for (const std::uint32_t digit : digits) state = word.numeration.image(state)[digit];
-            REQUIRE(word.letters[state] == std::string(1, prefix[static_cast<std::size_t>(n)]));
+            REQUIRE(word.letters[word.numeration.state(n)] ==
+                    std::string(1, prefix[static_cast<std::size_t>(n)]));
             ++numbers;
         }
     }
@@ -334,9 +333,10 @@ TEST_CASE(
         CAPTURE(name);
         const AutomaticWord word = one->word();
         const std::string prefix = one->prefix(20'000);
+        const ComplexityProofs proofs = complexity_proofs(word, Budget());
         for (const bool palindromes : {false, true}) {
             CAPTURE(palindromes);
-            const ComplexityProof proof = factor_complexity_proof(word, palindromes, Budget());
+            const ComplexityProof& proof = palindromes ? proofs.palindromes : proofs.factors;
             for (std::size_t n = 0; n <= 30; ++n) {
                 std::set<std::string> factors;
                 for (std::size_t i = 0; i + n <= prefix.size(); ++i) {
@@ -356,16 +356,16 @@ TEST_CASE(
     }
     CHECK(values == 9 * 2 * 31);
     const auto linear = [](std::size_t at) {
-        const auto found = factor_complexity_proof(words()[at].word(), false, Budget()).linear;
+        const auto found = complexity_proofs(words()[at].word(), Budget()).factors.linear;
         REQUIRE(found);
         return std::vector<Integer>{found->slope, found->constant, found->from};
     };
     CHECK(linear(1) == std::vector<Integer>{1, 1, 0});   // Morse and Hedlund 1940
     CHECK(linear(3) == std::vector<Integer>{8, -8, 8});  // Allouche and Shallit 1993
-    const ComplexityProof thue = factor_complexity_proof(words()[0].word(), false, Budget());
+    const ComplexityProof thue = complexity_proofs(words()[0].word(), Budget()).factors;
     CHECK(!thue.linear);
     CHECK(thue.differences == std::vector<Integer>{1, 2, 4});  // Brlek 1989
-    const auto palindromes = factor_complexity_proof(words()[1].word(), true, Budget()).periodic;
+    const auto palindromes = complexity_proofs(words()[1].word(), Budget()).palindromes.periodic;
     REQUIRE(palindromes);
     CHECK(palindromes->values == std::vector<Integer>{1, 2});  // Droubay 1995
     CHECK(palindromes->from == 0);
@@ -430,6 +430,25 @@ TEST_CASE("words without a numeration or without addition are refused by name") 
     CHECK(answer(KnownWord{"", {{'a', "abbb"}, {'b', "a"}}, {}}.word(),
                  "for all i: for some j with j > i: T[j] = b")
               .holds);
+}
+
+TEST_CASE("long chains of iff are decided, and those of implies are refused") {
+    const AutomaticWord word = words()[1].word();
+    const auto chain = [](const std::string& link, std::size_t links) {
+        std::string all;
+        for (std::size_t i = 0; i < links; ++i) all += link;
+        return all;
+    };
+    CHECK(answer(word, chain("0 = 1 iff ", 10'000) + "0 = 0").holds);
+    CHECK(!answer(word, chain("0 = 1 iff ", 9'999) + "0 = 0").holds);
+    const FirstOrderAnswer both = answer(word, "T[i] = a iff i > 3 iff i < 6");
+    CHECK(members(both.relation, word.numeration, 4) ==
+          std::vector<std::vector<Integer>>{{1}, {5}, {6}, {9}});
+    CHECK(answer(word, chain("0 = 0 implies ", 150) + "0 = 0").holds);
+    for (const char* deep : {"0 = 0 implies ", "0 = 0 => ", "not ", "for all i: "})
+        CHECK_THROWS_WITH_AS(answer(word, chain(deep, 100'000) + "0 = 0"),
+                             doctest::Contains("the statement is nested more than 200 deep"),
+                             Diagnostics);
 }
 
 TEST_CASE("errors in statements name the place and what could stand there") {

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "automatic/automatic.hpp"
+#include "automatic/detail/statement.hpp"
 
 namespace algae {
 
@@ -44,17 +45,18 @@ public:
 
     /// No variables: true or false.
     AutomaticRelation constant(bool holds) const;
-    /// The tuples for which the sum of the variables times their coefficients, and the constant, is 0. Throws Error where
-    /// addition is not known to be regular.
-    AutomaticRelation equation(const std::map<std::string, Integer>& coefficients,
-                               const Integer& constant);
-    /// The tuples for which the sum, of coefficients and a constant from 0 on, is `total`.
-    AutomaticRelation sum(std::map<std::string, Integer> coefficients, Integer constant,
-                          const std::string& total);
+    /// All tuples of numbers.
+    AutomaticRelation all(const std::vector<std::string>& variables);
+    /// The tuples for which a term is 0. Throws Error where addition is not known to be regular.
+    AutomaticRelation equation(const LinearTerm& term);
+    /// The tuples for which a term with nothing negative in it is `total`.
+    AutomaticRelation sum(LinearTerm term, const std::string& total);
     AutomaticRelation less(const std::string& left, const std::string& right, bool or_equal);
     /// Positions whose letters are, or are not, the same.
     AutomaticRelation same_letter(const std::string& left, const std::string& right, bool same);
     AutomaticRelation letter_is(const std::string& at, const std::string& letter, bool is);
+
+    AutomaticRelation minimal(const RawAutomaton& raw, std::vector<std::string> variables);
 
     std::size_t largest() const { return largest_; }
     /// A name that no statement has.
@@ -65,8 +67,13 @@ public:
 private:
     struct Sums;  // how values are added up: the recurrence of the lengths
 
-    AutomaticRelation minimal(const RawAutomaton& raw, std::vector<std::string> variables);
-    AutomaticRelation all(const std::vector<std::string>& variables);
+    /// Tuples by whether each of two relations of the same variables has them.
+    template <class Accepts>
+    AutomaticRelation merged(const AutomaticRelation& left, const AutomaticRelation& right,
+                             Accepts accepts);
+    /// Numbers by the state where their digits end.
+    AutomaticRelation numbers(const std::string& variable,
+                              const std::function<bool(std::uint32_t state)>& accepts);
     void count(std::size_t states, std::size_t edges);
     AutomaticRelation exactly(const Integer& number, const std::string& variable);
     AutomaticRelation equal(const std::string& left, const std::string& right);
@@ -83,6 +90,7 @@ private:
     std::shared_ptr<Sums> sums_;
     std::size_t largest_ = 0;
     std::size_t names_ = 0;
+    std::vector<AutomaticRelation> all_;  // by the number of variables
     std::map<std::vector<std::int64_t>, AutomaticRelation>
         known_;  // sums by coefficients and constant
 };

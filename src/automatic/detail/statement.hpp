@@ -17,6 +17,8 @@ struct LinearTerm {
     void add(const LinearTerm& other, const Integer& times);
     /// The variable that it is, if it is one.
     const std::string* variable() const;
+    /// Two terms, with nothing negative in them, of which it is the difference.
+    std::pair<LinearTerm, LinearTerm> sides() const;
     bool operator==(const LinearTerm&) const = default;
 };
 
@@ -33,7 +35,7 @@ struct FirstOrderNode {
         conjunction,
         disjunction,
         implication,
-        equivalence,
+        equivalence,  // of any number of parts: so many of them are false as makes an even number
         exists,
         for_all
     };

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "exact/exact.hpp"
+#include "growth/growth.hpp"
 #include "system/system.hpp"
 #include "word/word.hpp"
 
@@ -182,6 +183,41 @@ struct ComplexityProofs {
 /// The factors of n letters are counted where they occur first (Charlier, Rampersad and Shallit, Enumeration and decidable properties of automatic
 /// sequences, 2012).
 ComplexityProofs complexity_proofs(const AutomaticWord& word, const Budget& budget);
+
+/// The least upper bound of the exponents of the factors of an infinite word; that of a factor is its length by its least period.
+struct CriticalExponent {
+    /// Some word has all its powers among the factors; then nothing else is here.
+    bool infinite = false;
+    std::optional<Frequency> value;  // in the field of the rate of the lengths
+    bool attained = false;
+    std::optional<std::pair<Integer, Integer>>
+        factor;  // length and period of a shortest one, if it is attained
+    /// The limit superior of the exponents as periods grow, if it was found.
+    std::optional<Frequency> asymptotic;
+};
+
+/// By the greatest length of a factor with period p, an automaton for all p, and limits along its paths. Throws as `decide_first_order`, and
+/// BoundReached where too many repetitions have nearly the greatest exponent.
+///
+/// Example: critical_exponent(automatic_word(d0l("a", {{'a', "ab"}, {'b', "a"}}), [](Symbol a) { return std::to_string(a); }), Budget()).value->exact() == "(5+sqrt(5))/2"
+CriticalExponent critical_exponent(const AutomaticWord& word, const Budget& budget);
+
+/// Whether the reversal of each factor of the word is a factor. Throws as `decide_first_order`.
+bool is_closed_under_reversal(const AutomaticWord& word, const Budget& budget);
+
+/// How far apart equal factors of an infinite word are.
+struct FactorRecurrence {
+    /// R(0), R(1), ...: every factor of R(n) letters has all factors of n letters, and R(n) is least. Only as far as they were found.
+    std::vector<std::uint64_t> values;
+    /// Of each letter, in the order of names, the words from one occurrence to before the next, shorter ones first; none if R(1) was not found.
+    std::vector<std::pair<std::string, std::vector<std::vector<std::string>>>> return_words;
+};
+
+/// By a beginning of the word that holds all its factors of R(n) + 1 letters, at most two million letters long: where
+/// letters do not grow, or factors do not come back within bounded distance, the values end. Throws BoundReached at the end of the time.
+///
+/// Example: factor_recurrence(automatic_word(d0l("a", {{'a', "ab"}, {'b', "a"}}), [](Symbol a) { return std::to_string(a); }), 3, Budget()).values == std::vector<std::uint64_t>{0, 3, 6, 10}
+FactorRecurrence factor_recurrence(const AutomaticWord& word, std::size_t to, const Budget& budget);
 
 /// Whether a tuple, numbers from 0 on in the order of the variables, is in a relation. O(digits).
 bool contains(const AutomaticRelation& relation, const Numeration& numeration,

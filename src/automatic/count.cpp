@@ -271,4 +271,12 @@ ComplexityProofs complexity_proofs(const AutomaticWord& word, const Budget& budg
     return {proof(first), proof(relations.both(first, relation("palindrome(i, n)")))};
 }
 
+bool is_closed_under_reversal(const AutomaticWord& word, const Budget& budget) {
+    const FirstOrderStatement statement = read_first_order(
+        "for all i, n: for some s with s + 1 >= i + n: for all u, v with i <= u < i + n and "
+        "u + v = s: T[u] = T[v]",
+        "reversal", "T", word.letters);
+    return decide_first_order(statement, word, budget).holds;
+}
+
 }  // namespace algae

@@ -164,6 +164,13 @@ const Relations::Sums& Relations::sums() {
     return *sums_;
 }
 
+Polynomial Relations::recurrence() {
+    std::vector<Integer> coefficients;
+    for (const std::int64_t one : sums().recurrence) coefficients.emplace_back(-one);
+    coefficients.push_back(1);
+    return Polynomial(std::move(coefficients));
+}
+
 AutomaticRelation Relations::bounded_sum(const std::vector<std::int64_t>& coefficients,
                                          std::int64_t constant, double bound) {
     const Sums& how = sums();

@@ -127,11 +127,29 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
         return;
     }
     if (!options.prove) budget.memory = std::min(budget.memory, little);
+    const auto each = [&](const char* what, auto decide) {
+        try {
+            decide();
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::method) {
+                report.not_proved += (report.not_proved.empty() ? "" : "; ") + std::string(what) +
+                                     ": " + bound.what();
+                return;
+            }
+            if (bound.bound() != Bound::memory || options.prove) throw;
+            report.not_proved +=
+                (report.not_proved.empty() ? "the automata are large, --prove goes on with them: "
+                                           : ", ") +
+                std::string(what);
+        }
+    };
     try {
-        report.proofs = complexity_proofs(word_of(model, rules), budget);
-    } catch (const BoundReached& bound) {
-        if (bound.bound() != Bound::memory || options.prove) throw;
-        report.not_proved = "the automata are large; --prove goes on with them";
+        const AutomaticWord word = word_of(model, rules);
+        each("complexities", [&] { report.proofs = complexity_proofs(word, budget); });
+        if (!report.not_reversed)
+            each("closed under reversal",
+                 [&] { report.closed_under_reversal = is_closed_under_reversal(word, budget); });
+        each("critical exponent", [&] { report.exponent = critical_exponent(word, budget); });
     } catch (const Error& error) {
         if (options.prove) throw;
         report.not_proved = error.what();

@@ -442,6 +442,11 @@ public:
     std::string decimal(int digits_after_point) const;
 
     friend bool operator==(const Frequency& left, const Frequency& right);
+    /// Of two numbers in the field of one rate.
+    friend Frequency operator+(const Frequency& left, const Frequency& right) {
+        return {left.rate_, left.above_ * right.below_ + right.above_ * left.below_,
+                left.below_ * right.below_};
+    }
 
 private:
     Rate rate_;

@@ -195,8 +195,27 @@ struct FactorValues {
     std::vector<std::uint64_t>
         imbalance;  // by length: how far two factors differ in the number of a letter
     std::optional<Word> not_reversed;  // a shortest factor whose reversal is none
+    std::vector<std::uint64_t>
+        apart;                // by letter: how far two of these factors of one length differ in it
+    Primitivity primitivity;  // of the morphism
+    /// Whether long factors are cut into images in one way alone; nothing if the morphism is not injective or has a coding.
+    std::optional<bool> circular;
+    std::vector<std::optional<Frequency>> frequencies;  // by letter, where they exist
+    Rate rate;  // of growth; exact numbers of degree 3 and more are polynomials in it, r
+
+    /// A factor that two letters prolong on either side, and how many more ways there are on both sides than those of each side make: its
+    /// bilateral multiplicity (Cassaigne 1997).
+    struct Bispecial {
+        Word word;
+        std::int64_t multiplicity = 0;
+    };
+    std::vector<Bispecial> bispecial;  // of the infinite word, up to `to` letters
+    FactorRecurrence recurrence;       // of the infinite word
+
     /// What is proved for all lengths, of the infinite word; otherwise why it is not.
     std::optional<ComplexityProofs> proofs;
+    std::optional<CriticalExponent> exponent;
+    std::optional<bool> closed_under_reversal;
     std::string not_proved;
 };
 

@@ -15,9 +15,10 @@ namespace algae {
 
 namespace {
 
-constexpr std::size_t entries = 12;        // of a list on the page
-constexpr std::size_t letters_shown = 60;  // of a word on the page
-constexpr std::size_t runs_listed = 1000;  // in JSON
+constexpr std::size_t entries = 12;                   // of a list on the page
+constexpr std::size_t letters_shown = 60;             // of a word on the page
+constexpr std::size_t runs_listed = 1000;             // in JSON
+constexpr int digits_shown = 6, digits_in_json = 15;  // after the point
 
 template <class Things, class Text>
 std::string some_of(const Things& things, const char* between, Text text) {
@@ -219,6 +220,82 @@ bool has_factors_of_infinite_word(const D0L& system, const Budget& budget) {
     }
 }
 
+/// The factors of one length from those of one letter more and from whole words of that length, in order.
+std::vector<Word> shorter_factors(const std::vector<Word>& longer, std::vector<Word> whole) {
+    for (const Word& word : longer) {
+        whole.emplace_back(word.begin(), word.end() - 1);
+        whole.emplace_back(word.begin() + 1, word.end());
+    }
+    std::ranges::sort(whole);
+    whole.erase(std::unique(whole.begin(), whole.end()), whole.end());
+    return whole;
+}
+
+/// Those of the factors that are bispecial, by the factors of one and of two letters more.
+std::vector<FactorValues::Bispecial> bispecial_factors(const std::vector<Word>& words,
+                                                       const std::vector<Word>& longer,
+                                                       const std::vector<Word>& longest) {
+    struct Ways {
+        std::int64_t left = 0, right = 0, both = 0;
+    };
+    std::vector<Ways> ways(words.size());
+    const auto of = [&](auto begin, auto end) -> Ways& {
+        const auto at =
+            std::lower_bound(words.begin(), words.end(), std::ranges::subrange(begin, end),
+                             [](const Word& word, const auto& part) {
+                                 return std::ranges::lexicographical_compare(word, part);
+                             });
+        return ways[static_cast<std::size_t>(at - words.begin())];
+    };
+    for (const Word& word : longer) {
+        ++of(word.begin() + 1, word.end()).left;
+        ++of(word.begin(), word.end() - 1).right;
+    }
+    for (const Word& word : longest) ++of(word.begin() + 1, word.end() - 1).both;
+    std::vector<FactorValues::Bispecial> found;
+    for (std::size_t i = 0; i < words.size(); ++i)
+        if (const auto& [left, right, both] = ways[i]; left > 1 && right > 1)
+            found.push_back({words[i], both - left - right + 1});
+    return found;
+}
+
+/// Whether long factors are cut into images in one way alone (Klouda and Starosta 2019: exactly if no word that grows has all its powers
+/// among the factors); nothing if the morphism is not injective.
+std::optional<bool> is_circular(const D0L& system, const Budget& budget) {
+    for (const Symbol letter : system.letters)
+        if (system.successor(letter).empty()) return std::nullopt;
+    if (made_injective({system.axiom, system.rules}, budget).steps > 0) return std::nullopt;
+    for (const InfiniteRepetition& one : infinite_repetitions(system, budget))
+        if (one.grows) return false;
+    return true;
+}
+
+/// The frequencies of letters after a coding; none where they have no limit.
+template <class Coded>
+std::vector<std::optional<Frequency>> frequencies_of(const D0L& system, Coded coded,
+                                                     std::size_t letters, const Budget& budget) {
+    std::vector<std::optional<Frequency>> found(letters);
+    const LetterFrequencies all = letter_frequencies(system, budget);
+    if (all.limits.size() != 1) return found;
+    for (std::size_t i = 0; i < system.letters.size(); ++i) {
+        std::optional<Frequency>& sum = found[coded(system.letters[i])];
+        sum = sum ? *sum + all.limits.front()[i] : all.limits.front()[i];
+    }
+    return found;
+}
+
+template <class Coded>
+FactorRecurrence recurrence_of(const D0L& system, const Alphabet& names, Coded coded,
+                               std::size_t to, const Budget& budget) {
+    try {
+        return factor_recurrence(
+            automatic_word(system, [&](Symbol letter) { return names.name(coded(letter)); }), to,
+            budget);
+    } catch (const Error&) {
+        return {};  // it has no numeration of its own
+    }
+}
+
 }  // namespace
 
 FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t to,
@@ -226,32 +303,50 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
     FactorValues found;
     found.to = to;
     found.infinite_word = has_factors_of_infinite_word(system, budget);
-    FactorSet longest = factors(system, to, budget);
+    FactorSet longest = factors(system, to + 2, budget);
     found.alphabet = *system.alphabet;
+    std::optional<LetterCoding> images;
     if (!coding.empty()) {
-        const LetterCoding images(*system.alphabet, coding);
-        for (Word& word : longest.words) word = images.morphism(word);
-        found.alphabet = images.alphabet;
+        images.emplace(*system.alphabet, coding);
+        for (Word& word : longest.words) word = images->morphism(word);
+        found.alphabet = images->alphabet;
         found.coded = true;
     }
     const std::size_t letters = found.alphabet.size();
-    for (std::size_t length = 0; length <= to; ++length) {
-        std::set<Word> words;
-        for (const Word& word : longest.words) {
-            budget.check();
-            for (std::size_t i = 0; i + length <= word.size(); ++i) {
-                const auto at = word.begin() + static_cast<std::ptrdiff_t>(i);
-                words.emplace(at, at + static_cast<std::ptrdiff_t>(length));
-                if (length == 0) break;
-            }
-        }
+    const auto coded = [&](Symbol letter) {
+        return images ? images->morphism[letter].front() : letter;
+    };
+    found.apart.assign(letters, 0);
+    found.primitivity = primitivity(growth_matrix(system));
+    for (const Component& part : components(growth_matrix(system), budget).list)
+        if (part.rate) found.rate = std::max(found.rate, *part.rate);
+    found.frequencies = frequencies_of(system, coded, letters, budget);
+    if (!images) found.circular = is_circular(system, budget);
+    if (found.infinite_word)
+        found.recurrence = recurrence_of(system, found.alphabet, coded, to, budget);
+    found.factors.assign(to + 1, 0);
+    found.palindromes = found.abelian = found.imbalance = found.factors;
+    std::vector<Word> words, longer, longer_still;  // of `length`, of one and of two letters more
+    for (std::size_t length = to + 3; length-- > 0;) {
+        budget.check();
+        std::vector<Word> whole;
+        for (const Word& word : longest.words)
+            if (word.size() == length) whole.push_back(word);
+        longer_still = std::move(longer);
+        longer = std::move(words);
+        words = shorter_factors(longer, std::move(whole));
+        if (length > to) continue;
         std::set<std::vector<std::uint32_t>> counts;
         std::vector<std::uint32_t> least(letters, ~std::uint32_t{0}), most(letters, 0);
         std::uint64_t palindromes = 0;
+        bool is_reversed = true;
         for (const Word& word : words) {
             const Word turned(word.rbegin(), word.rend());
             palindromes += turned == word;
-            if (!found.not_reversed && !words.contains(turned)) found.not_reversed = word;
+            if (is_reversed && !std::ranges::binary_search(words, turned)) {
+                is_reversed = false;
+                found.not_reversed = word;
+            }
             std::vector<std::uint32_t> count(letters, 0);
             for (const Symbol letter : word) ++count[letter];
             for (std::size_t a = 0; a < letters; ++a) {
@@ -260,13 +355,18 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
             }
             counts.insert(std::move(count));
         }
-        std::uint64_t apart = 0;
-        for (std::size_t a = 0; a < letters && !words.empty(); ++a)
-            apart = std::max<std::uint64_t>(apart, most[a] - least[a]);
-        found.factors.push_back(words.size());
-        found.palindromes.push_back(palindromes);
-        found.abelian.push_back(counts.size());
-        found.imbalance.push_back(apart);
+        for (std::size_t a = 0; a < letters && !words.empty(); ++a) {
+            const std::uint64_t apart = most[a] - least[a];
+            found.imbalance[length] = std::max(found.imbalance[length], apart);
+            found.apart[a] = std::max(found.apart[a], apart);
+        }
+        found.factors[length] = words.size();
+        found.palindromes[length] = palindromes;
+        found.abelian[length] = counts.size();
+        if (!found.infinite_word) continue;
+        auto bispecial = bispecial_factors(words, longer, longer_still);
+        std::ranges::move(found.bispecial, std::back_inserter(bispecial));
+        found.bispecial = std::move(bispecial);
     }
     return found;
 }
@@ -312,6 +412,57 @@ std::string for_all_line(const ComplexityProof* proof) {
                                    ": proved");
 }
 
+/// The letters in the order of their names.
+std::map<std::string, std::size_t> by_name(const Alphabet& alphabet) {
+    std::map<std::string, std::size_t> found;
+    for (std::size_t a = 0; a < alphabet.size(); ++a)
+        found.emplace(alphabet.name(static_cast<Symbol>(a)), a);
+    return found;
+}
+
+std::string joined_letters(const std::vector<std::string>& letters) {
+    const bool is_long =
+        std::ranges::any_of(letters, [](const std::string& one) { return one.size() > 1; });
+    return joined(letters, is_long ? " " : "");
+}
+
+std::string exact_and_decimal(const Frequency& number) {
+    const std::string exact = number.exact();
+    if (exact.find_first_not_of("-0123456789") == std::string::npos) return exact;
+    return exact + " = " + number.decimal(digits_shown);
+}
+
+std::string exponent_lines(const FactorValues& report) {
+    if (!report.exponent) return "";
+    const CriticalExponent& found = *report.exponent;
+    if (found.infinite) return line("critical exponent", "infinite: proved");
+    std::string text = exact_and_decimal(*found.value);
+    text += found.factor
+                ? fmt::format(", of {} letters with the period {}: proved",
+                              to_string(found.factor->first), to_string(found.factor->second))
+                : ", which no factor reaches: proved";
+    std::string all = line("critical exponent", text);
+    if (found.asymptotic && found.attained)
+        all += line("  of long factors", exact_and_decimal(*found.asymptotic) + ": proved");
+    return all;
+}
+
+Json to_json(const Frequency& number) {
+    return Json{{"exact", number.exact()}, {"decimal", number.decimal(digits_in_json)}};
+}
+
+Json exponent_of(const FactorValues& report) {
+    if (!report.exponent) return Json();
+    const CriticalExponent& found = *report.exponent;
+    if (found.infinite) return "infinite";
+    Json all = to_json(*found.value);
+    all.set("attained", found.attained);
+    all.set("length", found.factor ? Json(found.factor->first) : Json());
+    all.set("period", found.factor ? Json(found.factor->second) : Json());
+    all.set("asymptotic", found.asymptotic ? to_json(*found.asymptotic) : Json());
+    return all;
+}
+
 /// What is proved of the factors, and of the palindromes; none where nothing is.
 std::pair<const ComplexityProof*, const ComplexityProof*> proofs_of(const FactorValues& report) {
     if (!report.proofs) return {nullptr, nullptr};
@@ -336,10 +487,38 @@ std::string to_text(const FactorValues& report) {
     page += line("palindromic complexity", values(report.palindromes)) + for_all_line(palindromes);
     page += line("Abelian complexity", values(report.abelian));
     page += line("imbalance", values(report.imbalance));
-    page += line("closed under reversal",
-                 report.not_reversed ? "no: " + spell(report.alphabet, *report.not_reversed) +
-                                           " is a factor, its reversal is not"
-                                     : fmt::format("up to {} letters", report.to));
+    page +=
+        line("closed under reversal",
+             report.not_reversed ? "no: " + spell(report.alphabet, *report.not_reversed) +
+                                       " is a factor, its reversal is not"
+             : report.closed_under_reversal == true ? "yes: proved"
+                                                    : fmt::format("up to {} letters", report.to));
+    page += line("primitive morphism",
+                 report.primitivity.exponent
+                     ? fmt::format("yes, its power {} has all letters in all images",
+                                   *report.primitivity.exponent)
+                     : "no");
+    if (report.circular) page += line("circular", *report.circular ? "yes" : "no");
+    page += exponent_lines(report);
+    std::string frequencies;
+    for (const auto& [name, a] : by_name(report.alphabet))
+        if (report.frequencies[a])
+            frequencies += (frequencies.empty() ? "" : "; ") + name + ": " +
+                           exact_and_decimal(*report.frequencies[a]);
+    if (!frequencies.empty()) page += line("frequencies", frequencies);
+    if (report.rate.degree() > 2)
+        page += line("  where r =", report.rate.exact() + " = " + report.rate.decimal(7));
+    for (const auto& [letter, words] : report.recurrence.return_words)
+        page += line("returns to " + letter,
+                     some_of(words, ", ", [](const auto& word) { return joined_letters(word); }));
+    if (report.recurrence.values.size() > 1)
+        page += line("recurrence function", joined(report.recurrence.values, ", ", number));
+    if (!report.bispecial.empty())
+        page += line("bispecial factors",
+                     some_of(report.bispecial, ", ", [&](const FactorValues::Bispecial& one) {
+                         return (one.word.empty() ? "empty" : spell(report.alphabet, one.word)) +
+                                fmt::format(" ({:+})", one.multiplicity);
+                     }));
     if (!report.not_proved.empty()) page += line("not for all n", report.not_proved);
     return page;
 }
@@ -356,6 +535,21 @@ Json to_json(const FactorValues& report) {
                     {"differences",
                      proof && !proof->differences.empty() ? Json(proof->differences) : Json()}};
     };
+    Json frequencies, apart, returns;
+    for (const auto& [name, a] : by_name(report.alphabet)) {
+        if (report.frequencies[a]) frequencies.set(name, to_json(*report.frequencies[a]));
+        if (report.frequencies[a] || report.apart[a] > 0) apart.set(name, Json(report.apart[a]));
+    }
+    for (const auto& [letter, words] : report.recurrence.return_words) {
+        Json all = Json::array();
+        for (const auto& word : words) all.add(joined_letters(word));
+        returns.set(letter, std::move(all));
+    }
+    Json bispecial = Json::array();
+    for (const auto& [word, multiplicity] : report.bispecial)
+        bispecial.add(Json{{"word", spell(report.alphabet, word)}, {"multiplicity", multiplicity}});
+    std::optional<bool> reversal = report.closed_under_reversal;
+    if (report.not_reversed) reversal = false;
     return {{"language", report.infinite_word ? "infinite word" : "all words"},
             {"coded", report.coded},
             {"to", report.to},
@@ -364,7 +558,19 @@ Json to_json(const FactorValues& report) {
             {"not_proved", report.not_proved.empty() ? Json() : Json(report.not_proved)},
             {"abelian_complexity", values(report.abelian)},
             {"imbalance_values", report.imbalance},
-            {"closed_under_reversal", report.not_reversed ? Json(false) : Json()},
+            {"imbalance", std::move(apart)},
+            {"critical_exponent", exponent_of(report)},
+            {"return_words", std::move(returns)},
+            {"recurrence_function", Json{{"values", report.recurrence.values}}},
+            {"bispecial", std::move(bispecial)},
+            {"frequencies", std::move(frequencies)},
+            {"rate", Json{{"minimal_polynomial", to_string(report.rate.minimal_polynomial(), "r")},
+                          {"decimal", report.rate.decimal(digits_in_json)}}},
+            {"primitive", report.primitivity.exponent.has_value()},
+            {"least_positive_power",
+             report.primitivity.exponent ? Json(*report.primitivity.exponent) : Json()},
+            {"circular", report.circular ? Json(*report.circular) : Json()},
+            {"closed_under_reversal", reversal ? Json(*reversal) : Json()},
             {"not_reversed",
              report.not_reversed ? Json(spell(report.alphabet, *report.not_reversed)) : Json()}};
 }

@@ -56,8 +56,17 @@ TEST_CASE("words of a system: complexities up to a length") {
     CHECK(found["palindromic_complexity"]["values"] == std::vector<int>{1, 2, 1, 2, 1, 2, 1});
     CHECK(found["abelian_complexity"]["values"] == std::vector<int>{1, 2, 2, 2, 2, 2, 2});
     CHECK(found["imbalance_values"] == std::vector<int>{0, 1, 1, 1, 1, 1, 1});
-    CHECK(found["closed_under_reversal"].is_null());
-    CHECK(run("words fibonacci --to 6").out.find("closed under reversal   up to 6 letters\n") !=
+    CHECK(found["closed_under_reversal"] == true);
+    CHECK(found["critical_exponent"]["exact"] == "(5+sqrt(5))/2");
+    CHECK(found["critical_exponent"]["attained"] == false);
+    CHECK(found["return_words"]["b"] == std::vector<std::string>{"ba", "baa"});
+    CHECK(found["recurrence_function"]["values"] == std::vector<int>{0, 3, 6, 10, 11, 17, 18});
+    CHECK(found["bispecial"].size() == 4);
+    CHECK(found["frequencies"]["a"]["exact"] == "(-1+sqrt(5))/2");
+    CHECK(found["imbalance"]["a"] == 1);
+    CHECK(found["primitive"] == true);
+    CHECK(found["circular"] == true);
+    CHECK(run("words fibonacci --to 6").out.find("closed under reversal   yes: proved\n") !=
           std::string::npos);
 }
 

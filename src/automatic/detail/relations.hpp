@@ -58,6 +58,9 @@ public:
 
     AutomaticRelation minimal(const RawAutomaton& raw, std::vector<std::string> variables);
 
+    /// The polynomial of the recurrence of the lengths of images. Throws as `equation`.
+    Polynomial recurrence();
+
     std::size_t largest() const { return largest_; }
     /// A name that no statement has.
     std::string fresh() { return "." + std::to_string(names_++); }

@@ -1,0 +1,234 @@
+"""Bad input: the argument, what was expected and what was found; places in texts; stops."""
+
+import os
+import pickle
+import signal
+import subprocess
+import sys
+import threading
+import time
+
+import pytest
+
+import algae
+from algae import Claim, Language, LSystem, Morphism, Word, _algae
+
+F = LSystem("a -> ab, b -> a")
+
+WRONG_TYPES = [
+    (lambda: LSystem(5), "source: expected"),
+    (lambda: LSystem({"a": 5}), r"source\['a'\]: expected a word"),
+    (lambda: LSystem({5: "a"}), "source: a letter: expected a str, found 5"),
+    (lambda: LSystem("a -> ab", let=[]), "let: expected a dict"),
+    (lambda: F.derive("x"), "n: expected a generation, an int from 0 on, found 'x' \\(str\\)"),
+    (lambda: F.derive(1.5), "n: expected a generation"),
+    (lambda: F.derive(True), "n: expected a generation"),
+    (lambda: F.derive(3, seed="x"), "seed: expected"),
+    (lambda: F.letter(3, "x"), "at: expected a position"),
+    (lambda: F.derive(3, timeout="x"), "timeout: expected seconds"),
+    (lambda: F.derive(3, budget=3), "budget: expected a Budget"),
+    (lambda: F.member(3), "word: expected a Word"),
+    (lambda: F.equal("a -> ab"), "other: expected an LSystem"),
+    (lambda: F.draw("x"), "n: expected a generation"),
+    (lambda: F.draw(3, colour="red"), "did you mean colours"),
+    (lambda: LSystem("koch").draw(3, width="x"), "width: expected a number above 0"),
+    (lambda: LSystem("koch").draw(3, camera=5), "camera: expected"),
+    (lambda: F.tree(), "tree: expected a generation n, or a word"),
+    (lambda: Word(5), "letters: expected"),
+    (lambda: Word("a")["x"], "index: expected"),
+    (lambda: Morphism(5), "images: expected"),
+    (lambda: Morphism({"a": 5}), r"images\['a'\]: expected a word"),
+    (lambda: Language(5), "expression: expected"),
+    (lambda: Language("{a}").is_(5), "family: expected"),
+    (lambda: Language("{a}").equal("{a}"), "other: expected a Language"),
+    (lambda: 3 in Language("{a}"), "word: expected a word"),
+    (lambda: Claim(5), "text: expected a str"),
+    (lambda: algae.Budget(progress=5), "progress: expected a function"),
+    (lambda: algae.census(5), "of: expected a str"),
+]
+
+
+@pytest.mark.parametrize("call,message", WRONG_TYPES)
+def test_wrong_types_name_the_argument(call, message):
+    with pytest.raises(TypeError, match=message):
+        call()
+
+
+WRONG_VALUES = [
+    (lambda: F.derive(-1), "n: expected a generation, an int from 0 on, found -1"),
+    (lambda: F.derive(10**30), "n: expected a generation"),
+    (lambda: F.lengths(3, first=5), "last: expected 5 or more"),
+    (lambda: F.derive(3, timeout=-1), "timeout: expected seconds, a number above 0"),
+    (lambda: F.derive(3, timeout=float("nan")), "timeout: expected"),
+    (lambda: F.equal(F, "words"), "by: expected one of language, sequence, growth, found 'words'"),
+    (lambda: LSystem("koch").draw(3, "x.xyz"), "path: expected a name that ends in"),
+    (lambda: LSystem("koch").draw(3, width=-3), "width: expected a number above 0"),
+    (lambda: LSystem("kock"), "did you mean 'koch'"),
+    (lambda: Word("a(1)"), "has parameters"),
+    (lambda: Morphism({"a": "ab", "": "b"}), "a name without blanks"),
+    (lambda: Language("{a}").is_("0K"), "0K is no family of languages"),
+    (lambda: LSystem("a\ud800"), "half of a pair"),
+    (lambda: LSystem({}), "expected rules"),
+    (lambda: LSystem({"a": "a\nF"}), "expected a word"),
+    (lambda: F.word(3)[::0], "step: expected"),
+]
+
+
+@pytest.mark.parametrize("call,message", WRONG_VALUES)
+def test_wrong_values_say_what_was_expected(call, message):
+    with pytest.raises(ValueError, match=message):
+        call()
+
+
+def test_an_error_in_a_text_has_its_place():
+    with pytest.raises(algae.NotationError) as caught:
+        LSystem.from_text("axiom F\nF -> F+F]--F\nangel 60\n", name="koch.lsys")
+    error = caught.value
+    assert (error.file, error.line, error.column) == ("koch.lsys", 2, 9)
+    assert error.caret == "F -> F+F]--F\n        ^"
+    assert [one.line for one in error.findings] == [2, 3]
+    assert error.findings[1].suggestion == "angle"
+    assert str(error).startswith("koch.lsys:2:9: error: unmatched ']'")
+    assert isinstance(error, ValueError) and pickle.loads(pickle.dumps(error)).line == 2
+
+
+def test_a_file_that_is_not_there(tmp_path):
+    with pytest.raises(algae.Error, match="cannot read"):
+        LSystem.from_file(tmp_path / "none.lsys")
+    with pytest.raises(algae.Error, match="is a folder"):
+        LSystem.from_file(tmp_path)
+
+
+def test_bounds_are_exceptions_that_name_them():
+    with pytest.raises(algae.BoundReached, match="allowed by letters=") as caught:
+        F.derive(100, budget=algae.Budget(letters=1000))
+    assert caught.value.bound == "letters"
+    with pytest.raises(algae.Timeout, match="") as late:
+        _algae.work_for(_algae.Limits(0.05))
+    assert isinstance(late.value, TimeoutError) and late.value.bound == "time" and str(late.value)
+
+
+def test_an_undecided_answer_is_neither_yes_nor_no():
+    answer = Language("L(fibonacci) & /(aab|a)*b*a*/").is_("D0L", timeout=20)
+    if answer.is_undecided:
+        with pytest.raises(algae.Undecided):
+            bool(answer)
+    else:
+        assert bool(answer) == answer.is_proved
+
+
+def test_ctrl_c_is_a_keyboard_interrupt_and_work_goes_on_afterwards():
+    for _ in range(3):
+        timer = threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        with pytest.raises(KeyboardInterrupt):
+            _algae.work_for(_algae.Limits(60.0))
+        timer.join()
+    assert F.derive(5) == "abaababaabaab"
+
+
+def test_a_program_s_own_handler_of_signals_decides():
+    class Mine(Exception):
+        pass
+
+    def handler(*_):
+        raise Mine
+
+    before = signal.signal(signal.SIGINT, handler)
+    try:
+        timer = threading.Timer(0.1, lambda: os.kill(os.getpid(), signal.SIGINT))
+        timer.start()
+        with pytest.raises(Mine):
+            _algae.work_for(_algae.Limits(60.0))
+        timer.join()
+        assert signal.getsignal(signal.SIGINT) is handler
+    finally:
+        signal.signal(signal.SIGINT, before)
+
+
+def test_the_lock_is_free_while_work_goes_on():
+    ticks = []
+    done = threading.Event()
+
+    def tick():
+        while not done.is_set():
+            ticks.append(time.monotonic())
+            time.sleep(0.005)
+
+    thread = threading.Thread(target=tick)
+    thread.start()
+    with pytest.raises(algae.Timeout):
+        _algae.work_for(_algae.Limits(0.5))
+    done.set()
+    thread.join()
+    assert len(ticks) > 5
+
+
+def test_threads_use_distinct_objects_at_once():
+    found, errors = {}, []
+
+    def work(number):
+        try:
+            for i in range(10):
+                system = LSystem({"a": "ab" * (number % 3 + 1), "b": "a"})
+                found[number, i] = (system.length(20 + i), str(system.growth().rate), len(system.derive(5)))
+                system.tree(2).draw()
+                LSystem("koch").draw(2)
+                Language(f"/(a|b)*/ & {{{'a' * (i + 1)}}}").words(3)
+        except Exception as error:
+            errors.append(error)
+
+    threads = [threading.Thread(target=work, args=(i,)) for i in range(6)]
+    [one.start() for one in threads]
+    [one.join() for one in threads]
+    assert not errors
+    for (number, i), value in found.items():
+        assert found[number % 3, i] == value
+
+
+def test_a_callback_s_error_stops_the_work():
+    told = []
+
+    def tell(done):
+        told.append(done)
+        raise RuntimeError("enough")
+
+    with pytest.raises(RuntimeError, match="enough"):
+        _algae.work_for(_algae.Limits(60.0, None, None, tell))
+    assert len(told) == 1
+
+
+def test_progress_is_told():
+    told = []
+    with pytest.raises(algae.Timeout):
+        _algae.work_for(_algae.Limits(0.7, None, None, told.append))
+    assert len(told) >= 1
+
+
+def test_objects_may_die_in_any_order():
+    script = """
+import algae, gc
+system = algae.LSystem("koch"); word = system.derive(4); array = word.array(); part = word[3:9]; points = system.points(4)
+growth = system.growth(); rate = growth.rate; shares = growth.frequencies
+answer = algae.Language("{a, aa}").is_("0L"); tree = system.tree(2)
+checked = algae.Claim("claim T; show {a} is 0L").check(); one = checked.statements[0].answer
+del system, word, growth, checked; gc.collect()
+assert array.sum() > 0 and len(part) == 6 and points.shape[1] == 2 and rate == 4 and answer.argument and one.argument and tree.nodes
+import sys; sys.modules.clear()
+"""
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, done.stderr
+
+
+def test_strange_calls_of_the_module_itself_do_not_end_the_interpreter():
+    for name in dir(_algae):
+        thing = getattr(_algae, name)
+        if not callable(thing) or name in ("Limits",):
+            continue
+        for given in ((), (None,), (1, 2, 3), ("x",), (object(), object())):
+            try:
+                thing(*given)
+            except Exception:
+                pass
+
+

@@ -86,9 +86,8 @@ try {
     check(!(await page.locator('.about.bad').count()), `${name} has no mistake: ${problems[name]}`);
     for (const one of ['Figure', 'Derivation', 'Growth', 'Language']) {
       await tab(one);
-      await page.waitForTimeout(one === 'Figure' ? 700 : 350);
-      const shown = (await page.getByRole('tabpanel').filter({ visible: true }).innerText()).trim();
-      check(shown.length > 0, `${one} of ${name} shows something`);
+      const panel = page.getByRole('tabpanel').filter({ visible: true, hasText: /\S/ });
+      check(await panel.waitFor({ timeout: 20000 }).then(() => true, () => false), `${one} of ${name} shows something`);
     }
     await tab('Figure');
     await page.waitForTimeout(400);
@@ -126,8 +125,8 @@ try {
   await type(systems.plant);
   await page.waitForTimeout(700);
   const box = await page.locator('.stage canvas').first().boundingBox();
-  await page.mouse.move(box.x + box.width / 2, box.y + box.height / 2);
-  for (let i = 0; i < 12; ++i) await page.mouse.wheel(0, -240);
+  await page.mouse.move(box.x + box.width * 0.57, box.y + box.height * 0.62);
+  for (let i = 0; i < 4; ++i) await page.mouse.wheel(0, -240);
   await page.waitForTimeout(1200);
   await picture('zoomed');
   await page.keyboard.press('Tab');

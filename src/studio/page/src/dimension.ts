@@ -4,7 +4,7 @@ import { askBytes, askJson, Latest, Refusal } from './ask';
 import { colour, el, speak } from './dom';
 import { paint, planeOf, type Plane } from './figure';
 import { plot } from './plot';
-import { described, shownGeneration, state, systemQuestion, withGeneration } from './state';
+import { described, state, systemQuestion, withGeneration } from './state';
 import { texts } from './texts';
 
 interface Dimension {
@@ -36,10 +36,7 @@ export class DimensionTab {
     const wait = setTimeout(() => this.root.replaceChildren(el('p', { class: 'wait' }, texts.measuring)), 150);
     try {
       await this.latest.run(async (signal) => {
-        const question = systemQuestion('dimension');
-        if (state.seed !== null) question['seed'] = state.seed;
-        delete question['seed'];
-        const found = await askJson<Dimension>(question, { signal }, [0, 1, 3]);
+        const found = await askJson<Dimension>(systemQuestion('dimension'), { signal }, [0, 1, 3]);
         clearTimeout(wait);
         if (signal.aborted) return;
         this.shownKey = key;
@@ -69,13 +66,14 @@ export class DimensionTab {
     const box = found.box;
     head.append(
       el('p', {}, `${texts.measured}: `, box.value === null ? el('span', { class: 'wait' }, box.because) : el('b', {}, `${box.value.toFixed(4)} (${box.low?.toFixed(4)} … ${box.high?.toFixed(4)})`)),
-      el('p', { class: 'note' }, found.input),
+      el('p', { class: 'note' }, found.input.replace('standard input', 'the system')),
     );
     const scales = box.scales.filter((scale) => scale.cells > 0);
     if (scales.length < 2) return this.root.replaceChildren(head);
-    // How many boxes lie side by side is a power of two; the first scale gives the unit.
+    // Sides of boxes are in the units of the figure; those of a limit are parts of its size.
     const first = scales[0]!;
-    const sides = scales.map((_, i) => 2 ** (i + 3));
+    const size = this.plane && !/limit/.test(found.input) ? Math.max(this.plane.head.box[2], this.plane.head.box[3]) : 1;
+    const sides = scales.map((scale) => Math.max(1, size / scale.cell));
     const dots = scales.map((scale) => ({
       x: Math.log10(first.cell / scale.cell),
       y: Math.log10(scale.cells),
@@ -90,7 +88,7 @@ export class DimensionTab {
       for (const x of [dots[0]!.x, dots[dots.length - 1]!.x]) line.push([x, meanY + box.value * (x - meanX)]);
     }
     const said = el('p', { class: 'note', 'aria-live': 'polite' }, texts.touch);
-    const canvas = el('canvas', { style: 'width: 26em; height: 22em; border: 1px solid var(--line)', role: 'img', 'aria-label': 'the figure with its boxes' });
+    const canvas = el('canvas', { style: 'width: 22em; height: 20em; border: 1px solid var(--line)', role: 'img', 'aria-label': 'the figure with its boxes' });
     this.canvas = canvas;
     const picture = plot({
       horizontal: 'coarsest side / side of a box',
@@ -130,7 +128,7 @@ export class DimensionTab {
     if (this.side > 0) {
       const cell = size / this.side;
       const cells = new Set<number>();
-      const columns = this.side + 3;
+      const columns = Math.ceil(this.side) + 3;
       const { strokes, head } = plane;
       const put = (x: number, y: number): void => {
         cells.add(Math.floor((y - y0) / cell + 1) * columns + Math.floor((x - x0) / cell + 1));
@@ -156,6 +154,6 @@ export class DimensionTab {
       }
     }
     paint(context, plane, view, wide, high, ratio);
-    canvas.setAttribute('aria-label', `generation ${shownGeneration()} of the figure, ${this.side} boxes side by side`);
+    canvas.setAttribute('aria-label', `generation ${plane.head.generation} of the figure, ${Math.round(this.side)} boxes side by side`);
   }
 }

@@ -29,7 +29,7 @@ function label(value: number, logarithmic: boolean): string {
 }
 
 export function plot(choices: PlotChoices): SVGElement {
-  const [wide, high] = [560, 360];
+  const [wide, high] = [460, 330];
   const [left, right, top, bottom] = [66, 14, 14, 48];
   const all = [...choices.dots.map((dot): [number, number] => [dot.x, dot.y]), ...(choices.line ?? [])];
   const low = [Math.min(...all.map((one) => one[0])), Math.min(...all.map((one) => one[1]))] as [number, number];

@@ -26,7 +26,7 @@ exercises that it marks, and the table of closure come with it.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libalgae-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "cmake, pkg-config, libboost-dev, libgmp-dev, libflint-dev, libflint-arb-dev, \
-libcairo2-dev, libgraphviz-dev, libassimp-dev, libwebp-dev, libgif-dev, libdivsufsort-dev, libfmt-dev, nlohmann-json3-dev")
+libcairo2-dev, libgraphviz-dev, libassimp-dev, libwebp-dev, libgif-dev, libdivsufsort-dev, libcpp-httplib-dev, libfmt-dev, nlohmann-json3-dev")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS algae)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "This package holds the C++20 library of algae, a static one, with its headers
 and what CMake's find_package(algae) reads.")

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstring>
 #include <iostream>
+#include <optional>
 #include <sstream>
 
 #include "command/detail/memory.hpp"
@@ -412,7 +413,9 @@ int Verbs::run(int argc, char** argv) {
     for (const bool bounds : {true, false})
         for (const Given& value : *parser.values)
             if (value.option->bounds == bounds) value.take();
-    const Heartbeat heartbeat(parser.chosen->name);
+    // Verbs that wait for an editor or a page are not at work.
+    std::optional<Heartbeat> heartbeat;
+    if (word != "lsp" && word != "studio") heartbeat.emplace(parser.chosen->name);
     return parser.chosen->run();
 }
 

@@ -27,7 +27,7 @@ void add_verbs(Verbs& verbs) {
         add_member,  add_finite,  add_equal,  add_is,         add_list,      add_check,
         add_closure, add_verify,  add_census, add_draw,       add_dimension, add_tree,
         add_figures, add_gallery, add_lesson, add_generators, add_convert,   add_latex,
-        add_lsp,     add_manual};
+        add_lsp,     add_studio,  add_manual};
     for (const auto add : table) add(verbs);
 }
 

@@ -165,13 +165,14 @@ const std::vector<Case>& cases() {
           "rule-110.ca --to lsys"}},
         {"latex", {"IN/paper.tex -o OUT.algae", "IN/paper.tex -o OUT.algae --json"}},
         {"lsp", {}},  // reads what an editor sends
+        {"studio", {}},  // serves until it is stopped; tests/studio
         {"manual", {"--man"}},
     };
     return all;
 }
 
 /// The verbs that never look at a budget: they print what is known beforehand.
-const std::set<std::string> never_checks{"gallery", "lsp", "manual"};
+const std::set<std::string> never_checks{"gallery", "lsp", "manual", "studio"};
 
 /// The files that the cases read and, one after the other, write.
 class Folder {

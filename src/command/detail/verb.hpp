@@ -239,6 +239,7 @@ void add_figures(Verbs& verbs);
 void add_lesson(Verbs& verbs);
 void add_latex(Verbs& verbs);
 void add_lsp(Verbs& verbs);
+void add_studio(Verbs& verbs);
 void add_generators(Verbs& verbs);  // ifs, walk, brownian, terrain, dla, particles, ca
 void add_manual(Verbs& verbs);
 

@@ -1,0 +1,154 @@
+// Questions to the server. An answer is a stream: lines that begin with ~ say how far the work is, then one line of JSON
+// says how it ended, and the bytes behind it are the answer itself.
+
+export interface Head {
+  status: number;
+  end: 'answered' | 'gone' | 'time' | 'size' | 'broken';
+  said: string;
+  seconds: number;
+}
+
+export interface Answer extends Head {
+  bytes: Uint8Array;
+}
+
+/** What a person did wrong, or a bound that was reached; its message is meant for people. */
+export class Refusal extends Error {
+  constructor(
+    message: string,
+    readonly status: number,
+    readonly line: number | null = null,
+  ) {
+    super(message);
+  }
+  get isBound(): boolean {
+    return this.status === 3;
+  }
+}
+
+export interface AskOptions {
+  signal?: AbortSignal;
+  progress?: (line: string) => void;
+}
+
+const newline = 10;
+const tilde = 126;
+
+/** Asks, and reads to the end. */
+export async function ask(question: Record<string, unknown>, options: AskOptions = {}): Promise<Answer> {
+  const response = await fetch('ask', {
+    method: 'POST',
+    headers: { 'Content-Type': 'application/json' },
+    body: JSON.stringify(question),
+    signal: options.signal ?? null,
+  });
+  if (!response.ok) throw new Refusal((await response.text()).trim(), 2);
+  const reader = response.body!.getReader();
+  const pieces: Uint8Array[] = [];
+  let rest = new Uint8Array(0);
+  let head: Head | null = null;
+  for (;;) {
+    const { done, value } = await reader.read();
+    if (done) break;
+    if (head) {
+      pieces.push(value);
+      continue;
+    }
+    const joined = new Uint8Array(rest.length + value.length);
+    joined.set(rest);
+    joined.set(value, rest.length);
+    let from = 0;
+    for (let end = joined.indexOf(newline); end >= 0 && !head; end = joined.indexOf(newline, from)) {
+      const line = new TextDecoder().decode(joined.subarray(from, end));
+      if (joined[from] === tilde) options.progress?.(line.slice(1));
+      else if (line) head = JSON.parse(line) as Head;
+      from = end + 1;
+    }
+    rest = joined.slice(from);
+  }
+  if (!head) throw new Refusal('The studio has ended, or the connection broke.', 2);
+  const bytes = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, rest.length));
+  bytes.set(rest);
+  let at = rest.length;
+  for (const piece of pieces) {
+    bytes.set(piece, at);
+    at += piece.length;
+  }
+  return { ...head, bytes };
+}
+
+function explain(answer: Answer): string {
+  if (answer.end === 'time') return `This took longer than the ${answer.seconds} seconds a question may take.`;
+  if (answer.end === 'size') return 'The answer is larger than a page may get.';
+  if (answer.end === 'broken') return 'The work took more than its share of memory, or failed, and was ended.';
+  return answer.said.replace(/^algae: /gm, '').trim() || 'There was no answer.';
+}
+
+/** The text of an answer; throws a Refusal where there is none. `fine` are the exit statuses that come with an answer. */
+export async function askText(question: Record<string, unknown>, options: AskOptions = {}, fine = [0]): Promise<string> {
+  const answer = await ask(question, options);
+  const text = new TextDecoder().decode(answer.bytes);
+  if (answer.end === 'answered' && fine.includes(answer.status)) return text;
+  throw refusalOf(answer, text);
+}
+
+function refusalOf(answer: Answer, text: string): Refusal {
+  if (answer.end === 'answered')
+    try {
+      const said = JSON.parse(text) as { error?: { message: string; line?: number | null } };
+      if (said.error) return new Refusal(said.error.message, answer.status, said.error.line ?? null);
+    } catch {
+      // the verb wrote no JSON: its words are in `said`
+    }
+  return new Refusal(explain(answer), answer.end === 'answered' ? answer.status : 3);
+}
+
+export async function askJson<T>(question: Record<string, unknown>, options: AskOptions = {}, fine = [0]): Promise<T> {
+  return JSON.parse(await askText(question, options, fine)) as T;
+}
+
+/** An answer that is a line of JSON and then numbers, or a file. */
+export async function askBytes<T>(question: Record<string, unknown>, options: AskOptions = {}): Promise<{ head: T; bytes: Uint8Array }> {
+  const answer = await ask(question, options);
+  if (answer.end !== 'answered' || answer.status !== 0)
+    throw refusalOf(answer, new TextDecoder().decode(answer.bytes.subarray(0, 100_000)));
+  const end = answer.bytes.indexOf(newline);
+  return {
+    head: JSON.parse(new TextDecoder().decode(answer.bytes.subarray(0, end))) as T,
+    bytes: answer.bytes.slice(end + 1),
+  };
+}
+
+export async function askFile(question: Record<string, unknown>, options: AskOptions = {}): Promise<Uint8Array> {
+  const answer = await ask(question, options);
+  if (answer.end !== 'answered' || answer.status !== 0 || answer.bytes.length === 0)
+    throw refusalOf(answer, new TextDecoder().decode(answer.bytes.subarray(0, 100_000)));
+  return answer.bytes;
+}
+
+/** Work of which only the newest matters: to begin one ends the one before, on the server too. */
+export class Latest {
+  private controller: AbortController | null = null;
+
+  async run<T>(work: (signal: AbortSignal) => Promise<T>): Promise<T | undefined> {
+    this.stop();
+    const controller = new AbortController();
+    this.controller = controller;
+    try {
+      const result = await work(controller.signal);
+      return controller.signal.aborted ? undefined : result;
+    } catch (error) {
+      if (controller.signal.aborted) return undefined;
+      throw error;
+    } finally {
+      if (this.controller === controller) this.controller = null;
+    }
+  }
+  stop(): void {
+    this.controller?.abort();
+    this.controller = null;
+  }
+  get isRunning(): boolean {
+    return this.controller !== null;
+  }
+}

@@ -1,0 +1,121 @@
+// The gallery: every system that comes with algae, with a picture that is drawn when it comes into view.
+
+import { askFile, askJson } from './ask';
+import { el } from './dom';
+import { texts } from './texts';
+
+interface Entry {
+  name: string;
+  title?: string;
+  source?: string;
+  path: string;
+  class: string;
+}
+
+export type Chosen = (from: 'gallery' | 'theory' | 'folder', name: string) => void;
+
+export class Gallery {
+  readonly dialog = el('dialog', { 'aria-label': texts.gallery });
+  private readonly search = el('input', { type: 'search', placeholder: texts.search, 'aria-label': texts.search });
+  private readonly cards = el('div', { class: 'cards' });
+  private entries: Entry[] = [];
+  private readonly pictures = new Map<string, string>();
+  private readonly queue: { name: string; into: HTMLElement }[] = [];
+  private running = 0;
+  private observer: IntersectionObserver | null = null;
+
+  constructor(
+    private readonly chosen: Chosen,
+    private readonly claims: () => string[],
+    private readonly files: () => string[],
+  ) {
+    const kinds = el('select', { 'aria-label': 'kind' }, el('option', { value: 'systems' }, texts.documents.system + 's'), el('option', { value: 'claims' }, texts.theory), el('option', { value: 'folder' }, texts.folder));
+    kinds.addEventListener('change', () => this.show(kinds.value));
+    this.search.addEventListener('input', () => this.show(kinds.value));
+    this.dialog.append(el('div', { class: 'inside' }, el('div', { class: 'bar' }, this.search, kinds, el('button', { onclick: () => this.dialog.close() }, texts.close)), this.cards));
+    this.dialog.addEventListener('close', () => (this.queue.length = 0));
+  }
+
+  async open(): Promise<void> {
+    this.dialog.showModal();
+    this.search.focus();
+    if (this.entries.length === 0) {
+      this.cards.textContent = texts.working;
+      try {
+        this.entries = (await askJson<{ figures: Entry[] }>({ question: 'gallery' })).figures.filter((one) => one.path.endsWith('.lsys'));
+      } catch (error) {
+        this.cards.textContent = error instanceof Error ? error.message : String(error);
+        return;
+      }
+    }
+    this.show('systems');
+  }
+
+  private show(kind: string): void {
+    this.observer?.disconnect();
+    this.queue.length = 0;
+    const words = this.search.value.toLowerCase().split(/\s+/).filter(Boolean);
+    const has = (...texts_: (string | undefined)[]): boolean => words.every((word) => texts_.some((text) => text?.toLowerCase().includes(word)));
+    if (kind !== 'systems') {
+      const names = (kind === 'claims' ? this.claims() : this.files()).filter((name) => has(name.replaceAll('-', ' '), name));
+      this.cards.replaceChildren(
+        ...names.map((name) => {
+          const short = name.split('/').pop()!;
+          return el('button', { class: 'card', style: 'height: auto', onclick: () => this.choose(kind === 'claims' ? 'theory' : 'folder', name) }, el('b', {}, short.replace(/\.(claim|lsys)$/, '').replaceAll('-', ' ')), el('small', {}, name));
+        }),
+      );
+      if (names.length === 0) this.cards.textContent = texts.nothing;
+      return;
+    }
+    this.observer = new IntersectionObserver(
+      (seen) => {
+        for (const one of seen)
+          if (one.isIntersecting) {
+            this.observer!.unobserve(one.target);
+            this.queue.push({ name: (one.target as HTMLElement).dataset['name']!, into: one.target as HTMLElement });
+          }
+        this.work();
+      },
+      { root: this.cards, rootMargin: '150px' },
+    );
+    const found = this.entries.filter((one) => has(one.name, one.title, one.source, one.class));
+    this.cards.replaceChildren(
+      ...found.map((one) => {
+        const picture = el('div', { class: 'picture', 'data-name': one.name });
+        const known = this.pictures.get(one.name);
+        if (known) picture.append(el('img', { src: known, alt: '' }));
+        else this.observer!.observe(picture);
+        return el('button', { class: 'card', onclick: () => this.choose('gallery', one.name) }, picture, el('b', {}, one.title || one.name), el('small', {}, [one.name, one.class, one.source].filter(Boolean).join(' · ')));
+      }),
+    );
+    if (found.length === 0) this.cards.textContent = texts.nothing;
+  }
+
+  private choose(from: 'gallery' | 'theory' | 'folder', name: string): void {
+    this.dialog.close();
+    this.chosen(from, name);
+  }
+
+  private work(): void {
+    while (this.running < 3 && this.queue.length > 0) {
+      const { name, into } = this.queue.shift()!;
+      ++this.running;
+      void this.picture(name)
+        .then((address) => into.replaceChildren(el('img', { src: address, alt: '' })))
+        .catch(() => into.replaceChildren('words only'))
+        .finally(() => {
+          --this.running;
+          this.work();
+        });
+    }
+  }
+
+  private async picture(name: string): Promise<string> {
+    const bytes = await askFile({ question: 'picture', name, format: 'png', width: 240, seconds: 4 });
+    let text = '';
+    for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
+    const address = `data:image/png;base64,${btoa(text)}`;
+    this.pictures.set(name, address);
+    return address;
+  }
+}

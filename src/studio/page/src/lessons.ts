@@ -1,0 +1,147 @@
+// Lessons: read, answer, be marked with the counterexample at once.
+
+import { askJson } from './ask';
+import { el, speak } from './dom';
+import { formula, withFormulas } from './growth';
+import { change, state } from './state';
+import { texts } from './texts';
+
+interface Entry {
+  lesson: number;
+  title: string;
+}
+interface Lesson {
+  title: string;
+  text: string;
+  exercises: { number: number; title: string; task: string }[];
+}
+interface Mark {
+  verdict: string;
+  statements: { text: string; verdict: string; argument: string[]; hint?: string }[];
+}
+
+/** Emphasis, code, links and formulas within a line. */
+function inline(text: string): Node {
+  const all = document.createDocumentFragment();
+  for (const part of text.split(/(`[^`]+`|\*\*[^*]+\*\*|\*[^*\s][^*]*\*|\[[^\]]+\]\([^)]+\)|\$[^$]+\$)/)) {
+    if (!part) continue;
+    if (part.startsWith('`')) all.append(el('code', {}, part.slice(1, -1)));
+    else if (part.startsWith('**')) all.append(el('b', {}, part.slice(2, -2)));
+    else if (part.startsWith('*') && part.length > 2) all.append(el('i', {}, part.slice(1, -1)));
+    else if (part.startsWith('[')) all.append(part.replace(/\[([^\]]+)\].*/, '$1'));
+    else if (part.startsWith('$')) all.append(formula(part.slice(1, -1)));
+    else all.append(part);
+  }
+  return all;
+}
+
+/** The Markdown of lessons; `use` gets the text and the kind of a block that can be tried. */
+export function markdown(text: string, use: (text: string, kind: 'system' | 'claim') => void): HTMLElement {
+  const page = el('div', { class: 'lesson' });
+  const lines = text.split('\n');
+  for (let i = 0; i < lines.length; ) {
+    const line = lines[i]!;
+    if (line.startsWith('```')) {
+      const kind = line.slice(3).split(' ')[0]!;
+      const block: string[] = [];
+      for (++i; i < lines.length && !lines[i]!.startsWith('```'); ++i) block.push(lines[i]!);
+      ++i;
+      const code = block.join('\n');
+      page.append(el('pre', {}, code));
+      if (kind === 'claim' || kind === 'lsys') page.append(el('button', { onclick: () => use(code + '\n', kind === 'claim' ? 'claim' : 'system') }, 'Try it'));
+    } else if (line.startsWith('$$')) {
+      const block: string[] = [line.slice(2)];
+      while (!block[block.length - 1]!.includes('$$') && ++i < lines.length) block.push(lines[i]!);
+      ++i;
+      page.append(formula(block.join('\n').replace('$$', ''), true));
+    } else if (/^#+ /.test(line)) {
+      page.append(el(line.startsWith('# ') ? 'h2' : 'h3', {}, inline(line.replace(/^#+ /, '')) as HTMLElement));
+      ++i;
+    } else if (/^(- |\d+\. )/.test(line)) {
+      const list = el(line.startsWith('-') ? 'ul' : 'ol', {});
+      while (i < lines.length && /^(- |\d+\. |\s+\S)/.test(lines[i]!)) {
+        let item = lines[i]!.replace(/^(- |\d+\. )/, '');
+        while (++i < lines.length && /^\s+\S/.test(lines[i]!)) item += ' ' + lines[i]!.trim();
+        list.append(el('li', {}, inline(item) as HTMLElement));
+      }
+      page.append(list);
+    } else if (line.trim() === '') {
+      ++i;
+    } else if (/^!\[/.test(line)) {
+      page.append(el('p', { class: 'note' }, line.replace(/^!\[([^\]]*)\].*/, '$1')));
+      ++i;
+    } else {
+      const block: string[] = [];
+      while (i < lines.length && lines[i]!.trim() !== '' && !/^(```|#+ |- |\d+\. |\$\$)/.test(lines[i]!)) block.push(lines[i++]!);
+      page.append(el('p', {}, inline(block.join(' ')) as HTMLElement));
+    }
+  }
+  return page;
+}
+
+export class LessonsTab {
+  readonly root = el('div', { class: 'panel whole', role: 'tabpanel', id: 'panel-lessons', 'aria-label': texts.tabs.lessons });
+  private readonly chooser = el('select', { 'aria-label': texts.tabs.lessons });
+  private readonly body = el('div', { class: 'panel', tabindex: '0' });
+  private shown = 0;
+  private asked = false;
+  visible = false;
+
+  constructor() {
+    this.root.append(el('div', { class: 'bar' }, this.chooser, el('span', { class: 'note' }, texts.answerHere)), this.body);
+    this.chooser.addEventListener('change', () => change({ lesson: Number(this.chooser.value) }));
+  }
+
+  async update(): Promise<void> {
+    if (!this.visible) return;
+    try {
+      if (!this.asked) {
+        this.asked = true;
+        const { lessons } = await askJson<{ lessons: Entry[] }>({ question: 'lessons' });
+        this.chooser.replaceChildren(...lessons.map((one) => el('option', { value: one.lesson }, `${one.lesson}. ${one.title}`)));
+      }
+      if (this.shown === state.lesson) return;
+      this.shown = state.lesson;
+      this.chooser.value = String(state.lesson);
+      const lesson = await askJson<Lesson>({ question: 'lesson', lesson: state.lesson });
+      const page = markdown(lesson.text, (text, kind) => change(kind === 'claim' ? { claim: text, tab: 'claims' } : { system: text, tab: 'figure', n: null }));
+      for (const exercise of lesson.exercises) {
+        const verdict = el('div', { 'aria-live': 'polite' });
+        page.append(
+          el(
+            'div',
+            { class: 'task' },
+            el('h3', {}, `${texts.task} ${state.lesson}.${exercise.number}: ${exercise.title}`),
+            el('p', {}, withFormulas(exercise.task) as unknown as HTMLElement),
+            el('button', { class: 'main', onclick: () => void this.mark(state.lesson, exercise.number, verdict) }, texts.mark),
+            verdict,
+          ),
+        );
+      }
+      this.body.replaceChildren(page);
+      this.body.scrollTop = 0;
+    } catch (error) {
+      this.body.replaceChildren(el('p', { class: 'bad' }, error instanceof Error ? error.message : String(error)));
+    }
+  }
+
+  private async mark(lesson: number, exercise: number, into: HTMLElement): Promise<void> {
+    into.replaceChildren(el('p', { class: 'wait' }, texts.working));
+    try {
+      const found = await askJson<Mark>({ question: 'mark', lesson, exercise, text: state.answer }, {}, [0, 1, 3]);
+      const kind = found.verdict === 'right' ? 'good' : found.verdict === 'wrong' ? 'bad' : 'open';
+      const page = el('div', {}, el('p', { class: kind }, el('b', {}, found.verdict === 'right' ? `✓ ${texts.right}` : found.verdict === 'wrong' ? `✗ ${texts.wrong}` : `? ${texts.undecided}`)));
+      for (const one of found.statements) {
+        page.append(el('p', {}, el('code', {}, one.text), ` — ${texts.verdicts[one.verdict] ?? one.verdict}`));
+        if (one.verdict !== 'proved') {
+          for (const sentence of one.argument) page.append(el('p', { class: 'note' }, sentence));
+          if (one.hint) page.append(el('p', {}, el('b', {}, `${texts.hint}: `), one.hint));
+        }
+      }
+      into.replaceChildren(page);
+      speak(found.verdict);
+    } catch (error) {
+      into.replaceChildren(el('p', { class: 'bad' }, error instanceof Error ? error.message : String(error)));
+    }
+  }
+}

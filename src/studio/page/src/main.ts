@@ -1,0 +1,290 @@
+// The page: an editor on the left, what follows from its text on the right.
+
+import { askJson, askText, Latest, Refusal } from './ask';
+import { ClaimsTab } from './claims';
+import { DerivationTab } from './derivation';
+import { DimensionTab } from './dimension';
+import { download, el, speak } from './dom';
+import { Editor } from './editor';
+import { FigureTab } from './figure';
+import { Gallery } from './gallery';
+import { GrowthTab } from './growth';
+import { LanguageTab } from './language';
+import { LessonsTab } from './lessons';
+import { change, describe, fromLink, listen, state, systemQuestion, tabs, toLink, type Description, type Kind, type State, type Tab } from './state';
+import { texts } from './texts';
+
+let documentShown: Kind = 'system';
+let folderFiles: string[] = [];
+let theoryClaims: string[] = [];
+
+const about = el('div', { class: 'about', role: 'status' });
+const editorPlace = el('div', { class: 'editor' });
+const editor = new Editor(
+  editorPlace,
+  (kind, text) => change({ [kind]: text } as Partial<State>),
+  (count, first) => {
+    if (count > 0) {
+      about.textContent = first;
+      about.classList.add('bad');
+    } else if (about.classList.contains('bad')) {
+      about.classList.remove('bad');
+      about.textContent = summary;
+    }
+  },
+);
+let summary = '';
+
+const panels = {
+  figure: new FigureTab(editor),
+  derivation: new DerivationTab(editor),
+  growth: new GrowthTab(),
+  language: new LanguageTab(),
+  claims: new ClaimsTab(editor),
+  dimension: new DimensionTab(),
+  lessons: new LessonsTab(),
+};
+const tabButtons = Object.fromEntries(
+  tabs.map((tab) => [tab, el('button', { role: 'tab', id: `tab-${tab}`, 'aria-controls': `panel-${tab}`, onclick: () => change({ tab }) }, texts.tabs[tab])]),
+) as Record<Tab, HTMLButtonElement>;
+const kinds: Kind[] = ['system', 'claim', 'answer'];
+const kindButtons = Object.fromEntries(kinds.map((kind) => [kind, el('button', { role: 'tab', onclick: () => showDocument(kind) }, texts.documents[kind])])) as Record<Kind, HTMLButtonElement>;
+
+function showDocument(kind: Kind): void {
+  documentShown = kind;
+  editor.show(kind, state[kind]);
+  for (const one of kinds) {
+    kindButtons[one].setAttribute('aria-selected', String(one === kind));
+    kindButtons[one].tabIndex = one === kind ? 0 : -1;
+  }
+}
+
+function showTab(): void {
+  for (const tab of tabs) {
+    const isShown = tab === state.tab;
+    tabButtons[tab].setAttribute('aria-selected', String(isShown));
+    tabButtons[tab].tabIndex = isShown ? 0 : -1;
+    panels[tab].root.hidden = !isShown;
+    panels[tab].root.setAttribute('aria-labelledby', `tab-${tab}`);
+    panels[tab].visible = isShown;
+  }
+  const wanted: Kind = state.tab === 'claims' ? 'claim' : state.tab === 'lessons' ? 'answer' : 'system';
+  if (wanted !== documentShown) showDocument(wanted);
+  if (state.tab !== 'derivation') editor.point(null);
+  void panels[state.tab].update();
+}
+
+/** Arrow keys within a list of tabs. */
+function tabKeys<T extends string>(names: readonly T[], buttons: Record<T, HTMLButtonElement>): (event: KeyboardEvent) => void {
+  return (event) => {
+    const by = event.key === 'ArrowRight' ? 1 : event.key === 'ArrowLeft' ? -1 : 0;
+    if (by === 0) return;
+    const at = names.findIndex((name) => buttons[name] === document.activeElement);
+    if (at < 0) return;
+    const next = buttons[names[(at + by + names.length) % names.length]!]!;
+    next.focus();
+    next.click();
+    event.preventDefault();
+  };
+}
+
+// What is known of the system, again whenever it changes.
+
+const describing = new Latest();
+let describedText = '';
+
+async function lookAtSystem(): Promise<void> {
+  if (describedText === state.system) return;
+  const text = state.system;
+  try {
+    const found = await describing.run((signal) => askJson<Description>(systemQuestion('describe'), { signal }));
+    if (!found) return;
+    describedText = text;
+    summary = [found.title, found.class].filter(Boolean).join(' · ');
+    if (documentShown === 'system') {
+      about.classList.remove('bad');
+      about.textContent = summary;
+    }
+    document.title = found.title ? `${found.title} · ${texts.title}` : texts.title;
+    describe(found);
+  } catch (error) {
+    // The editor says what is wrong with the text; the panel keeps what it showed last.
+    if (!(error instanceof Refusal)) {
+      about.textContent = error instanceof Error ? error.message : String(error);
+      about.classList.add('bad');
+    }
+  }
+}
+
+listen((changed) => {
+  if (changed.has('system')) void lookAtSystem();
+  if (changed.has('tab')) showTab();
+  if (changed.has('system') && documentShown === 'system' && editor.view.state.doc.toString() !== state.system) editor.show('system', state.system);
+  if (changed.has('claim') && documentShown === 'claim' && editor.view.state.doc.toString() !== state.claim) editor.show('claim', state.claim);
+  if (changed.has('embed')) document.body.classList.toggle('embed', state.embed);
+  void panels[state.tab].update();
+});
+
+// The head of the page
+
+async function open(from: 'gallery' | 'theory' | 'folder', name: string): Promise<void> {
+  try {
+    const { text } = await askJson<{ text: string }>({ question: 'open', from, file: name });
+    const isClaim = from === 'theory' || name.endsWith('.claim');
+    const file = name.split('/').pop()!.replace(/^([^.]+)$/, '$1.lsys');
+    change(isClaim ? { claim: text, tab: 'claims', file } : { system: text, n: null, seed: null, file, tab: state.tab === 'claims' || state.tab === 'lessons' ? 'figure' : state.tab });
+    showDocument(isClaim ? 'claim' : 'system');
+  } catch (error) {
+    about.textContent = error instanceof Error ? error.message : String(error);
+    about.classList.add('bad');
+  }
+}
+
+const gallery = new Gallery(
+  (from, name) => void open(from, name),
+  () => theoryClaims,
+  () => folderFiles,
+);
+
+const picker = el('input', { type: 'file', accept: '.lsys,.claim,.txt', hidden: true });
+picker.addEventListener('change', () => {
+  const file = picker.files?.[0];
+  if (!file) return;
+  void file.text().then((text) => {
+    const isClaim = file.name.endsWith('.claim');
+    change(isClaim ? { claim: text, tab: 'claims', file: file.name } : { system: text, n: null, seed: null, file: file.name });
+    showDocument(isClaim ? 'claim' : 'system');
+  });
+});
+
+function save(): void {
+  const text = state[documentShown];
+  const end = documentShown === 'claim' || (documentShown === 'answer' && /^\s*(let|show)\b/m.test(text)) ? '.claim' : '.lsys';
+  download(text, (state.file.replace(/\.\w+$/, '') || 'system') + end, 'text/plain');
+}
+
+async function copyLink(): Promise<void> {
+  const link = `${location.origin}${location.pathname}#${await toLink()}`;
+  history.replaceState(null, '', link);
+  try {
+    await navigator.clipboard.writeText(link);
+    speak(texts.copied);
+    copyButton.textContent = `✓ ${texts.copied}`;
+  } catch {
+    copyButton.textContent = '↑ in the address';
+  }
+  setTimeout(() => (copyButton.textContent = texts.copyLink), 1800);
+}
+const copyButton = el('button', { onclick: () => void copyLink() }, texts.copyLink);
+
+function setTheme(theme: string): void {
+  document.documentElement.dataset['theme'] = theme;
+  themeButton.setAttribute('aria-pressed', String(theme === 'dark'));
+  panels.figure.repaint();
+  panels.dimension.repaint();
+}
+const themeButton = el('button', { 'aria-pressed': 'false', onclick: () => setTheme(document.documentElement.dataset['theme'] === 'dark' ? 'light' : 'dark') }, texts.dark);
+
+let size = 16;
+function setSize(pixels: number): void {
+  size = Math.min(40, Math.max(11, pixels));
+  document.documentElement.style.setProperty('--size', `${size}px`);
+  editor.view.requestMeasure();
+}
+
+function present(on: boolean): void {
+  document.body.classList.toggle('present', on);
+  if (on) {
+    void document.documentElement.requestFullscreen?.().catch(() => undefined);
+    panels[state.tab].root.querySelector<HTMLElement>('canvas, [tabindex="0"]')?.focus();
+  } else if (document.fullscreenElement) void document.exitFullscreen();
+}
+
+const divider = el('div', { id: 'divider', role: 'separator', 'aria-orientation': 'vertical', 'aria-label': 'width of the editor', tabindex: '0' });
+const left = el(
+  'section',
+  { id: 'left', 'aria-label': 'Editor' },
+  el('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Documents', onkeydown: tabKeys(kinds, kindButtons) }, ...kinds.map((kind) => kindButtons[kind])),
+  editorPlace,
+  about,
+);
+function widen(pixels: number): void {
+  left.style.width = `${Math.max(180, Math.min(innerWidth - 260, pixels))}px`;
+}
+divider.addEventListener('pointerdown', (event) => {
+  divider.setPointerCapture(event.pointerId);
+  const move = (moved: PointerEvent): void => widen(moved.clientX);
+  divider.addEventListener('pointermove', move);
+  divider.addEventListener('pointerup', () => divider.removeEventListener('pointermove', move), { once: true });
+});
+divider.addEventListener('keydown', (event) => {
+  if (event.key === 'ArrowLeft' || event.key === 'ArrowRight') widen(left.clientWidth + (event.key === 'ArrowRight' ? 30 : -30));
+});
+
+document.body.append(
+  el(
+    'header',
+    {},
+    el('h1', {}, texts.title),
+    el('button', { class: 'main', onclick: () => void gallery.open() }, texts.gallery),
+    el('button', { onclick: () => picker.click() }, texts.open),
+    el('button', { onclick: save, title: 'Ctrl+S' }, texts.save),
+    copyButton,
+    el('span', { class: 'gap' }),
+    el('button', { onclick: () => setSize(size - 2), 'aria-label': 'Smaller letters', title: texts.smallerHelp }, texts.smaller),
+    el('button', { onclick: () => setSize(size + 2), 'aria-label': 'Larger letters', title: texts.largerHelp }, texts.larger),
+    themeButton,
+    el('button', { onclick: () => present(true), title: texts.help }, texts.present),
+    picker,
+  ),
+  el(
+    'main',
+    {},
+    left,
+    divider,
+    el(
+      'section',
+      { id: 'right', 'aria-label': 'Views' },
+      el('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Views', onkeydown: tabKeys(tabs, tabButtons) }, ...tabs.map((tab) => tabButtons[tab]), el('button', { id: 'leave', onclick: () => present(false) }, texts.leave)),
+      ...tabs.map((tab) => panels[tab].root),
+    ),
+  ),
+  gallery.dialog,
+  el('div', { id: 'spoken', 'aria-live': 'polite' }),
+);
+
+addEventListener('keydown', (event) => {
+  if ((event.ctrlKey || event.metaKey) && event.key === 's') {
+    event.preventDefault();
+    save();
+  } else if (event.key === 'Escape' && document.body.classList.contains('present')) {
+    present(false);
+  } else if (document.body.classList.contains('present') && !(event.target instanceof HTMLInputElement)) {
+    const panel = panels[state.tab];
+    if (!event.defaultPrevented && 'key' in panel) panel.key(event);
+  }
+});
+addEventListener('fullscreenchange', () => {
+  if (!document.fullscreenElement) document.body.classList.remove('present');
+});
+
+async function begin(): Promise<void> {
+  setTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
+  if (location.hash.length > 1) await fromLink(location.hash.slice(1));
+  addEventListener('hashchange', () => void fromLink(location.hash.slice(1)).then(() => showDocument(documentShown)));
+  showDocument('system');
+  showTab();
+  void lookAtSystem();
+  try {
+    const found = JSON.parse(await askText({ question: 'start' })) as { files: string[]; claims: string[] };
+    folderFiles = found.files;
+    theoryClaims = found.claims;
+  } catch (error) {
+    about.textContent = error instanceof Error ? error.message : String(error);
+    about.classList.add('bad');
+  }
+}
+void begin();
+
+/** For the tests that measure: when the last figure was on the canvas. */
+Object.assign(window, { algaeFigurePainted: () => panels.figure.painted });

@@ -575,7 +575,8 @@ int dimension(const Options& options) {
     if (options.file.empty()) throw Error("dimension: expected FILE, or --table");
     if (options.within && options.measure != Measure::boxes)
         throw Error("--within is for --measure boxes");
-    if (!options.plot.empty()) picture_format(options.plot);  // before the work
+    if (!options.plot.empty() && figure_format(options.plot) != FigureFormat::html)
+        picture_format(options.plot);  // before the work
     if (options.latex && options.measure != Measure::boxes)
         throw Error("--latex is for --measure boxes");
     if (options.measure != Measure::boxes) {
@@ -624,8 +625,8 @@ void add_dimension(Verbs& verbs) {
                 "correlation (pairs of points), information and multifractal (shares of boxes), "
                 "lacunarity (gaps)");
     verb.output("--plot", options.plot, "FILE",
-                "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps or "
-                ".eps");
+                "a log-log plot of the counts, lengths, masses or pairs: .svg, .pdf, .png, .ps, "
+                ".eps or .html");
     verb.option("--grids", options.grids, grid_count, "N",
                 "over how many places of the grid counts are averaged (default 16)");
     verb.option("--within", options.within, width, "W",

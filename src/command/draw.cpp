@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <deque>
+#include <filesystem>
 #include <optional>
 
 #include "command/detail/files.hpp"
@@ -43,7 +44,7 @@ struct Options {
     std::vector<PointLabel> labels;
     SpaceOptions space;
     bool scale_bar = false, panels = false, common_scale = false, captions = false;
-    bool progressive = false, explain = false, plotter = false, json = false;
+    bool progressive = false, explain = false, plotter = false, raster = false, json = false;
     Bounds bounds;
 
     std::vector<StatementOption> statements() const {
@@ -81,6 +82,7 @@ PictureOptions picture_options(const Options& options) {
     picture.scale_bar = options.scale_bar;
     picture.labels = options.labels;
     picture.author = options.author;
+    if (options.raster) picture.route = PictureOptions::Route::cells;
     return picture;
 }
 
@@ -596,13 +598,76 @@ Json as_json(const VariedPlates& plates, const Drawn& drawn, const std::string& 
 
 /// Whether an svg is written with names for its parts: not where it would be an image, or take too much memory.
 bool is_written_as_text(const std::vector<Plate>& plates, const Budget& budget) {
+    constexpr std::uint64_t most = 20'000'000, bytes_of_a_stroke = 40;
     std::uint64_t strokes = 0;
     for (const Plate& plate : plates) {
         const auto more = plate.figure->strokes();
-        if (!more || *more > most_strokes) return false;
+        if (!more || *more > most) return false;
         strokes += *more;
     }
-    return strokes <= most_strokes && strokes < budget.memory / 400;
+    return strokes <= most && strokes < budget.memory / bytes_of_a_stroke;
+}
+
+/// A page of figures in space, which the reader turns: one for each generation.
+int draw_to_scene_page(const Options& options, const PictureOptions& picture,
+                       const Budget& budget) {
+    refuse_given({{"--seeds", options.seeds.has_value()},
+                  {"--environment", !options.environment.empty()},
+                  {"--width", options.width.has_value()},
+                  {"--height", options.height.has_value()},
+                  {"--line-width", options.line_width.has_value()},
+                  {"--plotter", options.plotter},
+                  {"--panels", options.panels},
+                  {"--scale-bar", options.scale_bar},
+                  {"--label", !options.labels.empty()},
+                  {"--light", options.space.light.has_value()},
+                  {"--fog", options.space.fog.has_value()}},
+                 ": a page shows one figure in space at a time, as large as the window");
+    MeshChoices choices;
+    if (options.space.camera) choices.camera = *options.space.camera;
+    if (options.facets) choices.mesh.facets = static_cast<unsigned>(*options.facets);
+    if (options.colours) choices.colours = *options.colours;
+    if (!options.background.empty()) choices.background = options.background;
+    PictureOptions said = picture;
+    std::deque<Scene> scenes;
+    if (is_generator(options.file)) {
+        const auto generator = open_generator(options.file, budget, options.statements());
+        said.title = generator->title;
+        scenes.push_back(scene_of(*generator, MeshFormat::x3d, budget));
+    } else {
+        for (const std::vector<std::string>& let : panels_of_let(options.let)) {
+            const Model system = open_model(options.file, budget, let);
+            said.title = system.title;
+            said.source = system.source;
+            choices.camera = view_choices(options.space, system, choices.background).camera;
+            const auto [first, last] = generations_of(options, system, false);
+            for (std::uint64_t n = first; n <= last; ++n)
+                scenes.push_back(scene_of_word(options, system, n, budget));
+        }
+    }
+    std::vector<NamedScene> all;
+    for (const Scene& scene : scenes) all.push_back({&scene, scene.name});
+    const MeshDrawn drawn = draw_scene_page(all, target_of(options.output), choices, said, budget);
+    if (options.json) {
+        Json json{{"scenes", all.size()}, {"segments", scenes.back().rods.size()}};
+        json.set("parts", scenes.back().parts());
+        json.set("bounding_box",
+                 {{"min", Json::array({drawn.box.low.x, drawn.box.low.y, drawn.box.low.z})},
+                  {"max", Json::array({drawn.box.high.x, drawn.box.high.y, drawn.box.high.z})}});
+        json.set("output", options.output);
+        json.set("format", "html");
+        print(json.text());
+    }
+    return success;
+}
+
+/// Whether FILE is a figure in space.
+bool is_in_space(const Options& options, const Budget& budget) {
+    if (is_generator(options.file))
+        return open_generator(options.file, budget, options.statements())
+            ->scene(budget)
+            .has_value();
+    return leaves_plane(open_model(options.file, budget, panels_of_let(options.let).front()));
 }
 
 /// Files of generators: what -n and --seed say stands in their statements.
@@ -638,14 +703,25 @@ int draw_generator_file(const Options& options, PictureFormat format,
     throw Error("--panels: animations and explanations show one figure at a time");
 }
 
+/// A note behind a file of strokes that few programs open quickly.
+void offer_raster(const Options& options) {
+    constexpr std::uintmax_t large = 2'000'000;
+    std::error_code unknown;
+    const std::uintmax_t bytes = std::filesystem::file_size(options.output, unknown);
+    if (unknown || bytes <= large) return;
+    note(options.output + " has " + std::to_string((bytes + 500'000) / 1'000'000) +
+         " MB, every stroke is in it; --raster puts an image in their place");
+}
+
 int draw(const Options& options) {
     if (options.panels && (options.explain || options.progressive)) refuse_panels();
     if (options.explain) return draw_explained(options);
     if (options.progressive) return draw_progressive(options);
     const std::string named = needed_format(options);
     if (const auto mesh = mesh_format(named)) return draw_to_mesh(options, *mesh);
-    if (options.facets) throw Error("--facets is for " + mesh_format_names());
     std::optional<FigureFormat> text = figure_format(named);
+    if (options.facets && text != FigureFormat::html)
+        throw Error("--facets is for html, " + mesh_format_names());
     const std::optional<AnimationFormat> animation = animation_format(named);
     const PictureFormat format = animation ? PictureFormat::png
                                  : text    ? PictureFormat::svg
@@ -654,11 +730,17 @@ int draw(const Options& options) {
         throw Error(
             std::string("--plotter: expected svg, tex, typ, csv, geojson, dxf or html, found ") +
             (animation ? "an animation" : format_name(format)));
+    if (options.raster && (animation || text || format == PictureFormat::png || options.plotter))
+        throw Error(
+            "--raster: puts an image into svg, pdf, ps or eps; expected one of these without "
+            "--plotter");
     const AnimationTiming timing = timing_of(options, usual_time);
     check_motion(options, animation.has_value());
     if (animation && options.panels) refuse_panels();
     PictureOptions picture = picture_options(options);
     const Budget budget = options.bounds.budget();
+    if (text == FigureFormat::html && is_in_space(options, budget))
+        return draw_to_scene_page(options, picture, budget);
     if (is_generator(options.file)) {
         if (!text && options.plotter) text = FigureFormat::svg;
         return draw_generator_file(options, format, text, picture, budget);
@@ -684,16 +766,18 @@ int draw(const Options& options) {
                     "an animation");
     const Target target = target_of(options.output);
     const std::vector<Plate> all = plates.plates();
-    if (!text && !animation && format == PictureFormat::svg &&
+    if (!text && !animation && !options.raster && format == PictureFormat::svg &&
         (options.plotter || is_written_as_text(all, budget)))
         text = FigureFormat::svg;
     if (text) {
         const bool exact = *text == FigureFormat::csv || *text == FigureFormat::geojson;
         const FigureSources sources(plates.figures, choices_of(options, plates.system()), exact,
                                     budget);
-        return write_as_text(sources.all, *text,
-                             {options.output, picture, options.plotter, panels, options.json},
-                             figures_json(plates), budget);
+        const int status = write_as_text(
+            sources.all, *text, {options.output, picture, options.plotter, panels, options.json},
+            figures_json(plates), budget);
+        if (*text == FigureFormat::svg && !options.plotter) offer_raster(options);
+        return status;
     }
     ProgressBar bar("Drawing");
     const Drawn drawn =
@@ -701,7 +785,9 @@ int draw(const Options& options) {
         : single && !panels ? draw_picture(all.front(), target, format, picture, budget, &bar)
         : pages             ? draw_pages(all, target, format, picture, budget, &bar)
                             : draw_panels(all, target, format, picture, budget, &bar);
-    if (drawn.as_image) note("too many strokes for a vector format, drawn as an image within it");
+    if (drawn.as_image && !options.raster)
+        note("too many strokes for a vector format, drawn as an image within it");
+    if (!drawn.as_image && !animation && format != PictureFormat::png) offer_raster(options);
     for (const std::size_t blank : drawn.blank)
         note("nothing is drawn in generation " + std::to_string(plates.figures[blank].generation));
     if (options.json) print(as_json(plates, drawn, options.output).text());
@@ -759,6 +845,8 @@ void add_draw(Verbs& verbs) {
     verb.flag("--plotter", options.plotter,
               "each segment once, joined to as few paths as possible with short ways between: svg, "
               "dxf and the other figures as text");
+    verb.flag("--raster", options.raster,
+              "an image of the strokes in svg, pdf, ps or eps, for figures that have too many");
     verb.option("--author", options.author, "TEXT", "what pdf, svg and html say of the author");
     verb.flag("--scale-bar", options.scale_bar,
               "a bar below the figure with its length, in the units of the file");

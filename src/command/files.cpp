@@ -183,11 +183,56 @@ std::string foreign_format(std::string_view text) {
     return {};
 }
 
+/// The files of a model of cpfg that a name stands for: a system has the view beside it, a view or an animation its system. Nothing if it is
+/// none of them.
+std::optional<CpfgFiles> cpfg_model(const std::string& file, const Budget& budget) {
+    if (!exists(file)) return std::nullopt;
+    const std::filesystem::path path(file);
+    const auto beside = [&](const char* ending) {
+        std::filesystem::path other = path;
+        other.replace_extension(ending);
+        return exists(other.string()) ? other.string() : std::string();
+    };
+    if (path.filename() == "specifications") {
+        CpfgFiles found = cpfg_files(file_text(file, budget), file);
+        for (std::string* one : {&found.system, &found.view, &found.animation})
+            if (!one->empty()) *one = (path.parent_path() / *one).string();
+        return found;
+    }
+    const std::string ending = path.extension().string();
+    if (ending == ".l" || ending == ".cpfg") {
+        const std::string view = beside(".v");
+        if (view.empty()) return std::nullopt;
+        return CpfgFiles{file, view, ""};
+    }
+    if (ending != ".v" && ending != ".a") return std::nullopt;
+    if (beside(".l").empty())
+        throw Error(file + ": shows a system of cpfg, expected it beside this file: " +
+                    path.stem().string() + ".l");
+    return CpfgFiles{beside(".l"), ending == ".v" ? file : beside(".v"),
+                     ending == ".a" ? file : ""};
+}
+
+/// The model of cpfg as its files say it; of a system of Fractint, which ends in `.l` too, the system alone.
+Model model_of(const CpfgFiles& files, const Budget& budget) {
+    const std::string text = file_text(files.system, budget);
+    const SystemFormat* const by_text = system_format_of(text);
+    if (!by_text || by_text->name != "cpfg")
+        return system_format(files.system)->read(text, files.system);
+    Model model = by_text->read(text, files.system);
+    if (!files.view.empty())
+        model = with_cpfg_view(model, file_text(files.view, budget), files.view);
+    if (!files.animation.empty())
+        model.drawing.generations =
+            cpfg_frames(file_text(files.animation, budget), files.animation);
+    return model;
+}
+
 }  // namespace
 
 SourceText open_text(const std::string& file, const Budget& budget,
                      const std::vector<std::string>& let) {
-    if (let.empty())
+    if (let.empty() && !cpfg_model(file, budget))
         if (std::optional<SourceText> stored = stored_text(file, budget)) return *stored;
     const Model system = open_model(file, budget, let);
     const bool is_foreign = system_format(system.name);
@@ -197,6 +242,10 @@ SourceText open_text(const std::string& file, const Budget& budget,
 Model open_model(const std::string& file, const Budget& budget,
                  const std::vector<std::string>& let) {
     const ConstantValues constants = constants_of(let);
+    if (const std::optional<CpfgFiles> files = cpfg_model(file, budget)) {
+        const Model model = model_of(*files, budget);
+        return let.empty() ? model : read_lsystem(print_lsystem(model), files->system, constants);
+    }
     const std::optional<SourceText> stored = stored_text(file, budget);
     if (!stored && is_typed_system(file) && !ends_as_file(file))
         return read_typed_system(file, typed_name, constants);
@@ -207,9 +256,8 @@ Model open_model(const std::string& file, const Budget& budget,
     if (const GeneratorFormat* format = generator_format(source.name))
         throw Error(source.name + " is " + format->what + ", expected an L-system");
     const bool is_own = source.name.ends_with(".lsys") || find_system(source.name);
-    const SystemFormat* const format = system_format(source.name) ? system_format(source.name)
-                                       : is_own                   ? nullptr
-                                                                  : system_format_of(source.text);
+    const SystemFormat* format = system_format(source.name);
+    if (!format && !is_own) format = system_format_of(source.text);
     if (format)
         return let.empty() ? format->read(source.text, source.name)
                            : read_lsystem(print_lsystem(format->read(source.text, source.name)),

@@ -316,8 +316,9 @@ void add_growth(Verbs& verbs) {
               "with -n: how often each letter occurs, and how many segments are drawn");
     verb.flag("--bounds", options.bounds_wanted,
               "the least and greatest lengths of an 0L system, for -n (default 0..10)");
-    verb.output("--plot", options.plot, "FILE",
-                "draw length against n, for -n (default 0..20): .svg, .pdf, .png, .ps or .eps");
+    verb.output(
+        "--plot", options.plot, "FILE",
+        "draw length against n, for -n (default 0..20): .svg, .pdf, .png, .ps, .eps or .html");
     verb.flag(
         "--words", options.words,
         "factors and their complexity class, pushiness, repetitions, locally catenative formulas");

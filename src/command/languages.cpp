@@ -64,10 +64,14 @@ void write_certificate(const std::string& file, Claim claim, Statement statement
     write_file(file, Json(certificate(checked)).text(1));
 }
 
-/// The answer to a question about systems with context, decided as a claim and in its sentences. `fields`: of the JSON, before
-/// the others.
-int answer_with_context(Claim claim, Statement statement, std::string text, const std::string& file,
-                        bool json, const std::function<Json(Truth)>& fields, const Budget& budget) {
+/// How an answer is printed.
+enum class Form { text, json, latex };
+
+Form form_of(bool json, bool latex) { return json ? Form::json : latex ? Form::latex : Form::text; }
+
+/// The answer to a question, decided as a claim and in its sentences. `fields`: of the JSON, before the others.
+int answer_as_claim(Claim claim, Statement statement, std::string text, const std::string& file,
+                    Form form, const std::function<Json(Truth)>& fields, const Budget& budget) {
     const Alphabet alphabet = *claim.alphabet;
     Answer found = decide(statement, claim, budget);
     const std::vector<std::string> argument = sentences(found, alphabet);
@@ -75,7 +79,8 @@ int answer_with_context(Claim claim, Statement statement, std::string text, cons
                         : found.truth == Truth::refuted ? "no: "
                                                         : "undecided: ";
     for (std::size_t i = 0; i < argument.size(); ++i) shown += argument[i] + '\n';
-    if (json) {
+    if (form == Form::latex) shown = latex(found, alphabet);
+    if (form == Form::json) {
         Json out = fields(found.truth);
         out.set("argument", argument);
         if (found.proof) out.set("proof", Json(certificate(found, alphabet)));
@@ -197,9 +202,9 @@ int member_with_context(const MemberOptions& options, const Model& system, const
     if (!read.arguments.empty())
         throw Error("WORD has parameters, and the words of a system without parameters have none");
     auto [claim, said] = claim_of_member(system, read.letters, alphabet);
-    return answer_with_context(
+    return answer_as_claim(
         std::move(claim), std::move(said), spell(alphabet, read.letters) + " in L(A)",
-        options.certificate, options.json,
+        options.certificate, form_of(options.json, options.latex),
         [](Truth truth) {
             return Json{{"member", known(truth)}};
         },
@@ -250,7 +255,7 @@ int member(const MemberOptions& options) {
 struct FiniteOptions {
     std::string file, certificate;
     std::vector<std::string> let;
-    bool json = false;
+    bool json = false, latex = false;
     Bounds bounds;
 };
 
@@ -291,11 +296,12 @@ int finite_of_0l(const FiniteOptions& options, const OL& system, const Budget& b
 int finite(const FiniteOptions& options) {
     const Budget budget = options.bounds.budget();
     const Model written = open_model(options.file, budget, options.let);
-    if (has_context(written)) {
-        Claim claim = claim_about({&written}, "IL");
+    if (has_context(written) || options.latex) {
+        Claim claim = claim_about({&written}, "ET0L");
         Statement said{IsFinite{generated_language(claim.systems.front())}};
-        return answer_with_context(
-            std::move(claim), std::move(said), "L(A) is finite", options.certificate, options.json,
+        return answer_as_claim(
+            std::move(claim), std::move(said), "L(A) is finite", options.certificate,
+            form_of(options.json, options.latex),
             [](Truth truth) {
                 return Json{{"finite", known(truth)}};
             },
@@ -329,7 +335,7 @@ struct EqualOptions {
     std::vector<std::string> let;
     std::string left, right, certificate;
     As as = As::language;
-    bool json = false;
+    bool json = false, latex = false;
     Bounds bounds;
 };
 
@@ -378,21 +384,20 @@ Comparison language_answer(const D0L& left, const D0L& right, const Budget& budg
     return {false, std::move(witness), to_text(found, *alphabet)};
 }
 
-/// Writes that the languages, sequences or growth of two systems A and B are equal, or not.
+/// That the languages, sequences or growth of two systems A and B are equal.
+std::pair<Statement, std::string> equality(As as, const Claim& claim) {
+    const auto &a = claim.systems.at(0), &b = claim.systems.at(1);
+    if (as == As::growth) return {{EqualGrowth{a, b}}, "growth(A) == growth(B)"};
+    if (as == As::sequence) return {{EqualSequences{a, b}}, "sequence(A) == sequence(B)"};
+    return {{EqualLanguages{generated_language(a), generated_language(b)}}, "L(A) == L(B)"};
+}
+
+/// Writes that they are, or not.
 void certify_equal(const EqualOptions& options, const Model& left, const Model& right,
                    const Budget& budget) {
     if (options.certificate.empty()) return;
     Claim claim = claim_about({&left, &right}, "D0L");
-    const auto &a = claim.systems.at(0), &b = claim.systems.at(1);
-    Statement said{EqualGrowth{a, b}};
-    std::string text = "growth(A) == growth(B)";
-    if (options.as == As::sequence) {
-        said.says = EqualSequences{a, b};
-        text = "sequence(A) == sequence(B)";
-    } else if (options.as == As::language) {
-        said.says = EqualLanguages{generated_language(a), generated_language(b)};
-        text = "L(A) == L(B)";
-    }
+    auto [said, text] = equality(options.as, claim);
     write_certificate(options.certificate, std::move(claim), std::move(said), text, budget);
 }
 
@@ -400,12 +405,14 @@ int equal(const EqualOptions& options) {
     const Budget budget = options.bounds.budget();
     const Model left_model = open_model(options.left, budget, options.let),
                 right_model = open_model(options.right, budget, options.let);
-    if (options.as == As::language && (has_context(left_model) || has_context(right_model))) {
-        Claim claim = claim_about({&left_model, &right_model}, "ET0L");
-        Statement said{EqualLanguages{generated_language(claim.systems.at(0)),
-                                      generated_language(claim.systems.at(1))}};
-        return answer_with_context(
-            std::move(claim), std::move(said), "L(A) == L(B)", options.certificate, options.json,
+    const bool with_context =
+        options.as == As::language && (has_context(left_model) || has_context(right_model));
+    if (with_context || options.latex) {
+        Claim claim = claim_about({&left_model, &right_model}, with_context ? "ET0L" : "D0L");
+        auto [said, text] = equality(options.as, claim);
+        return answer_as_claim(
+            std::move(claim), std::move(said), text, options.certificate,
+            form_of(options.json, options.latex),
             [](Truth truth) {
                 return Json{{"verdict", truth == Truth::proved    ? "equal"
                                         : truth == Truth::refuted ? "different"
@@ -705,6 +712,7 @@ void add_finite(Verbs& verbs) {
     add_let_option(verb, options.let);
     add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex, "print the argument as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 
@@ -725,6 +733,7 @@ void add_equal(Verbs& verbs) {
                 "generation; growth, its length");
     add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
+    verb.latex_flag(options.latex, "print the argument as LaTeX, which needs amsmath");
     verb.bounded_by(options.bounds);
 }
 

@@ -11,6 +11,7 @@
 // request is refused and nothing changes.
 
 #include <algorithm>
+#include <filesystem>
 #include <iostream>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -142,24 +143,6 @@ json diagnostics(const Document& document, const Budget& budget) {
     return all;
 }
 
-/// Keywords of claims with what they say.
-const std::vector<std::pair<std::string, std::string>>& claim_statements() {
-    static const std::vector<std::pair<std::string, std::string>> all{
-        {"claim", "the title of a claim"},
-        {"source", "where it comes from"},
-        {"note", "a text for readers"},
-        {"theorem",
-         "the title as a formal statement: `theorem not for all 0L languages A, B: A | B is 0L`"},
-        {"let", "a name for a language, a system, a word or a morphism: `let A = {a, aa}`"},
-        {"show", "a statement that holds: `show A is 0L`"},
-        {"lemma", "a statement that later ones rest on"},
-        {"refute", "a statement that does not hold"},
-        {"closed", "`closed 0L under union`"},
-        {"not closed", "`not closed 0L under union`"},
-        {"alphabet", "letters that complements are over besides those that occur"}};
-    return all;
-}
-
 /// The word at a place of a line: letters, digits and hyphens.
 std::pair<std::size_t, std::size_t> word_at(const std::string& line, std::size_t at) {
     const auto in_word = [&](std::size_t i) {
@@ -185,8 +168,9 @@ json completion(const Document& document, std::size_t line, std::size_t characte
     const std::size_t blank = before.find_first_of(" \t");
     if (document.is_claim()) {
         if (blank == std::string::npos)
-            for (const auto& [name, meaning] : claim_statements())
-                items.push_back({{"label", name}, {"kind", keyword}, {"documentation", meaning}});
+            for (const StatementHelp& help : claim_statements())
+                items.push_back(
+                    {{"label", help.keyword}, {"kind", keyword}, {"documentation", help.meaning}});
         return items;
     }
     for (const StatementHelp& help : system_statements()) {
@@ -236,8 +220,8 @@ json hover(const Document& document, std::size_t line, std::size_t character,
     const std::size_t first = std::min(text.find_first_not_of(" \t"), text.size());
     std::string said;
     if (from == first && document.is_claim()) {
-        for (const auto& [name, meaning] : claim_statements())
-            if (name == word) said = "**" + name + "** " + meaning;
+        for (const StatementHelp& help : claim_statements())
+            if (help.keyword == word) said = "**" + help.keyword + "** " + help.meaning;
     } else if (from == first) {
         for (const StatementHelp& help : system_statements())
             if (help.keyword == word) {
@@ -539,10 +523,20 @@ private:
 };
 
 struct LspOptions {
+    std::string editors;
     Bounds bounds;
 };
 
 int lsp(const LspOptions& options) {
+    if (!options.editors.empty()) {
+        const std::filesystem::path folder(options.editors);
+        for (const EditorFile& file : editor_files()) {
+            const std::filesystem::path path = folder / file.path;
+            std::filesystem::create_directories(path.parent_path());
+            write_file(path.string(), file.text);
+        }
+        return success;
+    }
     const Budget budget = options.bounds.budget();
     return Server(budget).serve();
 }
@@ -552,7 +546,9 @@ int lsp(const LspOptions& options) {
 void add_lsp(Verbs& verbs) {
     auto [verb, options] = verbs.add(
         "lsp", "Speaks the language-server protocol, for editors of .lsys and .claim files",
-        {"algae lsp"}, lsp);
+        {"algae lsp", "algae lsp --editors my-editors"}, lsp);
+    verb.output("--editors", options.editors, "DIR",
+                "write grammars for Visual Studio Code, Vim and Lezer into this folder, and end");
     verb.bounded_by(options.bounds);
 }
 

@@ -171,7 +171,11 @@ struct Bridge : Conversion {
 const std::vector<Bridge>& bridges() {
     static const std::vector<Bridge> all{
         {{"ca", "lsys", "a cellular automaton as a system with interactions"}, cells_to_system},
-        {{"lsys", "ifs", "a curve's graph-directed iterated function system"}, curve_to_functions}};
+        {{"lsys", "ifs", "a curve's graph-directed iterated function system"}, curve_to_functions},
+        {{"jff", "claim", "a finite automaton or a grammar of JFLAP as a language"},
+         [](std::string_view text, const std::string& name, const Budget&) {
+             return language_of_jflap(text, name);
+         }}};
     return all;
 }
 
@@ -196,7 +200,7 @@ std::vector<std::string> targets(const std::string& from) {
 
 /// Every format, in the order of the alphabet.
 std::vector<std::string> format_names() {
-    std::vector<std::string> all{"lsys"};
+    std::vector<std::string> all{"lsys", "claim"};
     for (const GeneratorKind& kind : generator_kinds()) all.push_back(kind.ending);
     for (const SystemFormat& format : system_formats()) all.push_back(format.name);
     for (const GeneratorFormat& format : generator_formats()) all.push_back(format.name);

@@ -51,7 +51,15 @@ public:
                     continue;
                 }
                 if (line_begins && text[i] == '#') {
-                    i = directive(text, i);
+                    const std::size_t next = directive(text, i);
+                    // The line itself stays, empty: it can stand for the rules of a system.
+                    if (next > 0 && text[next - 1] == '\n') out.add('\n', next - 1);
+                    i = next;
+                    continue;
+                }
+                if (is_left_out()) {
+                    if (text[i] == '\n') out.add('\n', i);
+                    ++i;
                     continue;
                 }
                 if (is_name_start(text[i]) && (i == 0 || !is_name_part(text[i - 1]))) {
@@ -62,6 +70,7 @@ public:
             if (text[i] != '\r') out.add(text[i], i);
             ++i;
         }
+        if (!conditions_.empty()) fail(conditions_.back().place, "expected #endif, found none");
         return out;
     }
 
@@ -100,8 +109,20 @@ private:
             return found;
         };
         const std::string kind = word();
+        const std::size_t next = std::min(end + 1, text.size());
+        if (kind == "if" || kind == "ifdef" || kind == "ifndef" || kind == "elif" ||
+            kind == "else" || kind == "endif") {
+            condition(kind, line.substr(std::min(i, line.size())), at);
+            return next;
+        }
+        if (is_left_out()) return next;
+        if (kind == "undef") {
+            macros_.erase(word());
+            return next;
+        }
         if (kind != "define")
-            refuse(at, "#" + kind, "is not read: expected #define, with the other files put in");
+            refuse(at, "#" + kind,
+                   "is not read: expected #define, #undef or #if, with the other files put in");
         const std::string name = word();
         if (name.empty()) fail(at, "expected a name behind #define");
         Macro macro;
@@ -119,7 +140,71 @@ private:
         macro.body.erase(0, std::min(macro.body.find_first_not_of(" \t\r"), macro.body.size()));
         macro.body.erase(macro.body.find_last_not_of(" \t\r") + 1);
         macros_[name] = macro;
-        return std::min(end + 1, text.size());
+        return next;
+    }
+
+    /// A part of the text that is taken or left out.
+    struct Condition {
+        std::size_t place = 0;
+        bool taken = false, was_taken = false, has_else = false;
+    };
+    bool is_left_out() const {
+        return std::ranges::any_of(conditions_, [](const Condition& one) { return !one.taken; });
+    }
+
+    void condition(const std::string& kind, const std::string& rest, std::size_t at) {
+        const bool opens = kind.starts_with("if");
+        if (!opens && conditions_.empty()) fail(at, "#" + kind + " without #if");
+        if (kind == "endif") return conditions_.pop_back();
+        if (opens) {
+            const bool outside = is_left_out();
+            conditions_.push_back({at, false, outside, false});
+            if (outside) return;
+            std::string name(rest);
+            std::erase_if(name, [](char c) { return !is_name_part(c); });
+            conditions_.back().taken =
+                kind == "if" ? holds(rest, at) : macros_.contains(name) == (kind == "ifdef");
+        } else {
+            Condition& here = conditions_.back();
+            if (here.has_else) fail(at, "#" + kind + " behind #else");
+            here.has_else = kind == "else";
+            here.taken = !here.was_taken && (kind == "else" || holds(rest, at));
+        }
+        conditions_.back().was_taken = conditions_.back().was_taken || conditions_.back().taken;
+    }
+
+    /// Whether an expression of #if is other than 0.
+    bool holds(const std::string& said, std::size_t at) {
+        std::string text;
+        for (std::size_t i = 0; i < said.size();) {
+            if (!is_name_start(said[i])) {
+                text += said[i++];
+                continue;
+            }
+            std::size_t stop = i;
+            while (stop < said.size() && is_name_part(said[stop])) ++stop;
+            if (said.substr(i, stop - i) == "defined") {
+                while (stop < said.size() && !is_name_start(said[stop])) ++stop;
+                std::size_t end = stop;
+                while (end < said.size() && is_name_part(said[end])) ++end;
+                text += macros_.contains(said.substr(stop, end - stop)) ? "1" : "0";
+                while (end < said.size() && said[end] == ')') ++end;
+                i = end;
+                continue;
+            }
+            Placed value;
+            i = expand(said, i, at, value, 1);
+            text += value.text;
+        }
+        Placed placed;
+        for (const char c : text)
+            if (!std::isspace(static_cast<unsigned char>(c)) || c == ' ') placed.add(c, at);
+        const std::string expression =
+            cpfg_expression(source_, dialect_, placed.trimmed(), {}, CpfgNames{});
+        const Quantity value =
+            evaluate(read_expression(expression),
+                     [](const std::string&) -> const Quantity* { return nullptr; });
+        return value.value != 0;
     }
 
     /// Appends a name or what it stands for; gives where the text goes on.
@@ -203,18 +288,19 @@ private:
     std::string_view text_;
     const CpfgDialect& dialect_;
     std::map<std::string, Macro> macros_;
+    std::vector<Condition> conditions_;
 };
 
 struct Expressions {
     const Source& source;
     const CpfgDialect& dialect;
-    const std::set<std::string>& known_names;
+    const CpfgNames& known_names;
     const Placed& text;
     const std::set<std::string>& names;
     std::size_t at = 0;
 
     std::string all() {
-        std::string found = either();
+        std::string found = whole();
         blanks();
         if (at < text.text.size()) unexpected();
         return found;
@@ -226,8 +312,6 @@ struct Expressions {
         if (at < text.text.size() && text.text[at] == '=') hint = "; a comparison is ==";
         if (at < text.text.size() && (text.text[at] == '&' || text.text[at] == '|'))
             hint = "; 'and' is && and 'or' is ||";
-        if (at < text.text.size() && text.text[at] == '?')
-            hint = "; ?: has no meaning in the notation";
         cpfg_fail(source, text.place(at),
                   "expected an operator or the end of the expression, found " + found + hint);
     }
@@ -242,73 +326,105 @@ struct Expressions {
     }
     bool python() const { return dialect.python; }
 
-    std::string either() {
-        std::string left = both();
-        while (python() ? takes("or ") : takes("||")) left = "(" + left + " | " + both() + ")";
-        return left;
+    /// A binary operator: how the program writes it, and how the notation says it of its two sides.
+    struct Operator {
+        std::string_view sign;
+        const char* said;  // `%` is made of others
+    };
+    using Levels = std::vector<std::vector<Operator>>;
+
+    /// From the loosest to the tightest, all of them grouped from the left.
+    const Levels& levels() const {
+        static const Levels cpfg{{{"||", "|"}},
+                                 {{"&&", "&"}},
+                                 {{"==", "="}, {"!=", "!="}, {"<>", "!="}},
+                                 {{"<=", "<="}, {">=", ">="}, {"<", "<"}, {">", ">"}},
+                                 {{"+", "+"}, {"-", "-"}},
+                                 {{"*", "*"}, {"/", "/"}, {"%", "%"}}};
+        static const Levels python{
+            {{"or ", "|"}},
+            {{"and ", "&"}},
+            {{"==", "="}, {"!=", "!="}, {"<=", "<="}, {">=", ">="}, {"<", "<"}, {">", ">"}},
+            {{"+", "+"}, {"-", "-"}},
+            {{"*", "*"}, {"/", "/"}, {"%", "%"}}};
+        return dialect.python ? python : cpfg;
     }
-    std::string both() {
-        std::string left = equal();
-        while (python() ? takes("and ") : takes("&&")) left = "(" + left + " & " + equal() + ")";
-        return left;
+
+    /// The next operator, if it is one of this level; those of others that begin alike are left.
+    const Operator* taken(const std::vector<Operator>& level) {
+        blanks();
+        const std::string_view rest = std::string_view(text.text).substr(at);
+        for (const char* longer : {"**", "//"})
+            if (python() && rest.starts_with(longer)) {
+                if (rest[0] == '/')
+                    cpfg_refuse(source, text.place(at), "//",
+                                "in an expression has no meaning in the notation");
+                return nullptr;
+            }
+        for (const Operator& one : level)
+            if (takes(one.sign)) {
+                if (one.sign == "<" && rest.starts_with("<>")) {
+                    --at;
+                    continue;
+                }
+                return &one;
+            }
+        return nullptr;
     }
-    std::string equal() {
-        std::string left = compared();
-        while (true) {
-            if (takes("=="))
-                left = "(" + left + " = " + compared() + ")";
-            else if (takes("!=") || takes("<>"))
-                left = "(" + left + " != " + compared() + ")";
-            else
-                return left;
-        }
-    }
-    std::string compared() {
-        std::string left = sum();
-        while (true) {
-            if (takes("<="))
-                left = "(" + left + " <= " + sum() + ")";
-            else if (takes(">="))
-                left = "(" + left + " >= " + sum() + ")";
-            else if (takes("<"))
-                left = "(" + left + " < " + sum() + ")";
-            else if (takes(">"))
-                left = "(" + left + " > " + sum() + ")";
-            else
-                return left;
-        }
-    }
-    std::string sum() {
-        std::string left = product();
-        while (true) {
-            if (takes("+"))
-                left = "(" + left + " + " + product() + ")";
-            else if (takes("-"))
-                left = "(" + left + " - " + product() + ")";
-            else
-                return left;
-        }
-    }
-    std::string product() {
-        std::string left = python() ? signed_power() : power();
-        while (true) {
-            blanks();
-            if (at < text.text.size() && text.text[at] == '%')
-                cpfg_refuse(source, text.place(at), "%",
-                            "in an expression has no meaning in the notation");
+
+    std::string binary(std::size_t level) {
+        if (level == levels().size()) return python() ? signed_power() : power();
+        std::string left = binary(level + 1);
+        bool compared = false;
+        while (const Operator* one = taken(levels()[level])) {
             const std::size_t sign = at;
-            if (python() && text.text.compare(at, 2, "**") == 0) return left;
-            if (python() && text.text.compare(at, 2, "//") == 0)
-                cpfg_refuse(source, text.place(sign), "//",
-                            "in an expression has no meaning in the notation");
-            if (takes("*"))
-                left = "(" + left + "*" + (python() ? signed_power() : power()) + ")";
-            else if (takes("/"))
-                left = "(" + left + "/" + (python() ? signed_power() : power()) + ")";
+            const std::string right = binary(level + 1);
+            const bool compares = python() && level == 2;
+            if (compares && compared)
+                cpfg_refuse(source, text.place(sign), "a chain of comparisons",
+                            "is not read: say `a < b and b < c`");
+            compared = compares;
+            if (one->sign != "%")
+                left = "(" + left + " " + one->said + " " + right + ")";
+            else if (python())
+                left = "(" + left + " - " + right + "*floor(" + left + "/" + right + "))";
             else
-                return left;
+                left = remainder(left, right);
         }
+        return left;
     }
+
+    /// The whole part, towards 0, of an expression.
+    static std::string whole_part(const std::string& x) {
+        return x.find_first_not_of("0123456789") == std::string::npos
+                   ? x
+                   : "(floor(abs(" + x + "))*((" + x + " >= 0) - (" + x + " < 0)))";
+    }
+    /// What is left of whole parts; its sign is that of the left side, as in C.
+    std::string remainder(const std::string& left, const std::string& right) const {
+        const std::string x = whole_part(left), y = whole_part(right);
+        check_size(x);
+        return "(" + x + " - " + y + "*" + whole_part("(" + x + "/" + y + ")") + ")";
+    }
+    /// Parts of expressions are repeated where the notation has no word for what is done with them.
+    void check_size(const std::string& said) const {
+        constexpr std::size_t longest = 10'000;
+        if (said.size() > longest)
+            cpfg_refuse(source, text.place(at), "an expression",
+                        "would be too long in the notation: it nests %, ?: or trunc too deep");
+    }
+
+    /// With `?:`, which the notation says by numbers that are 1 where a relation holds and 0 where it does not.
+    std::string whole() {
+        const std::string condition = binary(0);
+        check_size(condition);
+        if (python() || !takes("?")) return condition;
+        const std::string yes = whole();
+        if (!takes(":")) unexpected();
+        const std::string no = whole();
+        return "((" + condition + " != 0)*" + yes + " + (" + condition + " = 0)*" + no + ")";
+    }
+
     /// Of cpfg: from the left, and a sign binds tighter.
     std::string power() {
         std::string left = signed_atom();
@@ -343,7 +459,7 @@ struct Expressions {
         blanks();
         const std::size_t begin = at;
         if (takes("(")) {
-            const std::string inside = either();
+            const std::string inside = whole();
             if (!takes(")")) unexpected();
             return "(" + inside + ")";
         }
@@ -358,12 +474,23 @@ struct Expressions {
         }
         if (called.empty()) unexpected();
         if (!takes("(")) {
-            if (!names.contains(called) && !known_names.contains(called))
-                cpfg_fail(source, text.place(begin),
-                          "the name '" + called + "' has no value" +
-                              (python() ? "" : "; cpfg takes 0 for it"));
-            return called;
+            if (names.contains(called)) return called;
+            const auto known = known_names.find(called);
+            if (known == known_names.end() && python())
+                cpfg_fail(source, text.place(begin), "the name '" + called + "' has no value");
+            if (known == known_names.end()) return "0";  // with a warning there
+            if (known->second.empty())
+                cpfg_refuse(source, text.place(begin), called,
+                            "is the number of the step, which has no meaning in the notation");
+            return known->second;
         }
+        std::vector<std::string> arguments{whole()};
+        while (takes(",")) arguments.push_back(whole());
+        if (!takes(")")) unexpected();
+        return call(called, arguments, begin);
+    }
+    std::string call(const std::string& called, const std::vector<std::string>& arguments,
+                     std::size_t begin) const {
         static const std::map<std::string, std::string> functions{
             {"sin", "sin"},   {"cos", "cos"},   {"tan", "tan"}, {"asin", "asin"},
             {"acos", "acos"}, {"atan", "atan"}, {"exp", "exp"}, {"log", "log"},
@@ -372,14 +499,33 @@ struct Expressions {
         const auto known = functions.find(called);
         const bool trigonometric =
             called.ends_with("sin") || called.ends_with("cos") || called.ends_with("tan");
-        if (known == functions.end() || (python() && trigonometric))
+        if (python() && trigonometric)
             cpfg_refuse(source, text.place(begin), "the function " + called,
-                        trigonometric ? "takes radians in Python, degrees in the notation"
-                                      : "has no meaning in the notation");
-        std::vector<std::string> arguments{either()};
-        while (takes(",")) arguments.push_back(either());
-        if (!takes(")")) unexpected();
-        return known->second + "(" + joined(arguments, ",") + ")";
+                        "takes radians in Python, degrees in the notation");
+        if (known != functions.end()) return known->second + "(" + joined(arguments, ",") + ")";
+        const auto takes_count = [&](std::size_t count) {
+            if (arguments.size() != count)
+                cpfg_fail(source, text.place(begin),
+                          called + " takes " + std::to_string(count) + " numbers, found " +
+                              std::to_string(arguments.size()));
+            for (const std::string& one : arguments) check_size(one);
+        };
+        const std::string& x = arguments[0];
+        if (!python() && called == "trunc") {
+            takes_count(1);
+            return "floor(" + x + " + 1/2)";
+        }
+        if (!python() && called == "sign") {
+            takes_count(1);
+            return "((" + x + " > 0) - (" + x + " < 0))";
+        }
+        if (!python() && called == "atan2") {
+            takes_count(2);
+            return "(((" + x + " >= 0) - (" + x + " < 0))*acos(" + arguments[1] + "/sqrt((" + x +
+                   ")^2 + (" + arguments[1] + ")^2)))";
+        }
+        cpfg_refuse(source, text.place(begin), "the function " + called,
+                    "has no meaning in the notation");
     }
     std::string number() {
         const std::size_t size = number_size(std::string_view(text.text).substr(at));
@@ -404,8 +550,7 @@ Placed preprocessed(const Source& source, const CpfgDialect& dialect) {
 }
 
 std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
-                            const std::set<std::string>& names,
-                            const std::set<std::string>& known) {
+                            const std::set<std::string>& names, const CpfgNames& known) {
     return Expressions{source, dialect, known, text, names}.all();
 }
 

@@ -67,6 +67,25 @@ const SystemFormat* system_format(std::string_view file_name);
 /// Example: system_format_of("msd_2\n0 0\n0 -> 0\n1 -> 0\n")->name == "walnut"
 const SystemFormat* system_format_of(std::string_view text);
 
+/// The files of a model of cpfg: the system, and how it is shown. The latter are empty where there are none.
+struct CpfgFiles {
+    std::string system, view, animation;
+};
+
+/// What a file `specifications` of the program says by the command line in it, `cpfg -m plant.map plant.l plant.v plant.a`. Throws Error if it
+/// names no system. The names have no folder.
+///
+/// Example: cpfg_files("cpfg -m a.map a.l b.v\n", "specifications").view == "b.v"
+CpfgFiles cpfg_files(std::string_view text, const std::string& name);
+
+/// A system of cpfg as a view file (`*.v`) of the program shows it: the angle of turns without a number, widths of lines, where the viewer
+/// stands. Colours, surfaces and lights are left out. Throws Diagnostics for what would change the figure and has no meaning in the notation: tropisms, widths
+/// that grow by a number.
+Model with_cpfg_view(const Model& system, std::string_view text, const std::string& name);
+
+/// The generations that an animation file (`*.a`) of cpfg shows. Throws Diagnostics where these are no range.
+std::pair<std::uint64_t, std::uint64_t> cpfg_frames(std::string_view text, const std::string& name);
+
 /// The terms of a b-file of the OEIS: a line `n a(n)` for each, n going up by 1; `#` begins a comment.
 struct BFile {
     Integer first;  // the n of the first term

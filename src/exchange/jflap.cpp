@@ -13,7 +13,7 @@
 #include "exchange/detail/scanner.hpp"
 #include "model/model.hpp"
 
-// L-systems of JFLAP 4 to 7: XML with an axiom, productions and parameters.
+// L-systems of JFLAP: XML with an axiom, productions and parameters. Grammars and finite automata, as languages of claims.
 //
 //     <structure><type>lsystem</type>
 //       <axiom>g X</axiom>
@@ -25,6 +25,12 @@
 // begins with a number i is a context, `1 a b c`: b between a and c, where words are plain strings, brackets are letters like others
 // and nothing is skipped. JFLAP picks one of all productions that match; the notation prefers longer contexts, so a letter whose
 // productions have contexts of different lengths is refused.
+//
+// JFLAP 8 writes `<structure type="lsystem">` with the parts in structures of their own, `<lhs>` and `<rhs>`, and words without blanks: they
+// are cut into the symbols that the file lists, the longest first; a character that begins none of them is one itself.
+//
+// A finite automaton becomes a right-linear grammar, `regular { ... }`, with a letter for each state; a grammar whose left sides are single letters
+// is written as it stands, `CF { ... }`.
 //
 // The turtle starts upward, + turns to the right, g draws, % turns back, * rolls left. Tokens with a number, `g(2)`, are symbols of their
 // own, `g·2`. Assignments, `angle=20`, change what later symbols do, which has no meaning in the notation. Hues and widths of lines are
@@ -47,9 +53,22 @@ struct Element {
     std::size_t offset = 0;
     Placed text;
     std::vector<Element> children;
+    std::string attributes;  // as they stand in the tag
+
+    /// The value of an attribute; empty if there is none.
+    std::string attribute(const std::string& wanted) const {
+        const std::size_t at = attributes.find(" " + wanted + "=\"");
+        if (at == std::string::npos) return {};
+        const std::size_t begin = at + wanted.size() + 3;
+        return attributes.substr(begin, attributes.find('"', begin) - begin);
+    }
+    const Element* child(std::string_view wanted) const {
+        const auto found = std::ranges::find(children, wanted, &Element::name);
+        return found == children.end() ? nullptr : &*found;
+    }
 };
 
-/// Reads the elements of an XML text; attributes are passed over.
+/// Reads the elements of an XML text.
 class Xml {
 public:
     Xml(std::string_view text, const Source& source) : text_(text), source_(source) {}
@@ -81,7 +100,9 @@ public:
                 if (!closes) {
                     if (open.size() == most_depth)
                         fail(begin, "more than 100 elements within each other");
-                    open.push_back({name, begin, {"", end + 1}, {}});
+                    open.push_back({name, begin, {"", end + 1}, {}, ""});
+                    open.back().attributes = " " + std::string(tag.substr(name.size()));
+                    std::ranges::replace(open.back().attributes, '\n', ' ');
                     if (!empty) continue;
                 }
                 if (open.empty() || open.back().name != name)
@@ -159,11 +180,9 @@ public:
             fail(root.offset, "expected <structure>, found <" + root.name + ">");
         check_type(root);
         const Element* axiom = nullptr;
-        for (const Element& child : root.children) {
-            if (child.name == "axiom") axiom = &child;
-            if (child.name == "production") add_production(child);
-            if (child.name == "parameter") add_parameter(child);
-        }
+        if (is_eighth_) find_symbols(root);
+        std::ranges::stable_sort(listed_, std::greater<>(), &std::string::size);
+        read_parts(root, axiom);
         if (!axiom) findings_.add(root.offset, "expected an <axiom>, found none");
         if (axiom) axiom_ = tokens(axiom->text);
         findings_.throw_if_any();
@@ -180,33 +199,73 @@ private:
         throw Diagnostics({source_.finding(offset, message)});
     }
 
-    void check_type(const Element& root) const {
-        const auto type = std::ranges::find(root.children, "type", &Element::name);
-        if (type == root.children.end())
-            fail(root.offset,
-                 "expected <type>lsystem</type>, found none; files of JFLAP 8 are not read");
-        const std::string what(trimmed(type->text.text));
-        if (what != "lsystem")
-            fail(type->offset, "expected an L-system of JFLAP, found the type " + quoted(what));
+    void check_type(const Element& root) {
+        const Element* const type = root.child("type");
+        const std::string eighth = root.attribute("type");
+        if (!type && eighth.empty()) fail(root.offset, "expected <type>lsystem</type>, found none");
+        is_eighth_ = !type;
+        const std::string what = type ? std::string(trimmed(type->text.text)) : eighth;
+        if (what == "lsystem") return;
+        const bool is_language = what == "fa" || what == "grammar";
+        fail(type ? type->offset : root.offset,
+             "expected an L-system of JFLAP, found the type " + quoted(what) +
+                 (is_language ? ", which converts to a claim" : ""));
     }
 
-    static Tokens tokens(const Placed& text) {
+    /// The symbols that a file of JFLAP 8 lists, wherever they stand.
+    void find_symbols(const Element& element) {
+        if (element.name == "symbol") listed_.emplace_back(trimmed(element.text.text));
+        for (const Element& child : element.children) find_symbols(child);
+    }
+
+    /// The axiom, productions and parameters of an element, in JFLAP 8 also of structures within.
+    void read_parts(const Element& element, const Element*& axiom) {
+        for (const Element& child : element.children) {
+            if (child.name == "axiom" && (!is_eighth_ || child.children.empty()))
+                axiom = &child;
+            else if (child.name == "production")
+                add_production(child);
+            else if (child.name == "parameter" || (is_eighth_ && child.child("value")))
+                add_parameter(child);
+            else if (is_eighth_)
+                read_parts(child, axiom);
+        }
+    }
+
+    Tokens tokens(const Placed& text) const {
         Tokens found;
-        for (const std::string_view one : blank_separated(text.text))
+        for (const std::string_view one : blank_separated(text.text)) {
             // Behind an entity offsets are those of the element's text, so places are near enough.
-            found.push_back({std::string(one), text.offset + static_cast<std::size_t>(
-                                                                 one.data() - text.text.data())});
+            const std::size_t offset =
+                text.offset + static_cast<std::size_t>(one.data() - text.text.data());
+            for (std::size_t at = 0; at < one.size();) {
+                std::size_t size = one.size();
+                if (is_eighth_) {
+                    const auto symbol = std::ranges::find_if(listed_, [&](const std::string& name) {
+                        return !name.empty() && one.substr(at).starts_with(name);
+                    });
+                    size = symbol == listed_.end() ? first_character(one.substr(at)).bytes
+                                                   : symbol->size();
+                }
+                found.push_back({std::string(one.substr(at, size)), offset + at});
+                at += std::max<std::size_t>(size, 1);
+            }
+        }
         return found;
     }
 
     void add_production(const Element& production) {
         Rule rule;
-        const auto left = std::ranges::find(production.children, "left", &Element::name);
-        if (left == production.children.end())
-            return findings_.add(production.offset, "expected <left> in a production, found none");
+        const char *const left_name = is_eighth_ ? "lhs" : "left", *const right_name =
+                                                                       is_eighth_ ? "rhs" : "right";
+        const Element* const left = production.child(left_name);
+        if (!left)
+            return findings_.add(production.offset, std::string("expected <") + left_name +
+                                                        "> in a production, found none");
         rule.left = tokens(left->text);
         if (rule.left.empty())
-            return findings_.add(left->offset, "expected a symbol in <left>, found none");
+            return findings_.add(
+                left->offset, std::string("expected a symbol in <") + left_name + ">, found none");
         if (rule.left.size() > 1) {
             if (!is_integer(rule.left[0].text))
                 return findings_.add(
@@ -222,9 +281,10 @@ private:
             has_context_ = has_context_ || rule.left.size() > 1;
         }
         for (const Element& child : production.children)
-            if (child.name == "right") rule.rights.push_back(tokens(child.text));
+            if (child.name == right_name) rule.rights.push_back(tokens(child.text));
         if (rule.rights.empty())
-            return findings_.add(production.offset, "expected <right> in a production, found none");
+            return findings_.add(production.offset, std::string("expected <") + right_name +
+                                                        "> in a production, found none");
         rules_.push_back(std::move(rule));
     }
 
@@ -387,10 +447,119 @@ private:
     Findings findings_;
     Tokens axiom_;
     std::vector<Rule> rules_;
-    bool has_context_ = false;
+    bool has_context_ = false, is_eighth_ = false;
+    std::vector<std::string> listed_;  // symbols of JFLAP 8, the longest first
     std::string angle_ = "15", distance_ = "15";
     std::map<std::string, std::string> symbols_;
     std::string alphabet_, interpretation_;
+};
+
+/// A grammar or a finite automaton as a language of claims.
+class LanguageReader {
+public:
+    LanguageReader(std::string_view text, const std::string& name) : source_(text, name) {}
+
+    std::string claim() {
+        const Element root = Xml(source_.text(), source_).root();
+        const Element* const type = root.child("type");
+        const std::string what =
+            type ? std::string(trimmed(type->text.text)) : root.attribute("type");
+        if (what != "fa" && what != "grammar")
+            fail(root.offset, "expected a grammar or a finite automaton of JFLAP, found the type " +
+                                  quoted(what));
+        const std::string language = what == "fa" ? automaton(root) : grammar(root);
+        const std::size_t slash = source_.file().rfind('/');
+        return "claim The language of " +
+               source_.file().substr(slash == std::string::npos ? 0 : slash + 1) +
+               "\nlet A = " + language + "\n";
+    }
+
+private:
+    [[noreturn]] void fail(std::size_t offset, const std::string& message) const {
+        throw Diagnostics({source_.finding(offset, message)});
+    }
+
+    /// A terminal as claims write it.
+    std::string letter(std::string_view name, std::size_t offset) const {
+        if (std::string_view("(){}<>:,;?#=|. \t\"'").find(name) != std::string_view::npos)
+            fail(offset, "the letter " + quoted(name) + " is a sign of claims");
+        return std::string(name);
+    }
+
+    std::string automaton(const Element& root) const {
+        const Element* const inside = root.child("automaton");
+        const Element& all = inside ? *inside : root;
+        std::map<std::string, std::vector<std::string>> rules;
+        std::vector<std::string> order;
+        std::string start;
+        std::set<std::string> letters;
+        for (const Element& one : all.children) {
+            if (one.name != "transition") continue;
+            const Element* const read = one.child("read");
+            if (read && !trimmed(read->text.text).empty())
+                for (const std::string_view c : characters(trimmed(read->text.text)))
+                    letters.emplace(c);
+        }
+        const auto state = [&](const std::string& id) {
+            // Not the name of a letter that is read.
+            std::string name = "Q_" + id;
+            while (letters.contains(name)) name += "0";
+            return name;
+        };
+        for (const Element& one : all.children) {
+            if (one.name != "state") continue;
+            const std::string id = one.attribute("id");
+            if (id.empty() || id.find_first_not_of("0123456789") != std::string::npos)
+                fail(one.offset, "expected a state with a number as id");
+            order.push_back(id);
+            rules[id];
+            if (one.child("initial")) start = id;
+            if (one.child("final")) rules[id].push_back("ε");
+        }
+        if (start.empty()) fail(all.offset, "expected a state with <initial/>, found none");
+        for (const Element& one : all.children) {
+            if (one.name != "transition") continue;
+            const Element *const from = one.child("from"), *const to = one.child("to"),
+                                 *const read = one.child("read");
+            const std::string source(from ? trimmed(from->text.text) : std::string_view()),
+                target(to ? trimmed(to->text.text) : std::string_view());
+            if (!rules.contains(source) || !rules.contains(target))
+                fail(one.offset, "expected a transition from a state to a state");
+            std::string word;
+            if (read)
+                for (const std::string_view c : characters(trimmed(read->text.text)))
+                    word += letter(c, read->offset) + " ";
+            rules[source].push_back(word + state(target));
+        }
+        std::string text = "regular { start " + state(start);
+        for (const std::string& id : order)
+            for (const std::string& word : rules[id]) text += "; " + state(id) + " -> " + word;
+        return text + " }";
+    }
+
+    std::string grammar(const Element& root) const {
+        std::string text = "CF { ";
+        std::size_t count = 0;
+        for (const Element& one : root.children) {
+            if (one.name != "production") continue;
+            const Element *const left = one.child("left"), *const right = one.child("right");
+            const std::string from(left ? trimmed(left->text.text) : std::string_view());
+            if (!is_character(from))
+                fail(one.offset,
+                     "expected one letter on the left, as in context-free grammars, "
+                     "found " +
+                         quoted(from));
+            std::string word;
+            if (right)
+                for (const std::string_view c : characters(trimmed(right->text.text)))
+                    word += letter(c, right->offset);
+            text += (count++ > 0 ? "; " : "") + from + " -> " + (word.empty() ? "ε" : word);
+        }
+        if (count == 0) fail(root.offset, "expected <production>, found none");
+        return text + " }";
+    }
+
+    Source source_;
 };
 
 /// Writes a system as a file.
@@ -536,6 +705,10 @@ private:
 
 Model read_jflap(std::string_view text, const std::string& name) {
     return Reader(text, name).read();
+}
+
+std::string language_of_jflap(std::string_view text, const std::string& name) {
+    return LanguageReader(text, name).claim();
 }
 
 std::string print_jflap(const Model& system) { return Writer(system).written(); }

@@ -137,9 +137,19 @@ struct StatementHelp {
 /// Example: system_statements().front().keyword == "title"
 std::vector<StatementHelp> system_statements();
 
-/// A grammar by which editors colour `.lsys` files, in the JSON of TextMate: comments, keywords, names that have a
-/// meaning behind them, arrows and numbers.
-std::string editor_grammar();
+/// The statements of `.claim` files in the same form.
+///
+/// Example: claim_statements().front().keyword == "claim"
+std::vector<StatementHelp> claim_statements();
+
+/// A file that an editor needs for `.lsys` and `.claim` files.
+struct EditorFile {
+    std::string path;  // "vim/syntax/lsys.vim"
+    std::string text;
+};
+
+/// Grammars for Visual Studio Code and others that know TextMate's, for Vim, and for Lezer, made from both tables of statements.
+std::vector<EditorFile> editor_files();
 
 /// What fills a module, as it stands behind `environment`: `?E clip 0 0 4 3`.
 std::string print_environment(const Alphabet& alphabet, const EnvironmentSetting& environment);

@@ -404,9 +404,8 @@ private:
             claim_.closure.push_back(parse_closure_fact(clause.text, reading_));
             return;
         }
-        static const std::vector<std::string> words{"claim",  "source",  "note",   "alphabet",
-                                                    "allow",  "let",     "show",   "lemma",
-                                                    "refute", "theorem", "closed", "not closed"};
+        std::vector<std::string> words;
+        for (const StatementHelp& help : claim_statements()) words.push_back(help.keyword);
         constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
         throw unknown_word(
             "claim, source, note, alphabet, allow, let, theorem, show, lemma, refute or closed",
@@ -470,6 +469,34 @@ private:
 };
 
 }  // namespace
+
+std::vector<StatementHelp> claim_statements() {
+    return {
+        {"claim", {"claim 0L languages are not closed under union"}, "the title, once", ""},
+        {"source", {"source 001 Theorem 8"}, "where the claim comes from, once", ""},
+        {"note", {"note It was found by hand."}, "a text that explanations print", ""},
+        {"alphabet",
+         {"alphabet wall window a"},
+         "names longer than one character, and letters that complements are over",
+         ""},
+        {"allow",
+         {"allow empty axiom"},
+         "systems of all families may have the empty word as axiom",
+         "they may not"},
+        {"let",
+         {"let A = {a, aa}", "let G = PD0L { axiom a; a -> aa }", "let h = { a -> ab; b -> ε }"},
+         "a name for a language, a system or a morphism",
+         ""},
+        {"theorem",
+         {"theorem not for all 0L languages A, B: A | B is 0L"},
+         "the formal statement that the title puts into words, once",
+         "the claim has examples only"},
+        {"show", {"show A is 0L"}, "a statement that is true", ""},
+        {"lemma", {"lemma A is finite"}, "a true statement on which later ones rest", ""},
+        {"refute", {"refute A is 0L"}, "a statement that is false", ""},
+        {"closed", {"closed under union: ET0L"}, "what the claim settles in `algae closure`", ""},
+        {"not closed", {"not closed under union: 0L"}, "the same", ""}};
+}
 
 Claim read_claim(std::string_view text, const std::string& file_name, const SystemSource& open,
                  const std::vector<std::string>& letters) {

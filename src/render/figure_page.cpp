@@ -1,18 +1,23 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 
 #include "render/detail/document.hpp"
 #include "render/detail/figure_text.hpp"
+#include "render/detail/palette.hpp"
 
 // Figures for browsers: an SVG document with names for its parts, and a page that shows figures and how they come to be.
 //
 // SVG: the document has a title and a description, each figure is a group `figure-N`, and within it the strokes that follow each other
 // in one colour, width and letter are a path whose classes are `colour-N`, `width-N` and `letter-F`: a style sheet at the head
 // says what these look like, and a person changes them there. Points are relative to the one before, in hundredths of a point, and errors do not
-// add up, because each step goes to the rounded place of the next point. That takes about ten bytes a stroke.
+// add up, because each step goes to the rounded place of the next point. That takes about ten bytes a stroke. A figure of many strokes is
+// written while it is drawn, without the letters, as asking for these takes longer than all the rest.
 //
 // The page has the paths of all figures as numbers in the same way and a program of a hundred lines that draws them on a canvas: a slider for
-// the generation, one for the strokes drawn so far, and the mouse or the fingers move, turn and zoom. It asks nothing of the network.
+// the generation, one for the strokes drawn so far, and the mouse or the fingers move, turn and zoom. It asks nothing of the network. What a
+// link says behind `#` is shown first.
 
 namespace algae {
 
@@ -56,12 +61,11 @@ void put(std::string& out, long long hundredths, bool joined) {
     if (rest % 10 > 0) out += static_cast<char>('0' + rest % 10);
 }
 
-std::string classes(const FigurePaths& paths, const FigurePath& path,
-                    const std::vector<Colour>& colours, const std::vector<double>& widths) {
-    const PathStyle& style = paths.styles[path.style];
+std::string classes(const PathStyle& style, bool filled, const std::vector<Colour>& colours,
+                    const std::vector<double>& widths) {
     std::string out =
         "colour-" + std::to_string(std::ranges::find(colours, style.colour) - colours.begin() + 1);
-    if (!path.filled && widths.size() > 1)
+    if (!filled && widths.size() > 1)
         out +=
             " width-" + std::to_string(std::ranges::find(widths, style.width) - widths.begin() + 1);
     if (!style.letter.empty()) out += " letter-" + plain_name(style.letter);
@@ -74,6 +78,168 @@ void add_new(std::vector<Value>& values, const Value& value) {
 }
 
 }  // namespace
+
+namespace {
+
+/// Writes strokes as steps as they come.
+class StepCanvas final : public Canvas {
+public:
+    StepCanvas(const Palette& palette, double width, const Frame& frame, const Budget& budget,
+               FigurePaths& styles)
+        : palette_(palette), budget_(budget), frame_(frame), width_(width), styles_(styles) {
+        now_.width = width;
+    }
+
+    void move_to(Point point) override { pen_ = point, down_ = false; }
+    void line_to(Point point) override {
+        if (changed_) begin_run(false);
+        if (!down_) {
+            step('m', pen_);
+            down_ = true;
+            ++paths;
+        }
+        step('l', point);
+        pen_ = point;
+        if (++strokes % 65536 == 0) check();
+    }
+    void polygon(std::span<const Point> corners) override {
+        begin_run(true);
+        char kind = 'm';
+        for (const Point& corner : corners) {
+            step(kind, corner);
+            kind = 'l';
+        }
+        *text_ += 'z';
+        changed_ = true;
+        down_ = false;
+        if (++polygons % 4096 == 0) check();
+    }
+    void width(double factor) override { set_width(width_ * std::fabs(factor)); }
+    void width_as_length(double length) override { set_width(frame_.scale * std::fabs(length)); }
+    void colour(std::uint32_t index) override {
+        index_ = index;
+        painted_.reset();
+        changed_ = true;
+    }
+    void paint(const Colour& colour) override {
+        painted_ = colour;
+        changed_ = true;
+    }
+    void position(double fraction) override {
+        fraction_ = fraction;
+        if (palette_.runs_along()) changed_ = true;
+    }
+    bool wants_position() const override { return palette_.runs_along(); }
+    double line_width() const override { return width_ / frame_.scale; }
+
+    std::vector<SvgRun> runs;
+    std::uint64_t strokes = 0, polygons = 0, paths = 0;
+
+private:
+    /// A step that was written before: few different ones occur.
+    struct Known {
+        std::int32_t x = 0, y = 0;
+        std::uint8_t size = 0;
+        std::array<char, 23> text{};
+    };
+
+    void set_width(double width) {
+        if (width == now_.width) return;
+        now_.width = width;
+        changed_ = true;
+    }
+    void begin_run(bool filled) {
+        changed_ = false;
+        now_.colour = painted_ ? *painted_ : palette_.colour(palette_.shade(index_, fraction_));
+        auto found = std::ranges::find(styles_.styles, now_);
+        if (found == styles_.styles.end())
+            found = styles_.styles.insert(styles_.styles.end(), now_);
+        const auto style = static_cast<std::uint32_t>(found - styles_.styles.begin());
+        if (!runs.empty() && runs.back().style == style && runs.back().filled == filled && !filled)
+            return;
+        runs.push_back({style, filled, {}});
+        text_ = &runs.back().steps;
+        down_ = false;
+        x_ = y_ = 0;
+    }
+    void step(char kind, Point point) {
+        const Point there = frame_(point);
+        must_be_finite(there.x + there.y);
+        const auto x = std::llround(there.x * steps_of_point),
+                   y = std::llround(there.y * steps_of_point);
+        const long long across = x - x_, down = y - y_;
+        x_ = x;
+        y_ = y;
+        constexpr long long most = 1 << 30;
+        if (kind == 'm' || std::abs(across) > most || std::abs(down) > most) {
+            put_step(*text_, kind, across, down);
+            return;
+        }
+        const auto place = static_cast<std::size_t>((across * 31 + down) & (known_.size() - 1));
+        Known& known = known_[place];
+        if (known.size == 0 || known.x != across || known.y != down) {
+            std::string made;
+            put_step(made, kind, across, down);
+            known.x = static_cast<std::int32_t>(across);
+            known.y = static_cast<std::int32_t>(down);
+            if (made.size() > known.text.size()) {
+                known.size = 0;
+                *text_ += made;
+                return;
+            }
+            known.size = static_cast<std::uint8_t>(made.size());
+            std::ranges::copy(made, known.text.begin());
+        }
+        text_->append(known.text.data(), known.size);
+    }
+    static void put_step(std::string& out, char kind, long long x, long long y) {
+        if (kind == 'm' || (x != 0 && y != 0) || (x == 0 && y == 0)) {
+            out += kind;
+            put(out, x, true);
+            put(out, y, false);
+        } else {
+            out += y == 0 ? 'h' : 'v';
+            put(out, y == 0 ? x : y, true);
+        }
+    }
+    void check() const {
+        budget_.check();
+        std::uint64_t bytes = 0;
+        for (const SvgRun& run : runs) bytes += run.steps.capacity() + sizeof(SvgRun);
+        budget_.check_memory(2 * bytes, "the text of the figures");
+    }
+
+    const Palette& palette_;
+    const Budget& budget_;
+    const Frame frame_;
+    double width_;
+    FigurePaths& styles_;
+    PathStyle now_;
+    std::string* text_ = nullptr;
+    Point pen_{};
+    bool down_ = false, changed_ = true;
+    long long x_ = 0, y_ = 0;
+    double fraction_ = 0;
+    std::uint32_t index_ = 0;
+    std::optional<Colour> painted_;
+    std::array<Known, 1024> known_{};
+};
+
+}  // namespace
+
+std::vector<SvgRun> svg_runs(const FigureSource& source, const std::vector<std::string>& colours,
+                             double width, const Frame& frame, const Budget& budget,
+                             FigurePaths& styles, FigureTextDrawn& drawn) {
+    constexpr std::uint32_t hues = 360;
+    const Palette palette(colours, hues);
+    StepCanvas canvas(palette, width, frame, budget, styles);
+    source.plate.figure->draw(canvas, 0, budget);
+    drawn.strokes += canvas.strokes;
+    drawn.polygons += canvas.polygons;
+    drawn.paths += canvas.paths;
+    styles.strokes = canvas.strokes;
+    return std::move(canvas.runs);
+}
 
 std::string svg_text(const FigureDocument& document) {
     const Plan& plan = *document.plan;
@@ -124,10 +290,16 @@ std::string svg_text(const FigureDocument& document) {
         const auto& paths = figure.paths.paths;
         out += "<g id=\"figure-" + std::to_string(f + 1) + "\" class=\"figure\">\n<title>" +
                escaped_markup(figure.source->plate.name) + "</title>\n";
+        for (const SvgRun& run : figure.runs) {
+            out += std::string("<path class=\"") + (run.filled ? "area " : "stroke ") +
+                   classes(figure.paths.styles[run.style], run.filled, colours, widths) +
+                   "\" d=\"" + run.steps + "\"/>\n";
+        }
         for (std::size_t i = 0; i < paths.size();) {
             const FigurePath& first = paths[i];
             out += std::string("<path class=\"") + (first.filled ? "area " : "stroke ") +
-                   classes(figure.paths, first, colours, widths) + "\" d=\"";
+                   classes(figure.paths.styles[first.style], first.filled, colours, widths) +
+                   "\" d=\"";
             Steps steps(figure.cell.frame);
             do {
                 const FigurePath& path = paths[i];
@@ -209,6 +381,7 @@ footer { display: flex; flex-wrap: wrap; gap: 0.3em 1.5em; align-items: center; 
 label { display: flex; gap: 0.5em; align-items: center }
 input[type=range] { width: 14em }
 output { min-width: 7em }
+[hidden] { display: none }
 </style>
 )";
 
@@ -267,9 +440,11 @@ function draw() {
     document.getElementById("name").textContent = figure.name;
     document.getElementById("count").textContent = strokes.value + " of " + all + (letter ? ", " + letter : "");
     document.title = figure.name;
+    canvas.dataset.drawn = strokes.value;
 }
 function choose() {
-    strokes.max = strokes.value = total(shown());
+    strokes.max = total(shown());
+    strokes.value = strokes.max;
     draw();
 }
 function play() {
@@ -320,12 +495,23 @@ document.getElementById("play").onclick = play;
 generation.oninput = choose;
 strokes.oninput = () => { cancelAnimationFrame(playing); draw(); };
 window.onresize = draw;
-generation.max = generation.value = figures.length - 1;
+generation.max = figures.length - 1;
+generation.value = generation.max;
 document.getElementById("which").hidden = figures.length < 2;
+// A link can say what is shown first: page.html#figure=1&strokes=20&turn=45&zoom=2
+const link = new URLSearchParams(location.hash.slice(1));
+if (link.has("figure")) generation.value = link.get("figure");
 choose();
+if (location.hash) {
+    if (link.has("strokes")) strokes.value = link.get("strokes");
+    if (link.has("turn")) view.turn = link.get("turn") * Math.PI / 180;
+    if (link.has("zoom")) view.zoom = +link.get("zoom") || 1;
+    draw();
+}
 )";
 
-/// A text within a program: no end of the script can stand in it.
+}  // namespace
+
 std::string script_string(std::string_view text) {
     static constexpr char digits[] = "0123456789abcdef";
     std::string out = "\"";
@@ -338,8 +524,6 @@ std::string script_string(std::string_view text) {
     }
     return out + '"';
 }
-
-}  // namespace
 
 std::string page_text(const FigureDocument& document) {
     std::string out = "<!DOCTYPE html>\n<html lang=\"en\">\n<title>" +

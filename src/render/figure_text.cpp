@@ -21,7 +21,8 @@ namespace algae {
 namespace {
 
 constexpr std::array format_names{"tex", "typ", "csv", "geojson", "dxf", "html"};
-constexpr std::uint32_t hues = 360;  // shades of a colour that runs along the word
+constexpr std::uint64_t many_strokes = 100'000;  // from here on svg has no letters
+constexpr std::uint32_t hues = 360;              // shades of a colour that runs along the word
 
 /// Gathers what is drawn on it.
 class PathCanvas final : public Canvas {
@@ -424,8 +425,14 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
         placed.cell = decided.page.cells[i];
         placed.width = decided.widths[i];
         if (figure.box().empty) drawn.blank.push_back(i);
-        placed.paths = paths_of(figures[i], colours_of(figure, options.picture), placed.width,
-                                placed.cell.frame.scale, budget);
+        const std::vector<std::string> colours = colours_of(figure, options.picture);
+        const bool many = figure.strokes().value_or(many_strokes) >= many_strokes;
+        if (format == FigureFormat::svg && many && !options.plotter && !figure.is_layered()) {
+            placed.runs = svg_runs(figures[i], colours, placed.width, placed.cell.frame, budget,
+                                   placed.paths, drawn);
+            continue;
+        }
+        placed.paths = paths_of(figures[i], colours, placed.width, placed.cell.frame.scale, budget);
         if (options.plotter) {
             drawn.travelled += travel_of(placed.paths);
             const double size = std::max(figure.box().breadth(), figure.box().height());

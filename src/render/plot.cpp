@@ -22,6 +22,8 @@
 // shows the mean over the grids' offsets with its range; scales that the fit uses are filled dots on a shaded strip. Underneath stand
 // the residuals: by how many per cent each mean is off the line. The line of a box count is the
 // fit's own value at each scale, which is not defined everywhere; that of other measures is least squares through the scales used.
+//
+// As a page of HTML a diagram is the same picture, as svg within it, with a program that enlarges parts of it and the numbers as a table.
 
 namespace algae {
 
@@ -32,12 +34,85 @@ constexpr double letters = 11;
 constexpr std::uint64_t most_dots = 2000;
 constexpr long logarithm_bits = 64;
 
-/// Opens a page of this height in the format that the end of the path says, and completes it.
-void draw_page(const std::string& path, double height, const Budget& budget,
-               const std::function<void(cairo_t*)>& draw) {
-    const PictureFormat format = picture_format(path);
+/// The numbers of a diagram, for those who read a page of it.
+struct NumberTable {
+    std::string caption;
+    std::vector<std::string> head;
+    std::vector<std::vector<double>> rows;
+};
+
+/// The program of a page: the wheel and the mouse change which part of the picture is seen, and the nearest row is marked.
+constexpr const char* page_program = R"(
+const picture = document.querySelector("svg"), whole = picture.getAttribute("viewBox").split(/[ ,]+/).map(Number);
+let seen = [...whole], last = null;
+const show = () => {
+    picture.setAttribute("viewBox", seen.join(" "));
+    picture.dataset.seen = seen.map(value => Math.round(value)).join(" ");
+};
+const place = event => {
+    const box = picture.getBoundingClientRect();
+    return [(event.clientX - box.left) / box.width, (event.clientY - box.top) / box.height];
+};
+picture.onwheel = event => {
+    event.preventDefault();
+    const factor = Math.exp(event.deltaY / 400), [x, y] = place(event);
+    seen = [seen[0] + x * seen[2] * (1 - factor), seen[1] + y * seen[3] * (1 - factor), seen[2] * factor, seen[3] * factor];
+    show();
+};
+picture.onpointerdown = event => { picture.setPointerCapture(event.pointerId); last = place(event); };
+picture.onpointerup = picture.onpointercancel = () => { last = null; };
+picture.onpointermove = event => {
+    if (!last) return;
+    const [x, y] = place(event);
+    seen[0] -= (x - last[0]) * seen[2];
+    seen[1] -= (y - last[1]) * seen[3];
+    last = [x, y];
+    show();
+};
+document.getElementById("reset").onclick = () => { seen = [...whole]; show(); };
+const link = new URLSearchParams(location.hash.slice(1)), zoom = +link.get("zoom") || 1;
+seen = [whole[0] + whole[2] * (1 - 1 / zoom) / 2, whole[1] + whole[3] * (1 - 1 / zoom) / 2, whole[2] / zoom, whole[3] / zoom];
+show();
+)";
+
+/// A page of HTML that needs nothing else: the picture, which can be moved and enlarged, and its numbers.
+std::string plot_page(const std::string& svg, const NumberTable& table) {
+    const std::size_t begin = svg.find("<svg");
+    std::string rows = "<tr>";
+    for (const std::string& one : table.head) rows += "<th>" + escaped_markup(one) + "</th>";
+    rows += "</tr>\n";
+    for (const auto& row : table.rows) {
+        rows += "<tr>";
+        for (const double value : row) rows += "<td>" + rounded_decimal(value, 10) + "</td>";
+        rows += "</tr>\n";
+    }
+    const std::string title = escaped_markup(table.caption);
+    return "<!DOCTYPE html>\n<html lang=\"en\">\n<meta charset=\"utf-8\">\n<title>" + title +
+           "</title>\n<style>\nbody { font-family: sans-serif; margin: 1em; color: #222 }\n"
+           "h1 { font-size: 1.1em }\nsvg { width: 100%; max-height: 75vh; cursor: grab; "
+           "touch-action: none }\ntable { border-collapse: collapse; font-size: 0.9em }\n"
+           "td, th { text-align: right; padding: 0.1em 0.8em }\n</style>\n<h1>" +
+           title + "</h1>\n" + svg.substr(begin == std::string::npos ? 0 : begin) +
+           "<p><button id=\"reset\">whole</button> drag to move, wheel to zoom</p>\n"
+           "<details><summary>numbers</summary>\n<table>\n" +
+           rows + "</table>\n</details>\n<script>" + page_program + "</script>\n</html>\n";
+}
+
+/// What is written, kept.
+class Kept final : public Output {
+public:
+    void write(const char* bytes, std::size_t count) override { text.append(bytes, count); }
+    std::string text;
+};
+
+/// Opens a page of this height in the format that the end of the path says, and completes it. A page of HTML has the picture as svg, and the
+/// table.
+void draw_page(const std::string& path, double height, const NumberTable& table,
+               const Budget& budget, const std::function<void(cairo_t*)>& draw) {
+    const bool is_page = figure_format(path) == FigureFormat::html;
+    const PictureFormat format = is_page ? PictureFormat::svg : picture_format(path);
     const double scale = format == PictureFormat::png ? 2 : 1;
-    write_to(path, [&](Output& file) {
+    const auto picture = [&](Output& file) {
         Document document(format, scale * page_width, scale * height, Colour{1, 1, 1}, file,
                           budget);
         cairo_t* const context = document.context();
@@ -46,6 +121,13 @@ void draw_page(const std::string& path, double height, const Budget& budget,
         draw(context);
         check_cairo(context);
         document.finish();
+    };
+    write_to(path, [&](Output& file) {
+        if (!is_page) return picture(file);
+        Kept svg;
+        picture(svg);
+        const std::string page = plot_page(svg.text, table);
+        file.write(page.data(), page.size());
     });
 }
 
@@ -462,7 +544,17 @@ private:
 
 void draw_series(const Series& series, const std::string& path, const Budget& budget) {
     if (series.values.size() < 2) throw Error("nothing to plot: expected at least two scales");
-    draw_page(path, DimensionDiagram::page_height, budget,
+    NumberTable table{
+        series.caption,
+        {"log10 " + series.sideways, "log10 " + series.upward, "least", "most", "line"},
+        {}};
+    for (std::size_t i = 0; i < series.values.size(); ++i) {
+        const auto& [least, mean, most] = series.values[i];
+        table.rows.push_back({series.across[i], mean, least, most});
+        if (i < series.line.size() && std::isfinite(series.line[i]))
+            table.rows.back().push_back(series.line[i]);
+    }
+    draw_page(path, DimensionDiagram::page_height, table, budget,
               [&](cairo_t* context) { DimensionDiagram(series, context).draw(); });
 }
 
@@ -470,7 +562,16 @@ void draw_series(const Series& series, const std::string& path, const Budget& bu
 
 void draw_plot(const Plot& plot, const std::string& path, const Budget& budget) {
     if (plot.dots.empty()) throw Error("nothing to plot: no values");
-    draw_page(path, Diagram::page_height, budget,
+    NumberTable table{
+        plot.caption,
+        {plot.horizontal, (plot.logarithmic ? "log10 " : "") + plot.vertical, "formula"},
+        {}};
+    for (const auto& [x, y] : plot.dots) {
+        table.rows.push_back({x, y});
+        for (const auto& [at, height] : plot.line)
+            if (at == x) table.rows.back().push_back(height);
+    }
+    draw_page(path, Diagram::page_height, table, budget,
               [&](cairo_t* context) { Diagram(plot, context).draw(); });
 }
 

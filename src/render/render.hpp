@@ -560,6 +560,22 @@ struct MeshDrawn {
 MeshDrawn draw_mesh(const Scene& scene, const Target& target, MeshFormat format,
                     const MeshChoices& choices, const Budget& budget);
 
+/// A scene of a page, and what it is called there.
+struct NamedScene {
+    const Scene* scene = nullptr;
+    std::string name;
+};
+
+/// Writes scenes as a page of HTML that needs nothing else: the mouse or the fingers turn and move a scene and zoom, and sliders step through the
+/// scenes, and through the parts of one in the order in which the turtle left them. Colours, background, camera and the number of facets of
+/// round things are those of the choices; of the options only title, source and author are used.
+///
+/// Throws Error if nothing is drawn, a colour is unknown, or the file cannot be written; BoundReached if it takes more memory than the
+/// budget has. O(parts) time.
+MeshDrawn draw_scene_page(std::span<const NamedScene> scenes, const Target& target,
+                          const MeshChoices& choices, const PictureOptions& options,
+                          const Budget& budget);
+
 /// Which pixels of an image are ink, and which are paper.
 struct InkOptions {
     /// A pixel is ink if it is darker than this, from 0 (black) to 1 (white); transparent pixels lie

@@ -60,3 +60,28 @@ TEST_CASE("files of other programs are converted, both ways") {
     CHECK(faults.err.find("faulty.netlogo:2:7: error: expected a number other than 0") !=
           std::string::npos);
 }
+
+TEST_CASE("a model of cpfg is its system with the view and the animation beside it") {
+    const Scratch scratch;
+    const std::string system = scratch.file(
+        "plant.l", "Lsystem: 1\nderivation length: 3\nAxiom: F\nF --> F[+F]F\nendlsystem\n");
+    const std::string view = scratch.file("plant.v", "angle increment: 30\n"),
+                      frames = scratch.file("plant.a", "first frame: 1\nlast frame: 2\n"),
+                      other = scratch.file("other.v", "angle increment: 20\n"),
+                      said = scratch.file("specifications", "cpfg plant.l other.v plant.a\n");
+    const auto holds = [](const std::string& file, const std::string& line) {
+        return run("convert '" + file + "' --to lsys").out.find(line) != std::string::npos;
+    };
+    CHECK(holds(system, "angle 30\n"));
+    CHECK(holds(system, "generation 3\n"));
+    CHECK(holds(view, "angle 30\n"));
+    CHECK(holds(frames, "generation 1..2\n"));
+    CHECK(holds(frames, "angle 30\n"));
+    CHECK(holds(said, "angle 20\n"));
+    CHECK(holds(said, "generation 1..2\n"));
+    CHECK(run("show '" + other + "'").err.find("expected it beside this file: other.l") !=
+          std::string::npos);
+    const json drawn =
+        json::parse(run("draw '" + system + "' --json -o '" + scratch.file("p.svg") + "'").out);
+    CHECK(drawn["segments"] == 27);
+}

@@ -115,9 +115,10 @@ const elements = {}; let lines = 0;
 const pen = new Proxy({}, {get: (t, k) => k in t ? t[k] : () => { if (k === "lineTo") ++lines; },
                            set: (t, k, v) => (t[k] = v, true)});
 const element = id => elements[id] = elements[id] ||
-    {value: 0, clientWidth: 600, clientHeight: 400, getContext: () => pen};
+    {value: 0, clientWidth: 600, clientHeight: 400, dataset: {}, getContext: () => pen};
 global.document = {getElementById: element, title: ""};
 global.window = {devicePixelRatio: 1};
+global.location = {hash: ""};
 global.cancelAnimationFrame = () => {};
 eval(page.match(/<script>([^]*)<\/script>/)[1]);
 console.log(document.title, elements.count.textContent, lines);

@@ -55,6 +55,16 @@ TEST_CASE("--latex of verbs") {
                 "0\\allowbreak 0\\allowbreak 0\\allowbreak 1"));
     CHECK(holds(run("member fibonacci abaab --latex").out, "\\Longrightarrow"));
     CHECK(holds(run("is 0L '{a, aa}' --latex").out, "\\to"));
+    const Run different = run("equal koch 'axiom F; F -> FF' --latex");
+    CHECK(different.status == 1);
+    CHECK(holds(different.out, "$"));
+    CHECK(run("equal fibonacci 'axiom a; a -> ab; b -> a' --as growth --latex").status ==
+          run("equal fibonacci 'axiom a; a -> ab; b -> a' --as growth").status);
+    const Run infinite = run("finite fibonacci --latex");
+    CHECK(infinite.status == 1);
+    CHECK(holds(infinite.out, "$"));
+    CHECK(run("finite 'a -> b, b -> a' --latex").status == 0);
+    CHECK(holds(run("finite koch --latex --json").err, "--latex"));
     CHECK(holds(run("check --say 'for all 0L languages A: A^R is 0L' --latex").out,
                 "\\begin{proof}"));
     CHECK(holds(run("closure union --latex").err, "expected a family"));

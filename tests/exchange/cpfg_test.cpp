@@ -79,6 +79,28 @@ TEST_CASE("files of cpfg give the words that the program prints") {
         {file("A(t) --> B(LEN(t))A(t+1)\n", "A(1)", "derivation length: N\n",
               "#define N 2\n#define LEN(x) (x*2) // twice\n/* a\ncomment */\n"),
          "B(2)B(4)A(3)"},
+        {file("A --> B(trunc(1.7),trunc(0-1.7))\n"), "B(2,-2)"},
+        {file("A --> B(7%3,7.9%3)\n"), "B(1,1)"},
+        {file("A --> B(foo+1)\n"), "B(1)"},
+        {file("A > [B=]C --> Y\n", "A[BDE]C"), "Y[BDE]C"},
+        {file("A --> B\ndecomposition\nB --> CB\n"), "CB"},
+        {file("A --> B\ndecomposition\nmaximum depth: 3\nB --> CB\n"), "CCCB"},
+        {file("A --> B\ndecomposition\nB --> C\n", "B"), "C"},
+        {file("A --> B\ndecomposition\nB --> C\n", "B", "derivation length: 0\n"), "B"},
+        // Others, by what the program's texts say.
+        {file("A(x) : x<>3 --> B\n", "A(3)A(4)"), "A(3)B"},
+        {file("A --> B(Z)\n", "A", "derivation length: 1+1\n"), "B(2)"},
+        {file("A --> B(2>1 ? 5 : 6, 2<1 ? 5 : 1 ? 7 : 8)\n"), "B(5,7)"},
+        {file("A --> B((0-7)%3, sign(0-2), atan2(1,0-1))\n"), "B(-1,-1,135)"},
+        {file("A --> X\nB < A --> Y\n", "BA"), "BX"},
+        {file("A(x) : x>1 --> X\nB < A(x) --> Y\n", "BA(1)BA(2)"), "BYBX"},
+        {file("A(x) : x>1 --> X\nA(y) --> Y(y)\n", "A(1)A(2)"), "Y(1)X"},
+        {file("A(x) --> B(x+1)\ndecomposition\nmaximum depth: 2\nB(y) --> C(y*2)B(y)\n", "A(1)"),
+         "C(4)C(4)B(2)"},
+        {file("#ifdef LONG\nA --> BBB\n#elif defined(SHORT) && SHORT > 1\nA --> B\n#else\nA --> "
+              "C\n#endif\n",
+              "A", "derivation length: 1\n", "#define SHORT 2\n#if 0\n#define LONG\n#endif\n"),
+         "B"},
     };
     for (const auto& [text, expected] : all) {
         INFO(text);
@@ -97,15 +119,26 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
         {file("A(x) : x>1 & x<5 --> B\n", "A(3)"), "found '&'; 'and' is &&"},
         {file("A(1) --> X\n", "A(1)A(2)"), "expected a name as parameter, found '1'"},
         {file("A --> B)C\n"), "unmatched ')'"},
-        {file("A --> B(foo+1)\n"), "the name 'foo' has no value; cpfg takes 0 for it"},
         {file("AB --> C\n", "AABAB"), "a predecessor of several modules"},
-        {file("s --> X\n", "@Gs"), "the symbol @ says colours, surfaces, queries"},
-        {file("A --> B\ndecomposition\nB --> CB\n"), "a decomposition rewrites within a step"},
+        {file("s --> X\n", "@Gs"), "x.l:3:8: error: the command @G has no meaning"},
+        {file("F --> X\n", "~F"), "x.l:4:1: error: a rule for F rewrites a part of the command ~F"},
+        {file("A --> B\ndecomposition\nB : 1 --> CB\n"), "a decomposition with contexts"},
+        {file("A > [B]C --> Y\n", "A[BDE]C"),
+         "x.l:4:7: error: a branch in a context that ends without ="},
+        {"Lsystem: 1\nAxiom: A\nendlsystem\n",
+         "x.l:3:1: error: expected a rule or an empty line before 'endlsystem'"},
+        {file("A --> AB(Q)\n"), "Q is the number of the step, which has no meaning"},
+        {file("B < A --> X\n", "B[A%C]"), "% beside contexts cuts words there"},
+        {file("A --> g\n", "A{F}"), "g beside polygons leaves no corner"},
+        {file("A --> B\n", "?(1,2)A$"), "the symbol ? begins a system within another"},
+        {file("A --> @S\n"), "the command @S has no meaning"},
+        {file("A --> F(x)_(2)\n"), "the symbol _ goes by a tropism"},
+        {file("A --> B\n#endif\n"), "x.l:5:1: error: #endif without #if"},
+        {file("#if 1\nA --> B\n"), "x.l:4:1: error: expected #endif, found none"},
         {file("A --> Y\n", "ABC", "ring lsystem\nderivation length: 1\n"), "a ring joins the ends"},
-        {file("A > [B=]C --> Y\n", "A[BDE]C"), "= in a context skips a branch"},
-        {file("A --> B(7%3)\n"), "% in an expression has no meaning"},
-        {file("A --> B(trunc(1.7))\n"), "the function trunc has no meaning"},
-        {file("A --> X\nB < A --> Y\n"),
+        {file("A > B=C --> Y\n", "ABDC"), "= in a context skips what follows in a branch"},
+        {file("A --> B(ran(2))\n"), "the function ran has no meaning"},
+        {file("A > B --> X\nBC < A --> Y\n"),
          "a rule with longer contexts behind one with shorter ones"},
         {file("A --> B\n", "A", "define: { array a[3]; }\n"), "arrays have no meaning"},
         {file("A --> B\n", "A", "Start: { x = 1; }\n"), "the block Start: holds statements"},
@@ -119,6 +152,38 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
     }
     CHECK(
         holds(refusal([] { read_cpfg("#include <lpfgall.h>\n", "x.l"); }), "is a program of lpfg"));
+}
+
+TEST_CASE("what % cuts stays in words, and figures are those that the program draws") {
+    // The program itself prints A[BC]H after a step.
+    const Model cut = read_cpfg(file("Z --> Z\n", "F[+FF%F[+F]F]F"), "x.l");
+    const Model gone = read_cpfg(file("Z --> Z\n", "F[+FF]F"), "x.l");
+    CHECK(printed_word(cut, 1) == "F[+FF%F[+F]F]F");
+    CHECK(figure(cut, 1, {})->segments() == figure(gone, 1, {})->segments());
+    const Model later = read_cpfg(file("C --> %\n", "F[FCF]F", "derivation length: 2\n"), "x.l");
+    CHECK(figure(later, 2, {})->segments() == Integer(3));
+}
+
+TEST_CASE("numbers of cpfg have 32 bits, and here they are exact") {
+    // The program itself prints N, as 0.1 is rounded in the word and not in the condition.
+    CHECK(cpfg_word(file("A(x) : x==0.1 --> Y\nA(x) --> N\n", "A(0.1)")) == "Y");
+    // It prints B(1), with a warning.
+    CHECK(holds(refusal([&] { cpfg_word(file("A --> B(1/0)\n")); }), "0"));
+}
+
+TEST_CASE("commands of several symbols, and symbols that the notation lacks, are read") {
+    const auto text = [&](const std::string& axiom) {
+        return print_lsystem(read_cpfg(file("A --> A\n", axiom), "x.l"));
+    };
+    CHECK(holds(text("F&(30)@vF"), "interpret @v -> $\n"));
+    CHECK(holds(text("F;F;(3)F,F,(2)F"), "interpret X_59(x) -> '(x)\n"));
+    CHECK(holds(text("#(3)F"), "interpret X_35(x) -> !(x)\n"));
+    CHECK(holds(text("F@O(2)"), "solid X_79 sphere radius\n"));
+    CHECK(holds(text("Fg(2)F"), "interpret g(x) -> f(x)\n"));
+    CHECK(holds(text("F~l(2)F$"), "axiom F ~l(2)FX_36\n"));
+    CHECK(holds(text("F?P(0,0)"), "axiom F?P(0,0)\n"));
+    const Model seen = read_cpfg(file("A > ?P(x,y) --> B(y)\n", "F(2)A?P(0,0)"), "x.l");
+    CHECK(holds(print_lsystem(seen), "A > ?P(x,y) -> B(y)\n"));
 }
 
 TEST_CASE("a seed makes weights probabilities") {
@@ -167,6 +232,12 @@ TEST_CASE("the declarative part of L-Py is read, and programs are refused") {
                 "the context << looks at the string"));
     CHECK(holds(lpy_fault("Axiom: A(sin(1))\n"), "takes radians in Python"));
     CHECK(holds(lpy_fault("Axiom: A\ngroup 1:\n"), "groups have no meaning"));
+    CHECK(holds(lpy_fault("Axiom: A(1 < 2 < 3)\n"), "a chain of comparisons is not read"));
+    const Model words =
+        read_lpy("Axiom: Left(30)RollL F Right Sphere(2)\nproduction:\nF --> FF\n", "w.lpy");
+    CHECK(print_word(words.alphabet, words.axiom) == "+(30)/F- @O(2)");
+    CHECK(holds(print_lsystem(words), "interpret @O(x) -> X_79(x)\n"));
+    CHECK(words.drawing.generations->second == 1);
 }
 
 TEST_CASE("systems written for cpfg and L-Py read back with the same words and the same figures") {

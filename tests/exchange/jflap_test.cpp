@@ -5,6 +5,7 @@
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
 #include "exchange/inputs.hpp"
+#include "language/language.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 
@@ -88,8 +89,7 @@ TEST_CASE("what is no L-system of JFLAP, or has no meaning here, is refused with
     const std::pair<std::string, const char*> all[] = {
         {"<structure><type>fa</type></structure>",
          "x.jff:1:12: error: expected an L-system of JFLAP, found the type 'fa'"},
-        {"<structure type=\"lsystem\"></structure>",
-         "expected <type>lsystem</type>, found none; files of JFLAP 8 are not read"},
+        {"<structure type=\"lsystem\"></structure>", "expected an <axiom>, found none"},
         {"<html></html>", "x.jff:1:1: error: expected <structure>, found <html>"},
         {file(""), "expected an <axiom>, found none"},
         {file("<axiom>a"), "expected </axiom>, found </structure>"},
@@ -176,4 +176,59 @@ TEST_CASE("systems are written for JFLAP and come back with the same words and f
         } catch (const Error&) {
         }
     }));
+}
+
+TEST_CASE("files of JFLAP 8 are cut into the symbols that they list") {
+    const Model dragon = read_jflap(
+        "<structure type=\"lsystem\">\n<structure type=\"axiom\"><axiom>gX</axiom></structure>\n"
+        "<structure type=\"parameter_map\"><parameter><name>angle</name><value>45</value>"
+        "</parameter></structure>\n<structure type=\"grammar\">"
+        "<production><rhs>-gX++gY-</rhs><lhs>X</lhs></production>"
+        "<production><rhs>+gX--gY+</rhs><lhs>Y</lhs></production>"
+        "<production><rhs/><lhs>g</lhs></production></structure></structure>",
+        "dragon.jff");
+    const std::size_t lengths[] = {2, 8, 20, 44, 92, 188, 380};
+    for (std::uint64_t n = 0; n <= 6; ++n) CHECK(derive(*as_d0l(dragon), n).size() == lengths[n]);
+    CHECK(dragon.drawing.angle->value == 45);
+    const Model hues = read_jflap(
+        "<structure type=\"lsystem\"><axiom>R</axiom><structure type=\"grammar\">"
+        "<terminals><symbol>##</symbol><symbol>#</symbol><symbol>g(2)</symbol></terminals>"
+        "<production><lhs>R</lhs><rhs>###g(2)R</rhs></production></structure></structure>",
+        "h.jff");
+    CHECK(derive(*as_d0l(hues), 3).size() == 10);
+    CHECK(said("<structure type=\"pda\"></structure>")
+              .find("expected an L-system of JFLAP, found the type 'pda'") != std::string::npos);
+}
+
+TEST_CASE("automata and grammars of JFLAP become languages of claims") {
+    const std::string automaton =
+        "<structure><type>fa</type><automaton>"
+        "<state id=\"0\" name=\"q0\"><initial/></state><state id=\"1\" "
+        "name=\"q1\"><final/></state>"
+        "<transition><from>0</from><to>1</to><read>a</read></transition>"
+        "<transition><from>1</from><to>0</to><read/></transition>"
+        "<transition><from>1</from><to>1</to><read>b</read></transition>"
+        "</automaton></structure>";
+    CHECK(converted(automaton, "x/odd.jff", "jff", "claim", {}) ==
+          "claim The language of odd.jff\nlet A = regular { start Q_0; Q_0 -> a Q_1; Q_1 -> ε; "
+          "Q_1 -> Q_0; Q_1 -> b Q_1 }\n");
+    const auto is_true = [](const std::string& text, const std::string& show) {
+        Claim claim = read_claim(text + show + "\n", "c",
+                                 [](const std::string&) -> Model { throw Error("no system"); });
+        return algae::check(std::move(claim), {}).statements.at(0).answer.truth == Truth::proved;
+    };
+    const std::string language = converted(automaton, "odd.jff", "jff", "claim", {});
+    CHECK(is_true(language, "show A == /(ab*)+/"));
+    const std::string grammar =
+        "<structure><type>grammar</type><production><left>S</left><right>aSb</right></production>"
+        "<production><left>S</left><right/></production></structure>";
+    CHECK(is_true(converted(grammar, "g.jff", "jff", "claim", {}), "show aabb in A"));
+    CHECK(said(automaton).find("found the type 'fa', which converts to a claim") !=
+          std::string::npos);
+    CHECK(refusal([] {
+              converted(
+                  "<structure><type>grammar</type><production><left>AB</left><right>c</right>"
+                  "</production></structure>",
+                  "g.jff", "jff", "claim", {});
+          }).find("expected one letter on the left") != std::string::npos);
 }

@@ -69,10 +69,3 @@ TEST_CASE("names that may stand behind a keyword are read there") {
             if (help.keyword == "expect") reads("expect " + word + " 1: 2");
         }
 }
-
-TEST_CASE("the grammar for editors is made from the same statements") {
-    const std::string grammar = editor_grammar();
-    CHECK(file_text("docs/algae.tmLanguage.json") == grammar);
-    for (const StatementHelp& help : system_statements())
-        CHECK_MESSAGE(grammar.find(help.keyword) != std::string::npos, help.keyword);
-}

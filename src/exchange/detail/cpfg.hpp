@@ -21,6 +21,9 @@ struct CpfgDialect {
     double angle = 45;
 };
 
+/// The first letter of an axiom that stands the turtle up along z, where the notation looks for what is level.
+inline constexpr const char* cpfg_upward = "X_118";
+
 /// A text whose characters know where they stood.
 struct Placed {
     std::string text;
@@ -57,9 +60,12 @@ inline bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char
 /// macros that go round in circles and comments that are never closed.
 Placed preprocessed(const Source& source, const CpfgDialect& dialect);
 
-/// An expression in the notation, with the brackets that keep the grouping of the program. Names are those of parameters and `known` ones.
-/// Throws Diagnostics with the place of what is wrong or has no meaning in the notation.
+/// Names that are no parameters, with what the notation says for them; nothing for one that it cannot say.
+using CpfgNames = std::map<std::string, std::string>;
+
+/// An expression in the notation, with the brackets that keep the grouping of the program. Names are those of parameters and `known` ones;
+/// others are 0 in cpfg. Throws Diagnostics with the place of what is wrong or has no meaning in the notation.
 std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
-                            const std::set<std::string>& names, const std::set<std::string>& known);
+                            const std::set<std::string>& names, const CpfgNames& known);
 
 }  // namespace algae

@@ -184,13 +184,17 @@ std::string print_tikz(const Model& system);
 
 // JFLAP: jflap.cpp.
 
-/// The L-system in a file of JFLAP 4 to 7. Its turtle starts upward and + turns to the right; hues and widths of lines are left out. Throws
+/// The L-system in a file of JFLAP 4 to 8. Its turtle starts upward and + turns to the right; hues and widths of lines are left out. Throws
 /// Diagnostics with the place of what is wrong and of what has no meaning in the notation: assignments, variables, contexts of
 /// different lengths for one symbol, brackets beside contexts. Linear time.
 Model read_jflap(std::string_view text, const std::string& name);
 
 /// The file of a system, whose figure stands upright there. Throws Error that names what it cannot say.
 std::string print_jflap(const Model& system);
+
+/// The language of a finite automaton or of a grammar of JFLAP as a claim that defines it, `let A = regular { ... }`. Throws
+/// Diagnostics with the place of what is wrong, and for grammars whose left sides have several letters.
+std::string language_of_jflap(std::string_view text, const std::string& name);
 
 // Morphisms: morphisms.cpp.
 

@@ -77,10 +77,26 @@ private:
 std::string exact_part(const CyclotomicRing& ring, const CyclotomicInteger& value, bool imaginary,
                        const Rational& factor, const Rational& offset);
 
+/// What is drawn in one style, as steps of an SVG path.
+struct SvgRun {
+    std::uint32_t style = 0;
+    bool filled = false;
+    std::string steps;
+};
+
+/// A figure of many strokes as SVG has it, without the letters that draw them: its styles and its runs, in the order of its word. Notes the
+/// numbers of strokes and paths in `drawn`.
+///
+/// Strokes go straight from the figure's own blocks into text; steps that occur again are copied. About 5 bytes a stroke.
+std::vector<SvgRun> svg_runs(const FigureSource& source, const std::vector<std::string>& colours,
+                             double width, const Frame& frame, const Budget& budget,
+                             FigurePaths& styles, FigureTextDrawn& drawn);
+
 /// A figure with its place on the page.
 struct PlacedFigure {
     const FigureSource* source = nullptr;
     FigurePaths paths;
+    std::vector<SvgRun> runs = {};  // in place of paths where there are many strokes
     Cell cell;
     double width = 1;  // of its strokes, in points
 };
@@ -113,6 +129,11 @@ double fitting_size(const std::string& text, double size, double width);
 
 /// "#rrggbb"
 std::string hex_colour(const Colour& colour);
+
+/// A text within a program of a page: no end of the script can stand in it.
+///
+/// Example: script_string("a<b") == "\"a\\u003cb\""
+std::string script_string(std::string_view text);
 
 /// A name for styles, classes and layers: other characters than letters, digits and _ become their codes.
 ///

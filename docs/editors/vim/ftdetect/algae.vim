@@ -1,0 +1,2 @@
+autocmd BufRead,BufNewFile *.lsys setfiletype lsys
+autocmd BufRead,BufNewFile *.claim setfiletype claim

@@ -1,0 +1,104 @@
+// View and animation files of cpfg.
+
+#include <doctest/doctest.h>
+
+#include "exchange/compared.hpp"
+#include "exchange/detail/formats.hpp"
+#include "exchange/exchange.hpp"
+#include "model/model.hpp"
+#include "notation/notation.hpp"
+
+using namespace algae;
+using namespace algae::exchange_tests;
+
+namespace {
+
+Model plant(const std::string& axiom) {
+    return read_cpfg(
+        "Lsystem: 1\nderivation length: 1\nAxiom: " + axiom + "\nA --> A\nendlsystem\n", "plant.l");
+}
+std::string view_fault(const std::string& axiom, const std::string& text) {
+    return refusal([&] { with_cpfg_view(plant(axiom), text, "plant.v"); });
+}
+bool holds(const std::string& text, const std::string& part) {
+    return text.find(part) != std::string::npos;
+}
+
+}  // namespace
+
+TEST_CASE("a view file of cpfg says the angle, the width of lines and where the viewer stands") {
+    const Model shown = with_cpfg_view(plant("F+F"),
+                                       "/* a view */\n#define A 22.5\nangle increment: 10\nangle "
+                                       "increment: A*2 // the last holds\ninitial line width: 3 "
+                                       "pixels\ninitial color: 2\nsurface: l leaf.s 1\n",
+                                       "plant.v");
+    CHECK(shown.drawing.angle->value == 45);
+    CHECK(shown.drawing.width->value == 3);
+    CHECK(with_cpfg_view(plant("F"), "angle factor: 7\n", "v").drawing.angle->exact ==
+          Rational(360, 7));
+    // In the page nothing turns the figure; in space the page is seen from z.
+    CHECK(!with_cpfg_view(plant("F"), "viewpoint: 0 0 1\n", "v").drawing.camera);
+    CHECK(plant("F&F").drawing.camera->from.elevation.value == 90);
+    const Model tipped =
+        with_cpfg_view(plant("F&F"), "viewpoint: 0 -1 1\nprojection: perspective\n", "plant.v");
+    CHECK(tipped.drawing.camera->from.azimuth.value == -90);
+    CHECK(tipped.drawing.camera->from.elevation.value == 45);
+    CHECK(tipped.drawing.camera->perspective);
+    // A system that asks what is level stands upright along z, and any viewpoint can be said.
+    const Model upright = with_cpfg_view(plant("F&(30)@vF"), "viewpoint: 1 0 1\n", "plant.v");
+    CHECK(upright.drawing.camera->from.azimuth.value == -45);
+    CHECK(upright.drawing.camera->from.elevation.value == 0);
+    const Scene scene = scene_of(upright, 0).scene;
+    REQUIRE(scene.rods.size() == 2);
+    CHECK(near(scene.rods[0].to, Vector{0, 0, 1}));
+}
+
+TEST_CASE("what a view file of cpfg says otherwise than the notation is refused with its place") {
+    const std::tuple<const char*, const char*, const char*> all[] = {
+        {"F", "angle increment 22\n", "plant.v:1:1: error: expected `keyword: values`"},
+        {"F", "angle increment: x y\n", ""},
+        {"F", "angle factor: 0\n", "plant.v:1:15: error: expected a number other than 0"},
+        {"F!F", "line width increment: 0.5\n", "plant.v:1:23: error: widths that grow"},
+        {"F", "line width increment: 0.5\n", ""},
+        {"F%F", "interpretation past %: on\n", "plant.v:1:24: error: what stands past %"},
+        {"F", "tropism: T: 0 -1 0 E: 0.22\n", "plant.v:1:20: error: a tropism turns before"},
+        {"F", "tropism: T: 0 -1 0\n", ""},
+        {"F", "initial elasticity: 1.0\n", "plant.v:1:21: error: the older tropism"},
+        {"F&F", "viewpoint: 1 2\n", "plant.v:1:12: error: expected a viewpoint of three numbers"},
+        {"F", "initial line width: 0\n", "plant.v:1:21: error: expected a width above 0"},
+    };
+    for (const auto& [axiom, text, expected] : all) {
+        INFO(text);
+        const std::string said = view_fault(axiom, text);
+        if (*expected == '\0')
+            CHECK(said == "");
+        else
+            CHECK_MESSAGE(holds(said, expected), said.c_str());
+    }
+}
+
+TEST_CASE("an animation file of cpfg says generations") {
+    const auto frames = [](const std::string& text) { return cpfg_frames(text, "plant.a"); };
+    CHECK(frames("first frame: 2\nlast frame: 12\nstep: 1\n") ==
+          std::pair<std::uint64_t, std::uint64_t>(2, 12));
+    CHECK(frames("last frame: 5\nclear between frames: on\n").first == 0);
+    CHECK(frames("frame intervals: 1, 3-5, 2\n") == std::pair<std::uint64_t, std::uint64_t>(1, 5));
+    const auto fault = [&](const std::string& text) { return refusal([&] { frames(text); }); };
+    CHECK(holds(fault("frame intervals: 1, 3-5, 10-16 step 2\n"),
+                "plant.a:1:18: error: frames that are no range"));
+    CHECK(holds(fault("last frame: 8\nstep: 2\n"), "plant.a:2:7: error: frames that are no range"));
+    CHECK(
+        holds(fault("first frame: 8\nlast frame: 2\n"), "expected a last frame behind the first"));
+    CHECK(holds(fault("first frame: 8\n"), "expected a line 'last frame: N'"));
+    CHECK(holds(fault("last frame: -1\n"), "expected a frame, a whole number from 0 on"));
+}
+
+TEST_CASE("the command line in specifications says which files belong together") {
+    const CpfgFiles files =
+        cpfg_files("name plant\ncpfg -m plant.map plant.l other.v plant.a\n", "specifications");
+    CHECK(files.system == "plant.l");
+    CHECK(files.view == "other.v");
+    CHECK(files.animation == "plant.a");
+    CHECK(holds(refusal([] { cpfg_files("nothing\n", "specifications"); }),
+                "specifications: expected a command line"));
+}

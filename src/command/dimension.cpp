@@ -16,6 +16,7 @@
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
+#include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
@@ -58,6 +59,7 @@ struct Options {
     std::optional<Rational> within;
     Measure measure = Measure::boxes;
     bool points = false, invert = false, json = false, latex = false, table = false, quick = false;
+    bool rauzy = false;
     Bounds bounds;
 
     std::size_t places() const { return grids.value_or(usual_grids); }
@@ -447,7 +449,7 @@ DimensionReport bounded(const Model& system, const Options& options, const Budge
         bounds.high = Rational(ceiling(value.upper() * unit)) / unit;
         bounds.low_by = bounds.high_by = "the exact value";
     } else {
-        bounds = dimension_bounds(system, *options.within, budget);
+        bounds = dimension_bounds(system, BoundsSearch::until_within(*options.within), budget);
     }
     DimensionReport found = measured(system, exact, options, budget);
     found.bounds = std::move(bounds);
@@ -564,8 +566,41 @@ ScalingReport other_measured(const Options& options, const Budget& budget) {
     return measured_otherwise(options.measure, named.what, *named.figure, options.places(), budget);
 }
 
+/// The fractal of a Pisot substitution, and a picture of it.
+int print_rauzy(const Options& options, const Budget& budget) {
+    const auto refuse = [](const char* option, bool given) {
+        if (given) throw Error(std::string("--rauzy goes without ") + option);
+    };
+    refuse("--table", options.table);
+    refuse("--within", options.within.has_value());
+    refuse("--measure", options.measure != Measure::boxes);
+    refuse("--latex", options.latex);
+    refuse("-n", !options.generation.empty());
+    if (options.file.empty()) throw Error("dimension: expected FILE");
+    if (is_generator(options.file))
+        throw Error("--rauzy is for systems, and " + options.file + " is not one");
+    const Input read = input(options, budget);
+    const auto* system = std::get_if<Model>(&read.content);
+    if (!system) throw Error("--rauzy is for systems, and " + read.name + " is not one");
+    const View<D0L> rules = as_d0l(*system);
+    if (!rules) throw Error(read.name + ": " + rules.reason());
+    RauzyReport report{(system->title.empty() ? read.name : system->title) + ", Rauzy fractal",
+                       {},
+                       rauzy_fractal(*rules, budget)};
+    for (const Symbol letter : report.found.letters)
+        report.letters.push_back(system->alphabet.name(letter));
+    if (!options.plot.empty()) {
+        const auto format = picture_format(options.plot);
+        const IteratedFunctions functions = rauzy_functions(*rules, budget);
+        draw_generator(functions, options.plot, format, {}, false, "", budget);
+    }
+    print_report(report, options.json);
+    return success;
+}
+
 int dimension(const Options& options) {
     const Budget budget = options.bounds.budget();
+    if (options.rauzy) return print_rauzy(options, budget);
     if (options.quick && !options.table) throw Error("--quick is for --table");
     if (options.table) {
         if (options.measure != Measure::boxes) throw Error("--table is for --measure boxes");
@@ -632,6 +667,10 @@ void add_dimension(Verbs& verbs) {
     verb.option("--within", options.within, width, "W",
                 "systems: bounds that are proved, from above and from below, at most W apart where "
                 "they come so near; otherwise the best, and the exit status is 3");
+    verb.flag("--rauzy", options.rauzy,
+              "systems whose letters multiply like a Pisot substitution: the fractal of their "
+              "prefixes, whether it tiles and is connected, and the dimension of its boundary; "
+              "--plot draws it");
     verb.flag("--points", options.points,
               "FILE holds points, whatever its name and first line are");
     verb.option("--threshold", options.threshold, positive_or_zero, "T",

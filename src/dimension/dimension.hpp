@@ -209,10 +209,12 @@ struct ExactDimension {
 /// (`RatioSum`): exact where neighbour maps show that no parts coincide, else an upper bound.
 /// Segments that stay segments have the dimension 1.
 ///
-/// Throws BoundReached past the deadline, Interrupted: neither says anything about the rules.
+/// At most so many ways in which parts meet are looked at, and kinds of parts. Throws BoundReached past
+/// the deadline, Interrupted: neither says anything about the rules.
 ///
 /// Example: exact_dimension(read_lsystem("axiom F; F -> F+F--F+F; angle 60", "")).value->text() == "log 4 / log 3"
-ExactDimension exact_dimension(const Model& system, const Budget& budget = {});
+ExactDimension exact_dimension(const Model& system, const Budget& budget = {},
+                               std::size_t most_ways = 50'000);
 
 /// The same without the search for parts that coincide, which may take long: where it would be
 /// needed, the value with multiplicity as an upper bound, and the limit.
@@ -228,14 +230,27 @@ struct DimensionBounds {
     Rational width() const { return high - low; }
 };
 
+/// How far a search for bounds goes.
+struct BoundsSearch {
+    /// Whether the bounds are near enough, or decide what they are asked for.
+    std::function<bool(const DimensionBounds&)> is_enough;
+    /// Of the work, which is counted and not timed, so that the bounds are the same on every machine;
+    /// 10^9 steps take some 10 seconds.
+    std::uint64_t steps = 40'000'000'000;
+
+    /// Until the bounds are at most so far apart.
+    static BoundsSearch until_within(const Rational& width) {
+        return {[width](const DimensionBounds& found) { return found.width() <= width; }};
+    }
+};
+
 /// Bounds of the dimension of the recurrent set of a D0L system, also where it has no formula. From
 /// above by the number of different parts of a level, from below by the pairs of parts of a level
 /// that may meet (`dimension_bounds.cpp`): both tend to the dimension where parts do not crowd. Ends
-/// when the bounds are so near, or when the budget's time or 10^6 parts of a level do not bring them
-/// nearer.
+/// when the search says so, or when its steps or the budget's time are used up.
 ///
 /// Throws what RecurrentSet throws where the system has none, and Error if it is not a D0L system.
-DimensionBounds dimension_bounds(const Model& system, const Rational& within,
+DimensionBounds dimension_bounds(const Model& system, const BoundsSearch& search,
                                  const Budget& budget = {});
 
 // Dimensions as numbers to compare with, and ratios as expressions.
@@ -406,7 +421,7 @@ public:
     static constexpr std::size_t largest_matrix = 256;
 
     std::size_t rank() const { return basis_.size(); }
-    /// mu, to the precision of doubles, and its size.
+    /// mu, off by at most 2^-52 of its size, and its size.
     std::complex<double> factor() const { return factor_; }
     double ratio() const { return std::abs(factor_); }
     /// The minimal polynomial of mu.
@@ -421,8 +436,9 @@ public:
     Vector turned(const Vector& vector, std::int64_t heading) const;
     void add(Vector& left, const Vector& right) const;
     void subtract(Vector& left, const Vector& right) const;
-    /// As a complex number, within about 1e-12 of its size and that of its coordinates.
+    /// As a complex number, off by at most `error(vector)`; in a frame that is the same for all.
     std::complex<double> value(const Vector& vector) const;
+    double error(const Vector& vector) const;
 
 private:
     using Matrix = std::vector<Vector>;  // by rows
@@ -453,7 +469,7 @@ public:
         Displacement::Vector offset;
         bool operator==(const Part&) const = default;
     };
-    /// A disc that holds a piece that begins at 0 and looks along +x.
+    /// A disc that holds a piece that begins at 0 and looks along +x, which is proved.
     struct Disc {
         std::complex<double> centre;
         double radius = 0;
@@ -471,6 +487,8 @@ public:
     /// The parts of a piece that draw for ever; none for a piece that does not.
     const std::vector<Part>& parts(std::size_t piece) const { return parts_[piece]; }
     const Disc& disc(std::size_t piece) const { return discs_[piece]; }
+    /// zeta^heading, off by at most 2^-52.
+    std::complex<double> direction(std::int64_t heading) const;
     /// The pieces of the axiom that draw for ever.
     const std::vector<Part>& axiom() const { return axiom_; }
     /// The strongly connected components of the pieces, with the rates at which they multiply.
@@ -484,15 +502,47 @@ private:
                              const std::vector<bool>& lasting) const;
     void find_reached();
     void find_discs();
+    bool hold(const std::vector<Disc>& discs) const;
 
     Unfolding unfolding_;
     Displacement displacement_;
     std::vector<std::vector<Part>> parts_;
     std::vector<Part> axiom_;
+    std::vector<std::complex<double>> directions_;
     std::vector<Disc> discs_;
     std::vector<bool> reached_;
     Components components_;
 };
+
+/// What others need to see the dimension of a recurrent set again: its lattice, and how the parts lie
+/// apart in a component that multiplies the fastest. Vectors are rows.
+struct LimitWitness {
+    struct Piece {
+        Symbol letter;
+        std::size_t phase;
+        Displacement::Vector way;
+        bool draws = false;         // for ever
+        RecurrentSet::Disc disc{};  // if so; in units of the first element of the basis
+    };
+    struct Pair {
+        std::size_t piece, other;
+        std::int64_t heading;
+        Displacement::Vector offset;
+    };
+
+    std::int64_t order = 1;
+    std::size_t phases = 1;
+    std::complex<double> factor;
+    std::vector<Displacement::Vector> scale, turn;  // the matrices of mu and zeta
+    std::vector<Piece> pieces;
+    std::size_t component = 0;  // a piece of it
+    /// All ways in which its parts may meet; nothing where only the upper bound is seen.
+    std::optional<std::vector<Pair>> neighbours;
+};
+
+/// Of an exact dimension with all parts counted, or of an upper bound; nothing for others, or where
+/// parts meet in more than 5,000 ways.
+std::optional<LimitWitness> limit_witness(const ExactDimension& found, const Budget& budget = {});
 
 // Boxes: what is counted, and what the counts say.
 

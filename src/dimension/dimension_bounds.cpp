@@ -3,7 +3,6 @@
 #include <deque>
 #include <map>
 #include <memory>
-#include <numbers>
 #include <set>
 
 #include "dimension/detail/recurrent_set.hpp"
@@ -29,8 +28,17 @@
 // may come to is at most pairs * W, then pairs^n bounds their number (Collatz and Wielandt). Smaller
 // cells make it smaller.
 //
-// Floating point with margins: sums have few positive terms, and every comparison is widened by far
-// more than rounding. Logarithms at the end are in ball arithmetic.
+// What rests on doubles is proved:
+// - A bound of a rate is the extreme quotient of sums of weights, whatever the weights are. They are found
+//   without care; the sums and quotients are rounded outward, operation by operation (`next_above`).
+// - Where a pair lies is a few products and sums of numbers of at most some size S, with errors below 2^-51 S
+//   each; fewer than 2^7 of them stand between the exact numbers and the comparison of a place with the border of a
+//   cell. So a margin of 2^-40 S, beside the errors of offsets that `Displacement` states, is more than enough, and no
+//   cell that a pair may come to is left out. The cells of a search are exactly quarters of those before.
+// - Pairs are near each other where discs meet that hold the pieces; `RecurrentSet` proves that they do.
+// Logarithms at the end are in ball arithmetic.
+//
+// Work is counted in steps of a few nanoseconds. No clock decides how far a search comes.
 
 namespace algae {
 
@@ -38,23 +46,40 @@ namespace {
 
 using Complex = std::complex<double>;
 
-constexpr double rounding = 1e-9;
 constexpr std::size_t most_pairs = 40'000, most_kinds = 30'000;
 
+/// Steps that are left to a search.
+class Steps {
+public:
+    explicit Steps(std::uint64_t left) : left_(left) {}
+
+    void take(std::uint64_t count) {
+        if (count > left_) throw BoundReached(Bound::method, "the steps of a search are used up");
+        left_ -= count;
+    }
+
+private:
+    std::uint64_t left_;
+};
+
 /// The spectral radius of a matrix with rows of columns, each entry 1; from above.
-double radius_above(const std::vector<std::vector<std::size_t>>& rows, const Budget& budget) {
+double radius_above(const std::vector<std::vector<std::size_t>>& rows, Steps& steps,
+                    const Budget& budget) {
     constexpr int most_rounds = 2000;
+    std::size_t entries = rows.size();
+    for (const auto& row : rows) entries += row.size();
     std::vector<double> weights(rows.size(), 1), next(rows.size());
     double best = INFINITY;
     for (int round = 0; round < most_rounds; ++round) {
         if (round % 16 == 0) budget.check();
-        double largest = 0, radius = 0;
+        steps.take(entries);
+        const double radius = quotients_around(rows, weights).first;
+        double largest = 0;
         for (std::size_t k = 0; k < rows.size(); ++k) {
-            double sum = 0;
+            double sum = weights[k];  // of the matrix and 1: periods do not matter
             for (const std::size_t column : rows[k]) sum += weights[column];
-            radius = std::max(radius, sum / weights[k]);
-            next[k] = sum + weights[k];  // of the matrix and 1: periods do not matter
-            largest = std::max(largest, next[k]);
+            next[k] = sum;
+            largest = std::max(largest, sum);
         }
         const bool settled = best - radius < 1e-10 * best;
         best = std::min(best, radius);
@@ -62,7 +87,7 @@ double radius_above(const std::vector<std::vector<std::size_t>>& rows, const Bud
         for (std::size_t k = 0; k < rows.size(); ++k)
             weights[k] = std::max(next[k] / largest, 1e-200);
     }
-    return best * (1 + rounding);
+    return best;
 }
 
 // From above.
@@ -109,7 +134,7 @@ private:
                 if (different && i == k) continue;
                 const Placement at = placed(set_, first, own[i]);
                 Placement seen = seen_from(set_, at, placed(set_, second, others[k]));
-                if (!near(at.piece, seen)) continue;
+                if (!may_meet(set_, at.piece, seen)) continue;
                 const auto [place, is_new] =
                     numbers_.try_emplace({at.piece, std::move(seen)}, pairs_.size());
                 if (is_new) {
@@ -118,15 +143,6 @@ private:
                 }
                 into.push_back(place->second);
             }
-    }
-
-    bool near(std::size_t piece, const Placement& other) const {
-        const double angle = 2 * std::numbers::pi * static_cast<double>(other.heading) /
-                             static_cast<double>(set_.order());
-        const auto &first = set_.disc(piece), &second = set_.disc(other.piece);
-        const Complex centre =
-            set_.displacement().value(other.offset) + std::polar(1.0, angle) * second.centre;
-        return std::abs(centre - first.centre) <= first.radius + second.radius + 1e-6;
     }
 
     void find_levels() {
@@ -163,15 +179,15 @@ public:
         : set_(set), coincidences_(coincidences), levels_(levels) {}
 
     /// An upper bound of the rate of different parts; none if there are too many kinds.
-    std::optional<double> rate(std::size_t piece, const Budget& budget) {
+    std::optional<double> rate(std::size_t piece, Steps& steps, const Budget& budget) {
         number({{piece, 0, set_.displacement().zero()}, {}});
         std::vector<std::vector<std::size_t>> rows;
         for (std::size_t k = 0; k < kinds_.size(); ++k) {
             budget.check();
             if (kinds_.size() > most_kinds) return std::nullopt;
-            rows.push_back(parts_of(*kinds_[k]));
+            rows.push_back(parts_of(*kinds_[k], steps));
         }
-        return radius_above(rows, budget);
+        return radius_above(rows, steps, budget);
     }
 
 private:
@@ -197,7 +213,8 @@ private:
         return a.piece < b.piece;
     }
 
-    std::vector<std::size_t> parts_of(const Kind& whole) {
+    std::vector<std::size_t> parts_of(const Kind& whole, Steps& steps) {
+        constexpr std::uint64_t of_pair = 100;
         std::map<Placement, bool> parts;  // whether the whole keeps it
         for (const RecurrentSet::Part& part : parts_within(set_, whole.self.piece))
             parts[placed(set_, whole.self, part)] = true;
@@ -211,6 +228,7 @@ private:
         std::vector<std::size_t> found;
         for (const auto& [part, kept] : parts) {
             if (!kept) continue;
+            steps.take(of_pair * parts.size());
             Kind kind{{part.piece, part.heading, set_.displacement().zero()}, {}};
             for (const auto& [other, is_own] : parts) {
                 if (other == part) continue;
@@ -248,7 +266,7 @@ struct Block {
                                    std::size_t most) {
         Block found;
         found.levels = levels;
-        found.factor = std::pow(set.displacement().factor(), levels);
+        for (int level = 0; level < levels; ++level) found.factor *= set.displacement().factor();
         found.parts.resize(set.size());
         const auto& letters = set.components().list[component].letters;
         for (const std::size_t piece : letters) {
@@ -279,21 +297,25 @@ private:
             }
             if (reached.size() != letters.size()) return false;
         }
-        std::vector<double> weights(parts.size(), 1), next(parts.size());
+        std::vector<std::size_t> row_of(parts.size(), 0);
+        for (std::size_t k = 0; k < letters.size(); ++k) row_of[letters[k]] = k;
+        std::vector<std::vector<std::size_t>> rows(letters.size());
+        for (std::size_t k = 0; k < letters.size(); ++k)
+            for (const Placement& part : parts[letters[k]]) rows[k].push_back(row_of[part.piece]);
+        std::vector<double> weights(rows.size(), 1), next(rows.size());
+        rate = 0;
         above = INFINITY;
         for (int round = 0; round < 3000; ++round) {
-            double least = INFINITY, most = 0, largest = 0;
-            for (const std::size_t piece : letters) {
-                double sum = 0;
-                for (const Placement& part : parts[piece]) sum += weights[part.piece];
-                least = std::min(least, sum / weights[piece]);
-                most = std::max(most, sum / weights[piece]);
-                next[piece] = sum + weights[piece];
-                largest = std::max(largest, next[piece]);
+            const auto [most, least] = quotients_around(rows, weights);
+            rate = std::max(rate, least);
+            above = std::min(above, most);
+            double largest = 0;
+            for (std::size_t k = 0; k < rows.size(); ++k) {
+                next[k] = weights[k];
+                for (const std::size_t column : rows[k]) next[k] += weights[column];
+                largest = std::max(largest, next[k]);
             }
-            rate = std::max(rate, least * (1 - rounding));
-            above = std::min(above, most * (1 + rounding));
-            for (const std::size_t piece : letters) weights[piece] = next[piece] / largest;
+            for (std::size_t k = 0; k < rows.size(); ++k) weights[k] = next[k] / largest;
         }
         return true;
     }
@@ -302,11 +324,15 @@ private:
 /// The places of one piece seen from another one, in cells.
 class PairCells {
 public:
-    PairCells(const RecurrentSet& set, const Block& block, const Budget& budget)
-        : set_(set), block_(block), budget_(budget) {
+    /// Throws BoundReached where positions need more digits than doubles have.
+    PairCells(const RecurrentSet& set, const Block& block, Steps& steps, const Budget& budget)
+        : set_(set), block_(block), steps_(steps), budget_(budget) {
         for (std::size_t piece = 0; piece < block.parts.size(); ++piece)
             if (!block.parts[piece].empty()) steps_of_same(piece);
         for (std::size_t k = 0; k < kinds_.size(); ++k) find_steps(k);
+        margin_ = 0x1p-40 * largest_ + 4 * error_;
+        if (margin_ > 1e-6)
+            throw BoundReached(Bound::digits, "the lattice of positions needs too many digits");
     }
 
     /// An upper bound of the rate of pairs of different parts that come near each other, with twice
@@ -341,6 +367,9 @@ public:
         for (std::size_t k = 0; k < all.size(); ++k) {
             if (k % 256 == 0) budget_.check();
             if (targets.size() > most_targets) return std::nullopt;
+            if (k > 0)
+                steps_.take(of_target * (targets.size() - begins.back()) +
+                            of_step * kinds_[all[k - 1] / cells].steps.size());
             const std::size_t cell = all[k];
             begins.push_back(targets.size());
             for (const Step& step : kinds_[cell / cells].steps) {
@@ -358,6 +387,7 @@ public:
         constexpr int most_rounds = 200, looked_back = 16;
         double best = INFINITY, earlier = INFINITY;
         for (int round = 0; round < most_rounds; ++round) {
+            steps_.take(targets.size() + all.size());
             double largest = 0, radius = 0;
             for (std::size_t k = 0; k < all.size(); ++k) {
                 if (k % 4096 == 0) budget_.check();
@@ -365,12 +395,11 @@ public:
                 double sum = 0, most = 0;
                 for (std::size_t i = begins[k]; i < begins[k + 1]; ++i) {
                     most = std::max(most, weights[targets[i] & ~last]);
-                    if (targets[i] & last) {
-                        sum += most;
-                        most = 0;
-                    }
+                    if (!(targets[i] & last)) continue;
+                    if (most > 0) sum = next_above(sum + most);
+                    most = 0;
                 }
-                radius = std::max(radius, sum / weights[k]);
+                radius = std::max(radius, next_above(sum / weights[k]));
                 next[k] = sum;
                 largest = std::max(largest, sum);
             }
@@ -388,7 +417,7 @@ public:
         }
         weights_.assign(kinds_.size() * cells, 0);
         for (std::size_t k = 0; k < all.size(); ++k) weights_[all[k]] = weights[k];
-        return best * (1 + rounding);
+        return best;
     }
 
     std::size_t across() const { return across_; }
@@ -396,6 +425,7 @@ public:
 private:
     static constexpr std::size_t first_across = 12, most_cells = 50'000'000,
                                  most_targets = 120'000'000;
+    static constexpr std::uint64_t of_target = 4, of_step = 8;
 
     struct Step {
         std::size_t kind;
@@ -407,11 +437,6 @@ private:
         double reach;
         std::vector<Step> steps;
     };
-
-    Complex direction(std::int64_t heading) const {
-        return std::polar(1.0, 2 * std::numbers::pi * static_cast<double>(heading) /
-                                   static_cast<double>(set_.order()));
-    }
 
     std::size_t number(std::size_t piece, std::size_t other, std::int64_t heading) {
         heading = normal_heading(heading, set_.order());
@@ -435,29 +460,46 @@ private:
             for (const Placement& b : parts) {
                 if (a == b) continue;
                 const Placement seen = seen_from(set_, a, b);
+                const Complex offset = set_.displacement().value(seen.offset);
                 starts_.emplace_back(number(a.piece, b.piece, seen.heading),
-                                     set_.displacement().value(seen.offset) +
-                                         direction(seen.heading) * set_.disc(b.piece).centre -
+                                     offset +
+                                         set_.direction(seen.heading) * set_.disc(b.piece).centre -
                                          set_.disc(a.piece).centre);
+                take_sizes(std::abs(offset) + std::abs(set_.disc(b.piece).centre) +
+                               std::abs(set_.disc(a.piece).centre),
+                           set_.displacement().error(seen.offset));
             }
+    }
+
+    void take_sizes(double size, double error) {
+        largest_ = std::max(largest_, size);
+        error_ = std::max(error_, error);
     }
 
     void find_steps(std::size_t k) {
         const Kind kind = kinds_[k];
-        const Complex turned = direction(kind.heading);
+        const Complex turned = set_.direction(kind.heading);
         // The place z of the other piece, from w = z + turned * its centre - the first centre.
         const Complex back = set_.disc(kind.piece).centre - turned * set_.disc(kind.other).centre;
+        const double centres =
+            std::abs(set_.disc(kind.piece).centre) + std::abs(set_.disc(kind.other).centre);
         std::vector<Step> steps;
         for (const Placement& a : block_.parts[kind.piece])
             for (const Placement& b : block_.parts[kind.other]) {
                 const std::int64_t heading = kind.heading + b.heading - a.heading;
-                const Complex turn = direction(-a.heading);
-                const Complex shift =
-                    turn * (block_.factor * back + turned * set_.displacement().value(b.offset) -
-                            set_.displacement().value(a.offset));
-                steps.push_back({number(a.piece, b.piece, heading), turn * block_.factor,
-                                 shift + direction(heading) * set_.disc(b.piece).centre -
+                const Complex turn = set_.direction(-a.heading);
+                const Complex of_a = set_.displacement().value(a.offset),
+                              of_b = set_.displacement().value(b.offset);
+                const Complex shift = turn * (block_.factor * back + turned * of_b - of_a);
+                const std::size_t to = number(a.piece, b.piece, heading);
+                steps.push_back({to, turn * block_.factor,
+                                 shift + set_.direction(heading) * set_.disc(b.piece).centre -
                                      set_.disc(a.piece).centre});
+                take_sizes(
+                    std::abs(block_.factor) * (2 * kind.reach + centres) + std::abs(of_a) +
+                        std::abs(of_b) + std::abs(set_.disc(a.piece).centre) +
+                        std::abs(set_.disc(b.piece).centre) + 2 * kinds_[to].reach,
+                    set_.displacement().error(a.offset) + set_.displacement().error(b.offset));
             }
         kinds_[k].steps = std::move(steps);
     }
@@ -479,12 +521,12 @@ private:
                    const See& see) const {
         const double reach = kinds_[kind].reach, side = 2 * reach / static_cast<double>(across_);
         const double size = half_side * std::abs(turn);
-        if (std::abs(centre) > reach + size * 1.41422 + 1e-9) return;
+        if (std::abs(centre) > reach + size * 1.41422 + margin_) return;
         const double c = std::fabs(turn.real()) / std::abs(turn),
                      s = std::fabs(turn.imag()) / std::abs(turn);
-        const double box = size * (c + s) + 1e-9;
+        const double box = size * (c + s) + margin_;
         // In the frame of the turned square, cells are as wide as this.
-        const double wide = size + side / 2 * (c + s) + 1e-9;
+        const double wide = size + side / 2 * (c + s) + margin_;
         const Complex unit = std::conj(turn) / std::abs(turn);
         const auto index = [&](double x) {
             return std::clamp(static_cast<long>(std::floor((x + reach) / side)), 0L,
@@ -496,7 +538,7 @@ private:
             for (long x = left; x <= right; ++x) {
                 const Complex at{side * (static_cast<double>(x) + 0.5) - reach,
                                  side * (static_cast<double>(y) + 0.5) - reach};
-                if (std::abs(at) > reach + side * 0.70711 + 1e-9) continue;
+                if (std::abs(at) > reach + side * 0.70711 + margin_) continue;
                 const Complex seen = (at - centre) * unit;
                 if (std::fabs(seen.real()) > wide || std::fabs(seen.imag()) > wide) continue;
                 see(kind * across_ * across_ + static_cast<std::size_t>(y) * across_ +
@@ -506,7 +548,9 @@ private:
 
     const RecurrentSet& set_;
     const Block& block_;
+    Steps& steps_;
     const Budget& budget_;
+    double largest_ = 0, error_ = 0, margin_ = 0;
     std::map<std::tuple<std::size_t, std::size_t, std::int64_t>, std::size_t> numbers_;
     std::vector<Kind> kinds_;
     std::vector<std::pair<std::size_t, Complex>> starts_;
@@ -529,10 +573,13 @@ Ball exactly_ball(double value) { return Ball(exactly(value), 128); }
 
 class Bounds {
 public:
-    Bounds(const RecurrentSet& set, const Rational& within, bool with_types, const Budget& budget)
+    Bounds(const RecurrentSet& set, const BoundsSearch& search, bool with_types,
+           const Budget& budget)
         : set_(set),
-          within_(within),
+          search_(search),
           with_types_(with_types),
+          above_steps_(search.steps / 2),
+          below_steps_(search.steps / 2),
           budget_(budget),
           log_mu_(log(ratio())) {}
 
@@ -560,6 +607,8 @@ private:
     struct Open {
         std::size_t component;
         Rational high;
+        std::unique_ptr<Coincidences> coincidences = {};
+        bool is_done = false;  // from above
     };
 
     Ball ratio() const { return ScalingRatio(set_.displacement()).enclosure(128); }
@@ -568,7 +617,7 @@ private:
         return rounded_up((log_rate / log_mu_).upper());
     }
 
-    bool is_near() const { return !(within_ < out_.width()); }
+    bool is_enough() const { return search_.is_enough && search_.is_enough(out_); }
 
     void update_high(const std::string& by) {
         if (open_.empty()) return;
@@ -586,17 +635,43 @@ private:
         out_.low_by = by;
     }
 
+    /// The searches from both sides take turns, with ever more levels and smaller cells.
     void run() {
+        if (is_enough()) return;
         if (with_types_)
             for (Open& open : open_) exactly_known(open);
-        for (Open& open : open_)
-            if (out_.low < open.high && !is_near()) from_above(open);
-        from_below();
+        std::vector<Below> below;
+        for (int round = 0; !is_enough(); ++round) {
+            bool goes_on = false;
+            for (Open& open : open_)
+                if (out_.low < open.high && !open.is_done && !is_enough()) {
+                    open.is_done = !within_steps([&] { return from_above(open, round); });
+                    goes_on = goes_on || !open.is_done;
+                }
+            if (round == 0) below = begin_below();
+            for (Below& each : below)
+                if (!each.is_done && out_.low < each.open->high && !is_enough()) {
+                    each.is_done = !within_steps([&] { return refine(each); });
+                    goes_on = goes_on || !each.is_done;
+                }
+            if (!goes_on) return;
+        }
+    }
+
+    /// What the search says of going on; no where it may not.
+    template <class Search>
+    static bool within_steps(const Search& search) {
+        try {
+            return search();
+        } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) throw;
+            return false;
+        }
     }
 
     void exactly_known(Open& open) {
-        constexpr std::size_t few = 5'000;
-        try {
+        constexpr std::size_t few = 2'000;
+        within_steps([&] {
             const Neighbours neighbours(set_, open.component, budget_, few);
             const Rate rate =
                 neighbours.parts_coincide()
@@ -607,35 +682,38 @@ private:
             update_high("different parts, which meet in finitely many ways");
             take_low(rounded_down(dimension.lower()),
                      "a component whose parts meet in finitely many ways");
-        } catch (const BoundReached& bound) {
-            if (bound.bound() == Bound::time) throw;
-        }
+            return true;
+        });
     }
 
-    void from_above(Open& open) {
-        const Coincidences coincidences(set_, open.component, budget_);
-        if (!coincidences.found()) return;
+    /// Whether it goes on.
+    bool from_above(Open& open, int levels) {
+        constexpr int most_levels = 12;
+        if (!open.coincidences)
+            open.coincidences = std::make_unique<Coincidences>(set_, open.component, budget_);
+        if (!open.coincidences->found()) return false;
         const std::size_t piece = set_.components().list[open.component].letters.front();
-        for (int levels = 0; levels <= 12 && !is_near(); ++levels) {
-            const auto rate = Kinds(set_, coincidences, levels).rate(piece, budget_);
-            if (!rate) break;
-            const Rational high = as_dimension(log(exactly_ball(*rate)));
-            if (high < open.high) open.high = high;
-            update_high("different parts, told apart by those that coincide within " +
-                        counted(static_cast<std::uint64_t>(levels) + 1, "level"));
-        }
+        const auto rate =
+            Kinds(set_, *open.coincidences, levels).rate(piece, above_steps_, budget_);
+        if (!rate) return false;
+        const Rational high = as_dimension(log(exactly_ball(*rate)));
+        if (high < open.high) open.high = high;
+        update_high("different parts, told apart by those that coincide within " +
+                    counted(static_cast<std::uint64_t>(levels) + 1, "level"));
+        return levels < most_levels;
     }
 
-    /// Blocks of each component, and their cells, the coarsest first.
-    struct Search {
+    /// The blocks of a component, and their cells.
+    struct Below {
         const Open* open;
         std::unique_ptr<Block> block;
         std::unique_ptr<PairCells> cells;
+        bool is_done = false;
     };
 
-    void from_below() {
+    std::vector<Below> begin_below() {
         constexpr std::size_t most_parts = 40;
-        std::vector<Search> searches;
+        std::vector<Below> found;
         for (const Open& open : open_) {
             if (!(out_.low < open.high)) continue;
             std::optional<double> rate;
@@ -645,33 +723,35 @@ private:
                 const double own = block ? std::pow(block->rate, 1.0 / levels) : 0;
                 if (!block || (rate && own > *rate * (1 - 1e-6))) continue;
                 rate = own;
-                auto kept = std::make_unique<Block>(std::move(*block));
-                auto cells = std::make_unique<PairCells>(set_, *kept, budget_);
-                searches.push_back({&open, std::move(kept), std::move(cells)});
+                within_steps([&] {
+                    auto kept = std::make_unique<Block>(std::move(*block));
+                    auto cells = std::make_unique<PairCells>(set_, *kept, below_steps_, budget_);
+                    found.push_back({&open, std::move(kept), std::move(cells)});
+                    return true;
+                });
             }
         }
-        while (!searches.empty() && !is_near()) {
-            std::vector<Search> left;
-            for (Search& search : searches) {
-                if (!(out_.low < search.open->high) || is_near()) continue;
-                const auto pairs = search.cells->refined_rate();
-                if (!pairs) continue;
-                const Block& block = *search.block;
-                const Ball low = (Ball(2, 128) * log(exactly_ball(block.rate)) -
-                                  log(exactly_ball(std::max(*pairs, block.above)))) /
-                                 (log_mu_ * Ball(block.levels, 128));
-                const std::string across = std::to_string(search.cells->across());
-                take_low(rounded_down(low.lower()),
-                         "pairs of parts that may meet, in " + across + " by " + across + " cells");
-                left.push_back(std::move(search));
-            }
-            searches = std::move(left);
-        }
+        return found;
+    }
+
+    /// Whether it goes on.
+    bool refine(Below& search) {
+        const auto pairs = search.cells->refined_rate();
+        if (!pairs) return false;
+        const Block& block = *search.block;
+        const Ball low = (Ball(2, 128) * log(exactly_ball(block.rate)) -
+                          log(exactly_ball(std::max(*pairs, block.above)))) /
+                         (log_mu_ * Ball(block.levels, 128));
+        const std::string across = std::to_string(search.cells->across());
+        take_low(rounded_down(low.lower()),
+                 "pairs of parts that may meet, in " + across + " by " + across + " cells");
+        return true;
     }
 
     const RecurrentSet& set_;
-    Rational within_;
+    const BoundsSearch& search_;
     bool with_types_;
+    Steps above_steps_, below_steps_;
     const Budget& budget_;
     Ball log_mu_;
     std::vector<Open> open_;
@@ -680,12 +760,27 @@ private:
 
 }  // namespace
 
-DimensionBounds dimension_bounds(const RecurrentSet& set, const Rational& within, bool with_types,
-                                 const Budget& budget) {
-    return Bounds(set, within, with_types, budget).result();
+std::pair<double, double> quotients_around(const std::vector<std::vector<std::size_t>>& rows,
+                                           const std::vector<double>& weights) {
+    double above = 0, below = INFINITY;
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+        double more = 0, less = 0;
+        for (const std::size_t column : rows[k]) {
+            more = next_above(more + weights[column]);
+            less = next_below(less + weights[column]);
+        }
+        above = std::max(above, next_above(more / weights[k]));
+        below = std::min(below, next_below(less / weights[k]));
+    }
+    return {above, below};
 }
 
-DimensionBounds dimension_bounds(const Model& system, const Rational& within,
+DimensionBounds dimension_bounds(const RecurrentSet& set, const BoundsSearch& search,
+                                 bool with_types, const Budget& budget) {
+    return Bounds(set, search, with_types, budget).result();
+}
+
+DimensionBounds dimension_bounds(const Model& system, const BoundsSearch& search,
                                  const Budget& budget) {
     if (const View<D0L> rules = as_d0l(system)) {
         std::optional<RecurrentSet> set;
@@ -693,7 +788,7 @@ DimensionBounds dimension_bounds(const Model& system, const Rational& within,
             set.emplace(system, *rules, budget);
         } catch (const Error&) {  // what is known without a lattice
         }
-        if (set) return dimension_bounds(*set, within, true, budget);
+        if (set) return dimension_bounds(*set, search, true, budget);
     }
     const ExactDimension known = exact_dimension(system, budget);
     if (!known.value) throw Error(known.conditions.back());

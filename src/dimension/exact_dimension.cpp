@@ -56,11 +56,11 @@ bool vanishes(const std::vector<RatioSum::Entry>& cycle, const WayGrowth& growth
 /// `parts_apart` proves it, else an upper bound; segments that stay segments have the dimension 1.
 ///
 /// Throws what `ratio_graph`, `WayGrowth` and `RatioSum` throw.
-ExactDimension parametric_dimension(const Model& system, bool searched, const Budget& budget) {
+ExactDimension parametric_dimension(const Model& system, std::size_t ways, const Budget& budget) {
     const RatioGraph graph = ratio_graph(system, budget);
     if (const auto equal = with_equal_lengths(graph)) {
         ExactDimension found =
-            searched ? exact_dimension(*equal, budget) : dimension_bound(*equal, budget);
+            ways > 0 ? exact_dimension(*equal, budget, ways) : dimension_bound(*equal, budget);
         if (found.status != Status::none) {
             found.conditions.insert(found.conditions.begin(),
                                     "every rule multiplies lengths by the same number");
@@ -104,7 +104,7 @@ ExactDimension parametric_dimension(const Model& system, bool searched, const Bu
         found.conditions.push_back(
             "rules multiply lengths by constants, and m is the factor by which the ways from the "
             "beginnings to the ends of figures grow in each generation");
-        if (!searched) {
+        if (ways == 0) {
             found.conditions.push_back("whether parts coincide has not been looked at");
             return found;
         }
@@ -134,8 +134,8 @@ ExactDimension parametric_dimension(const Model& system, bool searched, const Bu
 /// Looks at components from the largest possible dimension downwards.
 class Search {
 public:
-    Search(const RecurrentSet& set, const Budget& budget)
-        : set_(set), budget_(budget), ratio_(set.displacement()) {}
+    Search(const RecurrentSet& set, std::size_t ways, const Budget& budget)
+        : set_(set), ways_(ways), budget_(budget), ratio_(set.displacement()) {}
 
     /// Without a look at where parts lie.
     ExactDimension bound() {
@@ -208,7 +208,7 @@ private:
     std::optional<Rate> rate_of(std::size_t component) {
         const Rate& all = *set_.components().list[component].rate;
         try {
-            const Neighbours neighbours(set_, component, budget_);
+            const Neighbours neighbours(set_, component, budget_, ways_);
             if (!neighbours.parts_coincide()) {
                 out_.conditions.push_back("parts meet in " +
                                           counted(neighbours.pairs().size(), "way") +
@@ -216,7 +216,8 @@ private:
                 find_meeting(neighbours, all);
                 return all;
             }
-            const DistinctGrowth distinct = distinct_growth(set_, component, neighbours, budget_);
+            const DistinctGrowth distinct =
+                distinct_growth(set_, component, neighbours, budget_, ways_);
             out_.conditions.push_back("parts coincide; different ones, told apart by " +
                                       counted(distinct.kinds, "kind") +
                                       " of surroundings, multiply by " + distinct.rate.exact());
@@ -267,7 +268,7 @@ private:
             return;
         }
         try {
-            const CellGrowth cells = cell_growth(set_, budget_);
+            const CellGrowth cells = cell_growth(set_, budget_, ways_);
             if (cells.has_interior) out_.boundary = LogRatio(cells.boundary, ratio_);
         } catch (const BoundReached& bound) {
             if (bound.bound() == Bound::time) throw;
@@ -278,6 +279,7 @@ private:
     }
 
     const RecurrentSet& set_;
+    std::size_t ways_;
     const Budget& budget_;
     ScalingRatio ratio_;
     bool meets_unknown_ = false;
@@ -297,8 +299,8 @@ bool has_lattice_angle(const Drawing& drawing) {
            (drawing.angle->exact && (*drawing.angle->exact / Rational(360)).denominator() <= 360);
 }
 
-/// `searched`: parts that coincide are looked for.
-ExactDimension found_dimension(const Model& system, bool searched, const Budget& budget) {
+/// Parts that coincide are looked for among so many ways; not at all with 0.
+ExactDimension found_dimension(const Model& system, std::size_t ways, const Budget& budget) {
     ExactDimension none;
     const View<D0L> rules = as_d0l(system);
     if (!rules && !has_parameters(system)) {
@@ -311,10 +313,10 @@ ExactDimension found_dimension(const Model& system, bool searched, const Budget&
         if (!drawing.solids.empty()) throw Error("symbols leave solids");
         if (!drawing.surfaces.empty()) throw Error("symbols leave surfaces");
         if (!rules || !has_lattice_angle(drawing))
-            return parametric_dimension(system, searched, budget);
+            return parametric_dimension(system, ways, budget);
         const auto limit = std::make_shared<const RecurrentSet>(system, *rules, budget);
-        Search search(*limit, budget);
-        ExactDimension found = searched ? search.result() : search.bound();
+        Search search(*limit, ways, budget);
+        ExactDimension found = ways > 0 ? search.result() : search.bound();
         found.limit = limit;
         return found;
     } catch (const BoundReached& bound) {
@@ -330,12 +332,12 @@ ExactDimension found_dimension(const Model& system, bool searched, const Budget&
 
 }  // namespace
 
-ExactDimension exact_dimension(const Model& system, const Budget& budget) {
-    return found_dimension(system, true, budget);
+ExactDimension exact_dimension(const Model& system, const Budget& budget, std::size_t most_ways) {
+    return found_dimension(system, most_ways, budget);
 }
 
 ExactDimension dimension_bound(const Model& system, const Budget& budget) {
-    return found_dimension(system, false, budget);
+    return found_dimension(system, 0, budget);
 }
 
 }  // namespace algae

@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "dimension/detail/recurrent_set.hpp"
 
@@ -49,18 +48,21 @@ bool is_one_place(const Neighbours::Pair& pair) {
            std::all_of(offset.begin(), offset.end(), [](std::int64_t x) { return x == 0; });
 }
 
-/// Whether the discs of a piece and one placed so come together.
+}  // namespace
+
 bool may_meet(const RecurrentSet& set, std::size_t piece, const Placement& other) {
-    const double angle = 2 * std::numbers::pi * static_cast<double>(other.heading) /
-                         static_cast<double>(set.order());
+    // Fewer than 2^4 roundings, each by at most 2^-52 of the largest number; where the discs come
+    // together, the offset is at most as large as the rest of the sum.
+    constexpr double margin = 1e-6, rounding = 0x1p-46;
     const auto& first = set.disc(piece);
     const auto& second = set.disc(other.piece);
+    const double reach = first.radius + second.radius;
+    const double sizes = reach + std::abs(first.centre) + std::abs(second.centre);
     const std::complex<double> centre =
-        set.displacement().value(other.offset) + std::polar(1.0, angle) * second.centre;
-    return std::abs(centre - first.centre) <= first.radius + second.radius + 1e-6;
+        set.displacement().value(other.offset) + set.direction(other.heading) * second.centre;
+    return std::abs(centre - first.centre) <=
+           reach + margin + rounding * sizes + set.displacement().error(other.offset);
 }
-
-}  // namespace
 
 Rate rate_of_paths(const std::vector<Integer>& start, const GrowthMatrix& matrix,
                    const Budget& budget) {
@@ -374,6 +376,71 @@ DistinctGrowth distinct_growth(const RecurrentSet& set, std::size_t component,
     found.rate =
         divided(rate_of_paths(start, matrix, budget), scale, above_all(matrix) / Rational(scale));
     return found;
+}
+
+namespace {
+
+/// A component that is reached and multiplies the fastest.
+std::optional<std::size_t> fastest_component(const RecurrentSet& set) {
+    const auto& list = set.components().list;
+    std::optional<std::size_t> found;
+    for (std::size_t k = 0; k < list.size(); ++k)
+        if (list[k].rate && *list[k].rate > Rate(1) && set.is_reached(list[k].letters.front()) &&
+            !is_point(set, list[k]) && (!found || *list[k].rate > *list[*found].rate))
+            found = k;
+    return found;
+}
+
+}  // namespace
+
+std::optional<LimitWitness> limit_witness(const ExactDimension& found, const Budget& budget) {
+    constexpr std::size_t most = 5'000;
+    constexpr double slack = 1e-6;
+    using Status = ExactDimension::Status;
+    if (!found.limit || !found.value || !found.value->log_ratio()) return std::nullopt;
+    if (found.status != Status::exact && found.status != Status::upper_bound) return std::nullopt;
+    const RecurrentSet& set = *found.limit;
+    const auto component = fastest_component(set);
+    if (!component) return std::nullopt;
+    const Displacement& displacement = set.displacement();
+    LimitWitness out;
+    out.order = set.order();
+    out.phases = set.unfolding().phases;
+    out.factor = displacement.factor();
+    out.component = set.components().list[*component].letters.front();
+    for (std::size_t i = 0; i < displacement.rank(); ++i) {
+        Displacement::Vector unit = displacement.zero();
+        unit[i] = 1;
+        out.scale.push_back(displacement.scaled(unit));
+        out.turn.push_back(displacement.turned(unit, 1));
+    }
+    Displacement::Vector first = displacement.zero();
+    first.front() = 1;
+    const std::complex<double> frame = displacement.value(first);
+    double widest = 0;
+    for (std::size_t p = 0; p < set.size(); ++p) widest = std::max(widest, set.disc(p).radius);
+    const auto& letters = set.unfolding().letters;
+    for (std::size_t p = 0; p < set.size(); ++p) {
+        LimitWitness::Piece piece{letters[p % letters.size()], p / letters.size(),
+                                  displacement.way(p)};
+        piece.draws = !set.parts(p).empty();
+        piece.disc = {set.disc(p).centre / frame,
+                      (set.disc(p).radius * (1 + slack) + widest * slack) / std::abs(frame)};
+        out.pieces.push_back(std::move(piece));
+    }
+    if (found.status == Status::upper_bound) return out;
+    try {
+        const Neighbours neighbours(set, *component, budget, most);
+        if (neighbours.parts_coincide()) return std::nullopt;
+        out.neighbours.emplace();
+        for (const Neighbours::Pair& pair : neighbours.pairs())
+            out.neighbours->push_back(
+                {pair.piece, pair.other.piece, pair.other.heading, pair.other.offset});
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::time) throw;
+        return std::nullopt;
+    }
+    return out;
 }
 
 }  // namespace algae

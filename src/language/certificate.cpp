@@ -289,7 +289,11 @@ struct StatementWriter {
     }
     static Json dimension(const char* of, const std::string& system,
                           const ClaimedDimension& claimed) {
-        return {{of, system}, {claimed.at_most ? "at most" : "equals", claimed.text}};
+        return {{of, system},
+                {claimed.comparison == Comparison::at_most    ? "at most"
+                 : claimed.comparison == Comparison::at_least ? "at least"
+                                                              : "equals",
+                 claimed.text}};
     }
 };
 
@@ -554,12 +558,65 @@ struct ProofWriter {
         return {{"by", "morphism"}, {"morphism", morphism_json(said.step, alphabet)}};
     }
     Json operator()(const steps::LimitSet& said) const {
+        if (said.has_turtle && !said.boundary && !said.bounds)
+            if (const auto witness = limit_witness(*said.found)) return limit_set(*witness);
         std::vector<std::string> conditions = said.found->conditions;
         if (said.bounds)
             conditions.push_back("at least " + shortest_text(said.bounds->low) + " by " +
                                  said.bounds->low_by + ", at most " +
                                  shortest_text(said.bounds->high) + " by " + said.bounds->high_by);
         return {{"by", "dimension"}, {"conditions", conditions}};
+    }
+    /// JSON has no negative numbers here.
+    static Json integers(const Displacement::Vector& row) {
+        Json result = Json::array();
+        for (const std::int64_t entry : row)
+            if (entry < 0)
+                result.push_back(std::to_string(entry));
+            else
+                result.push_back(entry);
+        return result;
+    }
+    static std::string decimal_text(double value) {
+        constexpr int digits = 9;
+        return decimal(exactly(value), digits);
+    }
+    Json limit_set(const LimitWitness& witness) const {
+        const auto matrix = [](const std::vector<Displacement::Vector>& rows) {
+            Json result = Json::array();
+            for (const auto& row : rows) result.push_back(integers(row));
+            return result;
+        };
+        const auto name = [&](std::size_t piece) {
+            return alphabet.name(witness.pieces[piece].letter);
+        };
+        const auto phase = [&](std::size_t piece) { return witness.pieces[piece].phase; };
+        Json ways = Json::array(), discs = Json::array(), neighbours = Json::array();
+        for (std::size_t p = 0; p < witness.pieces.size(); ++p) {
+            const LimitWitness::Piece& piece = witness.pieces[p];
+            if (std::any_of(piece.way.begin(), piece.way.end(), [](auto x) { return x != 0; }))
+                ways.push_back(Json::array({name(p), phase(p), integers(piece.way)}));
+            if (piece.draws)
+                discs.push_back(Json::array(
+                    {name(p), phase(p), decimal_text(piece.disc.centre.real()),
+                     decimal_text(piece.disc.centre.imag()), decimal_text(piece.disc.radius)}));
+        }
+        Json result{{"by", "limit set"},
+                    {"order", witness.order},
+                    {"phases", witness.phases},
+                    {"scale", matrix(witness.scale)},
+                    {"turn", matrix(witness.turn)},
+                    {"ways", std::move(ways)},
+                    {"factor", Json::array({decimal_text(witness.factor.real()),
+                                            decimal_text(witness.factor.imag())})}};
+        if (!witness.neighbours) return result;
+        for (const LimitWitness::Pair& pair : *witness.neighbours)
+            neighbours.push_back(Json::array({name(pair.piece), name(pair.other), phase(pair.piece),
+                                              pair.heading, integers(pair.offset)}));
+        result["component"] = Json::array({name(witness.component), phase(witness.component)});
+        result["discs"] = std::move(discs);
+        result["neighbours"] = std::move(neighbours);
+        return result;
     }
     Json operator()(const steps::OtherValues& said) const { return by_word(said.word); }
     Json operator()(const steps::Distinguished& said) const { return by_word(said.word); }
@@ -821,6 +878,9 @@ void add_turtles(const Statement& statement, Json& turtles) {
     if (const auto* said = std::get_if<ComparesNumbers>(&statement.says))
         for (const auto& [name, system] : said->turtles)
             if (!turtles.contains(name)) turtles[name] = turtle_certificate(*system);
+    if (const auto* said = std::get_if<HasDimension>(&statement.says))
+        if (!turtles.contains(said->name) && has_lattice_turtle(*said->system))
+            turtles[said->name] = turtle_certificate(*said->system);
     const auto add_all = [&](const std::vector<Statement>& all) {
         for (const Statement& one : all) add_turtles(one, turtles);
     };

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <chrono>
 #include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
@@ -304,13 +303,26 @@ Answer open(const steps::LimitSet& said) {
     return {Truth::undecided, nullptr, sentences({Truth::undecided, proof_by(said), {}}, {})};
 }
 
-/// That a number known exactly is the claimed one, or at most that.
+/// Whether a dimension that is so to a number is what is claimed of it.
+bool is_claimed(Order order, Comparison comparison) {
+    return order == Order::equal || (comparison == Comparison::at_most && order == Order::less) ||
+           (comparison == Comparison::at_least && order == Order::greater);
+}
+
+/// What a number that is known exactly says of the claimed one.
 Answer judge_exact(const DimensionFormula& value, steps::LimitSet said) {
     said.order = compared(value, *said.claimed.value);
     if (said.order == Order::unknown) return open(said);
-    return decided(
-        said.order == Order::equal || (said.claimed.at_most && said.order == Order::less),
-        std::move(said));
+    return decided(is_claimed(said.order, said.claimed.comparison), std::move(said));
+}
+
+/// What a bound says that is so to the claimed number; nothing where more must be known.
+std::optional<Answer> judge_bound(steps::LimitSet said, bool from_above) {
+    const bool is_beyond = said.order == (from_above ? Order::less : Order::greater);
+    const bool agrees =
+        said.claimed.comparison == (from_above ? Comparison::at_most : Comparison::at_least);
+    if (!is_beyond && !(said.order == Order::equal && agrees)) return std::nullopt;
+    return decided(agrees, std::move(said));
 }
 
 /// What an upper bound says.
@@ -318,35 +330,36 @@ Answer judge_bounded(steps::LimitSet said) {
     const DimensionValue& claimed = *said.claimed.value;
     said.order = exceeds_plane(*said.found) ? compare(DimensionValue(Rational(2)), claimed)
                                             : compared(*said.found->value, claimed);
-    if (said.order == Order::less) return decided(said.claimed.at_most, std::move(said));
-    if (said.order == Order::equal && said.claimed.at_most) return proved(std::move(said));
-    return open(said);
+    const auto answer = judge_bound(said, true);
+    return answer ? *answer : open(said);
 }
 
-Budget for_at_most(std::chrono::seconds time, Budget budget) {
-    const auto end = std::chrono::steady_clock::now() + time;
-    if (!budget.deadline || end < *budget.deadline) budget.deadline = end;
-    return budget;
-}
+constexpr std::size_t few_ways = 5'000;  // in which parts meet
+constexpr std::uint64_t few_steps = 2'000'000'000;
 
-/// What certified bounds say, ever nearer ones until they decide; without an answer where they do
-/// not.
+/// What certified bounds say, which come nearer until they decide or their steps are used up.
 std::optional<Answer> judge_certified(steps::LimitSet said, const Model& system,
                                       const Budget& budget) {
     const DimensionValue& claimed = *said.claimed.value;
-    const Budget brief = for_at_most(std::chrono::seconds(40), budget);
-    for (const char* const within : {"0.3", "0.1", "0.03", "0.01", "0.003"}) {
-        const auto bounds = std::make_shared<const DimensionBounds>(
-            dimension_bounds(system, Rational(within), brief));
-        said.bounds = bounds;
-        said.order = compare(DimensionValue(bounds->high), claimed);
-        if (said.order == Order::less) return decided(said.claimed.at_most, std::move(said));
-        if (said.order == Order::equal && said.claimed.at_most) return proved(std::move(said));
-        said.order = compare(DimensionValue(bounds->low), claimed);
-        if (said.order == Order::greater) return decided(false, std::move(said));
-        if (Rational(within) < bounds->width()) break;  // they come no nearer
-    }
-    return std::nullopt;
+    std::optional<Answer> answer;
+    Rational high = 3, low = -1;  // the last ones that were compared
+    const BoundsSearch search{[&](const DimensionBounds& found) {
+                                  for (const bool from_above : {true, false}) {
+                                      Rational& last = from_above ? high : low;
+                                      const Rational& bound = from_above ? found.high : found.low;
+                                      if (answer || bound == last) continue;
+                                      last = bound;
+                                      said.order = compare(DimensionValue(bound), claimed);
+                                      if (!judge_bound(said, from_above)) continue;
+                                      said.bounds = std::make_shared<const DimensionBounds>(found);
+                                      answer = judge_bound(said, from_above);
+                                  }
+                                  return answer.has_value();
+                              },
+                              few_steps};
+    const DimensionBounds found = dimension_bounds(system, search, budget);
+    search.is_enough(found);
+    return answer;
 }
 
 }  // namespace
@@ -357,36 +370,33 @@ bool exceeds_plane(const ExactDimension& found) {
 
 Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
     const auto judged = [&](const ExactDimension& found) -> std::pair<Answer, steps::LimitSet> {
-        const steps::LimitSet said{claimed.name, std::make_shared<const ExactDimension>(found),
-                                   false, claimed.dimension, Order::unknown};
+        steps::LimitSet said{claimed.name,
+                             std::make_shared<const ExactDimension>(found),
+                             false,
+                             has_lattice_turtle(*claimed.system),
+                             claimed.dimension,
+                             Order::unknown};
         if (found.status == Status::exact) return {judge_exact(*found.value, said), said};
         if (found.status == Status::upper_bound) return {judge_bounded(said), said};
         return {open(said), said};
     };
-    const auto by_bounds = [&](const ExactDimension& found) {
-        auto [answer, said] = judged(found);
-        if (answer.truth != Truth::undecided || found.status != Status::upper_bound) return answer;
-        const auto certified = judge_certified(said, *claimed.system, budget);
-        return certified ? *certified : answer;
-    };
-    // A search of some seconds; what bounds say; the search as long as it takes.
-    try {
-        return by_bounds(
-            exact_dimension(*claimed.system, for_at_most(std::chrono::seconds(10), budget)));
-    } catch (const BoundReached& bound) {
-        if (bound.bound() != Bound::time) throw;
-        budget.check();
-    }
-    const Answer answer = by_bounds(dimension_bound(*claimed.system, budget));
-    if (answer.truth != Truth::undecided) return answer;
+    // A short search; what bounds say; the whole search. All are counted, none is timed: what is decided does not
+    // depend on the machine.
+    const auto [answer, said] = judged(exact_dimension(*claimed.system, budget, few_ways));
+    if (answer.truth != Truth::undecided || said.found->status != Status::upper_bound)
+        return answer;
+    if (const auto certified = judge_certified(said, *claimed.system, budget)) return *certified;
     return judged(exact_dimension(*claimed.system, budget)).first;
 }
 
 Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget) {
     const steps::LimitSet said{
         claimed.name,
-        std::make_shared<const ExactDimension>(exact_dimension(*claimed.system, budget)), true,
-        claimed.dimension, Order::unknown};
+        std::make_shared<const ExactDimension>(exact_dimension(*claimed.system, budget)),
+        true,
+        false,
+        claimed.dimension,
+        Order::unknown};
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
 }
 
@@ -478,6 +488,15 @@ void check_lattice_turtle(const Model& system, bool boxes) {
         throw Error(
             "boxes are counted of figures along the axes only: expected a turtle that starts "
             "along an axis, such as 'start 0 0 90', and a 'spin' by right angles");
+}
+
+bool has_lattice_turtle(const Model& system) {
+    try {
+        check_lattice_turtle(system, false);
+        return true;
+    } catch (const Error&) {
+        return false;
+    }
 }
 
 Integer distinct_segments(const Model& system, std::uint64_t n, const Budget& budget) {

@@ -675,11 +675,16 @@ std::vector<Derivation> derivations(const ET0L& system, const Word& word, std::u
 
 // --- Claims ---
 
+/// How two numbers are compared.
+enum class Comparison { equal, unequal, less, at_most, greater, at_least };
+/// "=", "!=", "<", "<=", ">", ">=".
+std::string to_string(Comparison comparison);
+
 /// What a dimension is compared with.
 struct ClaimedDimension {
     std::shared_ptr<const DimensionValue> value;
-    std::string text;  // as written
-    bool at_most = false;
+    std::string text;                           // as written
+    Comparison comparison = Comparison::equal;  // or at_most, at_least
 };
 
 // What a statement says: one struct for each form, true or false.
@@ -764,11 +769,6 @@ struct IsIncreasing {
     std::shared_ptr<const SourceSystem> system;
     bool strictly = false;
 };
-
-/// How two numbers are compared.
-enum class Comparison { equal, unequal, less, at_most, greater, at_least };
-/// "=", "!=", "<", "<=", ">", ">=".
-std::string to_string(Comparison comparison);
 
 /// Two numbers are compared that depend on bound numbers: `length(G, n + 2) = length(G, n + 1) + length(G, n)`. The terms
 /// are made by + - * / ^ and `sqrt` from numbers, names of bound numbers, and of D0L systems `length(G, E)`, the number of

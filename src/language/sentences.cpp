@@ -1116,7 +1116,9 @@ private:
 
     /// What certified bounds say.
     void certified(const steps::LimitSet& said) {
-        const bool below = said.order == Order::greater;
+        const bool below =
+            said.order == Order::greater ||
+            (said.order == Order::equal && said.claimed.comparison == Comparison::at_least);
         say("The dimension of the limit set of " + marked(said.system) + " is at " +
             (below ? "least " : "most ") +
             marked(shortest_text(below ? said.bounds->low : said.bounds->high)) + ", by " +
@@ -1130,7 +1132,8 @@ private:
         const std::string bound =
             above_plane ? "2, as for every set in the plane" : dimension_text(*found.value);
         say(what + " is at most " + (above_plane ? bound : marked(bound)) + ".");
-        if (said.order == Order::less || (said.order == Order::equal && said.claimed.at_most))
+        if (said.order == Order::less ||
+            (said.order == Order::equal && said.claimed.comparison == Comparison::at_most))
             return;
         say(said.order == Order::unknown
                 ? agree(bound, marked(said.claimed.text))

@@ -543,4 +543,52 @@ public:
     std::vector<GeneratorFact> facts(const Budget& budget) const override;
 };
 
+// The fractals of Pisot substitutions (Rauzy, Nombres algébriques et substitutions, 1982). The prefixes of the infinite word
+// of such a substitution stay near a line; seen along it, they fill a compact set, one part of it for each letter that follows
+// them. Which of these parts meet is decided exactly, and from it whether they tile, whether they are connected, and the dimension
+// of their boundary.
+
+/// Two parts that meet, T_first and T_other moved by the vector.
+struct RauzyNeighbour {
+    std::size_t first = 0, other = 0;
+    std::vector<std::int64_t> vector;
+
+    bool operator==(const RauzyNeighbour&) const = default;
+    bool operator<(const RauzyNeighbour& right) const;
+};
+
+/// What is decided of the parts T_a of the fractal, one for each letter.
+struct RauzyFractal {
+    std::vector<Symbol> letters;
+    Rate factor = Rate(1);  // by which lengths grow, a Pisot unit
+    /// All pairs of parts of the self-replicating tiling that meet, seen from the first, by `first`.
+    std::vector<RauzyNeighbour> neighbours;
+    /// At which pairs of parts that meet multiply when all parts are divided; 1 where it is boundedly often.
+    Rate meeting = Rate(1);
+    /// Whether the parts, moved by the self-replicating set of vectors, overlap only in sets of measure 0, and so do the moved
+    /// fractals of the periodic tiling; otherwise points lie in several ones.
+    bool tiles = false;
+    bool parts_connected = false;  // all of them
+    bool connected = false;        // the union of the parts
+
+    /// The dimension of the boundary of each part, of boxes and Hausdorff's, where all other conjugates of the factor are
+    /// equally large: with two letters, or with three and complex conjugates.
+    bool is_similar = false;
+    std::string boundary_text() const;
+    std::optional<Ball> boundary(long bits) const;
+};
+
+/// Throws Error unless the letters that the axiom leads to have a substitution whose matrix has the determinant 1 or -1, an irreducible
+/// characteristic polynomial, and one eigenvalue of size 1 or more; BoundReached where there are too many vectors to look at. Any
+/// axiom leads to the same parts.
+///
+/// Example: rauzy_fractal(d0l("a", {{'a', "ab"}, {'b', "a"}})).tiles
+RauzyFractal rauzy_fractal(const D0L& system, const Budget& budget = {});
+
+/// The parts of three letters with complex conjugates as an iterated function system: the first state is their union, and its
+/// maps, one for each letter, place them. Throws what `rauzy_fractal` throws, and Error for other substitutions.
+///
+/// Example: rauzy_functions(d0l("a", {{'a', "ab"}, {'b', "ac"}, {'c', "a"}})).states.size() == 4
+IteratedFunctions rauzy_functions(const D0L& system, const Budget& budget = {});
+
 }  // namespace algae

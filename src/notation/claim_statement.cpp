@@ -235,8 +235,9 @@ class StatementReader {
         const auto on_value =
             told([&](std::string_view text) { said.dimension.text = trimmed(text); });
         return read(of_system(of, opening, on_name) >>
-                    (x3::lit("<=")[grammar::sets(said.dimension.at_most, true)] |
-                     is("'=', '!=' or '<=' and a number")) >>
+                    (x3::lit("<=")[grammar::sets(said.dimension.comparison, Comparison::at_most)] |
+                     x3::lit(">=")[grammar::sets(said.dimension.comparison, Comparison::at_least)] |
+                     is("'=', '!=', '<=' or '>=' and a number")) >>
                     x3::raw[value][on_value] >> says(said));
     }
 

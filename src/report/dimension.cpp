@@ -235,6 +235,57 @@ Json bounds_json(const DimensionReport& found) {
 
 }  // namespace
 
+std::string to_text(const RauzyReport& report) {
+    const RauzyFractal& found = report.found;
+    const auto rate = [](const Rate& of) {
+        return of.integer() ? of.exact() : of.exact() + " = " + of.decimal(11);
+    };
+    std::string text = report.what + "\n\nlengths grow by " + rate(found.factor) +
+                       ", a Pisot unit; the fractal has a part for each of " +
+                       counted(report.letters.size(), "letter") + "\n";
+    text += "parts meet in " + counted(found.neighbours.size(), "way") +
+            "; pairs of parts that meet multiply by " + rate(found.meeting) + "\n";
+    text += found.tiles
+                ? "proved: the parts tile, periodically and self-replicating: such pairs multiply "
+                  "less than parts\n"
+                : "proved: the parts do not tile: such pairs multiply as fast as parts\n";
+    if (found.boundary(64))
+        text += "boundary " + found.boundary_text() + " = " +
+                decimal([&](long bits) { return *found.boundary(bits); }, 12) +
+                "\n  the box and the Hausdorff dimension of the boundary of each part\n";
+    else if (found.tiles)
+        text +=
+            "boundary: parts shrink differently in different directions, and no formula is "
+            "known here\n";
+    text += found.connected         ? "proved: the fractal and each of its parts are connected\n"
+            : found.parts_connected ? "proved: each part is connected, the fractal is not\n"
+                                    : "proved: some part is not connected\n";
+    return text;
+}
+
+Json to_json(const RauzyReport& report) {
+    const RauzyFractal& found = report.found;
+    Json neighbours = Json::array();
+    for (const RauzyNeighbour& pair : found.neighbours) {
+        neighbours.add({{"part", report.letters[pair.first]},
+                        {"other", report.letters[pair.other]},
+                        {"moved_by", Json(pair.vector)}});
+    }
+    Json boundary;
+    if (found.boundary(64))
+        boundary = {{"formula", found.boundary_text()},
+                    {"decimal", decimal([&](long bits) { return *found.boundary(bits); }, digits)}};
+    return {{"input", report.what},
+            {"letters", Json(report.letters)},
+            {"factor", found.factor.exact()},
+            {"meeting", found.meeting.exact()},
+            {"tiles", found.tiles},
+            {"parts_connected", found.parts_connected},
+            {"connected", found.connected},
+            {"boundary", std::move(boundary)},
+            {"neighbours", std::move(neighbours)}};
+}
+
 std::string to_text(const DimensionReport& found) {
     return found.what + "\n\n" + (found.exact ? exact_page(*found.exact) : "") +
            bounds_page(found) + box_page(found);

@@ -18,6 +18,7 @@
 #include "growth/growth.hpp"
 #include "language/language.hpp"
 #include "model/model.hpp"
+#include "nature/nature.hpp"
 #include "system/system.hpp"
 
 // report: answers to questions as plain data, each with two views: a page of text and JSON.
@@ -256,6 +257,16 @@ std::string to_text(const DimensionReport& report);
 Json to_json(const DimensionReport& report);
 /// As sentences with formulas.
 std::string to_latex(const DimensionReport& report);
+
+/// The fractal of a Pisot substitution.
+struct RauzyReport {
+    std::string what;
+    std::vector<std::string> letters;  // their names
+    RauzyFractal found;
+};
+
+std::string to_text(const RauzyReport& report);
+Json to_json(const RauzyReport& report);
 
 /// The methods of measuring.
 enum class Measure { boxes, divider, mass, correlation, information, multifractal, lacunarity };

@@ -325,13 +325,15 @@ Statement Reader::of_modules(const Field& field, Statement read) const {
 
 Statement Reader::of_dimension(const Field& field, Statement read) const {
     const std::string of = field.has("dimension") ? "dimension" : "boundary";
-    field.only({of, "equals", "at most"});
+    field.only({of, "equals", "at most", "at least"});
     read.kind = of == "dimension" ? Statement::Kind::dimension : Statement::Kind::boundary;
     read.family = field.at(of).text();
     if (!rewritings_.contains(read.family)) read.systems = {named_system(field.at(of))};
-    read.at_most = field.has("at most");
-    if (read.at_most) field.only({of, "at most"});
-    read.formula = field.at(read.at_most ? "at most" : "equals");
+    read.compared = field.has("at most")    ? "at most"
+                    : field.has("at least") ? "at least"
+                                            : "equals";
+    field.only({of, read.compared});
+    read.formula = field.at(read.compared);
     read.formula->text();
     return read;
 }
@@ -919,7 +921,8 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
         case Kind::boundary:
             return std::string("the ") +
                    (statement.kind == Kind::dimension ? "dimension" : "boundary's dimension") +
-                   " of " + statement.family + " is " + no + (statement.at_most ? "at most " : "") +
+                   " of " + statement.family + " is " + no +
+                   (statement.compared == "equals" ? "" : statement.compared + " ") +
                    statement.formula->text();
         case Kind::joint:
             return (opposite ? "not: " : "") + joint_text(statement, alphabet);

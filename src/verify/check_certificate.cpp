@@ -35,7 +35,8 @@ void check_construction(const Obligation& task) {
 }
 
 void check_dimension(const Obligation&) {
-    throw BoundReached(Bound::method, "how the parts of a limit set meet is not worked out again");
+    throw BoundReached(Bound::method,
+                       "how the parts of this limit set meet is not worked out again");
 }
 
 void check_environment(const Obligation&) {
@@ -51,6 +52,11 @@ const std::vector<Method>& methods() {
     static const std::vector<Method> all = {
         {"construction", {}, either, {"system"}, check_construction},
         {"dimension", {Kind::dimension, Kind::boundary}, either, {"conditions"}, check_dimension},
+        {"limit set",
+         {Kind::dimension},
+         either,
+         {"order", "phases", "scale", "turn", "ways", "factor", "component", "discs", "neighbours"},
+         check_limit_set},
         {"reversal", family, either, {"proof"}, check_reversal},
         {"empty word", family, fails, {}, check_empty_word},
         {"sparse", family, fails, {}, check_sparse},

@@ -391,9 +391,9 @@ struct Statement {
     std::optional<Integer> steps;
     /// Instead of `steps` where their number depends on bound numbers: how often each is taken; the constant goes by "1".
     std::optional<std::map<std::string, Integer>> bound_steps = {};
-    std::optional<Integer> size;   // or degree of growth
-    std::optional<Field> formula;  // the value of a dimension, equal or `at_most`
-    bool at_most = false;
+    std::optional<Integer> size;      // or degree of growth
+    std::optional<Field> formula;     // the value of a dimension
+    std::string compared = "equals";  // or "at most", "at least": how the dimension is to it
     std::shared_ptr<const ModuleSystem> rewriting;  // called `family`
     WrittenModules modules;
     std::optional<WrittenModules> modules_from;

@@ -46,6 +46,11 @@ TEST_CASE("dimensions are compared exactly, whatever form they are written in") 
     CHECK(truth(koch, "dimension(G) <= log 4 / log 3") == Truth::proved);
     CHECK(truth(koch, "dimension(G) <= 5/4") == Truth::refuted);
     CHECK(truth(koch, "not dimension(G) <= 5/4") == Truth::proved);
+    CHECK(truth(koch, "dimension(G) >= 5/4") == Truth::proved);
+    CHECK(truth(koch, "dimension(G) >= log 16 / log 9") == Truth::proved);
+    CHECK(truth(koch, "dimension(G) >= 1.2618595072") == Truth::refuted);
+    CHECK(last_sentence(koch, "dimension(G) >= 5/4") ==
+          "The dimension of the limit set of G is log 4 / log 3 = 1.261859507143 > 5/4.");
 }
 
 TEST_CASE("parts that coincide count once") {
@@ -105,11 +110,17 @@ TEST_CASE("a dimension that is not found in time is undecided, which says nothin
     }
 }
 
-TEST_CASE("certificates of dimensions say that they are not checked") {
+TEST_CASE("certificates of dimensions are checked, or say that they are not") {
     const auto found = certified(claim_of(koch, "dimension(G) = log 4 / log 3"));
-    CHECK(found.finding.outcome == verify::Finding::Outcome::not_checked);
+    CHECK(found.finding.outcome == verify::Finding::Outcome::checked);
     CHECK(found.finding.statement == "the dimension of G is log 4 / log 3");
-    CHECK(found.rule() == "dimension");
+    CHECK(found.rule() == "limit set");
+    const auto least = certified(claim_of(koch, "not dimension(G) >= 4/3"));
+    CHECK(least.finding.outcome == verify::Finding::Outcome::checked);
+    CHECK(least.finding.statement == "the dimension of G is not at least 4/3");
+    const auto coincide = certified(claim_of(folded, "dimension(G) = log 6 / log sqrt 10"));
+    CHECK(coincide.finding.outcome == verify::Finding::Outcome::not_checked);
+    CHECK(coincide.rule() == "dimension");
     const auto most = certified(claim_of(terdragon, "not boundary(G) <= 1"));
     CHECK(most.finding.outcome == verify::Finding::Outcome::not_checked);
     CHECK(most.finding.statement == "the boundary's dimension of G is not at most 1");
@@ -120,5 +131,9 @@ TEST_CASE("claims are decided by certified bounds where no search ends") {
     CHECK(truth(plant, "dimension(G) <= 1.95") == Truth::proved);
     CHECK(last_sentence(plant, "dimension(G) <= 1.95").find("is at most") != std::string::npos);
     CHECK(truth(plant, "not dimension(G) <= 1.2") == Truth::proved);
+    CHECK(truth(plant, "dimension(G) >= 1.5") == Truth::proved);
+    CHECK(truth(plant, "dimension(G) >= 1.95") == Truth::refuted);
+    CHECK(last_sentence(plant, "dimension(G) >= 1.2").find("is at least") != std::string::npos);
+    CHECK(last_sentence(plant, "dimension(G) >= 1.95").find("is at most") != std::string::npos);
     CHECK(last_sentence(plant, "dimension(G) = 1.2").find("is at least") != std::string::npos);
 }

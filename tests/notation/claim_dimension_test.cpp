@@ -53,14 +53,18 @@ TEST_CASE("what dimensions are compared by") {
     CHECK(is_said<BoundaryHasDimension>(statement("boundary (G) = 1")));
     CHECK(statement("dimension(G) != 1").negated);
     CHECK(statement("not dimension(G) <= 1").negated);
-    CHECK(said_in<HasDimension>(statement("dimension(G) <= 1")).dimension.at_most);
+    CHECK(said_in<HasDimension>(statement("dimension(G) <= 1")).dimension.comparison ==
+          Comparison::at_most);
+    CHECK(said_in<BoundaryHasDimension>(statement("boundary(G) >= 1")).dimension.comparison ==
+          Comparison::at_least);
     CHECK(said_in<HasDimension>(statement("dimension(G) = 1")).system->drawing.angle.has_value());
 }
 
 TEST_CASE("what cannot be read is said with its place") {
     CHECK(said("dimension(H) = 1") == "3:16: expected a name that is defined above, found 'H'");
     CHECK(said("dimension G") == "3:16: expected '(' after 'dimension', found 'G'");
-    CHECK(said("dimension(G) > 1") == "3:19: expected '=', '!=' or '<=' and a number, found '>'");
+    CHECK(said("dimension(G) > 1") ==
+          "3:19: expected '=', '!=', '<=' or '>=' and a number, found '>'");
     CHECK(said("dimension(G) =") == "3:20: expected 'log' or a number, found the end of the line");
     CHECK(said("dimension(G) = log 4") ==
           "3:26: expected '/' and a second logarithm, found the end of the line");

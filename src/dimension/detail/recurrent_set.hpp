@@ -3,6 +3,8 @@
 // The steps from a system to its exact dimension: what its letters do to a turtle, where the parts
 // of its recurrent set meet, and how fast the different parts multiply.
 
+#include <bit>
+#include <limits>
 #include <map>
 #include <unordered_map>
 
@@ -40,6 +42,10 @@ struct Placement {
         return offset < other.offset;
     }
 };
+
+/// Whether the discs of a piece and of one placed so come together. Where they do, it says so; discs
+/// that lie apart by a hair may be said to come together.
+bool may_meet(const RecurrentSet& set, std::size_t piece, const Placement& other);
 
 /// The neighbours of pieces within one component of a recurrent set: all ways in which two pieces
 /// of one level, different ones or the same one reached twice, can lie to each other so that they
@@ -131,10 +137,32 @@ struct CellGrowth {
 CellGrowth cell_growth(const RecurrentSet& set, const Budget& budget = {},
                        std::size_t most = 50'000);
 
-/// Certified bounds, at most so far apart where that is found. `with_types`: components whose parts
-/// meet in few ways are looked at exactly.
-DimensionBounds dimension_bounds(const RecurrentSet& set, const Rational& within, bool with_types,
-                                 const Budget& budget);
+/// Certified bounds. `with_types`: components whose parts meet in few ways are looked at exactly.
+DimensionBounds dimension_bounds(const RecurrentSet& set, const BoundsSearch& search,
+                                 bool with_types, const Budget& budget);
+
+// Doubles that are not negative, finite, and rounded outward: what is compared with them is proved. A sum
+// or a quotient of two doubles is rounded to the nearest one (IEEE 754), so the next one above it is not below the
+// number itself, and the next one below it not above it.
+
+static_assert(std::numeric_limits<double>::is_iec559);
+
+/// The least double above one that is not negative.
+///
+/// Example: next_above(1) == 1 + 0x1p-52
+inline double next_above(double value) {
+    return std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) + 1);
+}
+/// The largest double below a positive one; 0 for 0.
+inline double next_below(double value) {
+    return value > 0 ? std::bit_cast<double>(std::bit_cast<std::uint64_t>(value) - 1) : 0;
+}
+
+/// No eigenvalue of the matrix with rows of columns, each entry 1, is larger than the first, and where all
+/// columns lead to each other, the largest is not below the second: the extremes of the quotients that positive
+/// weights give, (sum of weights[column]) / weights[row] (Collatz and Wielandt).
+std::pair<double, double> quotients_around(const std::vector<std::vector<std::size_t>>& rows,
+                                           const std::vector<double>& weights);
 
 /// By piece, whether it leads to a piece for which this holds, at every later level: where it lies
 /// on a cycle of pieces that lead to one, or leads to such a cycle. `parts` are the pieces of each

@@ -168,6 +168,9 @@ Integer met_boxes(const Model& system, std::uint64_t n, const Rational& side,
 
 /// What each letter tells the turtle of such a system, and how it turns, as a certificate has it.
 nlohmann::ordered_json turtle_certificate(const Model& system);
+/// Whether that can be written: a D0L system whose turtle turns by parts of a full turn and does nothing else than segments
+/// and branches.
+bool has_lattice_turtle(const Model& system);
 
 /// Whether a comparison of numbers holds, in which no number is bound; exactly.
 Answer judge_numbers(const ComparesNumbers& said, const Budget& budget = {});

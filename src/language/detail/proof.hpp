@@ -303,6 +303,7 @@ struct LimitSet {
     std::string system;
     std::shared_ptr<const ExactDimension> found;
     bool boundary = false;
+    bool has_turtle = false;  // that a certificate can tell
     ClaimedDimension claimed;
     Order order = Order::unknown;
     std::shared_ptr<const DimensionBounds> bounds = {};  // where they decide

@@ -250,6 +250,7 @@ Integer distinct_segments(const System& system, const Turtle& turtle, std::uint6
 Integer met_boxes(const System& system, const Turtle& turtle, std::uint64_t generation,
                   const Rational& side, const Field& where, const Budget& budget);
 void check_growth_class(const Obligation& task);
+void check_limit_set(const Obligation& task);
 void check_rises(const Obligation& task);
 void check_rises_by_letters(const Obligation& task);
 void check_falls(const Obligation& task);

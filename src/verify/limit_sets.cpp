@@ -1,0 +1,1126 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <tuple>
+#include <vector>
+
+#include "exact/exact.hpp"
+#include "verify/detail/checking.hpp"
+#include "verify/verify.hpp"
+
+// The dimension of the limit set of a D0L system, from the rules and the turtle of the certificate.
+//
+// A letter in a phase is a piece; its parts are the letters of its successor that go on drawing, where
+// the turns of letters are those of late generations, which come back after some phases. Let d_k be the
+// ways of the letters of generation k. The certificate says by which number mu they grow, as a matrix of integers,
+// with a matrix for the turn by one direction and a row of integers for the way of each piece. It is worked out
+// again
+// - that the matrices commute, that the turn has the order of a full turn, and that the ways obey the rules. So
+//   there are complex numbers, one for each column, that make numbers of the rows, on which the matrices act as mu
+//   and zeta = e^(2 pi i / order);
+// - that mu^-k d_k tends to a multiple of the ways that is not 0: a polynomial with smaller roots, of the matrix of
+//   the d_k, takes them to one, exactly. So the figures, made smaller by mu^-k, tend to the set with
+//   mu K = union of zeta^heading K_part + offset;
+// - that the discs of the certificate hold the pieces: those of the parts lie in those of the whole.
+//
+// The parts of a component multiply by the spectral radius r of its matrix, so log r / log |mu|, with the largest r of a
+// component that is reached, is an upper bound of the dimensions. It is them if in one such component the parts lie apart:
+// from two different parts of one piece no pair of parts is reached that lie in the same place, and only finitely
+// many others whose discs meet, the neighbours of the certificate (Mauldin and Williams 1988; Bandt and Graf 1992).
+//
+// log r / log |mu| is compared with the number of the statement: less or greater by enclosures, equal by powers that are
+// equal.
+
+namespace algae::verify {
+
+namespace {
+
+constexpr long bits = 192;
+constexpr std::uint64_t largest_order = 3600, most_phases = 64;
+constexpr std::size_t largest_rank = 24, most_pieces = 400, most_levels = 10'000;
+constexpr std::size_t largest_matrix = 150;
+constexpr std::size_t most_looks = 3'000'000;  // at pairs of parts
+constexpr int deepest = 40;
+
+[[noreturn]] void too_hard(const std::string& why) { throw BoundReached(Bound::method, why); }
+
+/// A complex number within two intervals.
+struct Number {
+    Ball real, imaginary;
+};
+
+Number number(const Rational& real, const Rational& imaginary = 0) {
+    return {Ball(real, bits), Ball(imaginary, bits)};
+}
+Number operator+(const Number& a, const Number& b) {
+    return {a.real + b.real, a.imaginary + b.imaginary};
+}
+Number operator-(const Number& a, const Number& b) {
+    return {a.real - b.real, a.imaginary - b.imaginary};
+}
+Number operator*(const Number& a, const Number& b) {
+    return {a.real * b.real - a.imaginary * b.imaginary,
+            a.real * b.imaginary + a.imaginary * b.real};
+}
+Ball square_of_size(const Number& a) { return a.real * a.real + a.imaginary * a.imaginary; }
+bool is_above(const Ball& a, const Ball& b) { return compare(a, b) == Order::greater; }
+/// From 0 where it may be 0: the enclosure of the square may go below that.
+Ball size(const Number& a) {
+    const Ball square = square_of_size(a);
+    if (is_above(square, Ball(0, bits))) return sqrt(square);
+    return hull(Ball(0, bits), sqrt(abs(Ball(square.upper(), bits))));
+}
+Number operator/(const Number& a, const Number& b) {
+    const Number product = a * Number{b.real, -b.imaginary};
+    const Ball square = square_of_size(b);
+    return {product.real / square, product.imaginary / square};
+}
+bool is_not_zero(const Number& a) { return is_above(square_of_size(a), Ball(0, bits)); }
+
+using Row = std::vector<Integer>;
+using Column = std::vector<Number>;
+
+/// A number above 1 that a dimension is made of: base^exponent, or the largest real root of an irreducible polynomial, or
+/// one that is only enclosed.
+struct Operand {
+    std::optional<Integer> base = {};
+    Rational exponent = 1;
+    Polynomial minimal = {};
+    std::function<Ball(long)> enclose;
+};
+
+std::optional<Ball> largest_real_root(const Polynomial& polynomial, long precision) {
+    std::optional<Ball> largest;
+    for (const Root& root : roots(polynomial, precision))
+        if (root.is_real && (!largest || is_above(root.real, *largest))) largest = root.real;
+    return largest;
+}
+
+Operand whole(const Integer& base, const Rational& exponent = 1) {
+    return {base,
+            exponent,
+            {},
+            [=](long precision) {
+                return power(Ball(base, precision), Ball(exponent, precision));
+            }};
+}
+
+/// The largest real root of a polynomial; nothing if it has none above 1.
+std::optional<Operand> root_of(const Polynomial& polynomial) {
+    if (polynomial.degree() < 1 || polynomial.degree() > 200) return std::nullopt;
+    std::optional<Ball> largest;
+    Polynomial minimal;
+    for (const auto& [factor, times] : factorise(polynomial).powers) {
+        const auto root = largest_real_root(factor, bits);
+        if (!root || (largest && !is_above(*root, *largest))) continue;
+        largest = root;
+        minimal = factor;
+    }
+    if (!largest || !is_above(*largest, Ball(1, bits))) {
+        // 1 itself is the only other rate.
+        if (minimal == Polynomial({-1, 1})) return whole(Integer(1));
+        return std::nullopt;
+    }
+    if (minimal.degree() == 1 && minimal.leading_coefficient() == 1)
+        return whole(-minimal.coefficient(0));
+    return Operand{{}, 1, minimal, [minimal](long precision) {
+                       return *largest_real_root(minimal, precision);
+                   }};
+}
+
+/// A rational number t with left = right^t, where it is seen.
+std::optional<Rational> exponent_between(const Operand& left, const Operand& right) {
+    if (left.base && right.base) {
+        constexpr std::uint64_t most = 32;
+        if (*left.base == 1) return Rational(0);
+        for (std::uint64_t under = 1; under <= most; ++under) {
+            const Integer one = power(*left.base, under);
+            for (std::uint64_t over = 1; over <= most; ++over)
+                if (power(*right.base, over) == one)
+                    return Rational(Integer(over), Integer(under)) * left.exponent / right.exponent;
+        }
+        return std::nullopt;
+    }
+    if (!left.base && !right.base && !left.minimal.is_zero() && left.minimal == right.minimal)
+        return left.exponent / right.exponent;
+    return std::nullopt;
+}
+
+/// A rational number, or log over / log under.
+struct Value {
+    std::optional<Rational> number = {};
+    std::optional<Operand> over = {}, under = {};
+
+    Ball enclosure(long precision) const {
+        if (number) return Ball(*number, precision);
+        return log(over->enclose(precision)) / log(under->enclose(precision));
+    }
+    std::optional<Rational> rational() const {
+        return number ? number : exponent_between(*over, *under);
+    }
+};
+
+/// `unknown` where enclosures do not tell and no powers are seen to be equal.
+Order compared(const Value& left, const Value& right) {
+    for (const long precision : {128L, 1024L}) {
+        const Order order = compare(left.enclosure(precision), right.enclosure(precision));
+        if (order == Order::less || order == Order::greater) return order;
+    }
+    const auto one = left.rational(), other = right.rational();
+    if (one && other && *one == *other) return Order::equal;
+    if (left.number || right.number) return Order::unknown;
+    const auto over = exponent_between(*left.over, *right.over),
+               under = exponent_between(*left.under, *right.under);
+    return over && under && *over == *under ? Order::equal : Order::unknown;
+}
+
+// The number of a statement.
+
+std::string_view trimmed(std::string_view text) {
+    while (!text.empty() && text.front() == ' ') text.remove_prefix(1);
+    while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
+    return text;
+}
+
+bool takes(std::string_view& text, std::string_view beginning) {
+    if (!text.starts_with(beginning)) return false;
+    text = trimmed(text.substr(beginning.size()));
+    return true;
+}
+
+bool is_number_of_digits(std::string_view text) {
+    return !text.empty() && text.size() < 100 &&
+           text.find_first_not_of("0123456789") == std::string_view::npos;
+}
+
+/// "x^3 - x^2 - 2".
+std::optional<Polynomial> polynomial_of(std::string_view text) {
+    Polynomial sum;
+    bool is_first = true;
+    while (!(text = trimmed(text)).empty()) {
+        const bool minus = text.front() == '-';
+        if (!minus && text.front() != '+' && !is_first) return std::nullopt;
+        if (minus || text.front() == '+') text = trimmed(text.substr(1));
+        is_first = false;
+        std::size_t end = std::min(text.find_first_not_of("0123456789"), text.size());
+        std::optional<Integer> coefficient;
+        if (end > 0 && !is_number_of_digits(text.substr(0, end))) return std::nullopt;
+        if (end > 0) coefficient = Integer(std::string(text.substr(0, end)));
+        text.remove_prefix(end);
+        std::size_t exponent = 0;
+        if (!text.empty() && text.front() == 'x') {
+            exponent = 1;
+            text.remove_prefix(1);
+            if (!text.empty() && text.front() == '^') {
+                text.remove_prefix(1);
+                end = std::min(text.find_first_not_of("0123456789"), text.size());
+                if (end == 0 || end > 3) return std::nullopt;
+                exponent = std::stoul(std::string(text.substr(0, end)));
+                text.remove_prefix(end);
+            }
+        } else if (!coefficient) {
+            return std::nullopt;
+        }
+        const Polynomial term = Polynomial::monomial(coefficient.value_or(Integer(1)), exponent);
+        sum += minus ? -term : term;
+    }
+    return sum;
+}
+
+/// "4", "sqrt 10", "(the largest real root of x^3 - x^2 - 2)".
+std::optional<Operand> operand_of(std::string_view text) {
+    text = trimmed(text);
+    if (text.starts_with('(') && text.ends_with(')') &&
+        text.find('(', 1) == std::string_view::npos)
+        return operand_of(text.substr(1, text.size() - 2));
+    if (is_number_of_digits(text)) {
+        const Integer base{std::string(text)};
+        return base.is_zero() ? std::nullopt : std::optional(whole(base));
+    }
+    if (takes(text, "sqrt")) {
+        const auto inner = operand_of(text);
+        if (!inner || !inner->base || inner->exponent != 1) return std::nullopt;
+        return whole(*inner->base, Rational(1, 2));
+    }
+    if (!takes(text, "the largest real root of")) return std::nullopt;
+    const auto polynomial = polynomial_of(text);
+    return polynomial ? root_of(*polynomial) : std::nullopt;
+}
+
+/// "log 4 / log 3", "3/2", "1.25"; nothing if it is written in another way.
+std::optional<Value> value_of(std::string_view text) {
+    text = trimmed(text);
+    if (takes(text, "log")) {
+        for (std::size_t at = text.find('/'); at != std::string_view::npos;
+             at = text.find('/', at + 1)) {
+            std::string_view under = trimmed(text.substr(at + 1));
+            if (!takes(under, "log")) continue;
+            Value found{{}, operand_of(text.substr(0, at)), operand_of(under)};
+            if (!found.over || !found.under || found.under->base == Integer(1))
+                return std::nullopt;
+            return found;
+        }
+        return std::nullopt;
+    }
+    if (text.empty() || text.size() > 1000 ||
+        text.find_first_not_of("0123456789./") != std::string_view::npos)
+        return std::nullopt;
+    try {
+        return Value{Rational(std::string(text))};
+    } catch (const Error&) {
+        return std::nullopt;
+    }
+}
+
+/// Of a statement: the first of several forms, between which there is "="; the others must be the same number, or
+/// round it.
+Value claimed_value(const Field& field) {
+    std::string_view text = field.text();
+    std::optional<Value> first;
+    for (std::size_t begin = 0; begin <= text.size();) {
+        const std::size_t end = std::min(text.find('=', begin), text.size());
+        const std::string_view written = trimmed(text.substr(begin, end - begin));
+        begin = end + 1;
+        const auto value = value_of(written);
+        if (!value) too_hard("a number of a dimension is written in a way that is not read");
+        if (!first) {
+            first = value;
+            continue;
+        }
+        if (compared(*first, *value) == Order::equal) continue;
+        const std::size_t point = written.find('.');
+        if (point == std::string_view::npos || !value->number) field.refuse("two numbers differ");
+        const Rational half = Rational(1, 2) / power(Rational(10), static_cast<std::int64_t>(
+                                                                        written.size() - point - 1));
+        const Ball error = abs(first->enclosure(1024) - Ball(*value->number, 1024));
+        const Order away = compare(error, Ball(half, 1024));
+        if (away == Order::greater) field.refuse("two numbers differ");
+        if (away != Order::less) too_hard("two numbers are too near to each other");
+    }
+    return *first;
+}
+
+// The set.
+
+/// A piece of the same level as another one, seen from it.
+struct Seen {
+    std::size_t piece = 0;
+    std::int64_t heading = 0;
+    Row offset;
+
+    bool operator<(const Seen& other) const {
+        return std::tie(piece, heading, offset) <
+               std::tie(other.piece, other.heading, other.offset);
+    }
+};
+
+class LimitSet {
+public:
+    explicit LimitSet(const Obligation& task)
+        : task_(task), proof_(task.proof), turtle_(turtle_of(task)) {
+        read_sizes();
+        read_rules();
+        find_turns();
+        read_lattice();
+        find_numbers();
+        check_tendency();
+        find_parts();
+    }
+
+    /// log r / log |mu|.
+    Value upper_bound() {
+        find_components();
+        Value found;
+        found.over = components_[largest_].rate;
+        found.under = factor();
+        return found;
+    }
+
+    /// Throws Flaw unless the parts of a component of the largest rate lie apart.
+    void check_apart() {
+        read_discs();
+        const auto [letter, phase] = proof_.at("component").pair();
+        const std::size_t piece = piece_of(letter, phase);
+        if (!parts_.contains(piece)) letter.refuse("it does not draw for ever");
+        const auto at = std::find_if(components_.begin(), components_.end(), [&](const auto& c) {
+            return std::binary_search(c.pieces.begin(), c.pieces.end(), piece);
+        });
+        if (at == components_.end() || at->rank != components_[largest_].rank)
+            letter.refuse("its component is not one whose parts multiply the fastest");
+        inside_ = std::set<std::size_t>(at->pieces.begin(), at->pieces.end());
+        read_neighbours();
+        for (const std::size_t whole : inside_) {
+            const auto own = parts_of({whole, 0, Row(rank_)});
+            for (std::size_t i = 0; i < own.size(); ++i)
+                for (std::size_t k = i + 1; k < own.size(); ++k) visit(own[i], own[k]);
+        }
+        for (const auto& [first, other] : neighbours_) {
+            task_.budget.check();
+            const auto own = parts_of({first, 0, Row(rank_)});
+            const auto others = parts_of(other);
+            for (const Seen& one : own)
+                for (const Seen& each : others) visit(one, each);
+        }
+    }
+
+private:
+    using Pair = std::pair<std::size_t, Seen>;
+
+    struct Item {
+        std::size_t letter = 0;  // its place among the letters
+        bool opens = false, closes = false;
+    };
+    struct Part {
+        std::size_t piece;
+        std::int64_t heading;
+        Row offset;
+    };
+    struct Disc {
+        Number centre;
+        Ball radius;
+    };
+
+    static Turtle turtle_of(const Obligation& task) {
+        if (task.statement.systems.empty() || !is_d0l(task.system()))
+            too_hard("dimensions of such systems are not worked out again");
+        const Field root(task.certificate.header, "", task.certificate.file);
+        if (!root.has("turtles") || !root.at("turtles").has(task.statement.family))
+            task.refuse("no turtle of the system '" + task.statement.family + "' is known");
+        return read_turtle(root.at("turtles").at(task.statement.family), task.alphabet());
+    }
+
+    static std::uint64_t at_most(const Field& field, std::uint64_t most) {
+        const std::uint64_t read = field.number();
+        if (read < 1 || read > most)
+            field.fail("expected a number from 1 to " + std::to_string(most));
+        return read;
+    }
+
+    void read_sizes() {
+        order_ = static_cast<std::int64_t>(at_most(proof_.at("order"), largest_order));
+        phases_ = at_most(proof_.at("phases"), most_phases);
+        ring_.emplace(static_cast<long>(order_));
+    }
+
+    std::int64_t units(const Rational& part) const {
+        const Rational found = part * Rational(order_);
+        if (!found.is_integer()) proof_.at("order").refuse("turns are not multiples of it");
+        return normal(found.numerator().to_int64());
+    }
+
+    std::int64_t normal(std::int64_t heading) const {
+        heading %= order_;
+        return heading < 0 ? heading + order_ : heading;
+    }
+
+    // The rules.
+
+    std::string commands(Symbol letter) const {
+        const auto found = turtle_.letters.find(letter);
+        return found == turtle_.letters.end() ? "" : found->second;
+    }
+
+    void read_rules() {
+        const System& system = task_.system();
+        const System::Successors& table = system.tables.front();
+        std::map<Symbol, std::size_t> places;
+        for (const Symbol a : accessible_letters(system, system.axiom)) {
+            if (commands(a) == "[" || commands(a) == "]") {
+                if (table[a].front() != Word{a}) too_hard("brackets become other letters");
+                continue;
+            }
+            places[a] = letters_.size();
+            letters_.push_back(a);
+        }
+        if (letters_.size() * phases_ > most_pieces) too_hard("there are too many pieces");
+        const auto items = [&](const Word& word) {
+            std::vector<Item> found;
+            std::size_t depth = 0;
+            for (const Symbol a : word) {
+                const bool opens = commands(a) == "[", closes = commands(a) == "]";
+                if (closes && depth-- == 0) too_hard("brackets do not match in a successor");
+                if (opens) ++depth;
+                found.push_back({opens || closes ? 0 : places.at(a), opens, closes});
+            }
+            if (depth != 0) too_hard("brackets do not match in a successor");
+            return found;
+        };
+        for (const Symbol a : letters_) words_.push_back(items(table[a].front()));
+        axiom_ = items(system.axiom);
+        place_ = std::move(places);
+    }
+
+    /// What a letter's own commands turn by, move and draw.
+    std::tuple<std::int64_t, CyclotomicInteger, bool> told(Symbol letter) const {
+        std::int64_t heading = 0;
+        CyclotomicInteger here = ring_->zero();
+        bool draws = false;
+        std::vector<std::pair<std::int64_t, CyclotomicInteger>> kept;
+        for (const char command : commands(letter)) {
+            if (command == '+') heading = normal(heading + units(turtle_.turn));
+            if (command == '-') heading = normal(heading - units(turtle_.turn));
+            if (command == '|') heading = normal(heading + units(Rational(1, 2)));
+            if (command == 'F' || command == 'f')
+                ring_->add_rotated(here, ring_->one(), heading);
+            draws = draws || command == 'F';
+            if (command == '[') kept.emplace_back(heading, here);
+            if (command == ']') {
+                if (kept.empty()) too_hard("brackets do not match in what a letter draws");
+                std::tie(heading, here) = kept.back();
+                kept.pop_back();
+            }
+        }
+        if (!kept.empty()) too_hard("brackets do not match in what a letter draws");
+        return {heading, here, draws};
+    }
+
+    Number zeta(std::int64_t heading) const {
+        const Rational part(2 * heading, order_);
+        return {cos_pi(part, bits), sin_pi(part, bits)};
+    }
+
+    /// The turn of a word of letters that turn so.
+    std::int64_t turn_of(const std::vector<Item>& word,
+                         const std::vector<std::int64_t>& turns) const {
+        std::int64_t heading = 0;
+        std::vector<std::int64_t> kept;
+        for (const Item& item : word) {
+            if (item.opens) {
+                kept.push_back(heading);
+            } else if (item.closes) {
+                heading = kept.back();
+                kept.pop_back();
+            } else {
+                heading = normal(heading + turns[item.letter]);
+            }
+        }
+        return heading;
+    }
+
+    /// The turns of the letters in the generations, until they come back.
+    void find_turns() {
+        std::vector<std::int64_t> now;
+        for (const Symbol a : letters_) now.push_back(std::get<0>(told(a)));
+        std::map<std::vector<std::int64_t>, std::size_t> seen;
+        while (seen.emplace(now, turns_.size()).second) {
+            if (turns_.size() == most_levels) too_hard("turns do not come back");
+            turns_.push_back(now);
+            for (std::size_t a = 0; a < letters_.size(); ++a)
+                now[a] = turn_of(words_[a], turns_.back());
+        }
+        first_ = seen.at(now);
+        if (phases_ % (turns_.size() - first_) != 0)
+            proof_.at("phases").refuse("turns do not come back after so many generations");
+    }
+
+    const std::vector<std::int64_t>& turns(std::size_t level) const {
+        const std::size_t period = turns_.size() - first_;
+        return level < first_ ? turns_[level] : turns_[first_ + (level - first_) % period];
+    }
+
+    /// Of a letter in a phase: its parts have the turns of the phase before.
+    const std::vector<std::int64_t>& turns_below(std::size_t phase) const {
+        return turns(first_ + (phase + phases_ - 1) % phases_);
+    }
+
+    // The lattice.
+
+    IntegerMatrix matrix(const Field& field) const {
+        std::vector<Row> rows;
+        for (const Field& row : field.list()) rows.push_back(integers(row));
+        if (rows.size() != rank_) field.fail("expected as many rows as there are columns");
+        return IntegerMatrix(rows);
+    }
+
+    Row integers(const Field& field) const {
+        Row found;
+        for (const Field& entry : field.list()) {
+            found.push_back(entry.integer(true));
+            if (!found.back().fits_int64()) entry.fail("expected a number of at most 64 bits");
+        }
+        if (found.size() != rank_)
+            field.fail("expected " + std::to_string(rank_) + " integers in a row");
+        return found;
+    }
+
+    std::size_t piece_of(const Field& letter, const Field& phase) const {
+        const auto symbol = task_.alphabet().find(letter.text());
+        const auto place = symbol ? place_.find(*symbol) : place_.end();
+        if (place == place_.end()) letter.fail("expected a letter that the turtle reads");
+        const std::uint64_t at = phase.number();
+        if (at >= phases_) phase.fail("expected a phase");
+        return static_cast<std::size_t>(at) * letters_.size() + place->second;
+    }
+
+    void read_lattice() {
+        rank_ = proof_.at("scale").list().size();
+        if (rank_ < 1 || rank_ > largest_rank) too_hard("positions lie in too large a field");
+        scale_ = matrix(proof_.at("scale"));
+        const IntegerMatrix turn = matrix(proof_.at("turn"));
+        if (scale_ * turn != turn * scale_)
+            proof_.at("turn").refuse("scale and turn do not commute");
+        turns_of_rows_.push_back(IntegerMatrix::identity(rank_));
+        for (std::int64_t heading = 1; heading <= order_; ++heading) {
+            task_.budget.check();
+            turns_of_rows_.push_back(turns_of_rows_.back() * turn);
+        }
+        if (turns_of_rows_.back() != turns_of_rows_.front())
+            proof_.at("turn").refuse("its power by the order is not 1");
+        ways_.assign(phases_ * letters_.size(), Row(rank_));
+        for (const Field& way : proof_.at("ways").list()) {
+            const auto parts = way.list();
+            if (parts.size() != 3) way.fail("expected a letter, a phase and a row");
+            ways_[piece_of(parts[0], parts[1])] = integers(parts[2]);
+        }
+        for (std::size_t piece = 0; piece < ways_.size(); ++piece) {
+            Row sum(rank_);
+            walk(piece, [&](const Item&, std::size_t below, std::int64_t heading, const Row&,
+                            bool is_on_path) {
+                if (is_on_path) add(sum, turned(ways_[below], heading));
+            });
+            if (ways_[piece] * scale_ != sum)
+                proof_.at("ways").refuse("the way of '" +
+                                         task_.alphabet().name(letters_[letter_of(piece)]) +
+                                         "' does not follow from its successor's");
+        }
+    }
+
+    std::size_t letter_of(std::size_t piece) const { return piece % letters_.size(); }
+
+    static void add(Row& left, const Row& right, bool negative = false) {
+        for (std::size_t i = 0; i < left.size(); ++i)
+            if (negative)
+                left[i] -= right[i];
+            else
+                left[i] += right[i];
+    }
+
+    Row turned(const Row& row, std::int64_t heading) const {
+        return row * turns_of_rows_[static_cast<std::size_t>(normal(heading))];
+    }
+
+    /// What a word consists of, one after the other: pieces of a phase, with headings and places.
+    template <class See>
+    void walk(const std::vector<Item>& word, std::size_t phase_below,
+              const std::vector<std::int64_t>& below, const See& see) const {
+        std::int64_t heading = 0;
+        Row here(rank_);
+        std::vector<std::pair<std::int64_t, Row>> kept;
+        for (const Item& item : word) {
+            if (item.opens) {
+                kept.emplace_back(heading, here);
+            } else if (item.closes) {
+                std::tie(heading, here) = std::move(kept.back());
+                kept.pop_back();
+            } else {
+                const std::size_t part = phase_below * letters_.size() + item.letter;
+                see(item, part, heading, here, kept.empty());
+                add(here, turned(ways_[part], heading));
+                heading = normal(heading + below[item.letter]);
+            }
+        }
+    }
+
+    template <class See>
+    void walk(std::size_t piece, const See& see) const {
+        const std::size_t phase = piece / letters_.size();
+        walk(words_[letter_of(piece)], (phase + phases_ - 1) % phases_, turns_below(phase), see);
+    }
+
+    // The numbers that rows stand for.
+
+    void find_numbers() {
+        const Polynomial characteristic = characteristic_polynomial(scale_);
+        Polynomial annihilating(1);
+        for (const auto& [factor, times] : factorise(characteristic).powers)
+            annihilating *= factor;
+        IntegerMatrix at_scale(rank_, rank_);
+        for (std::size_t k = annihilating.coefficients().size(); k-- > 0;) {
+            at_scale = at_scale * scale_;
+            for (std::size_t i = 0; i < rank_; ++i) at_scale(i, i) += annihilating.coefficient(k);
+        }
+        if (!at_scale.is_zero()) proof_.at("scale").refuse("it is not diagonal over the numbers");
+        const auto [real, imaginary] = proof_.at("factor").pair();
+        const double near_real = decimal_of(real).to_double(),
+                     near_imaginary = decimal_of(imaginary).to_double();
+        double best = INFINITY;
+        std::optional<Number> found;
+        for (const auto& [factor, times] : factorise(characteristic).powers)
+            for (const Root& root : roots(factor, bits)) {
+                const double away = std::hypot(root.real.midpoint() - near_real,
+                                               root.imaginary.midpoint() - near_imaginary);
+                if (!(away < best)) continue;
+                best = away;
+                found = Number{root.real, root.imaginary};
+                minimal_ = factor;
+            }
+        factor_ = found;
+        if (!is_above(square_of_size(*factor_), Ball(1, bits)))
+            proof_.at("factor").refuse("it is not larger than 1");
+        // (annihilating(x) / (x - mu))(scale) times a column, and of that the part on which turns act as zeta.
+        Column quotient(static_cast<std::size_t>(annihilating.degree()), number(0));
+        Number carry = number(0);
+        for (std::size_t k = quotient.size(); k-- > 0;) {
+            carry = carry * *factor_ + number(Rational(annihilating.coefficient(k + 1)));
+            quotient[k] = carry;
+        }
+        for (std::size_t start = 0; start < rank_; ++start) {
+            Row power(rank_);
+            power[start] = 1;
+            Column column(rank_, number(0));
+            for (const Number& coefficient : quotient) {
+                for (std::size_t i = 0; i < rank_; ++i)
+                    column[i] = column[i] + coefficient * number(Rational(power[i]));
+                power = scale_ * power;
+            }
+            Column sum(rank_, number(0));
+            for (std::int64_t heading = 0; heading < order_; ++heading) {
+                const Number back = zeta(-heading);
+                const IntegerMatrix& turn = turns_of_rows_[static_cast<std::size_t>(heading)];
+                for (std::size_t i = 0; i < rank_; ++i)
+                    for (std::size_t k = 0; k < rank_; ++k)
+                        if (!turn(i, k).is_zero())
+                            sum[i] = sum[i] + back * number(Rational(turn(i, k))) * column[k];
+            }
+            if (!is_not_zero(sum[0])) continue;
+            numbers_.clear();
+            for (const Number& each : sum) numbers_.push_back(each / sum[0]);
+            return;
+        }
+        proof_.at("turn").refuse("no numbers are seen on which it acts as a turn");
+    }
+
+    static Rational decimal_of(const Field& field) {
+        constexpr std::size_t longest = 100;
+        if (field.text().size() > longest) field.fail("expected a decimal number");
+        try {
+            return Rational(field.text());
+        } catch (const Error& error) {
+            field.fail(error.what());
+        }
+    }
+
+    Number value(const Row& row) const {
+        Number sum = number(0);
+        for (std::size_t i = 0; i < rank_; ++i)
+            if (!row[i].is_zero()) sum = sum + numbers_[i] * number(Rational(row[i]));
+        return sum;
+    }
+
+    // What ways tend to.
+
+    using Ways = std::vector<CyclotomicInteger>;  // by letter
+
+    /// The ways of one generation from those of the generation before, in which letters turn so.
+    Ways next_ways(const Ways& ways, const std::vector<std::int64_t>& turns) const {
+        Ways next;
+        for (const auto& word : words_) {
+            CyclotomicInteger sum = ring_->zero();
+            std::int64_t heading = 0;
+            std::vector<std::int64_t> kept;
+            for (const Item& item : word) {
+                if (item.opens) {
+                    kept.push_back(heading);
+                } else if (item.closes) {
+                    heading = kept.back();
+                    kept.pop_back();
+                } else {
+                    if (kept.empty()) ring_->add_rotated(sum, ways[item.letter], heading);
+                    heading = normal(heading + turns[item.letter]);
+                }
+            }
+            next.push_back(std::move(sum));
+        }
+        return next;
+    }
+
+    /// From a generation of the first phase to the next such one.
+    Ways next_round(Ways ways) const {
+        for (std::size_t phase = 1; phase <= phases_; ++phase)
+            ways = next_ways(ways, turns_below(phase % phases_));
+        return ways;
+    }
+
+    /// The matrix of a round on coordinates of the letters' ways.
+    IntegerMatrix round_matrix() const {
+        const std::size_t degree = ring_->degree(), size = degree * letters_.size();
+        if (size > largest_matrix) too_hard("there are too many letters and directions");
+        std::vector<Row> rows;
+        for (std::size_t a = 0; a < letters_.size(); ++a)
+            for (std::size_t k = 0; k < degree; ++k) {
+                task_.budget.check();
+                Ways unit(letters_.size(), ring_->zero());
+                unit[a].coefficients[k] = 1;
+                Row row;
+                for (const CyclotomicInteger& way : next_round(std::move(unit)))
+                    row.insert(row.end(), way.coefficients.begin(), way.coefficients.end());
+                rows.push_back(std::move(row));
+            }
+        return IntegerMatrix(rows);
+    }
+
+    /// The product of the factors of the round's characteristic polynomial all of whose roots are smaller than
+    /// mu^phases.
+    Polynomial of_smaller_roots() const {
+        Ball largest(1, bits);
+        for (std::size_t k = 0; k < phases_; ++k) largest *= square_of_size(*factor_);
+        Polynomial found(1);
+        for (const auto& [factor, times] :
+             factorise(characteristic_polynomial(round_matrix())).powers) {
+            const auto all = roots(factor, bits);
+            const bool smaller = std::all_of(all.begin(), all.end(), [&](const Root& root) {
+                return is_above(largest, square_of_size({root.real, root.imaginary}));
+            });
+            if (smaller) found *= power(factor, times);
+        }
+        return found;
+    }
+
+    /// With the polynomial q of smaller roots, q(round) d is a multiple of the ways, exactly and not 0: so in late
+    /// generations nothing but that multiple counts beside it.
+    void check_tendency() {
+        Ways ways;
+        for (const Symbol a : letters_) ways.push_back(std::get<1>(told(a)));
+        for (std::size_t level = 0; level < first_; ++level)
+            ways = next_ways(ways, turns(level));
+        const Polynomial smaller = of_smaller_roots();
+        Ways sum(letters_.size(), ring_->zero());
+        for (std::size_t k = 0; k < smaller.coefficients().size(); ++k) {
+            task_.budget.check();
+            for (std::size_t a = 0; a < letters_.size(); ++a) {
+                CyclotomicInteger part = ways[a];
+                ring_->scale(part, smaller.coefficient(k));
+                ring_->add(sum[a], part);
+            }
+            ways = next_round(std::move(ways));
+        }
+        const auto times = [&](const Row& row, const CyclotomicInteger& number) {
+            Row found(rank_);
+            for (std::size_t k = 0; k < number.coefficients.size(); ++k) {
+                if (number.coefficients[k].is_zero()) continue;
+                const Row part = turned(row, static_cast<std::int64_t>(k));
+                for (std::size_t i = 0; i < rank_; ++i)
+                    found[i] += part[i] * number.coefficients[k];
+            }
+            return found;
+        };
+        bool is_seen = false;
+        for (std::size_t a = 0; a < letters_.size(); ++a) {
+            for (std::size_t b = 0; b < a; ++b)
+                if (times(ways_[a], sum[b]) != times(ways_[b], sum[a]))
+                    too_hard("it is not seen that ways tend to those of the certificate");
+            is_seen = is_seen || (sum[a] != ring_->zero() && is_not_zero(value(ways_[a])));
+        }
+        if (!is_seen) proof_.at("ways").refuse("ways do not tend to them");
+    }
+
+    // Parts, and the components of pieces.
+
+    void find_parts() {
+        const std::vector<bool> lasts = lasting();
+        for (std::size_t piece = 0; piece < ways_.size(); ++piece) {
+            if (!lasts[letter_of(piece)]) continue;
+            auto& own = parts_[piece];
+            walk(piece, [&](const Item& item, std::size_t part, std::int64_t heading,
+                            const Row& here, bool) {
+                if (lasts[item.letter]) own.push_back({part, heading, here});
+            });
+        }
+        for (const Item& item : axiom_)
+            if (!item.opens && !item.closes && lasts[item.letter]) starts_.push_back(item.letter);
+        if (starts_.empty()) too_hard("nothing is drawn in late generations");
+    }
+
+    /// The letters that lead to drawing in every later generation: to a letter that comes again and leads to one that
+    /// draws.
+    std::vector<bool> lasting() const {
+        const std::size_t count = letters_.size();
+        std::vector<std::vector<bool>> leads(count, std::vector<bool>(count, false));
+        for (std::size_t a = 0; a < count; ++a)
+            for (const Item& item : words_[a])
+                if (!item.opens && !item.closes) leads[a][item.letter] = true;
+        for (std::size_t k = 0; k < count; ++k)
+            for (std::size_t a = 0; a < count; ++a)
+                if (leads[a][k])
+                    for (std::size_t b = 0; b < count; ++b)
+                        if (leads[k][b]) leads[a][b] = true;
+        std::vector<bool> draws;
+        for (const Symbol a : letters_) draws.push_back(std::get<2>(told(a)));
+        const auto reaches = [&](std::size_t a, const auto& which) {
+            for (std::size_t b = 0; b < count; ++b)
+                if ((a == b || leads[a][b]) && which(b)) return true;
+            return false;
+        };
+        std::vector<bool> found;
+        for (std::size_t a = 0; a < count; ++a)
+            found.push_back(reaches(a, [&](std::size_t b) {
+                return leads[b][b] && reaches(b, [&](std::size_t c) { return draws[c]; });
+            }));
+        return found;
+    }
+
+    struct Component {
+        std::vector<std::size_t> pieces;  // in order
+        Operand rate;
+        std::size_t rank = 0;  // of the rate among those of all components; equal ones are equal
+    };
+
+    std::set<std::size_t> reached_from(const std::vector<std::size_t>& starts) const {
+        std::set<std::size_t> found(starts.begin(), starts.end());
+        std::vector<std::size_t> open(found.begin(), found.end());
+        while (!open.empty()) {
+            const std::size_t piece = open.back();
+            open.pop_back();
+            for (const Part& part : parts_.at(piece))
+                if (found.insert(part.piece).second) open.push_back(part.piece);
+        }
+        return found;
+    }
+
+    void find_components() {
+        const std::set<std::size_t> all = reached_from(starts_);
+        std::map<std::size_t, std::set<std::size_t>> after;
+        for (const std::size_t piece : all) {
+            task_.budget.check();
+            std::vector<std::size_t> next;
+            for (const Part& part : parts_.at(piece)) next.push_back(part.piece);
+            after[piece] = reached_from(next);
+        }
+        std::set<std::size_t> done;
+        for (const std::size_t piece : all) {
+            if (done.contains(piece) || !after.at(piece).contains(piece)) continue;
+            Component component;
+            for (const std::size_t other : after.at(piece))
+                if (after.at(other).contains(piece)) component.pieces.push_back(other);
+            done.insert(component.pieces.begin(), component.pieces.end());
+            IntegerMatrix matrix(component.pieces.size(), component.pieces.size());
+            bool multiplies = false, is_point = true;
+            for (std::size_t i = 0; i < component.pieces.size(); ++i) {
+                std::size_t within = 0;
+                for (const Part& part : parts_.at(component.pieces[i])) {
+                    const auto at = std::lower_bound(component.pieces.begin(),
+                                                     component.pieces.end(), part.piece);
+                    if (at == component.pieces.end() || *at != part.piece) continue;
+                    matrix(i, static_cast<std::size_t>(at - component.pieces.begin())) += 1;
+                    is_point = is_point && part.offset == Row(rank_);
+                    multiplies = multiplies || ++within > 1;
+                }
+            }
+            if (!multiplies) continue;
+            if (is_point) too_hard("pieces shrink to points");
+            const auto rate = root_of(characteristic_polynomial(matrix));
+            if (!rate) too_hard("a rate is not found");
+            component.rate = *rate;
+            components_.push_back(std::move(component));
+        }
+        if (components_.empty()) too_hard("the parts that are drawn do not multiply");
+        for (std::size_t k = 1; k < components_.size(); ++k) {
+            Operand &rate = components_[k].rate, &best = components_[largest_].rate;
+            components_[k].rank = k;
+            if (rate.base == best.base && rate.minimal == best.minimal) {
+                components_[k].rank = components_[largest_].rank;
+                continue;
+            }
+            const Order order = compare(rate.enclose(bits), best.enclose(bits));
+            if (order == Order::greater) largest_ = k;
+            if (order == Order::unknown) too_hard("two rates are too near to each other");
+        }
+    }
+
+    /// |mu|: the root of an integer where mu times its conjugate is one; the largest root of a polynomial where mu is
+    /// real.
+    Operand factor() const {
+        const Number mu = *factor_;
+        const auto enclosed = [minimal = minimal_, mu](long precision) {
+            for (const Root& root : roots(minimal, precision))
+                if (root.real.overlaps(mu.real) && root.imaginary.overlaps(mu.imaginary))
+                    return sqrt(root.real * root.real + root.imaginary * root.imaginary);
+            return Ball(0, precision);
+        };
+        if (const auto square = square_of_size(mu).unique_integer(); square && *square > 1) {
+            // Whether the square over each root is a root: then that over mu is its conjugate, or lies apart from it.
+            const auto degree = static_cast<std::size_t>(minimal_.degree());
+            std::vector<Integer> coefficients;
+            for (std::size_t k = 0; k <= degree; ++k)
+                coefficients.push_back(minimal_.coefficient(degree - k) *
+                                       power(*square, static_cast<std::uint64_t>(degree - k)));
+            const Number over = number(Rational(*square)) / mu;
+            std::size_t meets = 0;
+            bool is_conjugate = false;
+            for (const Root& root : roots(minimal_, bits))
+                if (root.real.overlaps(over.real) && root.imaginary.overlaps(over.imaginary)) {
+                    ++meets;
+                    is_conjugate = root.real.overlaps(mu.real) &&
+                                   root.imaginary.overlaps(-mu.imaginary);
+                }
+            if (primitive_part(Polynomial(std::move(coefficients))) == minimal_ && meets == 1 &&
+                is_conjugate)
+                return whole(*square, Rational(1, 2));
+        }
+        for (const bool negative : {false, true}) {
+            Polynomial own = minimal_;
+            if (negative) {
+                std::vector<Integer> coefficients = minimal_.coefficients();
+                for (std::size_t k = 1; k < coefficients.size(); k += 2)
+                    coefficients[k] = -coefficients[k];
+                own = primitive_part(Polynomial(std::move(coefficients)));
+            }
+            const auto largest = largest_real_root(own, bits);
+            const bool is_real = mu.imaginary.contains(Rational(0)) &&
+                                 mu.imaginary.has_radius_below(-bits);
+            if (is_real && largest && largest->overlaps(negative ? -mu.real : mu.real))
+                if (const auto found = root_of(own)) return *found;
+        }
+        return {{}, 1, {}, enclosed};
+    }
+
+    // Discs and neighbours.
+
+    void read_discs() {
+        for (const Field& disc : proof_.at("discs").list()) {
+            const auto parts = disc.list();
+            if (parts.size() != 5)
+                disc.fail("expected a letter, a phase, two coordinates and a radius");
+            const std::size_t piece = piece_of(parts[0], parts[1]);
+            if (!parts_.contains(piece)) disc.refuse("the piece does not draw for ever");
+            discs_.insert_or_assign(
+                piece, Disc{number(decimal_of(parts[2]), decimal_of(parts[3])),
+                            Ball(decimal_of(parts[4]), bits)});
+        }
+        const Ball ratio = size(*factor_);
+        for (const auto& [piece, parts] : parts_) {
+            if (!discs_.contains(piece)) proof_.at("discs").refuse("a piece has no disc");
+            const Disc& whole = discs_.at(piece);
+            for (const Part& part : parts) {
+                if (!discs_.contains(part.piece)) proof_.at("discs").refuse("a piece has no disc");
+                const Disc& inner = discs_.at(part.piece);
+                const Ball apart = size(zeta(part.heading) * inner.centre + value(part.offset) -
+                                        *factor_ * whole.centre);
+                if (!is_above(ratio * whole.radius, apart + inner.radius))
+                    proof_.at("discs").refuse("a part's disc does not lie in that of its whole");
+            }
+        }
+    }
+
+    void read_neighbours() {
+        for (const Field& neighbour : proof_.at("neighbours").list()) {
+            const auto parts = neighbour.list();
+            if (parts.size() != 5)
+                neighbour.fail("expected two letters, a phase, a heading and a row");
+            const std::size_t first = piece_of(parts[0], parts[2]);
+            const Seen other{piece_of(parts[1], parts[2]),
+                             static_cast<std::int64_t>(parts[3].number() %
+                                                       static_cast<std::uint64_t>(order_)),
+                             integers(parts[4])};
+            if (!inside_.contains(first) || !inside_.contains(other.piece))
+                neighbour.refuse("it is not of the component");
+            if (is_same(first, other)) neighbour.refuse("the two are the same part");
+            neighbours_.emplace(first, other);
+        }
+    }
+
+    static bool is_same(std::size_t first, const Seen& other) {
+        return first == other.piece && other.heading == 0 &&
+               std::all_of(other.offset.begin(), other.offset.end(),
+                           [](const Integer& x) { return x.is_zero(); });
+    }
+
+    /// The parts of a piece that lie in the component, as they lie where it lies so.
+    std::vector<Seen> parts_of(const Seen& whole) const {
+        std::vector<Seen> found;
+        for (const Part& part : parts_.at(whole.piece)) {
+            if (!inside_.contains(part.piece)) continue;
+            Row offset = whole.offset * scale_;
+            add(offset, turned(part.offset, whole.heading));
+            found.push_back(
+                {part.piece, normal(whole.heading + part.heading), std::move(offset)});
+        }
+        return found;
+    }
+
+    Seen seen_from(const Seen& first, const Seen& other) const {
+        Row offset = other.offset;
+        add(offset, first.offset, true);
+        return {other.piece, normal(other.heading - first.heading),
+                turned(offset, -first.heading)};
+    }
+
+    void visit(const Seen& first, const Seen& other) {
+        const Seen seen = seen_from(first, other);
+        if (is_same(first.piece, seen))
+            proof_.at("neighbours").refuse("two parts lie in the same place");
+        if (!neighbours_.contains({first.piece, seen}) && !is_apart(first.piece, seen, deepest))
+            proof_.at("neighbours").refuse("two parts may meet that are not among them");
+    }
+
+    /// Whether no parts of two pieces meet, of some level below: their discs do not.
+    bool is_apart(std::size_t first, const Seen& other, int depth) {
+        if (++looks_ > most_looks) too_hard("too many pairs of parts are looked at");
+        if (looks_ % 1024 == 0) task_.budget.check();
+        const Disc &one = discs_.at(first), &two = discs_.at(other.piece);
+        if (is_above(size(value(other.offset) + zeta(other.heading) * two.centre - one.centre),
+                     one.radius + two.radius))
+            return true;
+        if (depth == 0 || is_same(first, other)) return false;
+        const auto own = parts_of({first, 0, Row(rank_)}), others = parts_of(other);
+        for (const Seen& part : own)
+            for (const Seen& another : others)
+                if (!is_apart(part.piece, seen_from(part, another), depth - 1)) return false;
+        return true;
+    }
+
+    const Obligation& task_;
+    Field proof_;
+    Turtle turtle_;
+    std::int64_t order_ = 1;
+    std::optional<CyclotomicRing> ring_;
+    std::size_t phases_ = 1, rank_ = 0, first_ = 0;
+    std::vector<Symbol> letters_;
+    std::map<Symbol, std::size_t> place_;
+    std::vector<std::vector<Item>> words_;  // by letter
+    std::vector<Item> axiom_;
+    std::vector<std::vector<std::int64_t>> turns_;  // by generation
+    IntegerMatrix scale_;
+    std::vector<IntegerMatrix> turns_of_rows_;  // by heading
+    std::vector<Row> ways_;                     // by piece
+    std::optional<Number> factor_;
+    Polynomial minimal_;
+    Column numbers_;
+    std::map<std::size_t, std::vector<Part>> parts_;
+    std::vector<std::size_t> starts_;
+    std::vector<Component> components_;
+    std::size_t largest_ = 0;
+    std::map<std::size_t, Disc> discs_;
+    std::set<std::size_t> inside_;
+    std::set<Pair> neighbours_;
+    std::size_t looks_ = 0;
+};
+
+}  // namespace
+
+void check_limit_set(const Obligation& task) {
+    const Value claimed = claimed_value(*task.statement.formula);
+    LimitSet set(task);
+    const std::string& said = task.statement.compared;
+    const bool is_exact = task.proof.has("neighbours");
+    Value found = set.upper_bound();
+    if (!is_exact && is_above(found.enclosure(bits), Ball(2, bits)))
+        found = Value{Rational(2)};  // as for every set in the plane
+    const Order order = compared(found, claimed);
+    if (order == Order::unknown) too_hard("the numbers are too near to each other");
+    if (is_exact) set.check_apart();
+    // An upper bound says nothing where it is larger, nor where it is equal but that the dimension is at most that.
+    const bool holds = order == Order::equal || (order == Order::less && said == "at most") ||
+                       (order == Order::greater && said == "at least");
+    if (!is_exact && (order == Order::greater || (order == Order::equal && said != "at most")))
+        task.refuse("an upper bound does not show this");
+    if (holds != task.holds)
+        task.refuse(std::string("the dimension is ") +
+                    (order == Order::less      ? "less"
+                     : order == Order::greater ? "greater"
+                                               : "that number"));
+}
+
+}  // namespace algae::verify

@@ -1,0 +1,233 @@
+// Certificates of dimensions: sound ones are checked, changed ones are refused, and none that is accepted is false.
+
+#include <doctest/doctest.h>
+
+#include <chrono>
+#include <cmath>
+#include <functional>
+#include <nlohmann/json.hpp>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "dimension/dimension.hpp"
+#include "language/language.hpp"
+#include "model/model.hpp"
+#include "notation/notation.hpp"
+#include "verify/verify.hpp"
+
+using namespace algae;
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Outcome = verify::Finding::Outcome;
+
+Json certificate_of(const std::string& system, const std::string& statement) {
+    return certificate(check(
+        read_claim("claim T\nlet G = D0L { " + system + " }\nshow " + statement, "x.claim", {})));
+}
+
+verify::Finding found(const Json& certificate) {
+    Budget budget;
+    budget.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    return verify::check_certificate(certificate.dump(), "x", budget).front();
+}
+
+/// What becomes of a certificate, also where it cannot be read.
+Outcome outcome(const Json& certificate) {
+    try {
+        return found(certificate).outcome;
+    } catch (const Error&) {
+        return Outcome::wrong;
+    }
+}
+
+Json& proof(Json& certificate) { return certificate["statements"][0]["proof"]; }
+
+const char* const koch = "axiom F; F -> F+F--F+F; angle 60";
+const char* const dragon = "axiom FX; X -> X+YF+; Y -> -FX-Y";
+
+}  // namespace
+
+TEST_CASE("dimensions of curves are checked from the rules and the turtle") {
+    struct Case {
+        const char *system, *statement;
+    };
+    const Case cases[] = {
+        {koch, "dimension(G) = log 4 / log 3"},
+        {koch, "dimension(G) = log 16 / log 9"},
+        {koch, "dimension(G) = log 4 / log 3 = 1.26186"},
+        {koch, "dimension(G) != 1.26"},
+        {koch, "not dimension(G) <= 5/4"},
+        {koch, "dimension(G) >= 1.26"},
+        {dragon, "dimension(G) = 2"},
+        {dragon, "dimension(G) = log 2 / log sqrt 2"},
+        {"axiom F; F -> F+F-F; angle 120", "dimension(G) = 2"},
+        {"axiom F; F -> FfF; f -> fff", "dimension(G) = log 2 / log 3"},
+        {"axiom XF; X -> YF+XF+Y; Y -> XF-YF-X; angle 60", "dimension(G) = log 3 / log 2"},
+        {"axiom L; L -> +RF-LFL-FR+; R -> -LF+RFR+FL-", "dimension(G) = 2"},
+        {"axiom X; X -> X+YF++YF-FX--FXFX-YF+; Y -> -FX+YFYF++YF+FX--FX-Y; angle 60",
+         "dimension(G) = log 7 / log sqrt 7"},
+        {"axiom F; F -> F[+F]F[-F]F; angle 180/7", "dimension(G) <= log 5 / log 3"},
+    };
+    for (const auto& [system, statement] : cases) {
+        CAPTURE(std::string(system));
+        CAPTURE(std::string(statement));
+        const Json certificate = certificate_of(system, statement);
+        CAPTURE(certificate.dump());
+        const verify::Finding finding = found(certificate);
+        CAPTURE(finding.reason);
+        CHECK(finding.outcome == Outcome::checked);
+    }
+}
+
+TEST_CASE("what a limit set is said to be wrongly is refused") {
+    const auto refuses = [](const char* system, const char* statement, const char* name,
+                            const std::function<void(Json&)>& change) {
+        Json changed = certificate_of(system, statement);
+        REQUIRE(found(changed).outcome == Outcome::checked);
+        change(changed);
+        CAPTURE(std::string(name));
+        CHECK(outcome(changed) == Outcome::wrong);
+    };
+    const char* const is = "dimension(G) = log 4 / log 3";
+    const auto equals = [](const char* number) {
+        return [number](Json& c) { c["statements"][0]["statement"]["equals"] = number; };
+    };
+    refuses(koch, is, "another number", equals("log 5 / log 3"));
+    refuses(koch, is, "a number near it", equals("1.261859507142914874199054228"));
+    refuses(koch, is, "two numbers", equals("log 4 / log 3 = 2"));
+    refuses(koch, is, "a wrong decimal", equals("log 4 / log 3 = 1.2618"));
+    refuses(koch, is, "the opposite", [](Json& c) { c["statements"][0]["verdict"] = "refuted"; });
+    refuses(koch, is, "fewer parts", [](Json& c) {
+        c["systems"]["G"]["tables"][0]["F"][0] = "F + F - - F";
+    });
+    refuses(koch, is, "another angle", [](Json& c) { c["turtles"]["G"]["turn"] = "1/3"; });
+    refuses(koch, is, "no turtle", [](Json& c) { c["turtles"].erase("G"); });
+    refuses(koch, is, "no neighbours", [](Json& c) { proof(c)["neighbours"] = Json::array(); });
+    refuses(koch, is, "an upper bound only", [](Json& c) {
+        for (const char* field : {"neighbours", "component", "discs"}) proof(c).erase(field);
+    });
+    refuses(koch, is, "discs that are too small", [](Json& c) {
+        for (Json& disc : proof(c)["discs"]) disc[4] = "0.1";
+    });
+    refuses(koch, is, "discs elsewhere", [](Json& c) {
+        for (Json& disc : proof(c)["discs"]) disc[2] = "7";
+    });
+    refuses(koch, is, "another way", [](Json& c) { proof(c)["ways"][0][2][0] = 5; });
+    refuses(koch, is, "no ways", [](Json& c) { proof(c)["ways"] = Json::array(); });
+    refuses(koch, is, "another scale", [](Json& c) { proof(c)["scale"][0][0] = 4; });
+    refuses(koch, is, "another turn", [](Json& c) { proof(c)["turn"] = proof(c)["scale"]; });
+    refuses(dragon, "dimension(G) = 2", "no phases", [](Json& c) { proof(c)["phases"] = 0; });
+    // What draws nothing has no such set, and nothing is shown of it.
+    Json nothing = certificate_of(koch, is);
+    nothing["turtles"]["G"]["letters"]["F"] = "f";
+    CHECK(outcome(nothing) == Outcome::not_checked);
+    // The whole certificate of a curve whose parts lie apart, for one whose parts coincide.
+    refuses("axiom F; F -> F+F-F-F+F", "dimension(G) = log 5 / log 3", "parts that coincide",
+            [](Json& c) { c["systems"]["G"]["tables"][0]["F"][0] = "F + F - F | F | F"; });
+}
+
+TEST_CASE("each neighbour of a curve whose parts touch is needed, or seen to lie apart") {
+    Json whole = certificate_of(dragon, "dimension(G) = 2");
+    const std::size_t count = proof(whole)["neighbours"].size();
+    REQUIRE(count > 5);
+    std::size_t refused = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        Json changed = whole;
+        proof(changed)["neighbours"].erase(k);
+        refused += outcome(changed) == Outcome::wrong ? 1 : 0;
+    }
+    CHECK(refused == count);
+}
+
+TEST_CASE("no changed certificate of a dimension is accepted with a false statement") {
+    const std::vector<std::pair<std::string, std::string>> samples = {
+        {koch, "log 4 / log 3"},
+        {dragon, "2"},
+        {"axiom F; F -> F+F-F; angle 120", "log 3 / log sqrt 3"},
+        {"axiom XF; X -> YF+XF+Y; Y -> XF-YF-X; angle 60", "log 3 / log 2"},
+        {"axiom F; F -> F+F-F-FF+F+F-F", "log 8 / log 4"},
+    };
+    std::mt19937_64 random(5);
+    const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+    std::size_t mutants = 0, refused = 0, accepted = 0;
+    for (const auto& [system, value] : samples) {
+        const Json whole = certificate_of(system, "dimension(G) = " + value);
+        REQUIRE(found(whole).outcome == Outcome::checked);
+        for (int k = 0; k < 60; ++k) {
+            Json changed = whole;
+            std::vector<Json::json_pointer> places;
+            const std::function<void(const Json&, const Json::json_pointer&)> note =
+                [&](const Json& at, const Json::json_pointer& path) {
+                    if (at.is_number() || at.is_string()) places.push_back(path);
+                    if (at.is_object())
+                        for (const auto& [key, part] : at.items()) note(part, path / key);
+                    if (at.is_array())
+                        for (std::size_t i = 0; i < at.size(); ++i) note(at[i], path / i);
+                };
+            note(proof(changed), Json::json_pointer("/statements/0/proof"));
+            note(changed["turtles"], Json::json_pointer("/turtles"));
+            for (int i = 0; i < 20; ++i)
+                places.emplace_back("/systems/G/tables/0/" + std::string(below(2) ? "F" : "X"));
+            const Json::json_pointer place = places[below(places.size())];
+            if (!changed.contains(place)) continue;
+            Json& at = changed[place];
+            if (at.is_array()) {  // a successor: one letter is another one
+                std::string word = at[0].get<std::string>();
+                static const std::string letters = "F+-XY ";
+                if (word.empty()) continue;
+                const std::size_t i = 2 * below((word.size() + 1) / 2);
+                word[i] = letters[below(5)];
+                at[0] = word;
+            } else if (at.is_number()) {
+                at = below(4) == 0 ? Json("-1") : Json(at.get<std::uint64_t>() + 1 + below(2));
+            } else {
+                std::string text = at.get<std::string>();
+                if (text.empty()) continue;
+                text[below(text.size())] = "0123456789-/F"[below(13)];
+                at = text;
+            }
+            if (changed == whole) continue;
+            ++mutants;
+            verify::Finding finding;
+            try {
+                finding = found(changed);
+            } catch (const Error&) {
+                ++refused;
+                continue;
+            }
+            if (finding.outcome != Outcome::checked) {
+                ++refused;
+                continue;
+            }
+            ++accepted;
+            // What it says, by the room dimension.
+            const Json& rules = changed["systems"]["G"]["tables"][0];
+            const Json& turtle = changed["turtles"]["G"];
+            std::string text = "axiom " + changed["systems"]["G"]["axiom"].get<std::string>() +
+                               "; angle " + to_string(Rational(turtle["turn"].get<std::string>()) *
+                                                      Rational(360));
+            for (const auto& [letter, successors] : rules.items())
+                if (letter != "+" && letter != "-")
+                    text += "; " + letter + " -> " + successors[0].get<std::string>();
+            for (const auto& [letter, told] : turtle["letters"].items())
+                if (told.get<std::string>() != letter)
+                    text += "; interpret " + letter + " -> " + told.get<std::string>();
+            CAPTURE(text);
+            const ExactDimension exact = exact_dimension(read_lsystem(text, "m.lsys"));
+            REQUIRE(exact.value);
+            const double known = exact.value->enclosure(64).midpoint();
+            const double said = value == "log 4 / log 3"   ? std::log(4) / std::log(3)
+                                : value == "log 3 / log 2" ? std::log(3) / std::log(2)
+                                : value == "log 8 / log 4" ? 1.5
+                                                           : 2.0;
+            CHECK(exact.status == ExactDimension::Status::exact);
+            CHECK(std::abs(known - said) < 1e-9);
+        }
+    }
+    MESSAGE(mutants, " changed, ", refused, " refused, ", accepted, " accepted");
+    CHECK(mutants > 150);
+    CHECK(refused > mutants / 2);
+}

@@ -602,8 +602,9 @@ py::tuple measured(const SystemObject& system, const Shown& shown, const std::st
 }
 
 py::tuple bounded(const SystemObject& system, const Rational& within, const Limits& limits) {
-    const DimensionBounds found = run(
-        limits, [&](const Budget& budget) { return dimension_bounds(*system, within, budget); });
+    const DimensionBounds found = run(limits, [&](const Budget& budget) {
+        return dimension_bounds(*system, BoundsSearch::until_within(within), budget);
+    });
     return py::make_tuple(found.low, found.high, found.low_by, found.high_by);
 }
 

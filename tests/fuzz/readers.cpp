@@ -243,6 +243,18 @@ void take_point_measures(std::string_view text) {
     correlation(points, {}, budget);
 }
 
+void take_view(std::string_view text) {
+    static const Model system = read_lsystem("axiom F+F&F; camera -90 90", "x.lsys");
+    const Model shown = with_cpfg_view(system, text, "x.v");
+    expect(shown.rules == system.rules, "a view changes rules");
+}
+
+Texts view_seeds() {
+    return {"angle increment: 22.5\ninitial line width: 2 pixels\nviewpoint: 0 -1 1\n",
+            "#define A 4\nangle factor: A*4 // parts\nprojection: perspective\n",
+            "tropism: T: 0 -1 0 E: 0\nline width increment: 0\n"};
+}
+
 Texts point_seeds() {
     return {"x, y\n0, 0.5\n1 -2e3\n", "0 0\n1 0\n0 1\n1 1\n", "0;0;0\n1;2;3\n# not a point\n",
             "1\n2\n3.5\n-4e-3\n", "x\ty\n1e300\t-1e300\n0\t0\n"};
@@ -343,6 +355,7 @@ std::vector<Target> readers() {
         {"dimension", "system files, with the dimension of their limit", take_dimension,
          files({"figures"}, ".lsys")},
         {"convert", "files of all formats into each other", take_conversion, conversion_seeds, 800},
+        {"view", "view files of cpfg", take_view, view_seeds, 256},
         {"points", "points of a text", take_points, point_seeds},
         {"measures", "box counts, mass and correlation of points", take_point_measures, point_seeds,
          256},

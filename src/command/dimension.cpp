@@ -16,7 +16,6 @@
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
-#include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
@@ -566,7 +565,7 @@ ScalingReport other_measured(const Options& options, const Budget& budget) {
     return measured_otherwise(options.measure, named.what, *named.figure, options.places(), budget);
 }
 
-/// The fractal of a Pisot substitution, and a picture of it.
+/// The fractal of a Pisot substitution.
 int print_rauzy(const Options& options, const Budget& budget) {
     const auto refuse = [](const char* option, bool given) {
         if (given) throw Error(std::string("--rauzy goes without ") + option);
@@ -576,6 +575,7 @@ int print_rauzy(const Options& options, const Budget& budget) {
     refuse("--measure", options.measure != Measure::boxes);
     refuse("--latex", options.latex);
     refuse("-n", !options.generation.empty());
+    refuse("--plot", !options.plot.empty());
     if (options.file.empty()) throw Error("dimension: expected FILE");
     if (is_generator(options.file))
         throw Error("--rauzy is for systems, and " + options.file + " is not one");
@@ -589,11 +589,6 @@ int print_rauzy(const Options& options, const Budget& budget) {
                        rauzy_fractal(*rules, budget)};
     for (const Symbol letter : report.found.letters)
         report.letters.push_back(system->alphabet.name(letter));
-    if (!options.plot.empty()) {
-        const auto format = picture_format(options.plot);
-        const IteratedFunctions functions = rauzy_functions(*rules, budget);
-        draw_generator(functions, options.plot, format, {}, false, "", budget);
-    }
     print_report(report, options.json);
     return success;
 }
@@ -669,8 +664,7 @@ void add_dimension(Verbs& verbs) {
                 "they come so near; otherwise the best, and the exit status is 3");
     verb.flag("--rauzy", options.rauzy,
               "systems whose letters multiply like a Pisot substitution: the fractal of their "
-              "prefixes, whether it tiles and is connected, and the dimension of its boundary; "
-              "--plot draws it");
+              "prefixes, whether it tiles and is connected, and the dimension of its boundary");
     verb.flag("--points", options.points,
               "FILE holds points, whatever its name and first line are");
     verb.option("--threshold", options.threshold, positive_or_zero, "T",

@@ -164,7 +164,7 @@ const std::vector<Case>& cases() {
          {"IN/bush.brno --to lsys", "dragon --to ifs", "koch-island-002 --to netlogo",
           "rule-110.ca --to lsys"}},
         {"latex", {"IN/paper.tex -o OUT.algae", "IN/paper.tex -o OUT.algae --json"}},
-        {"lsp", {}},  // reads what an editor sends
+        {"lsp", {}},     // reads what an editor sends
         {"studio", {}},  // serves until it is stopped; tests/studio
         {"manual", {"--man"}},
     };

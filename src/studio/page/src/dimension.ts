@@ -104,7 +104,7 @@ export class DimensionTab {
         this.draw();
       },
     });
-    this.root.replaceChildren(head, el('div', { class: 'columns' }, el('div', {}, picture as unknown as HTMLElement, said), this.plane ? canvas : null));
+    this.root.replaceChildren(head, el('div', { class: 'columns' }, el('div', { style: 'max-width: 460px' }, picture as unknown as HTMLElement, said), this.plane ? canvas : null));
     this.side = 0;
     this.draw();
   }

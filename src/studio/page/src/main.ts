@@ -200,7 +200,7 @@ function present(on: boolean): void {
   } else if (document.fullscreenElement) void document.exitFullscreen();
 }
 
-const divider = el('div', { id: 'divider', role: 'separator', 'aria-orientation': 'vertical', 'aria-label': 'width of the editor', tabindex: '0' });
+const divider = el('div', { id: 'divider', role: 'separator', 'aria-orientation': 'vertical', 'aria-label': 'width of the editor', 'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-valuenow': 36, tabindex: '0' });
 const left = el(
   'section',
   { id: 'left', 'aria-label': 'Editor' },
@@ -209,7 +209,9 @@ const left = el(
   about,
 );
 function widen(pixels: number): void {
-  left.style.width = `${Math.max(180, Math.min(innerWidth - 260, pixels))}px`;
+  const wide = Math.max(180, Math.min(innerWidth - 260, pixels));
+  left.style.width = `${wide}px`;
+  divider.setAttribute('aria-valuenow', String(Math.round((100 * wide) / innerWidth)));
 }
 divider.addEventListener('pointerdown', (event) => {
   divider.setPointerCapture(event.pointerId);
@@ -231,8 +233,8 @@ document.body.append(
     el('button', { onclick: save, title: 'Ctrl+S' }, texts.save),
     copyButton,
     el('span', { class: 'gap' }),
-    el('button', { onclick: () => setSize(size - 2), 'aria-label': 'Smaller letters', title: texts.smallerHelp }, texts.smaller),
-    el('button', { onclick: () => setSize(size + 2), 'aria-label': 'Larger letters', title: texts.largerHelp }, texts.larger),
+    el('button', { onclick: () => setSize(size - 2), title: texts.smallerHelp }, texts.smaller),
+    el('button', { onclick: () => setSize(size + 2), title: texts.largerHelp }, texts.larger),
     themeButton,
     el('button', { onclick: () => present(true), title: texts.help }, texts.present),
     picker,

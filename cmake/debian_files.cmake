@@ -11,3 +11,7 @@ file(WRITE ${command}/doc/algae/changelog "algae (${CPACK_PACKAGE_VERSION}) stab
 ")
 execute_process(COMMAND gzip -9n ${command}/man/man1/algae.1 ${command}/doc/algae/changelog COMMAND_ERROR_IS_FATAL ANY)
 file(COPY ${command}/doc/algae/copyright ${command}/doc/algae/changelog.gz DESTINATION ${development}/doc/libalgae-dev)
+if(EXISTS ${CPACK_TEMPORARY_DIRECTORY}/python)
+  file(COPY ${command}/doc/algae/copyright ${command}/doc/algae/changelog.gz
+    DESTINATION ${CPACK_TEMPORARY_DIRECTORY}/python/usr/share/doc/python3-algae)
+endif()

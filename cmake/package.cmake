@@ -1,4 +1,4 @@
-# Packages for Debian: `algae`, the command with its manual page and data, and `libalgae-dev`, the library.
+# Packages for Debian: `algae`, the command with its manual page and data, `libalgae-dev`, the library, and `python3-algae`.
 # tools/package builds them.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME algae)
@@ -30,4 +30,17 @@ libcairo2-dev, libgraphviz-dev, libassimp-dev, libwebp-dev, libgif-dev, libdivsu
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS algae)
 set(CPACK_COMPONENT_DEVELOPMENT_DESCRIPTION "This package holds the C++20 library of algae, a static one, with its headers
 and what CMake's find_package(algae) reads.")
+if(ALGAE_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-algae)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+  # The module is for one release of Python, as its name says.
+  math(EXPR algae_next_python "${Python3_VERSION_MINOR} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3 (>= 3.${Python3_VERSION_MINOR}), python3 (<< 3.${algae_next_python}), python3-numpy, fonts-dejavu-core")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "jupyter-notebook, python3-ipywidgets, python3-sympy, python3-networkx, python3-pandas")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "This package holds the module algae for Python 3: L-systems, words, morphisms, languages and
+claims as objects, exact numbers, figures as pictures and as arrays of numpy,
+and cells for Jupyter notebooks.")
+endif()
 include(CPack)

@@ -35,4 +35,11 @@ if(ALGAE_PYTHON)
   endforeach()
   add_custom_target(algae_python_package ALL DEPENDS ${algae_python_staged})
   add_dependencies(algae_python_package algae_python)
+  # The component `python`, for tools/package only: `cmake --install DIR` takes the command and the library.
+  set(algae_python_place lib/python3/dist-packages)
+  install(TARGETS algae_python LIBRARY DESTINATION ${algae_python_place}/algae COMPONENT python EXCLUDE_FROM_ALL)
+  install(DIRECTORY ${algae_python_stage}/algae DESTINATION ${algae_python_place} COMPONENT python EXCLUDE_FROM_ALL
+    FILES_MATCHING PATTERN "*.py" PATTERN "*.pyi" PATTERN "py.typed" PATTERN "__pycache__" EXCLUDE)
+  install(DIRECTORY lessons/notebooks DESTINATION share/doc/python3-algae/examples COMPONENT python EXCLUDE_FROM_ALL
+    FILES_MATCHING PATTERN "*.ipynb")
 endif()

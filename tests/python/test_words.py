@@ -91,3 +91,8 @@ def test_a_letter_without_image_is_named():
 def test_matrix_and_analysis():
     assert Morphism("a -> aab, b -> a").matrix().tolist() == [[2, 1], [1, 0]]
     assert Word("abaab").analysis()["periods"] == [3, 5]
+
+
+def test_a_word_with_parameters_is_equal_to_its_text():
+    word = algae.LSystem("axiom A(1); A(x) -> A(x+1)B(x)").derive(2)
+    assert word == "A(3)B(2)B(1)" and word != "A(3)B(2)" and word != "AB" and Word("AB") != "A(1)B(2)"

@@ -178,6 +178,8 @@ class Word:
 
     def __eq__(self, other: object) -> bool:
         if isinstance(other, str):
+            if self._word.has_parameters():
+                return self._word.text() == other
             try:
                 other = Word(other, alphabet=[one for one in self._word.alphabet() if len(one) > 1])
             except (Error, ValueError):

@@ -1,0 +1,76 @@
+"""The notebooks of the lessons are executed, and cells and objects show themselves."""
+
+import json
+
+import pytest
+
+import algae
+from algae import LSystem, magics
+
+
+def notebooks(source):
+    return sorted((source / "lessons" / "notebooks").glob("*.ipynb"))
+
+
+def test_there_are_six_and_none_keeps_outputs(source):
+    paths = notebooks(source)
+    assert len(paths) == 6
+    for path in paths:
+        for cell in json.loads(path.read_text())["cells"]:
+            assert cell["cell_type"] == "markdown" or (cell["outputs"] == [] and cell["execution_count"] is None)
+
+
+@pytest.mark.parametrize("number", range(6))
+def test_a_notebook_runs(source, number, tmp_path):
+    nbclient = pytest.importorskip("nbclient")
+    nbformat = pytest.importorskip("nbformat")
+    pytest.importorskip("ipykernel")
+    path = notebooks(source)[number]
+    notebook = nbformat.read(path, as_version=4)
+    client = nbclient.NotebookClient(notebook, timeout=600, resources={"metadata": {"path": str(tmp_path)}})
+    client.comm_open_handlers = {}  # sliders speak to a browser, of which there is none
+    client.execute()
+    for cell in notebook.cells:
+        for output in cell.get("outputs", []):
+            assert output.output_type != "error", output
+    shown = json.dumps(notebook.cells)
+    if path.name.startswith("2"):
+        assert "claim:2:" in shown or "wrong:" in shown  # the finding of the cell with a slip
+    if path.name.startswith("6"):
+        assert "image/svg+xml" in shown and "<iframe" in shown
+
+
+class Shell:
+    """The part of IPython's shell that the magics ask."""
+
+    def __init__(self):
+        self.user_ns, self.magics = {}, {}
+
+    def register_magic_function(self, function, kind, name):
+        self.magics[name] = function
+
+
+def test_cells_of_systems_and_claims():
+    shell = Shell()
+    algae.load_ipython_extension(shell)
+    koch = shell.magics["lsys"]("koch", "axiom F\nF -> F+F--F+F\nangle 60\n")
+    assert isinstance(koch, LSystem) and shell.user_ns["koch"] is koch
+    wrong = shell.magics["lsys"]("wrong", "axiom F\nF -> F]\n")
+    assert "wrong:2:7" in wrong.message and "^" in wrong.message and "<pre" in wrong._repr_html_()
+    assert "wrong" not in shell.user_ns
+    checked = shell.magics["claim"]("mine", "let K = D0L koch\nshow growth(K) ~ exponential\n")
+    assert bool(checked) and shell.user_ns["mine"] is checked
+    assert "claim:2:6: error: '{' is never closed" in shell.magics["claim"]("", "show {a").message
+    assert "name of a variable" in shell.magics["lsys"]("a-b", "axiom F").message
+    assert shell.magics["lsys"]("x --let c=3", "let c = 2; axiom A(c); A(x) -> A(x)").derive(0) == "A(3)"
+
+
+def test_sliders_without_widgets(monkeypatch):
+    import sys
+
+    monkeypatch.setitem(sys.modules, "ipywidgets", None)
+    shown = magics.sliders(LSystem("koch"), generations=(0, 3))
+    assert [said for said, _ in shown.pictures] == ["n = 1", "n = 2", "n = 3", "angle = 30", "angle = 90"]
+    assert shown._repr_html_().count("<svg") == 5
+    with pytest.raises(TypeError, match="system: expected an LSystem"):
+        magics.sliders("koch")

@@ -100,9 +100,8 @@ TEST_CASE("what a limit set is said to be wrongly is refused") {
     refuses(koch, is, "two numbers", equals("log 4 / log 3 = 2"));
     refuses(koch, is, "a wrong decimal", equals("log 4 / log 3 = 1.2618"));
     refuses(koch, is, "the opposite", [](Json& c) { c["statements"][0]["verdict"] = "refuted"; });
-    refuses(koch, is, "fewer parts", [](Json& c) {
-        c["systems"]["G"]["tables"][0]["F"][0] = "F + F - - F";
-    });
+    refuses(koch, is, "fewer parts",
+            [](Json& c) { c["systems"]["G"]["tables"][0]["F"][0] = "F + F - - F"; });
     refuses(koch, is, "another angle", [](Json& c) { c["turtles"]["G"]["turn"] = "1/3"; });
     refuses(koch, is, "no turtle", [](Json& c) { c["turtles"].erase("G"); });
     refuses(koch, is, "no neighbours", [](Json& c) { proof(c)["neighbours"] = Json::array(); });
@@ -151,7 +150,9 @@ TEST_CASE("no changed certificate of a dimension is accepted with a false statem
         {"axiom F; F -> F+F-F-FF+F+F-F", "log 8 / log 4"},
     };
     std::mt19937_64 random(5);
-    const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+    const auto below = [&](std::size_t count) {
+        return static_cast<std::size_t>(random() % count);
+    };
     std::size_t mutants = 0, refused = 0, accepted = 0;
     for (const auto& [system, value] : samples) {
         const Json whole = certificate_of(system, "dimension(G) = " + value);
@@ -206,9 +207,9 @@ TEST_CASE("no changed certificate of a dimension is accepted with a false statem
             // What it says, by the room dimension.
             const Json& rules = changed["systems"]["G"]["tables"][0];
             const Json& turtle = changed["turtles"]["G"];
-            std::string text = "axiom " + changed["systems"]["G"]["axiom"].get<std::string>() +
-                               "; angle " + to_string(Rational(turtle["turn"].get<std::string>()) *
-                                                      Rational(360));
+            std::string text =
+                "axiom " + changed["systems"]["G"]["axiom"].get<std::string>() + "; angle " +
+                to_string(Rational(turtle["turn"].get<std::string>()) * Rational(360));
             for (const auto& [letter, successors] : rules.items())
                 if (letter != "+" && letter != "-")
                     text += "; " + letter + " -> " + successors[0].get<std::string>();

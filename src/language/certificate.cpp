@@ -559,7 +559,8 @@ struct ProofWriter {
     }
     Json operator()(const steps::LimitSet& said) const {
         if (said.has_turtle && !said.boundary && !said.bounds)
-            if (const auto witness = limit_witness(*said.found)) return limit_set(*witness);
+            if (const auto witness = limit_witness(*said.found))
+                return limit_set(*witness, said.model->alphabet);
         std::vector<std::string> conditions = said.found->conditions;
         if (said.bounds)
             conditions.push_back("at least " + shortest_text(said.bounds->low) + " by " +
@@ -581,14 +582,14 @@ struct ProofWriter {
         constexpr int digits = 9;
         return decimal(exactly(value), digits);
     }
-    Json limit_set(const LimitWitness& witness) const {
+    static Json limit_set(const LimitWitness& witness, const Alphabet& letters) {
         const auto matrix = [](const std::vector<Displacement::Vector>& rows) {
             Json result = Json::array();
             for (const auto& row : rows) result.push_back(integers(row));
             return result;
         };
         const auto name = [&](std::size_t piece) {
-            return alphabet.name(witness.pieces[piece].letter);
+            return letters.name(witness.pieces[piece].letter);
         };
         const auto phase = [&](std::size_t piece) { return witness.pieces[piece].phase; };
         Json ways = Json::array(), discs = Json::array(), neighbours = Json::array();

@@ -375,7 +375,9 @@ Answer judge_dimension(const HasDimension& claimed, const Budget& budget) {
                              false,
                              has_lattice_turtle(*claimed.system),
                              claimed.dimension,
-                             Order::unknown};
+                             Order::unknown,
+                             {},
+                             claimed.system};
         if (found.status == Status::exact) return {judge_exact(*found.value, said), said};
         if (found.status == Status::upper_bound) return {judge_bounded(said), said};
         return {open(said), said};

@@ -175,7 +175,8 @@ private:
             put_step(*text_, kind, across, down);
             return;
         }
-        const auto place = static_cast<std::size_t>((across * 31 + down) & (known_.size() - 1));
+        const std::size_t place =
+            static_cast<std::size_t>(across * 31 + down) & (known_.size() - 1);
         Known& known = known_[place];
         if (known.size == 0 || known.x != across || known.y != down) {
             std::string made;

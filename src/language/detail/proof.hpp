@@ -307,6 +307,8 @@ struct LimitSet {
     ClaimedDimension claimed;
     Order order = Order::unknown;
     std::shared_ptr<const DimensionBounds> bounds = {};  // where they decide
+    std::shared_ptr<const Model> model =
+        {};  // whose letters those of `found` are; a certificate names them
 };
 
 // --- Equality and inclusion ---

@@ -7,6 +7,7 @@
 #include "language/detail/finite_family.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
+#include "model/model.hpp"
 #include "rewrite/rewrite.hpp"
 #include "verify/verify.hpp"
 

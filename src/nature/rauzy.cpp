@@ -463,8 +463,7 @@ RauzyFractal rauzy_fractal(const D0L& system, const Budget& budget) {
     }
     if (matrix.size() > 0)
         for (const Component& component : components(matrix, budget).list)
-            if (component.rate && *component.rate > found.meeting)
-                found.meeting = *component.rate;
+            if (component.rate && *component.rate > found.meeting) found.meeting = *component.rate;
     found.tiles = found.meeting < found.factor;
     found.parts_connected = all_connected(of, pairs);
     const LetterCounts zero(of.size(), 0);

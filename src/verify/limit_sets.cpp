@@ -99,10 +99,7 @@ std::optional<Ball> largest_real_root(const Polynomial& polynomial, long precisi
 }
 
 Operand whole(const Integer& base, const Rational& exponent = 1) {
-    return {base,
-            exponent,
-            {},
-            [=](long precision) {
+    return {base, exponent, {}, [=](long precision) {
                 return power(Ball(base, precision), Ball(exponent, precision));
             }};
 }
@@ -232,8 +229,7 @@ std::optional<Polynomial> polynomial_of(std::string_view text) {
 /// "4", "sqrt 10", "(the largest real root of x^3 - x^2 - 2)".
 std::optional<Operand> operand_of(std::string_view text) {
     text = trimmed(text);
-    if (text.starts_with('(') && text.ends_with(')') &&
-        text.find('(', 1) == std::string_view::npos)
+    if (text.starts_with('(') && text.ends_with(')') && text.find('(', 1) == std::string_view::npos)
         return operand_of(text.substr(1, text.size() - 2));
     if (is_number_of_digits(text)) {
         const Integer base{std::string(text)};
@@ -258,8 +254,7 @@ std::optional<Value> value_of(std::string_view text) {
             std::string_view under = trimmed(text.substr(at + 1));
             if (!takes(under, "log")) continue;
             Value found{{}, operand_of(text.substr(0, at)), operand_of(under)};
-            if (!found.over || !found.under || found.under->base == Integer(1))
-                return std::nullopt;
+            if (!found.over || !found.under || found.under->base == Integer(1)) return std::nullopt;
             return found;
         }
         return std::nullopt;
@@ -292,8 +287,9 @@ Value claimed_value(const Field& field) {
         if (compared(*first, *value) == Order::equal) continue;
         const std::size_t point = written.find('.');
         if (point == std::string_view::npos || !value->number) field.refuse("two numbers differ");
-        const Rational half = Rational(1, 2) / power(Rational(10), static_cast<std::int64_t>(
-                                                                        written.size() - point - 1));
+        const Rational half =
+            Rational(1, 2) /
+            power(Rational(10), static_cast<std::int64_t>(written.size() - point - 1));
         const Ball error = abs(first->enclosure(1024) - Ball(*value->number, 1024));
         const Order away = compare(error, Ball(half, 1024));
         if (away == Order::greater) field.refuse("two numbers differ");
@@ -400,7 +396,7 @@ private:
 
     void read_sizes() {
         order_ = static_cast<std::int64_t>(at_most(proof_.at("order"), largest_order));
-        phases_ = at_most(proof_.at("phases"), most_phases);
+        phases_ = static_cast<std::size_t>(at_most(proof_.at("phases"), most_phases));
         ring_.emplace(static_cast<long>(order_));
     }
 
@@ -462,8 +458,7 @@ private:
             if (command == '+') heading = normal(heading + units(turtle_.turn));
             if (command == '-') heading = normal(heading - units(turtle_.turn));
             if (command == '|') heading = normal(heading + units(Rational(1, 2)));
-            if (command == 'F' || command == 'f')
-                ring_->add_rotated(here, ring_->one(), heading);
+            if (command == 'F' || command == 'f') ring_->add_rotated(here, ring_->one(), heading);
             draws = draws || command == 'F';
             if (command == '[') kept.emplace_back(heading, here);
             if (command == ']') {
@@ -634,8 +629,7 @@ private:
     void find_numbers() {
         const Polynomial characteristic = characteristic_polynomial(scale_);
         Polynomial annihilating(1);
-        for (const auto& [factor, times] : factorise(characteristic).powers)
-            annihilating *= factor;
+        for (const auto& [factor, times] : factorise(characteristic).powers) annihilating *= factor;
         IntegerMatrix at_scale(rank_, rank_);
         for (std::size_t k = annihilating.coefficients().size(); k-- > 0;) {
             at_scale = at_scale * scale_;
@@ -783,8 +777,7 @@ private:
     void check_tendency() {
         Ways ways;
         for (const Symbol a : letters_) ways.push_back(std::get<1>(told(a)));
-        for (std::size_t level = 0; level < first_; ++level)
-            ways = next_ways(ways, turns(level));
+        for (std::size_t level = 0; level < first_; ++level) ways = next_ways(ways, turns(level));
         const Polynomial smaller = of_smaller_roots();
         Ways sum(letters_.size(), ring_->zero());
         for (std::size_t k = 0; k < smaller.coefficients().size(); ++k) {
@@ -952,8 +945,8 @@ private:
             for (const Root& root : roots(minimal_, bits))
                 if (root.real.overlaps(over.real) && root.imaginary.overlaps(over.imaginary)) {
                     ++meets;
-                    is_conjugate = root.real.overlaps(mu.real) &&
-                                   root.imaginary.overlaps(-mu.imaginary);
+                    is_conjugate =
+                        root.real.overlaps(mu.real) && root.imaginary.overlaps(-mu.imaginary);
                 }
             if (primitive_part(Polynomial(std::move(coefficients))) == minimal_ && meets == 1 &&
                 is_conjugate)
@@ -968,8 +961,8 @@ private:
                 own = primitive_part(Polynomial(std::move(coefficients)));
             }
             const auto largest = largest_real_root(own, bits);
-            const bool is_real = mu.imaginary.contains(Rational(0)) &&
-                                 mu.imaginary.has_radius_below(-bits);
+            const bool is_real =
+                mu.imaginary.contains(Rational(0)) && mu.imaginary.has_radius_below(-bits);
             if (is_real && largest && largest->overlaps(negative ? -mu.real : mu.real))
                 if (const auto found = root_of(own)) return *found;
         }
@@ -985,9 +978,8 @@ private:
                 disc.fail("expected a letter, a phase, two coordinates and a radius");
             const std::size_t piece = piece_of(parts[0], parts[1]);
             if (!parts_.contains(piece)) disc.refuse("the piece does not draw for ever");
-            discs_.insert_or_assign(
-                piece, Disc{number(decimal_of(parts[2]), decimal_of(parts[3])),
-                            Ball(decimal_of(parts[4]), bits)});
+            discs_.insert_or_assign(piece, Disc{number(decimal_of(parts[2]), decimal_of(parts[3])),
+                                                Ball(decimal_of(parts[4]), bits)});
         }
         const Ball ratio = size(*factor_);
         for (const auto& [piece, parts] : parts_) {
@@ -1010,10 +1002,10 @@ private:
             if (parts.size() != 5)
                 neighbour.fail("expected two letters, a phase, a heading and a row");
             const std::size_t first = piece_of(parts[0], parts[2]);
-            const Seen other{piece_of(parts[1], parts[2]),
-                             static_cast<std::int64_t>(parts[3].number() %
-                                                       static_cast<std::uint64_t>(order_)),
-                             integers(parts[4])};
+            const Seen other{
+                piece_of(parts[1], parts[2]),
+                static_cast<std::int64_t>(parts[3].number() % static_cast<std::uint64_t>(order_)),
+                integers(parts[4])};
             if (!inside_.contains(first) || !inside_.contains(other.piece))
                 neighbour.refuse("it is not of the component");
             if (is_same(first, other)) neighbour.refuse("the two are the same part");
@@ -1034,8 +1026,7 @@ private:
             if (!inside_.contains(part.piece)) continue;
             Row offset = whole.offset * scale_;
             add(offset, turned(part.offset, whole.heading));
-            found.push_back(
-                {part.piece, normal(whole.heading + part.heading), std::move(offset)});
+            found.push_back({part.piece, normal(whole.heading + part.heading), std::move(offset)});
         }
         return found;
     }
@@ -1043,8 +1034,7 @@ private:
     Seen seen_from(const Seen& first, const Seen& other) const {
         Row offset = other.offset;
         add(offset, first.offset, true);
-        return {other.piece, normal(other.heading - first.heading),
-                turned(offset, -first.heading)};
+        return {other.piece, normal(other.heading - first.heading), turned(offset, -first.heading)};
     }
 
     void visit(const Seen& first, const Seen& other) {
@@ -1117,10 +1107,9 @@ void check_limit_set(const Obligation& task) {
     if (!is_exact && (order == Order::greater || (order == Order::equal && said != "at most")))
         task.refuse("an upper bound does not show this");
     if (holds != task.holds)
-        task.refuse(std::string("the dimension is ") +
-                    (order == Order::less      ? "less"
-                     : order == Order::greater ? "greater"
-                                               : "that number"));
+        task.refuse(std::string("the dimension is ") + (order == Order::less      ? "less"
+                                                        : order == Order::greater ? "greater"
+                                                                                  : "that number"));
 }
 
 }  // namespace algae::verify

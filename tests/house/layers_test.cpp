@@ -187,7 +187,8 @@ TEST_CASE("files are subjects and folders can be looked over") {
         INFO(folder.string());
         CHECK(number <= 40);
     }
-    CHECK(layers().order.size() <= 22);  // 18 at the redesign, combinatorics, automatic, studio, python
+    CHECK(layers().order.size() <=
+          22);  // 18 at the redesign, combinatorics, automatic, studio, python
 }
 
 TEST_CASE("the slow second routes never call what derives") {

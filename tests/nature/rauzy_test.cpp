@@ -51,7 +51,8 @@ bool has_coincidences(const std::vector<std::string>& images, std::size_t most) 
             --balance[right[i]];
             if (std::any_of(balance.begin(), balance.end(), [](auto& b) { return b.second != 0; }))
                 continue;
-            found.emplace_back(left.substr(begin, i + 1 - begin), right.substr(begin, i + 1 - begin));
+            found.emplace_back(left.substr(begin, i + 1 - begin),
+                               right.substr(begin, i + 1 - begin));
             begin = i + 1;
         }
         return found;

@@ -100,9 +100,6 @@ std::vector<std::string> names_of(const Alphabet& alphabet) {
     return names;
 }
 
-/// The D0L system, with another way to say what is asked where it is none.
-const D0L as_plain(const SystemObject& system) { return *as_d0l(*system); }
-
 // Words of generations
 
 /// Throws BoundReached with the length, if the word of a generation is too long.

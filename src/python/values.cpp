@@ -155,7 +155,7 @@ py::array letters_array(const WordObject& word) {
     auto held = std::make_unique<std::shared_ptr<const Word>>(word.owner());
     py::capsule owner(held.release(),
                       [](void* kept) { delete static_cast<std::shared_ptr<const Word>*>(kept); });
-    py::array_t<Symbol> found({static_cast<py::ssize_t>(word.size())}, word.begin(), owner);
+    py::array_t<Symbol> found(static_cast<py::ssize_t>(word.size()), word.begin(), owner);
     found.attr("setflags")(false);
     return std::move(found);
 }

@@ -201,12 +201,8 @@ ComplexityProof proof_of(const AutomaticRelation& places, Relations& relations,
                          const Numeration& numeration, const Budget& budget) {
     ComplexityProof found;
     found.sequence = counts(places, "n", numeration);
-    const AutomaticRelation next = relations.without(  // has n where `places` has n + 1
-        relations.both(relations.renamed(places, {{"i", "i"}, {"n", "m"}}),
-                       relations.sum({{{"n", 1}}, 1}, "m")),
-        {"m"});
-    const LinearRepresentation difference =
-        combination({{1, counts(next, "n", numeration)}, {-1, found.sequence}});
+    const LinearRepresentation difference = combination(
+        {{1, counts(relations.one_more(places, "n"), "n", numeration)}, {-1, found.sequence}});
     constexpr std::size_t most = 5'000;
     const auto values = value_sets(difference, numeration, relations, most, budget);
     if (!values) return found;

@@ -299,13 +299,10 @@ private:
         const bool stays_away = sign_of(stays) != 0;
         std::optional<Pair> above;  // the best that is greater than the limit
         for (std::size_t k = from; k < from + longest; ++k) {
-            if (sign_of(apart(at(k), limit)) > 0) {
-                note(at(k));
-                if (!above || at(k).first * above->second > above->first * at(k).second)
-                    above = at(k);
-            } else if (sign_of(apart(at(k), limit)) == 0) {
-                note(at(k));
-            }
+            const int side = sign_of(apart(at(k), limit));
+            if (side >= 0) note(at(k));
+            if (side > 0 && (!above || at(k).first * above->second > above->first * at(k).second))
+                above = at(k);
             const Ball rest = bound(k);
             if (stays_away && sign(constant - rest) == 1 &&
                 (sign_of(stays) > 0) != (powers(Integer(1)) > 0))
@@ -389,12 +386,9 @@ CriticalExponent critical_exponent(const AutomaticWord& word, const Budget& budg
     Relations relations(word, budget, {});
     const AutomaticRelation with_period =
         relation("p >= 1 and for some i: for all u with i <= u < i + m: T[u] = T[u + p]");
-    const AutomaticRelation next = relations.without(  // has m where the other has m + 1
-        relations.both(relations.renamed(with_period, {{"m", "n"}, {"p", "p"}}),
-                       relations.sum({{{"m", 1}}, 1}, "n")),
-        {"n"});
     CriticalExponent found;
-    const AutomaticRelation longest = relations.both(with_period, relations.complement(next));
+    const AutomaticRelation longest =
+        relations.both(with_period, relations.complement(relations.one_more(with_period, "m")));
     if (relations.without(longest, {"m"}) != relations.without(with_period, {"m"})) {
         found.infinite = true;
         return found;

@@ -536,6 +536,14 @@ AutomaticRelation Relations::renamed(const AutomaticRelation& one,
     return minimal(raw, sorted);
 }
 
+AutomaticRelation Relations::one_more(const AutomaticRelation& one, const std::string& variable) {
+    std::map<std::string, std::string> names;
+    for (const std::string& name : one.variables) names[name] = name;
+    const std::string next = fresh();
+    names[variable] = next;
+    return without(both(renamed(one, names), sum({{{variable, 1}}, 1}, next)), {next});
+}
+
 std::vector<std::pair<std::string, Integer>> Relations::witness(
     const AutomaticRelation& one) const {
     std::vector<std::uint32_t> from(one.states(), none), column(one.states(), 0), queue{0};

@@ -476,9 +476,10 @@ private:
         return {cos_pi(part, bits), sin_pi(part, bits)};
     }
 
-    /// The turn of a word of letters that turn so.
-    std::int64_t turn_of(const std::vector<Item>& word,
-                         const std::vector<std::int64_t>& turns) const {
+    /// The turn of a word of letters that turn so; `see` is told of each letter, the heading before it, and whether no bracket is open.
+    template <class See>
+    std::int64_t turn_of(const std::vector<Item>& word, const std::vector<std::int64_t>& turns,
+                         const See& see) const {
         std::int64_t heading = 0;
         std::vector<std::int64_t> kept;
         for (const Item& item : word) {
@@ -488,6 +489,7 @@ private:
                 heading = kept.back();
                 kept.pop_back();
             } else {
+                see(item, heading, kept.empty());
                 heading = normal(heading + turns[item.letter]);
             }
         }
@@ -503,7 +505,7 @@ private:
             if (turns_.size() == most_levels) too_hard("turns do not come back");
             turns_.push_back(now);
             for (std::size_t a = 0; a < letters_.size(); ++a)
-                now[a] = turn_of(words_[a], turns_.back());
+                now[a] = turn_of(words_[a], turns_.back(), [](const Item&, std::int64_t, bool) {});
         }
         first_ = seen.at(now);
         if (phases_ % (turns_.size() - first_) != 0)
@@ -712,19 +714,9 @@ private:
         Ways next;
         for (const auto& word : words_) {
             CyclotomicInteger sum = ring_->zero();
-            std::int64_t heading = 0;
-            std::vector<std::int64_t> kept;
-            for (const Item& item : word) {
-                if (item.opens) {
-                    kept.push_back(heading);
-                } else if (item.closes) {
-                    heading = kept.back();
-                    kept.pop_back();
-                } else {
-                    if (kept.empty()) ring_->add_rotated(sum, ways[item.letter], heading);
-                    heading = normal(heading + turns[item.letter]);
-                }
-            }
+            turn_of(word, turns, [&](const Item& item, std::int64_t heading, bool stays) {
+                if (stays) ring_->add_rotated(sum, ways[item.letter], heading);
+            });
             next.push_back(std::move(sum));
         }
         return next;

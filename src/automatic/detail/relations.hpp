@@ -39,6 +39,9 @@ public:
     /// The same tuples over more variables, which may be anything.
     AutomaticRelation over(const AutomaticRelation& one, const std::vector<std::string>& variables);
 
+    /// The tuples that are in it when one is added to a variable.
+    AutomaticRelation one_more(const AutomaticRelation& one, const std::string& variable);
+
     /// The same with other names for the variables, all different.
     AutomaticRelation renamed(const AutomaticRelation& one,
                               const std::map<std::string, std::string>& names);

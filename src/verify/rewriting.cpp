@@ -307,6 +307,7 @@ private:
         const bool branch = patterns[from].letter == "[" && !system_.ignored.contains("[");
         std::size_t close = from;
         for (std::size_t depth = 0; branch; ++close) {
+            if (close == to) proof_.refuse("the brackets of a right context do not match");
             if (patterns[close].letter == "[") ++depth;
             if (patterns[close].letter == "]" && --depth == 0) break;
         }

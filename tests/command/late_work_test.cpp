@@ -58,7 +58,7 @@ std::vector<std::string> long_work(const Scratch& files) {
 
 TEST_CASE("Ctrl-C, SIGTERM and SIGHUP end every work") {
     const Scratch files;
-    int number = 0;
+    std::size_t number = 0;
     for (const std::string& work : long_work(files)) {
         const std::string signal = std::vector<std::string>{"INT", "TERM", "HUP"}[number++ % 3];
         INFO(signal << " " << work);

@@ -282,12 +282,12 @@ TEST_CASE("parts of random maps in an exact lattice coincide exactly where words
     int apart = 0, coincide = 0;
     CHECK(rc::check([&] {
         const long base = *rc::gen::inRange(2, 4);
-        using Word = std::array<long, 3>;  // turn, and the shift in the basis 1, zeta
+        using Map = std::array<long, 3>;  // turn, and the shift in the basis 1, zeta
         const auto turned = [](long x, long y, long turn) {
             for (; turn > 0; --turn) std::tie(x, y) = std::pair(-y, x + y);
             return std::pair(x, y);
         };
-        std::vector<Word> maps;
+        std::vector<Map> maps;
         std::string text;
         for (int k = 0; k < 3; ++k) {
             const long turn = *rc::gen::inRange(0, 6), x = *rc::gen::inRange(0, 3),
@@ -296,10 +296,10 @@ TEST_CASE("parts of random maps in an exact lattice coincide exactly where words
             text += fmt::format("similarity 1/{0} {1} ({2}+{3}/2)/{0} {3}*sqrt(3)/2/{0}\n", base,
                                 60 * turn, x, y);
         }
-        std::set<Word> words{{0, 0, 0}};
+        std::set<Map> words{{0, 0, 0}};
         std::size_t all = 1;
         for (int level = 0; level < 5 && words.size() == all; ++level, all *= 3) {
-            std::set<Word> next;  // w then a map inside: w(z) = zeta^t z + base^-n s
+            std::set<Map> next;  // w then a map inside: w(z) = zeta^t z + base^-n s
             for (const auto& [t, x, y] : words)
                 for (const auto& [turn, u, v] : maps) {
                     const auto [p, q] = turned(u, v, t);

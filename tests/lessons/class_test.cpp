@@ -68,7 +68,8 @@ TEST_CASE("all demands of an answer agree with the marking that ends at the firs
             CAPTURE(entry.path().filename().string());
             for (const Lesson& lesson : lessons())
                 for (const Exercise& exercise : lesson.exercises) {
-                    if (!name.starts_with(exercise.file.substr(0, exercise.file.find('.')))) continue;
+                    if (!name.starts_with(exercise.file.substr(0, exercise.file.find('.'))))
+                        continue;
                     const std::string text = text_of(entry.path().string());
                     const auto first = marked(exercise, text, Demands::to_first_refuted);
                     const auto all = marked(exercise, text, Demands::all);
@@ -99,8 +100,7 @@ TEST_CASE("all demands of an answer agree with the marking that ends at the firs
 TEST_CASE("a class is marked, and an answer that wants to do harm costs its own time only") {
     const Scratch scratch;
     write_class(scratch, 20);
-    const std::string folder = "'" + scratch.file("class") + "'",
-                      feedback = scratch.file("marked");
+    const std::string folder = "'" + scratch.file("class") + "'", feedback = scratch.file("marked");
     const Run table =
         run("lesson 4 --exercise 1 " + folder + " --timeout 4 --feedback '" + feedback + "'");
     CHECK(table.status == 0);
@@ -112,8 +112,8 @@ TEST_CASE("a class is marked, and an answer that wants to do harm costs its own 
     while (std::getline(lines, line)) rows[line.substr(0, line.find(".lsys"))] = line;
     CHECK(rows.size() == 26);
     for (int i = 0; i < 20; ++i)
-        CHECK(rows["pupil-" + std::to_string(100 + i)].find(i % 2 == 0 ? "right,4,4" : "wrong,1,4") !=
-              std::string::npos);
+        CHECK(rows["pupil-" + std::to_string(100 + i)].find(
+                  i % 2 == 0 ? "right,4,4" : "wrong,1,4") != std::string::npos);
     CHECK(rows["x-hangs"].find("undecided,0,4,") != std::string::npos);
     CHECK(rows["x-deep"].find("right") == std::string::npos);
     CHECK(rows["x-binary"].find("unreadable,0,4") != std::string::npos);
@@ -150,7 +150,8 @@ TEST_CASE("a class is marked, and an answer that wants to do harm costs its own 
     CHECK(suite.find("name=\"=cmd,&quot;x&quot;.lsys\"><failure message=") != std::string::npos);
 }
 
-TEST_CASE("an answer cannot open those of others, a folder of answers is not that of the feedback") {
+TEST_CASE(
+    "an answer cannot open those of others, a folder of answers is not that of the feedback") {
     const Scratch scratch;
     fs::create_directories(scratch.path() / "class");
     scratch.file("class/theirs.lsys", "axiom a\na -> aa\n");

@@ -3,18 +3,31 @@
 // LESSON is the number of a lesson or a file with an exercise of your own. An answer becomes a claim by the
 // statements of the exercise, so marking means checking: right, wrong with a hint, or undecided, with the
 // exit status of a question.
+//
+// ANSWER may be a folder with the answers of a class. Each is then marked in a process of its own, so that one that hangs or bursts costs
+// its own share of time and memory and nothing else, and all statements are looked at, for partial credit. An answer can open systems
+// of the gallery and those beside the exercise, not the answers of others; messages about it do not hold its file's name, which stands in
+// the table and in the names of the feedback files only. A broken answer is a row of the table, not an error of the command.
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+#include <cstdio>
 #include <filesystem>
+#include <iostream>
+#include <nlohmann/json.hpp>
+#include <thread>
 
 #include "command/detail/files.hpp"
+#include "command/detail/memory.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "language/language.hpp"
 #include "lesson/lesson.hpp"
 #include "notation/notation.hpp"
+#include "studio/studio.hpp"
 
 namespace algae::command {
 
@@ -24,7 +37,8 @@ constexpr std::string_view ending = ".exercise";
 
 struct Options {
     std::string lesson;  // its number, or a file with an exercise
-    std::string answer, out;
+    std::string answer, out, feedback;
+    enum class Table { none, csv, junit } table = Table::none;
     std::optional<std::uint64_t> exercise;
     bool json = false, outside = false;
     Bounds bounds;
@@ -114,7 +128,230 @@ int mark_answer(const Options& options, const Exercise& exercise) {
     return status_of(marked.verdict);
 }
 
+// A class
+
+constexpr const char* answer_name = "answer";  // in messages, instead of the file's
+
+/// What the table says of one answer.
+struct Row {
+    std::string file, verdict, why, feedback;
+    std::size_t points = 0;
+    nlohmann::json statements = nlohmann::json::array();
+};
+
+/// In a process of its own: marks a text and prints what `row_of` reads.
+int mark_apart(const Options& options, const Exercise& exercise, const StudioShare& share,
+               const std::string& text) {
+    nlohmann::json out;
+    int status = success;
+    try {
+        bound_memory(share.memory);
+        Budget budget = options.bounds.budget();
+        budget.memory = share.memory;
+        std::vector<std::string> folders;
+        if (options.lesson.ends_with(ending)) folders.push_back(folder_of(exercise.file));
+        const Mark marked = mark(exercise, text, answer_name, systems_from(folders, budget, false),
+                                 budget, Demands::all);
+        out = nlohmann::json::parse(as_json(exercise, marked).text());
+        out["points"] = points(exercise, marked);
+        out["report"] = report(exercise, marked);
+    } catch (const std::bad_alloc&) {
+        out = {{"why", "it needs more memory than an answer may take"}};
+        status = undecided;
+    } catch (const Stopped& stopped) {
+        out = {{"why", stopped.what()}};
+        status = undecided;
+    } catch (const std::exception& error) {
+        out = {{"why", printable(error.what())}};
+        status = bad_input;
+    }
+    print(out.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace));
+    std::cout.flush();
+    std::fflush(stdout);
+    return status;
+}
+
+Row row_of(const Exercise& exercise, const std::string& file, const Answered& answered,
+           double seconds) {
+    Row row{file, "undecided", "", "", 0, nlohmann::json::array()};
+    const nlohmann::json found = nlohmann::json::parse(answered.answer, nullptr, false);
+    if (answered.end == Answered::End::time) {
+        row.why =
+            fmt::format("it took longer than the {} seconds that an answer may take", seconds);
+    } else if (answered.end != Answered::End::answered || !found.is_object()) {
+        row.why = "it took more than its share of memory, or its work broke";
+    } else if (found.contains("why")) {
+        row.why = found["why"];
+        if (answered.status == bad_input) row.verdict = "unreadable";
+    } else {
+        row.verdict = found["verdict"];
+        row.points = found["points"];
+        row.statements = found["statements"];
+        row.feedback = found["report"];
+        for (const auto& one : row.statements)
+            if (row.why.empty() && one["verdict"] != "proved")
+                row.why = one["text"].get<std::string>() + ": " + one["verdict"].get<std::string>();
+    }
+    if (row.feedback.empty())
+        row.feedback = row.verdict + ": exercise " + exercise.label() + ", " + exercise.title +
+                       "\n  found  " + row.why + "\n";
+    row.why = row.why.substr(0, row.why.find('\n'));  // the caret's lines are for the feedback
+    row.feedback += fmt::format("points: {} of {}\n", row.points, exercise.demands.size());
+    return row;
+}
+
+/// A field of a table; what a spreadsheet would take for a formula begins with an apostrophe.
+std::string csv_field(std::string text) {
+    if (!text.empty() && std::string_view("=+-@").find(text.front()) != std::string_view::npos)
+        text.insert(text.begin(), '\'');
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+    return quoted + "\"";
+}
+
+std::string xml_text(const std::string& text) {
+    std::string out;
+    for (const char c : text) {
+        const auto code = static_cast<unsigned char>(c);
+        if (c == '&')
+            out += "&amp;";
+        else if (c == '<')
+            out += "&lt;";
+        else if (c == '>')
+            out += "&gt;";
+        else if (c == '"')
+            out += "&quot;";
+        else if (code >= ' ' || c == '\n')
+            out += c;
+    }
+    return out;
+}
+
+std::string table_of(const Options& options, const Exercise& exercise,
+                     const std::vector<Row>& rows) {
+    const std::size_t most = exercise.demands.size();
+    if (options.json) {
+        nlohmann::json answers = nlohmann::json::array();
+        for (const Row& row : rows)
+            answers.push_back({{"answer", row.file},
+                               {"verdict", row.verdict},
+                               {"points", row.points},
+                               {"of", most},
+                               {"why", row.why},
+                               {"statements", row.statements}});
+        const nlohmann::json out{{"exercise", exercise.label()},
+                                 {"title", exercise.title},
+                                 {"answers", std::move(answers)}};
+        return out.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
+    }
+    std::string text;
+    if (options.table == Options::Table::junit) {
+        std::size_t wrong = 0, open = 0;
+        for (const Row& row : rows) {
+            if (row.verdict == "wrong") ++wrong;
+            if (row.verdict == "undecided" || row.verdict == "unreadable") ++open;
+        }
+        const std::string name = xml_text("exercise " + exercise.label() + ", " + exercise.title);
+        text = fmt::format(
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<testsuite name=\"{}\" tests=\"{}\" "
+            "failures=\"{}\" errors=\"{}\">\n",
+            name, rows.size(), wrong, open);
+        for (const Row& row : rows) {
+            const std::string begin = fmt::format("  <testcase classname=\"{}\" name=\"{}\"", name,
+                                                  xml_text(printable(row.file)));
+            const char* kind = row.verdict == "wrong" ? "failure" : "error";
+            text += row.verdict == "right"
+                        ? begin + "/>\n"
+                        : fmt::format("{}><{} message=\"{}\">{}</{}></testcase>\n", begin, kind,
+                                      xml_text(row.why), xml_text(row.feedback), kind);
+        }
+        return text + "</testsuite>\n";
+    }
+    text = "answer,verdict,points,of,why\n";
+    for (const Row& row : rows)
+        text += fmt::format("{},{},{},{},{}\n", csv_field(printable(row.file)), row.verdict,
+                            row.points, most, csv_field(row.why));
+    return text;
+}
+
+/// The files of a folder that are answers, in the order of their names.
+std::vector<std::string> answers_in(const std::string& folder) {
+    std::vector<std::string> names;
+    std::error_code failed;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, failed)) {
+        const std::string name = entry.path().filename().string();
+        if (!name.starts_with('.') && !entry.is_directory()) names.push_back(name);
+    }
+    if (failed) throw Error("cannot read the folder " + folder + ": " + failed.message());
+    if (names.empty()) throw Error(folder + ": expected files with answers, found none");
+    std::ranges::sort(names);
+    return names;
+}
+
+int mark_class(const Options& options, const Exercise& exercise) {
+    std::error_code failed;
+    if (!options.feedback.empty()) {
+        std::filesystem::create_directories(options.feedback, failed);
+        if (std::filesystem::equivalent(options.feedback, options.answer, failed))
+            throw Error("--feedback: expected another folder than that of the answers, found " +
+                        options.feedback);
+    }
+    constexpr double usual_seconds = 10;
+    constexpr std::uint64_t usual_memory = std::uint64_t{1} << 30, longest = std::uint64_t{1} << 20;
+    StudioShare share;
+    const double seconds = options.bounds.timeout.value_or(usual_seconds);
+    share.seconds = seconds;
+    share.memory = options.bounds.memory.value_or(usual_memory);
+    share.at_once = std::max(1U, std::thread::hardware_concurrency());
+    const std::vector<std::string> names = answers_in(options.answer);
+    std::vector<Row> rows(names.size());
+    std::vector<std::string> texts;
+    std::vector<std::size_t> of_text;
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const std::filesystem::path path = std::filesystem::path(options.answer) / names[i];
+        const auto refuse_file = [&](const std::string& why) {
+            rows[i] = row_of(
+                exercise, names[i],
+                {Answered::End::answered, bad_input, nlohmann::json{{"why", why}}.dump(), ""},
+                seconds);
+        };
+        const auto status = std::filesystem::symlink_status(path, failed);
+        if (!std::filesystem::is_regular_file(status)) {
+            refuse_file("expected a file, found a link or something else");
+        } else if (std::filesystem::file_size(path, failed) > longest) {
+            refuse_file(fmt::format("expected at most {} bytes", longest));
+        } else {
+            try {
+                texts.push_back(file_text(path.string(), options.bounds.budget()));
+                of_text.push_back(i);
+            } catch (const Error&) {
+                refuse_file("it cannot be read");
+            }
+        }
+    }
+    const std::vector<Answered> answers = answer_apart(
+        texts, [&](const std::string& text) { return mark_apart(options, exercise, share, text); },
+        share, [](std::size_t) { return !stop.load(); });
+    if (stop) throw Interrupted();
+    for (std::size_t k = 0; k < answers.size(); ++k)
+        rows[of_text[k]] = row_of(exercise, names[of_text[k]], answers[k], seconds);
+    if (!options.feedback.empty())
+        for (const Row& row : rows)
+            write_file((std::filesystem::path(options.feedback) / (row.file + ".txt")).string(),
+                       row.feedback);
+    print(table_of(options, exercise, rows));
+    return success;
+}
+
 int print_task_or_mark(const Options& options, const Exercise& exercise) {
+    std::error_code ignored;
+    if (!options.answer.empty() && std::filesystem::is_directory(options.answer, ignored))
+        return mark_class(options, exercise);
+    if (!options.feedback.empty() || options.table != Options::Table::none)
+        throw Error((options.feedback.empty() ? "--table" : "--feedback") +
+                    std::string(" is for the answers of a class: expected a folder, found ") +
+                    options.answer);
     if (!options.answer.empty()) return mark_answer(options, exercise);
     print(options.json ? as_json(exercise).text() : task_text(exercise));
     return success;
@@ -172,7 +409,8 @@ void add_lesson(Verbs& verbs) {
     auto [verb, options] =
         verbs.add("lesson", "Lessons, and exercises that algae marks",
                   {"algae lesson 3", "algae lesson 3 --exercise 2 my-answer.lsys",
-                   "algae lesson squares.exercise my-answer.lsys"},
+                   "algae lesson squares.exercise my-answer.lsys",
+                   "algae lesson 3 --exercise 2 answers-of-my-class --feedback marked"},
                   lesson);
     std::string numbers;
     for (std::size_t i = 1; i <= lesson_texts().size(); ++i) numbers += std::to_string(i) + '|';
@@ -182,7 +420,19 @@ void add_lesson(Verbs& verbs) {
     verb.option("--exercise", options.exercise, natural, "K",
                 "print the task of an exercise, or mark its answer")
         .needs = {"LESSON"};
-    verb.option("ANSWER", options.answer, "FILE", "a file with an answer, or - for standard input");
+    verb.option(
+        "ANSWER", options.answer, "FILE|DIR",
+        "a file with an answer, - for standard input, or a folder with those of a class, each "
+        "of which may take --timeout seconds (10 if not given) and --max-memory (1G)");
+    verb.choice("--table", options.table,
+                {{"csv", Options::Table::csv}, {"junit", Options::Table::junit}}, "csv|junit",
+                "how the answers of a class are listed (default csv)")
+        .excludes = {"--json"};
+    verb.output(
+            "--feedback", options.feedback, "DIR",
+            "write what was found, with counterexamples and hints, into this folder, a file for "
+            "each answer of a class")
+        .needs = {"ANSWER"};
     Option& out = verb.output("--out", options.out, "DIR",
                               "write the files that the lesson uses into this folder");
     out.needs = {"LESSON"};

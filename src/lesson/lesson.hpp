@@ -84,18 +84,29 @@ struct MarkedDemand {
     Judgement judgement;
 };
 
-/// What came of an answer: right if all demands are proved, wrong as soon as one is refuted; those behind
-/// it are not looked at.
+/// What came of an answer: right if all demands are proved, wrong if one is refuted.
 struct Mark {
     Truth verdict = Truth::proved;  // right, wrong, undecided
     std::vector<MarkedDemand> demands;
+};
+
+/// Which demands are looked at.
+enum class Demands {
+    to_first_refuted,  // who answers mends one thing after the other
+    all,               // for partial credit; one that makes no sense of the answer is undecided
 };
 
 /// Marks an answer. `text` is what stands in the file `name`; `open` knows the gallery and the files
 /// beside the answer. Throws Error or Diagnostics where the answer cannot be read, or demands cannot be
 /// about it; what `decide` throws.
 Mark mark(const Exercise& exercise, const std::string& text, const std::string& name,
-          const SystemSource& open, const Budget& budget = {});
+          const SystemSource& open, const Budget& budget = {},
+          Demands looked_at = Demands::to_first_refuted);
+
+/// How many demands of an exercise are proved of an answer of which all were looked at; statements of the answer's own do not count.
+///
+/// Example: points(Exercise{}, Mark{}) == 0
+std::size_t points(const Exercise& exercise, const Mark& mark);
 
 /// The mark as a report: what was asked, what was found instead, and a hint.
 std::string report(const Exercise& exercise, const Mark& mark);

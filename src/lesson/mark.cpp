@@ -278,7 +278,7 @@ std::string verdict_word(Truth verdict) {
 }  // namespace
 
 Mark mark(const Exercise& exercise, const std::string& text, const std::string& name,
-          const SystemSource& open, const Budget& budget) {
+          const SystemSource& open, const Budget& budget, Demands looked_at) {
     Marking marking(exercise, text, name, open, budget);
     Mark marked;
     marking.mark_own_claim(marked);
@@ -291,16 +291,31 @@ Mark mark(const Exercise& exercise, const std::string& text, const std::string& 
     };
     worst();
     for (const Demand& demand : exercise.demands) {
-        if (marked.verdict == Truth::refuted) break;
+        const bool is_refuted = marked.verdict == Truth::refuted;
+        if (is_refuted && looked_at == Demands::to_first_refuted) break;
         try {
             marked.demands.push_back({demand.text, demand.hint, marking.judge(demand)});
         } catch (const BoundReached& error) {
+            marked.demands.push_back(
+                {demand.text, demand.hint, Judgement{Truth::undecided, {error.what()}}});
+        } catch (const Error& error) {
+            // The demands above say what is wrong; this one need not make sense of such an answer.
+            if (!is_refuted) throw;
             marked.demands.push_back(
                 {demand.text, demand.hint, Judgement{Truth::undecided, {error.what()}}});
         }
         worst();
     }
     return marked;
+}
+
+std::size_t points(const Exercise& exercise, const Mark& mark) {
+    const std::size_t own =
+        mark.demands.size() - std::min(mark.demands.size(), exercise.demands.size());
+    std::size_t proved = 0;
+    for (std::size_t i = own; i < mark.demands.size(); ++i)
+        if (mark.demands[i].judgement.truth == Truth::proved) ++proved;
+    return proved;
 }
 
 std::string report(const Exercise& exercise, const Mark& mark) {

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "exact/exact.hpp"
 
@@ -51,6 +52,28 @@ struct Studio {
 /// A request without the token, from a page of another origin, or to another host than the one served gets status 403, an unknown
 /// address 404, a question that is too long 413, one that is not said to be JSON 415. Throws Error if the address cannot be listened on.
 void serve(const Studio& studio);
+
+/// How a question ended.
+struct Answered {
+    enum class End {
+        answered,
+        gone,    // nobody waited for it any more
+        time,    // its process ran out of its time
+        size,    // the answer was longer than may be
+        broken,  // its process ended before it had answered
+    };
+    End end = End::broken;
+    int status = 0;            // what the function returned, if it did
+    std::string answer, said;  // what it wrote
+};
+
+/// Answers questions without a page, each in a process of its own as `serve` does, so that one that hangs or bursts costs its own share
+/// only. The answers come in the order of the questions. `goes_on` is asked twenty times a second with the number of those that are
+/// answered; when it says no, work ends at once, and what is not answered is `gone`. Throws Error if the system gives no process.
+std::vector<Answered> answer_apart(const std::vector<std::string>& questions,
+                                   const std::function<int(const std::string&)>& answer,
+                                   const StudioShare& share,
+                                   const std::function<bool(std::size_t done)>& goes_on);
 
 /// 32 hexadecimal digits from the system's source of chance.
 ///

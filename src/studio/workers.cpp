@@ -23,12 +23,16 @@
 
 #include <algorithm>
 #include <array>
+#include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
 #include <cstring>
+#include <exception>
+#include <mutex>
 #include <thread>
 #include <utility>
+#include <vector>
 
 #include "studio/detail/workers.hpp"
 
@@ -257,6 +261,44 @@ Answered Workers::run(const std::string& question,
                 : took.count() >= share_.seconds ? Answered::End::time
                                                  : Answered::End::broken;
     return found;
+}
+
+std::vector<Answered> answer_apart(const std::vector<std::string>& questions,
+                                   const std::function<int(const std::string&)>& answer,
+                                   const StudioShare& share,
+                                   const std::function<bool(std::size_t done)>& goes_on) {
+    Workers workers(answer, share);  // before there are threads
+    std::vector<Answered> answers(questions.size());
+    std::atomic<std::size_t> next = 0, done = 0;
+    std::atomic<bool> stopped = false;
+    std::mutex failing;
+    std::exception_ptr failure;
+    const auto work = [&] {
+        for (std::size_t at = next++; at < questions.size(); at = next++) {
+            answers[at].end = Answered::End::gone;
+            if (stopped) continue;
+            try {
+                answers[at] =
+                    workers.run(questions[at], [&](const std::string&) { return !stopped.load(); });
+            } catch (...) {
+                const std::lock_guard lock(failing);
+                failure = std::current_exception();
+                stopped = true;
+            }
+            ++done;
+        }
+    };
+    std::vector<std::thread> threads;
+    const std::size_t count = std::min<std::size_t>(std::max(1U, share.at_once), questions.size());
+    for (std::size_t i = 0; i < count; ++i) threads.emplace_back(work);
+    constexpr auto glance = std::chrono::milliseconds(50);
+    while (done < questions.size() && !stopped) {
+        if (!goes_on(done)) stopped = true;
+        std::this_thread::sleep_for(glance);
+    }
+    for (std::thread& thread : threads) thread.join();
+    if (failure) std::rethrow_exception(failure);
+    return answers;
 }
 
 }  // namespace algae

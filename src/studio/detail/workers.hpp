@@ -8,20 +8,6 @@
 
 namespace algae {
 
-/// How a question ended.
-struct Answered {
-    enum class End {
-        answered,
-        gone,    // the page hung up
-        time,    // its process ran out of its time
-        size,    // the answer was longer than may be
-        broken,  // its process ended before it had answered
-    };
-    End end = End::broken;
-    int status = 0;            // what the function returned, if it did
-    std::string answer, said;  // what it wrote
-};
-
 /// Processes that answer one question each. They are made by a process that does nothing else, which was there before the server had
 /// threads: a process that is copied while another thread holds a lock keeps that lock for ever.
 ///

@@ -1,5 +1,7 @@
 // Questions to the server. An answer is a stream: lines that begin with ~ say how far the work is, then one line of JSON
-// says how it ended, and the bytes behind it are the answer itself.
+// says how it ended, and the bytes behind it are the answer itself. The part of the page that waits for it is busy meanwhile.
+
+import { busy } from './dom';
 
 export interface Head {
   status: number;
@@ -29,6 +31,7 @@ export class Refusal extends Error {
 export interface AskOptions {
   signal?: AbortSignal;
   progress?: (line: string) => void;
+  part?: string; // of the page, which shows the answer: its id; the views, where nothing is said
 }
 
 const newline = 10;
@@ -36,6 +39,15 @@ const tilde = 126;
 
 /** Asks, and reads to the end. */
 export async function ask(question: Record<string, unknown>, options: AskOptions = {}): Promise<Answer> {
+  const done = busy(options.part ?? 'right');
+  try {
+    return await answerTo(question, options);
+  } finally {
+    done();
+  }
+}
+
+async function answerTo(question: Record<string, unknown>, options: AskOptions): Promise<Answer> {
   const response = await fetch('ask', {
     method: 'POST',
     headers: { 'Content-Type': 'application/json' },
@@ -104,7 +116,13 @@ function refusalOf(answer: Answer, text: string): Refusal {
 }
 
 export async function askJson<T>(question: Record<string, unknown>, options: AskOptions = {}, fine = [0]): Promise<T> {
-  return JSON.parse(await askText(question, options, fine)) as T;
+  const answer = await ask(question, options);
+  const text = new TextDecoder().decode(answer.bytes);
+  if (answer.end !== 'answered' || !fine.includes(answer.status)) throw refusalOf(answer, text);
+  const found = JSON.parse(text) as T;
+  // A status that may come with an answer, such as that of a bound that was reached, may come without one too.
+  if (answer.status !== 0 && typeof found === 'object' && found !== null && 'error' in found) throw refusalOf(answer, text);
+  return found;
 }
 
 /** An answer that is a line of JSON and then numbers, or a file. */

@@ -1,7 +1,7 @@
 // Claims: each statement with its verdict, the argument folded under it; a search says how far it is and can be stopped.
 
 import { askFile, askJson, Latest, Refusal } from './ask';
-import { download, el, speak } from './dom';
+import { busy, download, el, speak } from './dom';
 import type { Editor } from './editor';
 import { state } from './state';
 import { texts } from './texts';
@@ -40,6 +40,7 @@ export class ClaimsTab {
   private readonly latest = new Latest();
   private shownKey = '';
   private timer = 0;
+  private waits: (() => void) | null = null;
   visible = false;
 
   constructor(private readonly editor: Editor) {
@@ -62,7 +63,12 @@ export class ClaimsTab {
     if (!this.visible || this.shownKey === state.claim) return;
     this.shownKey = state.claim;
     clearTimeout(this.timer);
-    this.timer = window.setTimeout(() => void this.check(quickSeconds), 60);
+    this.waits?.();
+    this.waits = busy('right');
+    this.timer = window.setTimeout(() => {
+      void this.check(quickSeconds);
+      this.waits?.();
+    }, 60);
   }
 
   private stop(): void {

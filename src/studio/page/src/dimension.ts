@@ -28,6 +28,11 @@ export class DimensionTab {
   private side = 0; // how many boxes lie side by side
   visible = false;
 
+  /** Measuring takes long: it ends when its system is no longer there. */
+  forget(): void {
+    this.latest.stop();
+  }
+
   async update(): Promise<void> {
     const about = described();
     if (!this.visible || !about) return;
@@ -58,7 +63,7 @@ export class DimensionTab {
     const exact = found.exact;
     const head = el('div', {});
     if (exact?.formula) {
-      head.append(el('p', { style: 'font-size: 1.3em' }, `${texts.exact}: `, el('b', {}, `${exact.formula} = ${exact.decimal?.slice(0, 14) ?? exact.value}`), exact.status === 'exact' ? '' : ` (${exact.status})`));
+      head.append(el('p', { class: 'result' }, `${texts.exact}: `, el('b', {}, `${exact.formula} = ${exact.decimal?.slice(0, 14) ?? exact.value}`), exact.status === 'exact' ? '' : ` (${exact.status})`));
       for (const condition of exact.conditions ?? []) head.append(el('p', { class: 'note' }, condition));
     } else if (exact) {
       head.append(el('p', { class: 'note' }, `${texts.exact}: ${exact.because ?? exact.reason ?? exact.status}`));
@@ -88,7 +93,7 @@ export class DimensionTab {
       for (const x of [dots[0]!.x, dots[dots.length - 1]!.x]) line.push([x, meanY + box.value * (x - meanX)]);
     }
     const said = el('p', { class: 'note', 'aria-live': 'polite' }, texts.touch);
-    const canvas = el('canvas', { style: 'width: 22em; height: 20em; border: 1px solid var(--line)', role: 'img', 'aria-label': 'the figure with its boxes' });
+    const canvas = el('canvas', { class: 'boxes', role: 'img', 'aria-label': 'the figure with its boxes' });
     this.canvas = canvas;
     const picture = plot({
       horizontal: 'coarsest side / side of a box',
@@ -104,7 +109,7 @@ export class DimensionTab {
         this.draw();
       },
     });
-    this.root.replaceChildren(head, el('div', { class: 'columns' }, el('div', { style: 'max-width: 460px' }, picture as unknown as HTMLElement, said), this.plane ? canvas : null));
+    this.root.replaceChildren(head, el('div', { class: 'columns' }, el('div', { class: 'measured' }, picture as unknown as HTMLElement, said), this.plane ? canvas : null));
     this.side = 0;
     this.draw();
   }

@@ -36,6 +36,23 @@ export function download(bytes: Uint8Array | string, name: string, type = 'appli
   setTimeout(() => URL.revokeObjectURL(address), 10_000);
 }
 
+const busyParts = new Map<string, number>();
+
+/** Says of a part of the page, by its id, that it is not yet what it will be; the function that is returned takes that back. */
+export function busy(part: string): () => void {
+  const count = (by: number): void => {
+    const now = (busyParts.get(part) ?? 0) + by;
+    busyParts.set(part, now);
+    document.getElementById(part)?.setAttribute('aria-busy', String(now > 0));
+  };
+  count(1);
+  let over = false;
+  return () => {
+    if (!over) count(-1);
+    over = true;
+  };
+}
+
 /** The colours of the page as it looks now. */
 export function colour(name: string): string {
   return getComputedStyle(document.documentElement).getPropertyValue(`--${name}`).trim();

@@ -26,7 +26,7 @@ interface Message {
 async function askEditor(kind: Kind, text: string, method: string, place: Position | null, signal?: AbortSignal): Promise<Message[]> {
   const question: Record<string, unknown> = { question: 'editor', kind: kind === 'system' ? 'lsys' : kind === 'claim' ? 'claim' : answerKind(text), method, text };
   if (place) Object.assign(question, place);
-  const answer = await ask(question, signal ? { signal } : {});
+  const answer = await ask(question, { part: 'about', ...(signal ? { signal } : {}) });
   const all = new TextDecoder().decode(answer.bytes);
   const messages: Message[] = [];
   // Lengths count bytes; the texts themselves hold no line that looks like a header.

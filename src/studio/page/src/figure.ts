@@ -4,7 +4,7 @@
 // movement rests it is drawn anew, and when it rests longer the part that is shown is asked for in finer detail.
 
 import { askBytes, askFile, askJson, Latest, Refusal } from './ask';
-import { colour, download, el, later, speak } from './dom';
+import { busy, colour, download, el, later, speak } from './dom';
 import type { Editor } from './editor';
 import { described, shownGeneration, state, change, withGeneration } from './state';
 import { texts } from './texts';
@@ -74,6 +74,11 @@ function fitted(box: readonly number[], width: number, height: number): View {
   return { x: x + wide / 2, y: y + high / 2, scale: Number.isFinite(scale) && scale > 0 ? (wide === 0 && high === 0 ? 50 : scale) : 50 };
 }
 
+/** Of a line of width 1, in pixels: who sits at the back of a lecture hall sees no thinner one. */
+function lineWidth(): number {
+  return document.body.classList.contains('present') ? 2.2 : 1.3;
+}
+
 /** Draws the strokes of a figure. */
 export function paint(context: CanvasRenderingContext2D, plane: Plane, view: View, width: number, height: number, ratio: number): void {
   const { head, strokes } = plane;
@@ -103,7 +108,7 @@ export function paint(context: CanvasRenderingContext2D, plane: Plane, view: Vie
       context.lineTo(lastX * s + dx, dy - lastY * s);
     }
     context.strokeStyle = run.colour ?? ink;
-    context.lineWidth = run.length ? Math.max(run.width * s, 0.4) : Math.max(run.width * head.line_width * 1.3 * ratio, 0.4);
+    context.lineWidth = run.length ? Math.max(run.width * s, 0.4) : Math.max(run.width * head.line_width * lineWidth() * ratio, 0.4);
     context.stroke();
   }
 }
@@ -137,9 +142,10 @@ export class FigureTab {
   private union: number[] | null = null;
   private shownKey = '';
   private settle = 0;
+  private waits: (() => void) | null = null;
   private space: SpaceStage | null = null;
   visible = false;
-  /** When the picture of the last change was on the canvas, for measurements. */
+  /** When the picture of the last change was on the screen, for measurements. */
   painted = 0;
 
   constructor(private readonly editor: Editor) {
@@ -272,13 +278,16 @@ export class FigureTab {
     if (!this.view || isNew) this.view = fitted(this.union ?? plane.head.box, this.canvas.clientWidth, this.canvas.clientHeight);
     this.draw();
     this.facts();
-    this.painted = performance.now();
+    this.seen();
   }
 
   private facts(): void {
     const head = this.whole?.head;
     if (!head) return;
-    if (head.empty) return this.say(texts.noFigure);
+    if (head.empty) {
+      this.canvas.setAttribute('aria-label', texts.noFigure);
+      return this.say(texts.noFigure);
+    }
     let said = texts.segments(group(head.segments));
     if (BigInt(head.segments) > BigInt(head.strokes) * 2n) said += ` · ${texts.coarse}`;
     this.say(`n = ${head.generation} · ${said}`);
@@ -348,9 +357,14 @@ export class FigureTab {
   private moved(): void {
     this.copy();
     clearTimeout(this.settle);
+    this.waits?.();
+    this.waits = busy('right');
     this.settle = window.setTimeout(() => {
       this.draw();
-      this.settle = window.setTimeout(() => void this.refine(), 150);
+      this.settle = window.setTimeout(() => {
+        void this.refine();
+        this.waits?.();
+      }, 150);
     }, 60);
   }
 
@@ -607,10 +621,10 @@ export class FigureTab {
       context.stroke();
     };
     context.lineCap = 'round';
-    context.globalAlpha = 0.22;
+    context.globalAlpha = 0.45;
     lines(k, walk.steps.length, colour('quiet'), 1);
     context.globalAlpha = 1;
-    lines(0, k, colour('stroke'), 1.6);
+    lines(0, k, colour('stroke'), 2.2);
     if (k > 0) lines(k - 1, k, colour('focus'), 3.5);
     // The turtle: an arrowhead where it is, with its heading.
     const at = k > 0 ? walk.steps[k - 1]!.after : walk.start;
@@ -673,7 +687,16 @@ export class FigureTab {
     }
     this.space.show(head, bytes);
     this.say(head.empty ? texts.noFigure : `n = ${head.generation} · ${texts.segments(group(head.segments))}`);
-    this.painted = performance.now();
+    this.seen();
+  }
+
+  /** A frame with the picture has been made when a message arrives that was sent in it. */
+  private seen(): void {
+    requestAnimationFrame(() => {
+      const { port1, port2 } = new MessageChannel();
+      port1.onmessage = () => (this.painted = performance.now());
+      port2.postMessage(0);
+    });
   }
 
   repaint(): void {

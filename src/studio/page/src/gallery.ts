@@ -17,7 +17,7 @@ export type Chosen = (from: 'gallery' | 'theory' | 'folder', name: string) => vo
 export class Gallery {
   readonly dialog = el('dialog', { 'aria-label': texts.gallery });
   private readonly search = el('input', { type: 'search', placeholder: texts.search, 'aria-label': texts.search });
-  private readonly cards = el('div', { class: 'cards' });
+  private readonly cards = el('div', { class: 'cards', id: 'cards', tabindex: '0' });
   private entries: Entry[] = [];
   private readonly pictures = new Map<string, string>();
   private readonly queue: { name: string; into: HTMLElement }[] = [];
@@ -42,7 +42,7 @@ export class Gallery {
     if (this.entries.length === 0) {
       this.cards.textContent = texts.working;
       try {
-        this.entries = (await askJson<{ figures: Entry[] }>({ question: 'gallery' })).figures.filter((one) => one.path.endsWith('.lsys'));
+        this.entries = (await askJson<{ figures: Entry[] }>({ question: 'gallery' }, { part: 'cards' })).figures.filter((one) => one.path.endsWith('.lsys'));
       } catch (error) {
         this.cards.textContent = error instanceof Error ? error.message : String(error);
         return;
@@ -111,7 +111,7 @@ export class Gallery {
   }
 
   private async picture(name: string): Promise<string> {
-    const bytes = await askFile({ question: 'picture', name, format: 'png', width: 240, seconds: 4 });
+    const bytes = await askFile({ question: 'picture', name, format: 'png', width: 240, seconds: 4 }, { part: 'cards' });
     let text = '';
     for (let i = 0; i < bytes.length; i += 8192) text += String.fromCharCode(...bytes.subarray(i, i + 8192));
     const address = `data:image/png;base64,${btoa(text)}`;

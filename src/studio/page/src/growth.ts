@@ -2,7 +2,7 @@
 
 import katex from 'katex';
 import { askJson, askText, Latest, Refusal } from './ask';
-import { el } from './dom';
+import { busy, el } from './dom';
 import { plot } from './plot';
 import { described, state, systemQuestion } from './state';
 import { texts } from './texts';
@@ -19,6 +19,8 @@ interface Growth {
 export function formula(latex: string, display = false): HTMLElement {
   const element = el('span', display ? { class: 'formula' } : {});
   katex.render(latex, element, { output: 'mathml', displayMode: display, throwOnError: false, strict: false });
+  // A bracket that is a letter is as high as one.
+  for (const bracket of element.querySelectorAll('mtd mo:only-child')) bracket.setAttribute('stretchy', 'false');
   return element;
 }
 
@@ -54,8 +56,22 @@ export function logarithm(value: number | string): number {
 let graphviz: Promise<{ renderSVGElement(text: string): SVGSVGElement }> | null = null;
 
 export async function graphOf(dot: string): Promise<SVGSVGElement> {
-  graphviz ??= import('@viz-js/viz').then((library) => library.instance());
-  return (await graphviz).renderSVGElement(dot);
+  const done = busy('right');
+  try {
+    graphviz ??= import('@viz-js/viz').then((library) => library.instance());
+    const picture = (await graphviz).renderSVGElement(dot);
+    // What is said of it instead: letters, and where arrows lead. The titles are names inside of Graphviz.
+    const named = (group: Element): string => group.querySelector('title')?.textContent ?? '';
+    const letters = new Map([...picture.querySelectorAll('g.node')].map((node) => [named(node), node.querySelector('text')?.textContent ?? '']));
+    const arrows = [...picture.querySelectorAll('g.edge')].map((edge) => named(edge).split('->').map((end) => letters.get(end) ?? '').join(' → '));
+    for (const title of picture.querySelectorAll('title')) title.remove();
+    for (const link of picture.querySelectorAll('a')) link.removeAttribute('title');
+    picture.setAttribute('role', 'img');
+    picture.setAttribute('aria-label', `${texts.letters}: ${[...letters.values()].join(', ')}. ${texts.arrows}: ${arrows.join(', ')}`);
+    return picture;
+  } finally {
+    done();
+  }
 }
 
 export class GrowthTab {
@@ -63,6 +79,11 @@ export class GrowthTab {
   private readonly latest = new Latest();
   private shownKey = '';
   visible = false;
+
+  /** Counting factors takes long: it ends when its system is no longer there. */
+  forget(): void {
+    this.latest.stop();
+  }
 
   async update(): Promise<void> {
     const about = described();

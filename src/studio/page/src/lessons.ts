@@ -132,11 +132,20 @@ export class LessonsTab {
       const kind = found.verdict === 'right' ? 'good' : found.verdict === 'wrong' ? 'bad' : 'open';
       const page = el('div', {}, el('p', { class: kind }, el('b', {}, found.verdict === 'right' ? `✓ ${texts.right}` : found.verdict === 'wrong' ? `✗ ${texts.wrong}` : `? ${texts.undecided}`)));
       for (const one of found.statements) {
-        page.append(el('p', {}, el('code', {}, one.text), ` — ${texts.verdicts[one.verdict] ?? one.verdict}`));
-        if (one.verdict !== 'proved') {
-          for (const sentence of one.argument) page.append(el('p', { class: 'note' }, sentence));
-          if (one.hint) page.append(el('p', {}, el('b', {}, `${texts.hint}: `), one.hint));
+        const holds = one.verdict === 'proved';
+        const fails = one.verdict === 'refuted';
+        const said = el(
+          'div',
+          { class: `statement ${holds ? 'proved' : fails ? 'refuted' : 'unknown'}` },
+          el('span', { class: `verdict ${holds ? 'good' : fails ? 'bad' : 'open'}` }, `${holds ? '✓' : fails ? '✗' : '?'} ${texts.verdicts[one.verdict] ?? one.verdict}`),
+          ' ',
+          el('code', {}, one.text),
+        );
+        if (!holds) {
+          for (const sentence of one.argument) said.append(el('p', { class: 'note' }, sentence));
+          if (one.hint) said.append(el('p', {}, el('b', {}, `${texts.hint}: `), one.hint));
         }
+        page.append(said);
       }
       into.replaceChildren(page);
       speak(found.verdict);

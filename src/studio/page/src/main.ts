@@ -18,22 +18,29 @@ let documentShown: Kind = 'system';
 let folderFiles: string[] = [];
 let theoryClaims: string[] = [];
 
-const about = el('div', { class: 'about', role: 'status' });
+const about = el('div', { class: 'about', id: 'about', role: 'status' });
 const editorPlace = el('div', { class: 'editor' });
 const editor = new Editor(
   editorPlace,
   (kind, text) => change({ [kind]: text } as Partial<State>),
   (count, first) => {
-    if (count > 0) {
-      about.textContent = first;
-      about.classList.add('bad');
-    } else if (about.classList.contains('bad')) {
-      about.classList.remove('bad');
-      about.textContent = summary;
-    }
+    trouble = count > 0 ? first : '';
+    showAbout();
   },
 );
-let summary = '';
+let summary = ''; // of the system
+let trouble = ''; // with the document that is shown, or with the last thing that was tried
+
+/** The line under the editor. */
+function showAbout(): void {
+  about.textContent = trouble || (documentShown === 'system' ? summary : '');
+  about.classList.toggle('bad', trouble !== '');
+}
+
+function complain(error: unknown): void {
+  trouble = error instanceof Error ? error.message : String(error);
+  showAbout();
+}
 
 const panels = {
   figure: new FigureTab(editor),
@@ -52,7 +59,9 @@ const kindButtons = Object.fromEntries(kinds.map((kind) => [kind, el('button', {
 
 function showDocument(kind: Kind): void {
   documentShown = kind;
+  trouble = '';
   editor.show(kind, state[kind]);
+  showAbout();
   for (const one of kinds) {
     kindButtons[one].setAttribute('aria-selected', String(one === kind));
     kindButtons[one].tabIndex = one === kind ? 0 : -1;
@@ -101,23 +110,21 @@ async function lookAtSystem(): Promise<void> {
     if (!found) return;
     describedText = text;
     summary = [found.title, found.class].filter(Boolean).join(' · ');
-    if (documentShown === 'system') {
-      about.classList.remove('bad');
-      about.textContent = summary;
-    }
+    showAbout();
     document.title = found.title ? `${found.title} · ${texts.title}` : texts.title;
     describe(found);
   } catch (error) {
     // The editor says what is wrong with the text; the panel keeps what it showed last.
-    if (!(error instanceof Refusal)) {
-      about.textContent = error instanceof Error ? error.message : String(error);
-      about.classList.add('bad');
-    }
+    if (!(error instanceof Refusal)) complain(error);
   }
 }
 
 listen((changed) => {
-  if (changed.has('system')) void lookAtSystem();
+  if (changed.has('system')) {
+    panels.growth.forget();
+    panels.dimension.forget();
+    void lookAtSystem();
+  }
   if (changed.has('tab')) showTab();
   if (changed.has('system') && documentShown === 'system' && editor.view.state.doc.toString() !== state.system) editor.show('system', state.system);
   if (changed.has('claim') && documentShown === 'claim' && editor.view.state.doc.toString() !== state.claim) editor.show('claim', state.claim);
@@ -135,8 +142,7 @@ async function open(from: 'gallery' | 'theory' | 'folder', name: string): Promis
     change(isClaim ? { claim: text, tab: 'claims', file } : { system: text, n: null, seed: null, file, tab: state.tab === 'claims' || state.tab === 'lessons' ? 'figure' : state.tab });
     showDocument(isClaim ? 'claim' : 'system');
   } catch (error) {
-    about.textContent = error instanceof Error ? error.message : String(error);
-    about.classList.add('bad');
+    complain(error);
   }
 }
 
@@ -194,6 +200,7 @@ function setSize(pixels: number): void {
 
 function present(on: boolean): void {
   document.body.classList.toggle('present', on);
+  panels.figure.repaint();
   if (on) {
     void document.documentElement.requestFullscreen?.().catch(() => undefined);
     panels[state.tab].root.querySelector<HTMLElement>('canvas, [tabindex="0"]')?.focus();
@@ -247,7 +254,12 @@ document.body.append(
     el(
       'section',
       { id: 'right', 'aria-label': 'Views' },
-      el('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Views', onkeydown: tabKeys(tabs, tabButtons) }, ...tabs.map((tab) => tabButtons[tab]), el('button', { id: 'leave', onclick: () => present(false) }, texts.leave)),
+      el(
+        'div',
+        { class: 'tabs' },
+        el('div', { role: 'tablist', 'aria-label': 'Views', onkeydown: tabKeys(tabs, tabButtons) }, ...tabs.map((tab) => tabButtons[tab])),
+        el('button', { id: 'leave', onclick: () => present(false) }, texts.leave),
+      ),
       ...tabs.map((tab) => panels[tab].root),
     ),
   ),
@@ -267,7 +279,7 @@ addEventListener('keydown', (event) => {
   }
 });
 addEventListener('fullscreenchange', () => {
-  if (!document.fullscreenElement) document.body.classList.remove('present');
+  if (!document.fullscreenElement && document.body.classList.contains('present')) present(false);
 });
 
 async function begin(): Promise<void> {
@@ -282,8 +294,7 @@ async function begin(): Promise<void> {
     folderFiles = found.files;
     theoryClaims = found.claims;
   } catch (error) {
-    about.textContent = error instanceof Error ? error.message : String(error);
-    about.classList.add('bad');
+    complain(error);
   }
 }
 void begin();

@@ -21,11 +21,32 @@ function ticks(low: number, high: number): number[] {
   return found;
 }
 
+/** Decimal logarithms of round numbers: powers of ten, and what lies between them where there are few. */
+function logarithmicTicks(low: number, high: number): number[] {
+  if (high - low > 3) {
+    const step = Math.ceil((high - low) / 7);
+    const found: number[] = [];
+    for (let at = Math.ceil(low - 1e-9); at <= high + 1e-9; at += step) found.push(at);
+    return found;
+  }
+  const found: number[] = [];
+  const factors = high - low > 1.5 ? [1, 3] : [1, 2, 5];
+  for (let power = Math.floor(low); power <= high; ++power)
+    for (const factor of factors) {
+      const at = power + Math.log10(factor);
+      if (at >= low - 1e-9 && at <= high + 1e-9) found.push(at);
+    }
+  return found.length > 1 ? found : ticks(low, high);
+}
+
 const superscript = (value: number): string => String(value).replace('-', '⁻').replace(/\d/g, (digit) => '⁰¹²³⁴⁵⁶⁷⁸⁹'[Number(digit)]!);
 
 function label(value: number, logarithmic: boolean): string {
   if (!logarithmic) return String(value);
-  return Number.isInteger(value) ? `10${superscript(value)}` : (10 ** value).toPrecision(2).replace(/\.?0+$/, '').replace(/e\+?/, '·10^');
+  if (Math.abs(value) < 3.9) return String(Number((10 ** value).toPrecision(2)));
+  const power = Math.floor(value + 1e-9);
+  const factor = Number((10 ** (value - power)).toPrecision(2));
+  return (factor === 1 ? '' : `${factor}·`) + `10${superscript(power)}`;
 }
 
 export function plot(choices: PlotChoices): SVGElement {
@@ -38,10 +59,10 @@ export function plot(choices: PlotChoices): SVGElement {
   if (top2[1] === low[1]) top2[1] += 1;
   const x = (value: number): number => left + ((value - low[0]) / (top2[0] - low[0])) * (wide - left - right - 10) + 5;
   const y = (value: number): number => high - bottom - ((value - low[1]) / (top2[1] - low[1])) * (high - top - bottom - 10) - 5;
-  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${wide} ${high}`, width: wide, height: high, role: 'img', 'aria-label': `${choices.vertical} against ${choices.horizontal}` });
-  for (const tick of ticks(low[0], top2[0]))
+  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${wide} ${high}`, width: wide, height: high, role: choices.chosen ? 'group' : 'img', 'aria-label': `${choices.vertical} against ${choices.horizontal}` });
+  for (const tick of (choices.logarithmicX ? logarithmicTicks : ticks)(low[0], top2[0]))
     picture.append(svg('line', { class: 'grid', x1: x(tick), x2: x(tick), y1: top, y2: high - bottom }), svg('text', { x: x(tick), y: high - bottom + 18, 'text-anchor': 'middle' }, label(tick, choices.logarithmicX ?? false)));
-  for (const tick of ticks(low[1], top2[1]))
+  for (const tick of (choices.logarithmic ? logarithmicTicks : ticks)(low[1], top2[1]))
     picture.append(svg('line', { class: 'grid', x1: left, x2: wide - right, y1: y(tick), y2: y(tick) }), svg('text', { x: left - 6, y: y(tick) + 4, 'text-anchor': 'end' }, label(tick, choices.logarithmic ?? false)));
   picture.append(
     svg('line', { class: 'axis', x1: left, x2: wide - right, y1: high - bottom, y2: high - bottom }),

@@ -14,6 +14,7 @@ export class SpaceStage {
   private figure: Group | null = null;
   private radius = 1;
   private from: [number, number] = [-60, 15];
+  private places = new Float32Array(0);
   private isFirst = true;
 
   constructor(private readonly parent: HTMLElement) {
@@ -44,10 +45,11 @@ export class SpaceStage {
       });
     }
     this.figure = new Group();
+    this.places = new Float32Array(0);
     if (!head.empty) {
       const corners = new Float32Array(bytes.buffer, bytes.byteOffset, 6 * head.corners);
       const indices = new Uint32Array(bytes.buffer, bytes.byteOffset + 24 * head.corners, head.indices);
-      const places = new Float32Array(3 * head.corners);
+      const places = (this.places = new Float32Array(3 * head.corners));
       const normals = new Float32Array(3 * head.corners);
       for (let i = 0; i < head.corners; ++i)
         for (let k = 0; k < 3; ++k) {
@@ -85,9 +87,19 @@ export class SpaceStage {
   /** Where the system's own camera stands, all in view. */
   home(): void {
     const [azimuth, elevation] = this.from.map((degrees) => (degrees * Math.PI) / 180) as [number, number];
-    const narrow = Math.min(1, this.camera.aspect);
-    const distance = (1.02 * this.radius) / Math.sin((this.camera.fov * Math.PI) / 360) / narrow;
-    this.camera.position.set(Math.cos(azimuth) * Math.cos(elevation), Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation)).multiplyScalar(distance);
+    const back = new Vector3(Math.cos(azimuth) * Math.cos(elevation), Math.sin(azimuth) * Math.cos(elevation), Math.sin(elevation));
+    const right = new Vector3(-Math.sin(azimuth), Math.cos(azimuth), 0);
+    const up = new Vector3().crossVectors(back, right);
+    // As near as every corner allows: one that lies z nearer and x to the side is seen from z + |x| / tan(half the angle of view) on.
+    const steep = Math.tan((this.camera.fov * Math.PI) / 360);
+    let distance = this.radius / 100;
+    for (let i = 0; i + 2 < this.places.length; i += 3) {
+      const [x, y, z] = [this.places[i]!, this.places[i + 1]!, this.places[i + 2]!];
+      const side = Math.abs(x * right.x + y * right.y + z * right.z) / (steep * this.camera.aspect);
+      const high = Math.abs(x * up.x + y * up.y + z * up.z) / steep;
+      distance = Math.max(distance, x * back.x + y * back.y + z * back.z + Math.max(side, high));
+    }
+    this.camera.position.copy(back.multiplyScalar(1.06 * distance));
     this.controls.target.set(0, 0, 0);
     this.camera.updateProjectionMatrix();
     this.controls.update();

@@ -47,6 +47,7 @@ export const texts = {
   wordsStop: (n: number) => `The words stop at generation ${n}: the next one has too many symbols for a page.`,
   onlyD0L: 'Growth is analysed for deterministic systems without interaction (D0L).',
   letters: 'Letters',
+  arrows: 'Arrows',
   lettersHelp: 'An arrow leads from a letter to each letter of its successor.',
   factors: 'Factors',
   lengths: 'Lengths',

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <nlohmann/json_fwd.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -119,6 +120,11 @@ private:
     std::shared_ptr<const FirstOrderNode> root_;
     std::vector<std::string> free_;
 };
+
+/// As certificates have it (CERTIFICATES.md): each quantifier binds names of its own.
+nlohmann::ordered_json to_json(const FirstOrderStatement& statement);
+/// Whether numbers are added in it.
+bool adds(const FirstOrderStatement& statement);
 
 /// What was decided.
 struct FirstOrderAnswer {

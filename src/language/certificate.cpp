@@ -263,6 +263,11 @@ struct StatementWriter {
     Json operator()(const BoundaryHasDimension& said) const {
         return dimension("boundary", said.name, said.dimension);
     }
+    Json operator()(const HoldsInWord& said) const {
+        Json result{{"first order", to_json(*said.says)}, {"system", said.system->name}};
+        for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
+        return result;
+    }
     Json operator()(const Joint& said) const {
         return {{joint_name(said.kind), statements(said.parts)}};
     }
@@ -776,6 +781,21 @@ struct ProofWriter {
         return {{"by", "generation"}, {"generation", said.generation}};
     }
 
+    Json operator()(const steps::ByAutomata& said) const {
+        Json result{{"by", "automata"}};
+        if (said.addition.edges.empty()) return result;
+        Json edges = Json::array(), accepting = Json::array();
+        for (std::size_t s = 0; s < said.addition.states(); ++s) {
+            accepting.push_back(said.addition.accepting[s] != 0);
+            for (std::size_t e = said.addition.first[s]; e < said.addition.first[s + 1]; ++e) {
+                const auto& [column, target] = said.addition.edges[e];
+                edges.push_back({s, column % said.base, column / said.base % said.base,
+                                 column / said.base / said.base, target});
+            }
+        }
+        result["addition"] = {{"edges", std::move(edges)}, {"accepting", std::move(accepting)}};
+        return result;
+    }
     Json operator()(const steps::FromStatements& said) const {
         Json parts = Json::array();
         for (const steps::FromStatements::Known& part : said.parts)

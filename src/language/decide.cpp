@@ -75,6 +75,9 @@ struct Judge {
     Answer operator()(const BoundaryHasDimension& said) const {
         return judge_boundary(said, budget);
     }
+    Answer operator()(const HoldsInWord& said) const {
+        return judge_infinite_word(said, alphabet, budget);
+    }
     Answer operator()(const Joint& said) const { return judge_joint(said, claim, budget, limits); }
     Answer operator()(const Quantified& said) const {
         return judge_quantified(said, claim, budget, limits);

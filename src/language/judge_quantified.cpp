@@ -284,6 +284,7 @@ private:
     void put(HasChance&) const {}
     void put(HasDimension&) const {}
     void put(BoundaryHasDimension&) const {}
+    void put(HoldsInWord& said) const { said.system = system(said.system); }
     void put(Joint& said) const {
         for (Statement& part : said.parts) part = (*this)(part);
     }
@@ -380,6 +381,7 @@ private:
     void in(const HasChance&) {}
     void in(const HasDimension&) {}
     void in(const BoundaryHasDimension&) {}
+    void in(const HoldsInWord&) {}
     void in(const Joint& said) {
         for (const Statement& part : said.parts) of(part);
     }

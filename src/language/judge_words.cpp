@@ -3,6 +3,7 @@
 #include <map>
 #include <tuple>
 
+#include "automatic/automatic.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
 #include "word/word.hpp"
@@ -21,7 +22,7 @@
 //
 // A counterexample is looked for first, among generations that are not too long.
 //
-// Codes and palindromes are about words too.
+// Codes and palindromes are about words too, and so are first-order statements about the infinite word of a system.
 //
 // A language is a code if no word is a product of its words in two ways (Berstel, Perrin and Reutenauer 2009). For a
 // regular language this is a search in its automaton taken twice: both copies read the same word, each may cut it and
@@ -383,6 +384,22 @@ Answer judge_palindrome(const Word& word) {
     for (std::size_t i = 0; i < word.size() / 2; ++i)
         if (word[i] != word[word.size() - 1 - i]) return refuted(steps::Palindrome{word, i});
     return proved(steps::Palindrome{word, {}});
+}
+
+Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
+                           const Budget& budget) {
+    const AutomaticWord word = automatic_word(as_d0l(*said.system), [&](Symbol letter) {
+        const auto coded = said.coding.find(alphabet.name(letter));
+        return coded == said.coding.end() ? alphabet.name(letter) : coded->second;
+    });
+    const FirstOrderAnswer found = decide_first_order(*said.says, word, budget);
+    steps::ByAutomata proof{said.system->name,      found.holds, found.witness, found.largest,
+                            word.numeration.base(), {}};
+    if (adds(*said.says)) {
+        static const FirstOrderStatement sum = read_first_order("x + y = z", "", "", {});
+        proof.addition = decide_first_order(sum, word, budget).relation;
+    }
+    return found.holds ? proved(std::move(proof)) : refuted(std::move(proof));
 }
 
 }  // namespace algae

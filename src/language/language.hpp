@@ -28,6 +28,7 @@
 namespace algae {
 
 class DimensionValue;
+class FirstOrderStatement;
 struct GeneratingFunction;
 class Rewriting;
 struct Model;
@@ -841,6 +842,14 @@ struct BoundaryHasDimension {
     std::string name = {};
 };
 
+/// A first-order statement holds in the infinite word of a D0L system.
+struct HoldsInWord {
+    std::shared_ptr<const SourceSystem> system;
+    std::shared_ptr<const FirstOrderStatement> says;
+    std::map<std::string, std::string> coding =
+        {};  // what letters are called that have other names
+};
+
 struct Statement;
 
 /// Several statements as one.
@@ -886,7 +895,7 @@ struct Statement {
     std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, IsCode,
                  IsPalindrome, Derives, EqualSequences, EqualGrowth, HasGrowthClass, IsIncreasing,
                  ComparesNumbers, ComparesWords, Rewrites, HasChance, HasDimension,
-                 BoundaryHasDimension, Joint, Quantified>
+                 BoundaryHasDimension, HoldsInWord, Joint, Quantified>
         says;
     bool negated = false;
     std::string text = {};  // as written

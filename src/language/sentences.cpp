@@ -342,6 +342,17 @@ public:
             (said.strictly ? ", one whose descendants never vanish more often;" : ";") +
             " so it is of all generations after them.");
     }
+    void operator()(const steps::ByAutomata& said) {
+        std::string values;
+        for (const auto& [name, value] : said.witness)
+            values += (values.empty() ? "" : ", ") + name + " = " + to_string(value);
+        if (!values.empty())
+            say(std::string(said.holds ? "It is true for " : "It is false for ") + marked(values) +
+                ".");
+        say("Automata that read positions of the infinite word of " + marked(said.system) +
+            " in the numeration of Dumont and Thomas decide it, the largest with " +
+            number(said.largest) + (said.largest == 1 ? " state." : " states."));
+    }
     void operator()(const steps::Falls& said) {
         say("Generation " + number(said.generation) + " of " + marked(said.system) + " has " +
             marked(to_string(said.before)) + " letters and the next one " +

@@ -505,6 +505,8 @@ public:
         constexpr std::size_t most = 100;
         if (depth > most)
             throw SyntaxError{text.data(), "more than 100 statements inside each other"};
+        if (const auto system = first_order_system(text, reading_))
+            return parse_first_order(*system, text, reading_);
         std::string_view rest = text;
         bool denied = false;
         while (take_words(rest, {"not"})) {

@@ -352,6 +352,16 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         return read;
     }
     if (field.has("dimension") || field.has("boundary")) return of_dimension(field, read);
+    if (field.has("first order")) {
+        field.only({"first order", "system", "coding"});
+        read.kind = Kind::first_order;
+        read.systems = {named_system(field.at("system"))};
+        if (field.has("coding"))
+            for (const auto& [name, image] : field.at("coding").object())
+                read.coding[symbol(image, name)] = image.text();
+        read.first_order = std::make_shared<const Formula>(read_formula(field.at("first order")));
+        return read;
+    }
     if (field.has("increasing")) {
         field.only({"increasing", "strictly"});
         read.kind = Kind::increasing;
@@ -924,6 +934,8 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    " of " + statement.family + " is " + no +
                    (statement.compared == "equals" ? "" : statement.compared + " ") +
                    statement.formula->text();
+        case Kind::first_order:
+            return (opposite ? "not: " : "") + formula_text(statement, alphabet);
         case Kind::joint:
             return (opposite ? "not: " : "") + joint_text(statement, alphabet);
         case Kind::quantified:

@@ -123,6 +123,7 @@ const std::vector<Method>& methods() {
         {"generation", {Kind::increasing}, fails, {"generation"}, check_falls},
         {"words", {Kind::words}, either, {}, check_words},
         {"morphism", {Kind::quantified}, holds, {"morphism"}, check_step_of_words},
+        {"automata", {Kind::first_order}, either, {"addition"}, check_first_order},
         {"parts", {Kind::joint}, either, {"parts"}, check_parts},
         {"instance",
          {Kind::quantified},

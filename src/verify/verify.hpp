@@ -353,6 +353,36 @@ struct WordFactor {
     bool reversed = false;
 };
 
+/// A linear term.
+struct LinearSum {
+    std::map<std::string, Integer> of;  // how often each number is taken; none of them 0
+    Integer plus = 0;
+};
+
+/// A first-order statement about an infinite word. Every name is bound by one quantifier.
+struct Formula {
+    enum class Kind {
+        equation,     // terms[0] is 0
+        less,         // terms[0] is below 0
+        same_letter,  // the letters at terms[0] and terms[1] are the same
+        letter,       // the letter at terms[0] is `letter`
+        equal,        // the factors of terms[2] letters at terms[0] and terms[1] are the same
+        palindrome,   // the factor of terms[1] letters at terms[0] is one
+        negation,
+        conjunction,
+        disjunction,
+        implication,
+        equivalence,  // of any number of parts, from left to right
+        exists,
+        for_all
+    };
+    Kind kind;
+    std::vector<LinearSum> terms = {};
+    std::string letter = {};
+    std::vector<std::string> names = {};  // that a quantifier binds
+    std::vector<Formula> parts = {};
+};
+
 /// A statement, without any "not" in front of it.
 struct Statement {
     enum class Kind {
@@ -377,6 +407,7 @@ struct Statement {
         words,
         dimension,
         boundary,
+        first_order,
         joint,
         quantified
     };
@@ -404,6 +435,9 @@ struct Statement {
     std::vector<Statement>
         parts;  // joined as `family` says; of a quantified statement, conditions and body as they stand
     std::shared_ptr<const Quantified> quantified;
+    std::shared_ptr<const Formula> first_order;
+    std::map<Symbol, std::string>
+        coding;  // what letters of its word are called, if not their names
 };
 
 /// One statement of a certificate and its verdict.

@@ -224,6 +224,11 @@ bool exceeds_plane(const ExactDimension& found);
 /// The same of the boundary of a limit set with interior points.
 Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget = {});
 
+/// Whether a first-order statement holds in the infinite word of a D0L system, by automata. Undecided where addition is not
+/// regular in its numeration; throws Error where there is no such word.
+Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
+                           const Budget& budget = {});
+
 // --- Judges of statements made of others ---
 
 /// `decide` for a part of a statement, of an instance for example: it is undecided where a bound of steps or memory is

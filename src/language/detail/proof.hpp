@@ -17,6 +17,7 @@
 #include <variant>
 #include <vector>
 
+#include "automatic/automatic.hpp"
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
 #include "language/detail/powers.hpp"
@@ -278,6 +279,16 @@ struct RisesByLetters {
     std::string system;
     bool strictly = false;
     std::uint64_t generation = 0;
+};
+
+/// A first-order statement about the infinite word of a system, by automata.
+struct ByAutomata {
+    std::string system;
+    bool holds = false;
+    std::vector<std::pair<std::string, Integer>> witness;  // or a counterexample
+    std::size_t largest = 0;                               // states of the largest automaton
+    std::uint32_t base = 1;                                // of the digits
+    AutomaticRelation addition;  // x + y = z; without edges where it is not known
 };
 
 struct Falls {
@@ -807,22 +818,22 @@ struct Proof {
         steps::DerivesNot, steps::InSomeStep, steps::Rewrites, steps::Develops, steps::Likely,
         steps::SameSequence, steps::OtherSequence, steps::SameGrowth, steps::OtherGrowth,
         steps::ComparedNumbers, steps::ByRecurrences, steps::StaysPositive, steps::Grows,
-        steps::Rises, steps::RisesByLetters, steps::Falls, steps::ComparedWords, steps::ByMorphism,
-        steps::LimitSet, steps::Identical, steps::SameValues, steps::ValuesWithin,
-        steps::OtherValues, steps::SameAutomata, steps::NothingOutside, steps::Distinguished,
-        steps::SameDeterministic, steps::WithinRegular, steps::ByInduction, steps::SamePowers,
-        steps::Invariant, steps::BothInclusions, steps::LinearSystems, steps::ByFacts,
-        steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord, steps::Disjoint,
-        steps::NoTerminals, steps::InfiniteRound, steps::Measured, steps::InfiniteTables,
-        steps::Pumped, steps::LongerPowers, steps::InfinitePart, steps::InfiniteSize,
-        steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations, steps::ContextFree,
-        steps::PowersBeyond, steps::HasEmptyWord, steps::Sparse, steps::FiniteFamily,
-        steps::GeneratedBy, steps::ByClasses, steps::Dense, steps::LettersOnCycles,
-        steps::LinearBlocks, steps::NotGeometric, steps::Proportional, steps::OfReversal,
-        steps::Constructed, steps::Code, steps::TwoFactorisations, steps::Beginning,
-        steps::Palindrome, steps::FromStatements, steps::ByInstance, steps::ByCases,
-        steps::ByFamilyRules, steps::AllSparse, steps::AllLonger, steps::ByLetters, steps::ByEach,
-        steps::ByDerivations>
+        steps::Rises, steps::RisesByLetters, steps::Falls, steps::ByAutomata, steps::ComparedWords,
+        steps::ByMorphism, steps::LimitSet, steps::Identical, steps::SameValues,
+        steps::ValuesWithin, steps::OtherValues, steps::SameAutomata, steps::NothingOutside,
+        steps::Distinguished, steps::SameDeterministic, steps::WithinRegular, steps::ByInduction,
+        steps::SamePowers, steps::Invariant, steps::BothInclusions, steps::LinearSystems,
+        steps::ByFacts, steps::Counted, steps::NoWord, steps::FiniteConstruction, steps::FoundWord,
+        steps::Disjoint, steps::NoTerminals, steps::InfiniteRound, steps::Measured,
+        steps::InfiniteTables, steps::Pumped, steps::LongerPowers, steps::InfinitePart,
+        steps::InfiniteSize, steps::HasForm, steps::FiniteOfFamily, steps::RegularOperations,
+        steps::ContextFree, steps::PowersBeyond, steps::HasEmptyWord, steps::Sparse,
+        steps::FiniteFamily, steps::GeneratedBy, steps::ByClasses, steps::Dense,
+        steps::LettersOnCycles, steps::LinearBlocks, steps::NotGeometric, steps::Proportional,
+        steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
+        steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
+        steps::ByCases, steps::ByFamilyRules, steps::AllSparse, steps::AllLonger, steps::ByLetters,
+        steps::ByEach, steps::ByDerivations>
         step;
 };
 

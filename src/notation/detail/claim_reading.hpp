@@ -202,6 +202,13 @@ Statement parse_statement(std::string_view text, ClaimReading& reading);
 /// `G ==> aab in 3 steps`, `growth(G) ~ exponential`, ... Throws `SyntaxError` or `DependsOnError`.
 Statement parse_single_statement(std::string_view text, ClaimReading& reading);
 
+/// The D0L system of whose infinite word a first-order statement speaks: `in T: for some n: T[n] = b`, or without the first words
+/// where `T[` stands behind a quantifier; nothing if it is another statement.
+std::optional<std::string_view> first_order_system(std::string_view text,
+                                                   const ClaimReading& reading);
+/// The first-order statement that is the whole of the text. Throws `SyntaxError` or `DependsOnError`.
+Statement parse_first_order(std::string_view system, std::string_view text, ClaimReading& reading);
+
 // Statements about numbers and words that may depend on numbers. A name of a number that nothing binds makes the statement one
 // about all numbers. All throw `SyntaxError` or `DependsOnError`.
 

@@ -142,15 +142,9 @@ std::string table_text(const Census& found, const std::vector<Column>& columns, 
 
 std::string csv_text(const Census& found, const std::vector<Column>& columns, Distinct distinct) {
     const bool languages = distinct == Distinct::languages;
-    const auto quoted_field = [](const std::string& text) {
-        if (text.find_first_of(",\"") == std::string::npos) return text;
-        std::string field = "\"";
-        for (const char c : text) field += c == '"' ? "\"\"" : std::string(1, c);
-        return field + "\"";
-    };
     std::string text = languages ? "size,finite languages" : "size,all";
     for (const Column& column : columns)
-        text += "," + quoted_field(column.name) + "," + quoted_field(column.name + " undecided");
+        text += "," + csv_field(column.name) + "," + csv_field(column.name + " undecided");
     if (languages) text += ",systems of infinite ones,systems undecided";
     text += '\n';
     for (const Census::Row& row : found.rows) {

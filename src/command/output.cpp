@@ -112,6 +112,13 @@ void print(std::string_view text) {
 
 void note(const std::string& text) { std::cerr << "algae: note: " << printable(text) << '\n'; }
 
+std::string csv_field(const std::string& text) {
+    if (text.find_first_of(",\"\n\r") == std::string::npos) return text;
+    std::string quoted = "\"";
+    for (const char c : text) quoted += c == '"' ? "\"\"" : std::string(1, c);
+    return quoted + "\"";
+}
+
 std::string printable(std::string_view text) {
     std::string all;
     for (const char c : text) {

@@ -6,6 +6,7 @@
 #include "command/run.hpp"
 #include "exact/exact.hpp"
 #include "lesson/lesson.hpp"
+#include "lessons/answers.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 
@@ -13,14 +14,6 @@ using namespace algae;
 namespace fs = std::filesystem;
 
 namespace {
-
-const fs::path answers = fs::path(ALGAE_SOURCE_DIR) / "lessons" / "answers";
-
-Model from_gallery(const std::string& name) {
-    for (const GalleryEntry& entry : gallery())
-        if (entry.name == name) return read_lsystem(entry.text, name);
-    throw Error("no " + name + " in the gallery");
-}
 
 /// The files of a folder by their names without the ending.
 std::map<std::string, fs::path> files_of(const fs::path& folder) {

@@ -34,6 +34,9 @@ void write_file(const std::string& path, const std::string& text, bool is_input 
 /// The text with control characters other than the end of a line written as \x1b, so that names cannot steer a terminal.
 std::string printable(std::string_view text);
 
+/// A field of a table with commas between its fields, quoted where it has to be.
+std::string csv_field(const std::string& text);
+
 /// Standard output for long words: pieces are handed to the system where they lie, many at once.
 class StandardOutput : public TextSink {
 public:

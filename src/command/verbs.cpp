@@ -23,11 +23,11 @@ namespace algae::command {
 
 void add_verbs(Verbs& verbs) {
     constexpr void (*table[])(Verbs&) = {
-        add_show,    add_fmt,     add_derive, add_letter,     add_growth,    add_words,
-        add_member,  add_finite,  add_equal,  add_is,         add_list,      add_check,
-        add_closure, add_verify,  add_census, add_draw,       add_dimension, add_tree,
-        add_figures, add_gallery, add_lesson, add_generators, add_convert,   add_latex,
-        add_lsp,     add_studio,  add_manual};
+        add_show,  add_fmt,     add_derive,  add_letter, add_growth,     add_words,
+        add_infer, add_member,  add_finite,  add_equal,  add_is,         add_list,
+        add_check, add_closure, add_verify,  add_census, add_draw,       add_dimension,
+        add_tree,  add_figures, add_gallery, add_lesson, add_generators, add_convert,
+        add_latex, add_lsp,     add_studio,  add_manual};
     for (const auto add : table) add(verbs);
 }
 

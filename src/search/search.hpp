@@ -246,4 +246,68 @@ private:
     std::vector<Integer> counts_;  // by how many letters
 };
 
+// -------------------------------------------------------------------------------------------------
+// Inference: the smallest system that explains words
+
+/// What a system must be that explains words.
+struct InferenceWish {
+    enum class Family { d0l, ol, dt0l, dil };
+    Family family = Family::d0l;
+    bool propagating = false;  // no successor is empty
+};
+
+/// A rule of a system that explains words. Contexts are empty but in DIL systems, where they are read from left to right.
+struct InferredRule {
+    std::size_t table = 0;
+    Word left;
+    Symbol letter = 0;
+    Word right, successor;
+    bool operator==(const InferredRule&) const = default;
+};
+
+/// A system, and how much work it was to know that there is no smaller one. The size is |axiom|, and 1 + |successor| + |contexts| for
+/// each rule.
+struct InferredSystem {
+    Word axiom;
+    std::size_t tables = 1;
+    std::vector<std::size_t> schedule;  // of DT0L systems: the table of each step between the words
+    /// By table, by letter, longer contexts first: that is how they are tried.
+    std::vector<InferredRule> rules;
+    std::uint64_t size = 0;
+};
+
+/// The result of an inference. Without a system there is none.
+struct Inference {
+    std::optional<InferredSystem> system;
+    std::uint64_t cases = 0;  // parts of systems, or systems, that were tried
+};
+
+/// The smallest system of the family whose first generations are these words, of a 0L system a derivation with these words, of a
+/// DT0L system by some sequence of its tables. Complete: each way to cut the words into successors is tried unless it is larger than what
+/// was found. Where sizes are equal, the one whose successors are shorter from the left.
+///
+/// Every letter of the words has a rule in each table; where the words do not say it, the shortest. Of DIL systems the contexts are as
+/// short as can be, left and right together, and among these the system is the smallest; contexts are those that
+/// occur, and all other letters stay as they are.
+///
+/// The smallest T0L and IL systems are the smallest 0L system: one table with the rules of all, and rules without their contexts,
+/// derive what they did and are not larger.
+///
+/// Exponential in the number of different letters. Throws Error if there are no words or the first one is empty, what
+/// budget.check throws otherwise.
+///
+/// Example: infer_generations({{0}, {0, 1}, {0, 1, 0}}, {}).system->size == 6
+/// Example: !infer_generations({{0}, {0, 0}, {0, 0, 0}}, {}).system
+Inference infer_generations(const std::vector<Word>& words, const InferenceWish& wish,
+                            const Budget& budget = {});
+
+/// The smallest system of the family, not DIL, whose language has all these words, up to this size; nothing if there is none up to it. All
+/// systems are tried in the order of their size, up to renaming; `is_member` decides.
+///
+/// Throws Error for DIL systems, what budget.check and `is_member` throw otherwise.
+Inference infer_sample(const std::vector<Word>& words, const InferenceWish& wish,
+                       std::uint64_t largest,
+                       const std::function<bool(const ET0L&, const Word&)>& is_member,
+                       const Budget& budget = {});
+
 }  // namespace algae

@@ -223,6 +223,7 @@ void add_derive(Verbs& verbs);
 void add_letter(Verbs& verbs);
 void add_growth(Verbs& verbs);
 void add_words(Verbs& verbs);
+void add_infer(Verbs& verbs);
 void add_member(Verbs& verbs);
 void add_finite(Verbs& verbs);
 void add_equal(Verbs& verbs);

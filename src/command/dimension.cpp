@@ -621,8 +621,18 @@ int dimension(const Options& options) {
         return found.scaling.estimate ? success : undecided;
     }
     const DimensionReport found = measured(options, budget);
-    if (!options.plot.empty() && !found.counts.counts.empty())
-        draw_dimension_plot({found.what, found.counts, found.fit}, options.plot, budget);
+    if (!options.plot.empty() && !found.counts.counts.empty()) {
+        DimensionPlot plot{found.what, found.counts, found.fit};
+        if (found.exact && found.exact->status == ExactDimension::Status::exact &&
+            found.exact->value) {
+            constexpr long bits = 64;
+            plot.exact = found.exact->value->enclosure(bits).midpoint();
+            constexpr std::size_t longest = 40;
+            if (const std::string text = found.exact->value->text(); text.size() <= longest)
+                plot.exact_text = text;
+        }
+        draw_dimension_plot(plot, options.plot, budget);
+    }
     if (options.latex)
         print(to_latex(found));
     else

@@ -18,6 +18,7 @@
 #include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
+#include "exchange/exchange.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
@@ -43,7 +44,10 @@ struct Options {
     std::optional<std::vector<std::string>> colours;
     std::vector<PointLabel> labels;
     SpaceOptions space;
-    bool scale_bar = false, panels = false, common_scale = false, captions = false;
+    SettingOptions settings;
+    std::optional<Theme> theme;
+    bool scale_bar = false, panels = false, common_scale = false, own_scale = false;
+    bool captions = false;
     bool progressive = false, explain = false, plotter = false, raster = false, json = false;
     Bounds bounds;
 
@@ -66,6 +70,29 @@ std::uint64_t facet_count(const std::string& option, const std::string& text) {
     if (facets < 3 || facets > 256)
         throw Error(option + " " + text + ": expected 3 to 256 sides of a tube");
     return facets;
+}
+
+/// The system of FILE, with the settings of the command line.
+Model open_drawn(const Options& options, const Budget& budget,
+                 const std::vector<std::string>& let) {
+    return options.settings.applied_to(open_model(options.file, budget, let));
+}
+
+/// Says what a newcomer wonders about: why a plant lies on its side.
+void suggest_start(const Options& options, const Model& system) {
+    if (lies_down(system) && !system_format(options.file))
+        note("the turtle starts along +x, so that a plant lies; --start upward lets it stand");
+}
+
+/// The options with the colours of their theme for this system instead of the file's.
+Options themed(Options options, const std::vector<std::string>& own) {
+    if (!options.theme) return options;
+    ThemeColours found = theme_colours(
+        *options.theme, options.colours.value_or(own),
+        options.background.empty() ? std::nullopt : std::optional(options.background));
+    if (found.background) options.background = *found.background;
+    if (!found.colours.empty()) options.colours = std::move(found.colours);
+    return options;
 }
 
 PictureOptions picture_options(const Options& options) {
@@ -243,7 +270,7 @@ int draw_explained(const Options& options) {
     if (!options.output.empty()) named_format(options.output, options.format);
     check_motion(options, false);
     const Budget budget = options.bounds.budget();
-    const Model system = open_model(options.file, budget, options.let);
+    const Model system = open_drawn(options, budget, options.let);
     const PlateChoices choices = choices_of(options, system);
     if (!leaves_plane(system)) choices.space.check_unused(system.name);
     std::uint64_t n = 0;
@@ -313,7 +340,7 @@ Model painted(Model system, const PictureOptions& picture) {
 int draw_progressive(const Options& options) {
     const std::string named = needed_format(options);
     const Budget budget = options.bounds.budget();
-    const Model system = open_model(options.file, budget, options.let);
+    const Model system = open_drawn(options, budget, options.let);
     const PlateChoices choices = choices_of(options, system);
     const PictureOptions picture = picture_options(options);
     const auto animation = animation_format(named);
@@ -439,7 +466,7 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
         scene =
             scene_of(*open_generator(options.file, budget, options.statements()), format, budget);
     } else {
-        const Model system = open_model(options.file, budget, options.let);
+        const Model system = open_drawn(options, budget, options.let);
         const std::uint64_t generation =
             options.generation.empty()
                 ? shown_generations(system).second
@@ -523,8 +550,9 @@ public:
     VariedPlates(const Options& options, bool moves, const Budget& budget) {
         const auto variants = panels_of_let(options.let);
         for (const auto& let : variants) {
-            const Model& system = systems_.emplace_back(open_model(options.file, budget, let));
+            const Model& system = systems_.emplace_back(open_drawn(options, budget, let));
             generations = generations_of(options, system, moves);
+            if (is_other_picture(system.drawing)) return;  // has no figures
             FigurePlates plates(system, generations, choices_of(options, system), budget);
             if (!options.caption.empty())
                 plates.caption(options.caption);
@@ -636,7 +664,7 @@ int draw_to_scene_page(const Options& options, const PictureOptions& picture,
         scenes.push_back(scene_of(*generator, MeshFormat::x3d, budget));
     } else {
         for (const std::vector<std::string>& let : panels_of_let(options.let)) {
-            const Model system = open_model(options.file, budget, let);
+            const Model system = open_drawn(options, budget, let);
             said.title = system.title;
             said.source = system.source;
             choices.camera = view_choices(options.space, system, choices.background).camera;
@@ -676,6 +704,8 @@ int draw_generator_file(const Options& options, PictureFormat format,
                         const Budget& budget) {
     refuse_given({{"--seeds", options.seeds.has_value()},
                   {"--tables", !options.tables.empty()},
+                  {"--angle", !options.settings.angle.empty()},
+                  {"--start", !options.settings.start.empty()},
                   {"--environment", !options.environment.empty()},
                   {"--camera", options.space.camera.has_value()},
                   {"--light", options.space.light.has_value()},
@@ -713,8 +743,10 @@ void offer_raster(const Options& options) {
          " MB, every stroke is in it; --raster puts an image in their place");
 }
 
-int draw(const Options& options) {
+int draw_as(const Options& options) {
     if (options.panels && (options.explain || options.progressive)) refuse_panels();
+    if (options.common_scale && options.own_scale)
+        throw Error("--common-scale and --own-scale: expected one of them");
     if (options.explain) return draw_explained(options);
     if (options.progressive) return draw_progressive(options);
     const std::string named = needed_format(options);
@@ -746,6 +778,13 @@ int draw(const Options& options) {
         return draw_generator_file(options, format, text, picture, budget);
     }
     const VariedPlates plates(options, animation.has_value(), budget);
+    if (is_other_picture(plates.system().drawing)) {
+        if (animation || text || options.plotter || options.raster || options.panels)
+            throw Error(plates.system().name + " shows a " + plates.system().drawing.picture +
+                        "; expected svg, pdf, png, ps or eps");
+        draw_other(plates.system(), plates.generations, options.output, format, picture, budget);
+        return success;
+    }
     const auto generations = plates.generations;
     picture.title = plates.system().title;
     picture.source = plates.system().source;
@@ -766,6 +805,13 @@ int draw(const Options& options) {
                     "an animation");
     const Target target = target_of(options.output);
     const std::vector<Plate> all = plates.plates();
+    suggest_start(options, plates.system());
+    if (panels) {
+        if (!picture.columns) picture.columns = plates.system().drawing.columns;
+        picture.common_scale =
+            options.common_scale ||
+            (!options.own_scale && has_common_scale(plates.system().drawing, all));
+    }
     if (!text && !animation && !options.raster && format == PictureFormat::svg &&
         (options.plotter || is_written_as_text(all, budget)))
         text = FigureFormat::svg;
@@ -794,6 +840,21 @@ int draw(const Options& options) {
     return success;
 }
 
+/// The colours that FILE itself says.
+std::vector<std::string> own_colours(const Options& options, const Budget& budget) {
+    if (is_generator(options.file))
+        return open_generator(options.file, budget, options.statements())->style.colours;
+    return open_model(options.file, budget, panels_of_let(options.let).front()).drawing.colours;
+}
+
+int draw(const Options& options) {
+    if (!options.theme) return draw_as(options);
+    if (options.file == "-")
+        throw Error(
+            "--theme: standard input is read once, and its colours before; expected a file");
+    return draw_as(themed(options, own_colours(options, options.bounds.budget())));
+}
+
 }  // namespace
 
 void add_draw(Verbs& verbs) {
@@ -818,17 +879,27 @@ void add_draw(Verbs& verbs) {
                 "the format, where the name does not say it; vrml1 for VRML 1.0");
     verb.flag("--panels", options.panels, "several generations side by side");
     verb.option("--columns", options.columns, natural, "N", "panels in a row");
-    verb.flag("--common-scale", options.common_scale,
-              "the same scale for all generations; in an animation, the same part of the plane");
+    verb.flag(
+        "--common-scale", options.common_scale,
+        "the same scale for all generations, which panels have anyway where none is 8 times as "
+        "large as another; in an animation, the same part of the plane");
+    verb.flag("--own-scale", options.own_scale, "each panel's figure as large as its panel");
+    options.settings.add_to(verb);
     verb.option("--width", options.width, positive, "W",
                 "of the picture, in points (png, gif, webp: pixels)");
     verb.option("--height", options.height, positive, "H",
                 "of the picture, in points (png, gif, webp: pixels)");
     verb.option("--margin", options.margin, positive_or_zero, "M", "blank border (default 10)");
-    verb.option("--line-width", options.line_width, positive, "W",
-                "of strokes, in points or pixels (default 1)");
+    verb.option(
+        "--line-width", options.line_width, positive, "W",
+        "of strokes, in points or pixels (default 1, more in large pictures, less where strokes "
+        "are dense)");
     verb.option("--colour", options.colours, list, "COLOUR,...",
-                "names or #rrggbb, the next for each '; or: along, a hue that runs with the word");
+                "names or #rrggbb, the next for each '; or what runs with the word: along (hues), "
+                "viridis, cividis");
+    verb.option(
+        "--theme", options.theme, theme, "light|dark|print",
+        "what the picture is for: dark draws in light colours on a dark page, print in greys");
     verb.option("--background", options.background, "COLOUR",
                 "a colour, or transparent (default: white in png, gif and webp, none elsewhere)");
     verb.flag("--captions", options.captions, "system, generation and angle underneath");

@@ -91,14 +91,17 @@ std::string picture_path(const fs::path& out, const Outcome& outcome, const std:
 
 /// All pictures of a file.
 void draw_formats(const Options& options, Outcome& outcome, const std::vector<Plate>& plates,
-                  const Budget& budget) {
+                  const Drawing& drawing, const Budget& budget) {
+    PictureOptions picture;
+    picture.columns = drawing.columns;
+    picture.common_scale = has_common_scale(drawing, plates);
     for (const std::string& format : options.formats) {
         const std::string path = picture_path(options.out, outcome, format);
-        draw_plates(plates, path, picture_format(path), {}, budget);
+        draw_plates(plates, path, picture_format(path), picture, budget);
         outcome.pictures.push_back(path);
     }
     if (!options.page) return;
-    PictureOptions small;
+    PictureOptions small = picture;
     small.width = preview_width;
     const std::string path = picture_path(fs::path(options.out) / previews, outcome, "png");
     draw_plates(plates, path, PictureFormat::png, small, budget);
@@ -135,7 +138,26 @@ void draw_generator_file(const Options& options, Outcome& outcome, const Budget&
     if (options.check) return;
     const std::vector<GeneratorFigure> figures = generator->figures(budget);
     const bool captions = options.captions || figures.size() > 1;
-    draw_formats(options, outcome, generator_plates(figures, captions, ""), budget);
+    Drawing apart;
+    apart.common_scale = false;
+    draw_formats(options, outcome, generator_plates(figures, captions, ""), apart, budget);
+}
+
+/// The pictures of a file that shows a tree, a table or a plot.
+void draw_other_formats(const Options& options, Outcome& outcome, const Model& system,
+                        const Budget& budget) {
+    const auto draw = [&](const std::string& path, const PictureOptions& picture) {
+        draw_other(system, shown_generations(system), path, picture_format(path), picture, budget);
+    };
+    for (const std::string& format : options.formats) {
+        outcome.pictures.push_back(picture_path(options.out, outcome, format));
+        draw(outcome.pictures.back(), {});
+    }
+    if (!options.page) return;
+    PictureOptions small;
+    small.width = preview_width;
+    outcome.preview = picture_path(fs::path(options.out) / previews, outcome, "png");
+    draw(outcome.preview, small);
 }
 
 void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
@@ -149,9 +171,11 @@ void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
         outcome.status = refuted;
     }
     if (options.check) return;
+    if (is_other_picture(system.drawing))
+        return draw_other_formats(options, outcome, system, budget);
     FigurePlates plates(system, shown_generations(system), {}, budget);
     if (options.captions) plates.caption_with_facts();
-    draw_formats(options, outcome, plates.plates(), budget);
+    draw_formats(options, outcome, plates.plates(), system.drawing, budget);
 }
 
 int draw_folder(const Options& options) {

@@ -39,12 +39,13 @@ const std::vector<Family>& families() {
     constexpr const char* tables =
         "the rules of all tables in one table derive as much and are not larger";
     constexpr const char* contexts =
-        "rules without their contexts derive as much and are not larger; DIL asks for a deterministic system";
+        "rules without their contexts derive as much and are not larger; DIL asks for a "
+        "deterministic system";
     static const std::vector<Family> all{
-        {"D0L", {d0l, false}, ""},     {"PD0L", {d0l, true}, ""},     {"0L", {ol, false}, ""},
-        {"P0L", {ol, true}, ""},       {"T0L", {ol, false}, tables},  {"PT0L", {ol, true}, tables},
-        {"DT0L", {dt0l, false}, ""},   {"PDT0L", {dt0l, true}, ""},   {"IL", {ol, false}, contexts},
-        {"PIL", {ol, true}, contexts}, {"DIL", {dil, false}, ""},     {"PDIL", {dil, true}, ""}};
+        {"D0L", {d0l, false}, ""},     {"PD0L", {d0l, true}, ""},    {"0L", {ol, false}, ""},
+        {"P0L", {ol, true}, ""},       {"T0L", {ol, false}, tables}, {"PT0L", {ol, true}, tables},
+        {"DT0L", {dt0l, false}, ""},   {"PDT0L", {dt0l, true}, ""},  {"IL", {ol, false}, contexts},
+        {"PIL", {ol, true}, contexts}, {"DIL", {dil, false}, ""},    {"PDIL", {dil, true}, ""}};
     return all;
 }
 
@@ -94,8 +95,9 @@ void check_read(const std::string& text, const InferredSystem& system) {
         if (read_lsystem(text, "").rules.size() == system.rules.size()) return;
     } catch (const Diagnostics&) {
     }
-    throw Error("a letter of the words means something else in a file; expected letters such as a, "
-                "b, F and +");
+    throw Error(
+        "a letter of the words means something else in a file; expected letters such as a, "
+        "b, F and +");
 }
 
 std::vector<std::string> spelled(const std::vector<Word>& words, const Alphabet& alphabet) {
@@ -111,9 +113,11 @@ std::string why_not(const std::vector<Word>& words, const Alphabet& alphabet, co
     for (std::size_t i = 0; i + 1 < words.size(); ++i)
         steps += (i == 0 ? "" : ", ") + spell(alphabet, words[i]) + " => " +
                  spell(alphabet, words[i + 1]);
-    return std::string("no ") + family.name + " system has these words as its first generations.\n" +
-           "It would have to derive " + steps + ". All " + std::to_string(cases) +
-           " ways to cut these words into the successors of their letters, from left to right as far as "
+    return std::string("no ") + family.name +
+           " system has these words as its first generations.\n" + "It would have to derive " +
+           steps + ". All " + std::to_string(cases) +
+           " ways to cut these words into the successors of their letters, from left to right as "
+           "far as "
            "they go, contradict one another.\n";
 }
 
@@ -128,17 +132,18 @@ int infer(const Options& options) {
     for (const std::string& text : options.words) {
         const ModuleWord read = read_word(text, alphabet);
         if (!read.arguments.empty())
-            throw Error("WORD " + text + " has parameters, and the words of an L-system that is inferred have none");
+            throw Error("WORD " + text +
+                        " has parameters, and the words of an L-system that is inferred have none");
         words.push_back(read.letters);
     }
     const std::uint64_t largest = options.largest.value_or(9);
-    const Inference found =
-        options.sample ? infer_sample(words, family.wish, largest,
-                                      [&](const ET0L& system, const Word& word) {
-                                          return membership(system, word, budget).member;
-                                      },
-                                      budget)
-                       : infer_generations(words, family.wish, budget);
+    const Inference found = options.sample ? infer_sample(
+                                                 words, family.wish, largest,
+                                                 [&](const ET0L& system, const Word& word) {
+                                                     return membership(system, word, budget).member;
+                                                 },
+                                                 budget)
+                                           : infer_generations(words, family.wish, budget);
     const bool is_open = options.sample && !found.system;  // larger ones may do
     std::string text;
     if (found.system) {
@@ -157,16 +162,19 @@ int infer(const Options& options) {
     } else if (found.system) {
         const std::string cases = std::to_string(found.cases);
         std::string said = text + "# size " + std::to_string(found.system->size) +
-                           (options.sample ? "; the " + cases + " systems before it, in the order of their "
-                                                                "sizes, do not have all words\n"
-                                           : "; " + cases + " partial systems were tried: every smaller one "
-                                                            "contradicts a word\n");
-        if (*family.note) said += std::string("# the smallest ") + family.name + " system: " + family.note + '\n';
+                           (options.sample ? "; the " + cases +
+                                                 " systems before it, in the order of their "
+                                                 "sizes, do not have all words\n"
+                                           : "; " + cases +
+                                                 " partial systems were tried: every smaller one "
+                                                 "contradicts a word\n");
+        if (*family.note)
+            said += std::string("# the smallest ") + family.name + " system: " + family.note + '\n';
         print(said);
     } else if (is_open) {
-        print(std::string("no ") + family.name + " system of a size up to " + std::to_string(largest) +
-              " has all these words in its language: " + std::to_string(found.cases) +
-              " systems were tried; --max-size tries larger ones\n");
+        print(std::string("no ") + family.name + " system of a size up to " +
+              std::to_string(largest) + " has all these words in its language: " +
+              std::to_string(found.cases) + " systems were tried; --max-size tries larger ones\n");
     } else {
         print(why_not(words, alphabet, family, found.cases));
     }
@@ -184,16 +192,16 @@ void add_infer(Verbs& verbs) {
     verb.option("WORD", options.words, "WORD",
                 "the words, in the order of the generations, ε for the empty one")
         .required = true;
-    verb.option("--family", options.family, family_name,
-                "D0L|PD0L|0L|P0L|T0L|DT0L|IL|DIL",
-                "what the system is (default D0L); D: one successor, P: none is empty, T: tables, I: "
-                "contexts");
-    verb.flag("--sample", options.sample,
-              "the words are any words of the language, in no order");
+    verb.option(
+        "--family", options.family, family_name, "D0L|PD0L|0L|P0L|T0L|DT0L|IL|DIL",
+        "what the system is (default D0L); D: one successor, P: none is empty, T: tables, I: "
+        "contexts");
+    verb.flag("--sample", options.sample, "the words are any words of the language, in no order");
     verb.option("--max-size", options.largest, natural, "N",
                 "with --sample: the size of the largest systems that are tried (default 9)");
-    verb.json_flag(options.json,
-                   "print system, size, smaller_refuted and the number of cases as one JSON object");
+    verb.json_flag(
+        options.json,
+        "print system, size, smaller_refuted and the number of cases as one JSON object");
     verb.bounded_by(options.bounds);
 }
 

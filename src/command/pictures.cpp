@@ -9,10 +9,14 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdio>
+#include <limits>
 
+#include "command/detail/choices.hpp"
 #include "command/detail/files.hpp"
 #include "exact/exact.hpp"
 #include "model/model.hpp"
+#include "notation/notation.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
 
@@ -81,6 +85,155 @@ void SpaceOptions::check_unused(const std::string& name) const {
                   {"--light", light.has_value()},
                   {"--fog", fog.has_value()}},
                  " is for figures in space, and those of " + name + " stay in the plane");
+}
+
+void SettingOptions::add_to(Verb& verb) {
+    verb.option("--angle", angle, "DEGREES",
+                "that + and - turn by, instead of what the file says: 22.5 or 180/7");
+    verb.option(
+        "--start", start, "upward|X Y HEADING",
+        "where the turtle starts, instead of what the file says: upward lets a plant stand, in "
+        "the plane and in space");
+}
+
+Model SettingOptions::applied_to(Model system) const {
+    const auto read = [](const char* option, const char* keyword, std::string value) {
+        for (char& letter : value)
+            if (letter == ',') letter = ' ';
+        if (value.find_first_of(";\n\r#{}<>") != std::string::npos)
+            refuse(option, std::string("what follows `") + keyword + "` in a file", value);
+        try {
+            return read_lsystem(std::string("axiom F\n") + keyword + ' ' + value, "").drawing;
+        } catch (const Diagnostics& error) {
+            throw Error(std::string(option) + ": " + error.findings().front().message);
+        }
+    };
+    if (!angle.empty()) system.drawing.angle = read("--angle", "angle", angle).angle;
+    if (!start.empty()) system.drawing.start = read("--start", "start", start).start;
+    return system;
+}
+
+Theme theme(const std::string& option, const std::string& text) {
+    if (text == "light") return Theme::light;
+    if (text == "dark") return Theme::dark;
+    if (text == "print") return Theme::print;
+    refuse(option, "light, dark or print", text);
+}
+
+namespace {
+
+std::string code_of(const Colour& colour) {
+    const auto part = [](double value) { return static_cast<int>(std::lround(255 * value)); };
+    char text[8];
+    std::snprintf(text, sizeof text, "#%02x%02x%02x", part(colour.red), part(colour.green),
+                  part(colour.blue));
+    return text;
+}
+
+}  // namespace
+
+ThemeColours theme_colours(Theme theme, const std::vector<std::string>& own,
+                           const std::optional<std::string>& background) {
+    constexpr const char* dark_page = "#15171a";
+    constexpr const char* light_ink = "#e8e8e4";
+    ThemeColours found{background, own};
+    if (theme == Theme::light) return found;
+    if (theme == Theme::dark && !background) found.background = dark_page;
+    const bool is_shown = found.background && *found.background != "transparent";
+    const Colour page = is_shown ? colour_named(*found.background)
+                                 : colour_named(theme == Theme::dark ? dark_page : "white");
+    if (found.colours.empty()) found.colours = {"black"};
+    for (std::string& name : found.colours) {
+        if (is_scheme(name)) {
+            if (theme == Theme::print) name = "black";
+            continue;
+        }
+        const Colour colour = colour_named(name);
+        if (theme == Theme::dark) {
+            const bool is_black = colour == Colour{};
+            name = is_black ? light_ink : code_of(readable_on(colour, page));
+            continue;
+        }
+        const double grey =
+            0.2126 * colour.red + 0.7152 * colour.green + 0.0722 * colour.blue;  // ITU-R BT.709
+        name = code_of(readable_on({grey, grey, grey}, page));
+    }
+    return found;
+}
+
+bool has_common_scale(const Drawing& drawing, std::span<const Plate> plates) {
+    constexpr double most = 8;
+    if (drawing.common_scale) return *drawing.common_scale;
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (const Plate& plate : plates) {
+        const Box& box = plate.figure->box();
+        const double longer = std::max(box.breadth(), box.height());
+        if (!(longer > 0)) continue;
+        least = std::min(least, longer);
+        largest = std::max(largest, longer);
+    }
+    return plates.size() > 1 && largest > least && largest < most * least;
+}
+
+bool is_other_picture(const Drawing& drawing) {
+    return !drawing.picture.empty() && drawing.picture != picture_kinds().front();
+}
+
+namespace {
+
+/// The derivation tree of a generation, by the rules or as it was derived.
+Graph derivation_graph(const Model& system, std::uint64_t n, const Budget& budget) {
+    constexpr std::uint64_t most_modules = 2000;
+    if (const View<D0L> rules = as_d0l(system)) {
+        if (tree_size(*rules, n, {}, budget) > Integer(most_modules))
+            throw BoundReached(Bound::nodes, "the derivation tree of generation " +
+                                                 std::to_string(n) + " has more than " +
+                                                 std::to_string(most_modules) + " nodes");
+        return tree_graph(derivation_tree(*rules, n, {}, budget));
+    }
+    const auto seed =
+        system.drawing.seeds ? std::optional(system.drawing.seeds->first) : std::nullopt;
+    const Rewriting rewriting(system, derivation_choices(system, seed, seed.has_value()), budget);
+    const std::vector<std::size_t> tables = derivation_tables(system, "", seed.has_value());
+    check_long_enough(tables, n);
+    const ModuleTrace trace = traced(rewriting, n, tables, most_modules, budget);
+    return tree_graph(derivation_tree(rewriting, trace, {}, budget));
+}
+
+}  // namespace
+
+void draw_other(const Model& system, std::pair<std::uint64_t, std::uint64_t> generations,
+                const std::string& path, PictureFormat format, const PictureOptions& picture,
+                const Budget& budget) {
+    const auto& [first, last] = generations;
+    const std::string& kind = system.drawing.picture;
+    if (kind == "plot") {
+        const View<D0L> rules = as_d0l(system);
+        if (!rules) throw Error("a plot of lengths: " + rules.reason());
+        draw_plot(growth_plot(*rules, first, last, budget), path, budget);
+        return;
+    }
+    if (first != last)
+        throw Error("a " + kind + " shows one generation, expected a line such as `generation " +
+                    std::to_string(last) + "`");
+    if (kind == "tree") {
+        GraphOptions options;
+        options.width = picture.width;
+        options.height = picture.height;
+        options.background = picture.background;
+        draw_graph(derivation_graph(system, last, budget), target_of(path), format, options,
+                   budget);
+        return;
+    }
+    FigureChoices choices;
+    if (system.drawing.seeds) choices.seed = system.drawing.seeds->first;
+    const DerivedModules derived = open_modules(system, last, choices, nullptr, budget);
+    const Explanation explained =
+        explanation(system, derived.kinds, derived.word, last, derived.seed, budget);
+    PictureOptions options = picture;
+    if (options.colours.empty()) options.colours = system.drawing.colours;
+    draw_explanation(explained, system.title.empty() ? system.name : system.title, target_of(path),
+                     format, options, budget);
 }
 
 ViewChoices view_choices(const SpaceOptions& options, const Model& system,

@@ -520,7 +520,8 @@ private:
             refuse("that steps shrink from one generation to the next");
         if (!is_usual(drawing.spin, 0))
             refuse("that the start turns from one generation to the next");
-        if (const auto& start = drawing.start)
+        // How a figure stands the format does not say; its viewer turns it.
+        if (const auto& start = drawing.start; start && !start->upward)
             if (start->x.value != 0 || start->y.value != 0 || start->heading.value != 0)
                 refuse("where the turtle starts, expected 'start 0 0 0'");
     }

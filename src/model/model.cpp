@@ -1,5 +1,7 @@
 #include "model/model.hpp"
 
+#include <algorithm>
+
 // The tables behind settings that name something: kinds of solids, of surfaces, of stamps and of expectations. Each table is the only list of its
 // names; reading, printing and completion ask it.
 
@@ -42,6 +44,11 @@ const std::vector<std::string>& expectation_kinds() {
     return kinds;
 }
 
+const std::vector<std::string>& picture_kinds() {
+    static const std::vector<std::string> kinds{"figure", "table", "tree", "plot"};
+    return kinds;
+}
+
 LetterCoding::LetterCoding(const Alphabet& letters, const Coding& coding) {
     for (const auto& [letter, image] : coding.images)
         morphism.add(letter, {alphabet.symbol(image)});
@@ -52,6 +59,32 @@ LetterCoding::LetterCoding(const Alphabet& letters, const Coding& coding) {
 bool Model::operator==(const Model& other) const {
     return LSystem::operator==(other) && drawing == other.drawing &&
            expectations == other.expectations && coding == other.coding;
+}
+
+bool lies_down(const Model& model) {
+    if (model.drawing.start || !model.drawing.plotters.empty()) return false;
+    const auto has = [&](const Word& word, std::string_view signs) {
+        return std::ranges::any_of(word, [&](Symbol symbol) {
+            const std::string& name = model.alphabet.name(symbol);
+            return name.size() == 1 && signs.find(name[0]) != std::string_view::npos;
+        });
+    };
+    if (has(model.axiom.letters, "+-&^\\/|$")) return false;
+    // A stem: a stroke outside of brackets.
+    const auto has_stem = [&](const Word& word) {
+        int depth = 0;
+        return std::ranges::any_of(word, [&](Symbol symbol) {
+            const std::string& name = model.alphabet.name(symbol);
+            depth += (name == "[") - (name == "]");
+            return depth == 0 && (name == "F" || name.starts_with("F_"));
+        });
+    };
+    bool branches = has(model.axiom.letters, "["), stem = has_stem(model.axiom.letters);
+    for (const Production& rule : model.rules) {
+        branches = branches || has(rule.successor.letters, "[");
+        stem = stem || has_stem(rule.successor.letters);
+    }
+    return branches && stem;
 }
 
 }  // namespace algae

@@ -101,6 +101,7 @@ struct Drawing {
     std::optional<Quantity> shrink;  // factor on the step per generation; 1
     struct Start {
         Quantity x, y, heading;  // heading in degrees, 0 along +x, counter-clockwise
+        bool upward = false;     // `start upward`: 0 0 90 in the plane, along +z in space
         bool operator==(const Start&) const = default;
     };
     std::optional<Start> start;      // 0 0 0
@@ -124,9 +125,12 @@ struct Drawing {
     std::optional<Direction> light;          // where it comes from; over the camera's left shoulder
     std::optional<Quantity> fog;       // share that the farthest part takes of the background; 0
     std::vector<std::string> colours;  // `colour`: names or #rrggbb, the first for the start, the
-                                       // symbol ' goes on to the next; `along`: hue by position
+                                       // symbol ' goes on to the next; or one of colour_schemes()
     std::optional<std::pair<std::uint64_t, std::uint64_t>> generations;  // `generation 0..6`
     std::optional<std::pair<std::uint64_t, std::uint64_t>> seeds;        // `seed 1..3`; 1
+    std::optional<std::uint64_t> columns;  // `columns 3`: panels in a row; as many as suit
+    std::optional<bool> common_scale;      // `common-scale yes`: of panels; where it suits
+    std::string picture;                   // `picture tree`: one of picture_kinds(); figure
 
     bool operator==(const Drawing&) const = default;
 };
@@ -142,6 +146,12 @@ struct Expectation {
         return kind == other.kind && generation == other.generation && value == other.value;
     }
 };
+
+/// What the picture of a file may be: `figure`, what the turtle draws; `table`, its commands one by one; `tree`, the derivation
+/// tree of a generation; `plot`, the lengths of generations.
+///
+/// Example: picture_kinds().front() == "figure"
+const std::vector<std::string>& picture_kinds();
 
 /// What a file may expect of a generation.
 ///
@@ -175,5 +185,9 @@ struct Model : LSystem {
 
     bool operator==(const Model& other) const;  // all but names and places of origin
 };
+
+/// Whether a plant of this system lies on its side unless something is done about it: the words have branches, the
+/// axiom does not turn, and nothing says where the turtle starts.
+bool lies_down(const Model& model);
 
 }  // namespace algae

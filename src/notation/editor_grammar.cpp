@@ -310,7 +310,7 @@ std::string lezer_of_systems() {
     for (const StatementHelp& help : system_statements())
         if (!is_one_of(system_texts, help.keyword) && help.keyword != "interpret" &&
             help.keyword != "coding" && help.keyword != "system" && help.keyword != "colour")
-            keywords.push_back(help.keyword);
+            keywords.push_back(help.keyword.substr(0, help.keyword.find('-')));  // the word of two
     return R"(// L-systems, *.lsys, for Lezer; made by `algae lsp --editors` from its table of statements.
 @top System { statement? (separator statement?)* }
 separator { newline | ";" }

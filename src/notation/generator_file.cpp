@@ -196,7 +196,7 @@ void GeneratorFile::describe(Generator& generator) const {
     generator.source = text("source").value_or("");
     if (const GeneratorStatement* colours = find("colour"))
         for (const GeneratorWord& word : colours->words) {
-            if (word.text != "along") colour(*colours, word);
+            if (!is_scheme(word.text)) colour(*colours, word);
             generator.style.colours.push_back(word.text);
         }
     if (const GeneratorStatement* width = find("width")) {

@@ -75,7 +75,10 @@ std::optional<SystemBlock> system_block(std::string_view text, std::size_t& byte
 
 namespace {
 
+/// The letters that a text begins with, and the one keyword of two words.
 std::string_view keyword_of(std::string_view text) {
+    constexpr std::string_view of_two = "common-scale";
+    if (text.starts_with(of_two)) return text.substr(0, of_two.size());
     std::size_t length = 0;
     while (length < text.size() && is_letter(static_cast<unsigned char>(text[length])) &&
            static_cast<unsigned char>(text[length]) < 0x80)

@@ -79,7 +79,7 @@ std::vector<std::string> solid_words() {
 }
 
 std::vector<std::string> colour_words() {
-    std::vector<std::string> words{"along"};
+    std::vector<std::string> words = colour_schemes();
     for (const std::string_view name : colour_names()) words.emplace_back(name);
     return words;
 }
@@ -269,11 +269,16 @@ void read_number(const Clause& clause, Reading& reading) {
 
 void read_start(const Clause& clause, Reading& reading) {
     const auto parts = pieces(clause.value());
+    if (parts.size() == 1 && parts[0] == "upward") {
+        const auto number = [](int value) { return quantity(Rational(value)); };
+        reading.drawing.start = Drawing::Start{number(0), number(0), number(90), true};
+        return;
+    }
     const auto part = [&](std::size_t i, const char* what) {
         if (i >= parts.size()) throw unexpected(what, end_of(clause));
         return quantity_of(parts[i], reading);
     };
-    Drawing::Start start{part(0, "x, y and heading"), part(1, "y and heading"),
+    Drawing::Start start{part(0, "x, y and heading, or 'upward'"), part(1, "y and heading"),
                          part(2, "a heading")};
     if (parts.size() > 3)
         throw unexpected("the end of the line after x, y and heading", parts[3].data());
@@ -456,7 +461,7 @@ void read_colours(const Clause& clause, Reading& reading) {
             throw SyntaxError{colour.data(),
                               "expected a colour's name or #rrggbb, found " + quoted(colour)};
         try {
-            if (colour != "along") colour_named(colour);
+            if (!is_scheme(colour)) colour_named(colour);
         } catch (const Error& error) {
             throw SyntaxError{colour.data(), error.what()};
         }
@@ -469,6 +474,13 @@ void read_turn(const Clause& clause, Reading& reading) {
     if (!is_one_of(turns(), value))
         throw unexpected("'clockwise' or 'counter-clockwise'", value.data());
     reading.drawing.clockwise = value == "clockwise";
+}
+
+/// A word of those that a setting knows.
+std::string word_of(const Clause& clause, const std::vector<std::string>& names) {
+    std::string value(clause.value());
+    if (!is_one_of(names, value)) refuse(clause.value(), names);
+    return value;
 }
 
 // Generations, seeds and what is expected of a generation.
@@ -486,6 +498,18 @@ std::uint64_t number_below(std::string_view text, const char* what) {
         throw SyntaxError{text.data(),
                           std::string("expected ") + what + " below 2^63, found " + quoted(text)};
     return value;
+}
+
+void read_columns(const Clause& clause, Reading& reading) {
+    const std::string_view value = clause.value();
+    const bool is_number =
+        std::ranges::all_of(value, [](char byte) { return byte >= '0' && byte <= '9'; });
+    const std::uint64_t columns = is_number ? number_below(value, "a number of panels") : 0;
+    if (columns == 0)
+        throw SyntaxError{
+            value.data(),
+            "expected how many panels stand in a row, from 1 on, found " + quoted(value)};
+    reading.drawing.columns = columns;
 }
 
 /// One number or a range of them, 0..6; `what` is "a generation".
@@ -577,6 +601,7 @@ Values print_shapes(const std::vector<Shape>& shapes, const Printing& printing, 
 Values print_start(const Printing& printing) {
     const auto& start = printing.drawing.start;
     if (!start) return {};
+    if (start->upward) return {"upward"};
     return {joined({piece(start->x), piece(start->y), piece(start->heading)}, " ")};
 }
 
@@ -766,7 +791,12 @@ const std::vector<Setting>& settings() {
          outside,
          read_number<&Drawing::shrink>,
          print_number<&Drawing::shrink>},
-        {{"start", {"start X Y HEADING"}, "heading 0 looks along +x, 90 upward", "0 0 0"},
+        {{"start",
+          {"start X Y HEADING", "start upward"},
+          "heading 0 looks along +x, 90 along +y; `upward` lets a plant stand, in the plane and in "
+          "space; [above](#where-the-turtle-starts)",
+          "0 0 0",
+          {"upward"}},
          other,
          once,
          outside,
@@ -844,7 +874,11 @@ const std::vector<Setting>& settings() {
          outside,
          read_susceptibility,
          print_number<&Drawing::susceptibility>},
-        {{"width", {"width 2"}, "of strokes, in points", "1"},
+        {{"width",
+          {"width 2"},
+          "of strokes, in points of a picture of the usual size; larger pictures have wider "
+          "strokes",
+          "1, thinner where strokes are dense"},
          other,
          once,
          outside,
@@ -852,7 +886,9 @@ const std::vector<Setting>& settings() {
          print_number<&Drawing::width>},
         {{"colour",
           {"colour black red"},
-          "names or `#rrggbb`, `'` goes on to the next; `along` is a hue that runs with the word",
+          "names or `#rrggbb`, `'` goes on to the next; `along`, `viridis` and `cividis` run with "
+          "the word: "
+          "a circle of hues, and two scales from dark to light",
           "black",
           colour_words()},
          other,
@@ -914,6 +950,40 @@ const std::vector<Setting>& settings() {
          outside,
          [](C c, R r) { r.drawing.seeds = range_of(c, "a seed"); },
          [](P p) { return print_range(p.drawing.seeds); }},
+        {{"picture",
+          {"picture tree"},
+          "what `figures` and `draw` show: a `figure` of the turtle, a `table` of its commands, "
+          "the "
+          "derivation `tree` of a generation, a `plot` of the lengths of generations",
+          "a figure",
+          picture_kinds()},
+         other,
+         once,
+         outside,
+         [](C c, R r) { r.drawing.picture = word_of(c, picture_kinds()); },
+         [](P p) -> Values { return {p.drawing.picture}; }},
+        {{"columns", {"columns 3"}, "how many panels stand in a row", "as many as suit"},
+         other,
+         once,
+         outside,
+         read_columns,
+         [](P p) -> Values {
+             return {p.drawing.columns ? std::to_string(*p.drawing.columns) : ""};
+         }},
+        {{"common-scale",
+          {"common-scale yes"},
+          "whether panels have one scale; with `no` each figure is as large as its panel",
+          "`yes` for generations of which none is 8 times as large as another"},
+         other,
+         once,
+         outside,
+         [](C c, R r) {
+             r.drawing.common_scale = word_of(c, {"yes", "no"}) == "yes";
+         },
+         [](P p) -> Values {
+             const auto& common = p.drawing.common_scale;
+             return {!common ? "" : *common ? "yes" : "no"};
+         }},
         {{"expect",
           {"expect segments 4: 768"},
           "what must come out in a generation; [below](#expectations)",

@@ -165,7 +165,7 @@ py::dict scene_of(const SystemObject& system, const Shown& shown, const Limits& 
         const Scene& all = walked.scene;
         const auto colour_of = [&](const Paint& paint) {
             if (paint.colour) return *paint.colour;
-            if (all.colours.empty() || all.colours.front() == "along") return Colour{};
+            if (all.colours.empty() || is_scheme(all.colours.front())) return Colour{};
             return colour_named(all.colours[paint.index % all.colours.size()]);
         };
         const auto add = [](std::vector<float>& to, std::initializer_list<double> values) {

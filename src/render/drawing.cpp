@@ -38,24 +38,28 @@ namespace algae {
 
 Palette::Palette(const std::vector<std::string>& colours, std::uint32_t hues) : hues_(hues) {
     for (const std::string& text : colours) {
-        const bool along = text == "along";
-        entries_.push_back({along ? Colour{} : colour_named(text), along});
-        runs_along_ = runs_along_ || along;
+        const bool many = is_scheme(text);
+        entries_.push_back({many ? Colour{} : colour_named(text), many ? text : ""});
+        runs_along_ = runs_along_ || many;
     }
     if (entries_.empty()) entries_.push_back({});
 }
 
 std::uint32_t Palette::shade(std::uint32_t index, double position) const {
     const auto entry = static_cast<std::uint32_t>(index % entries_.size());
-    if (!entries_[entry].along) return entry;
+    if (entries_[entry].scheme.empty()) return entry;
     const double step = std::clamp(position, 0.0, 1.0) * hues_;
-    return static_cast<std::uint32_t>(entries_.size()) +
+    return static_cast<std::uint32_t>(entries_.size()) + entry * hues_ +
            std::min(static_cast<std::uint32_t>(step), hues_ - 1);
 }
 
 Colour Palette::colour(std::uint32_t shade) const {
     if (shade < entries_.size()) return entries_[shade].colour;
-    return hue(360.0 * (shade - static_cast<double>(entries_.size())) / hues_);
+    const std::uint32_t beyond = shade - static_cast<std::uint32_t>(entries_.size());
+    const std::string& scheme = entries_[beyond / hues_].scheme;
+    const double share = static_cast<double>(beyond % hues_);
+    // A circle ends where it begins; the others end at their last colour.
+    return scheme_colour(scheme, share / (scheme == "along" ? hues_ : std::max(hues_ - 1, 1U)));
 }
 
 namespace {
@@ -70,7 +74,7 @@ struct Pen {
 /// What canvases have in common: a pen that moves in the units of the picture and changes width and colour.
 class PenCanvas : public Canvas {
 public:
-    void width(double factor) final { set_width(pen_.width * std::fabs(factor)); }
+    void width(double factor) final { set_width(narrowed(pen_.width, factor)); }
     void width_as_length(double length) final { set_width(frame_.scale * length); }
     void colour(std::uint32_t index) override {
         index_ = index;

@@ -114,7 +114,7 @@ public:
         down_ = false;
         if (++polygons % 4096 == 0) check();
     }
-    void width(double factor) override { set_width(width_ * std::fabs(factor)); }
+    void width(double factor) override { set_width(narrowed(width_, factor)); }
     void width_as_length(double length) override { set_width(frame_.scale * std::fabs(length)); }
     void colour(std::uint32_t index) override {
         index_ = index;

@@ -68,7 +68,7 @@ public:
         corners_ += corners.size();
         if (++found.polygons % 4096 == 0) check();
     }
-    void width(double factor) override { set_width(pen_width_ * std::fabs(factor)); }
+    void width(double factor) override { set_width(narrowed(pen_width_, factor)); }
     void width_as_length(double length) override { set_width(scale_ * std::fabs(length)); }
     void colour(std::uint32_t index) override {
         index_ = index;

@@ -21,6 +21,9 @@
 // the symbol ! widen strokes; where widths are lengths, they are part of the box. Then the captions' letters get their
 // size, layout.cpp places the cells, a png is rounded up to whole pixels, and its memory is asked of the budget.
 //
+// Strokes whose width nobody says are 1 point wide in a picture of the usual size, wider in a larger one, and thinner where they
+// would cover more than half of the box around the figure.
+//
 // Panels in a row have smaller letters, and in vector formats thinner strokes (0.6 points). Pages and frames of an animation are
 // of one size; with a common scale all frames share the box of all figures, so that a figure grows and stays where it is.
 //
@@ -75,16 +78,28 @@ void check_figures(std::span<const Plate> plates) {
                     "polygons in braces");
 }
 
-/// `unset`: the width where neither options nor figure say one.
-double line_width(const Figure& figure, const PictureOptions& options, double unset) {
+/// `unset`: the width where neither options nor figure say one. What they leave grows with the picture, `growth` times.
+double line_width(const Figure& figure, const PictureOptions& options, double unset,
+                  double growth) {
     if (options.line_width) return *options.line_width;
     const std::optional<Quantity>& own = figure.style().width;
-    if (!own) return unset;
+    if (!own) return growth * unset;
     if (!(own->value > 0 && own->value <= largest_vector))
         throw Error("the setting width must be above 0 and at most " +
                     rounded_decimal(largest_vector, 10) + ", not " +
                     rounded_decimal(own->value, 10));
-    return own->value;
+    return std::min(growth * own->value, largest_vector);
+}
+
+/// A width that nobody said, thinner where strokes would cover most of the figure's box, so that they do not run together.
+double thinned(double width, const Figure& figure, double scale) {
+    constexpr double most = 0.5, least = 0.4;  // of the box, and of the width
+    const Facts& facts = figure.facts();
+    const Box& box = figure.box();
+    const double room = box.breadth() * box.height() * scale;
+    const double ink = facts.segments.to_double() * std::fabs(facts.step) * width;
+    if (!(room > 0) || !std::isfinite(ink) || ink <= most * room) return width;
+    return width * std::max(least, most * room / ink);
 }
 
 /// Finds the widest stroke of a figure whose symbol ! widens.
@@ -166,6 +181,11 @@ double scale_bar_length(double breadth) {
     return std::stod(rounded_decimal(round * power, 10));
 }
 
+double narrowed(double pen, double factor) {
+    constexpr double least = 0.4;
+    return std::max(pen * std::fabs(factor), std::min(pen, least));
+}
+
 const std::vector<std::string>& colours_of(const Figure& figure, const PictureOptions& options) {
     return options.colours.empty() ? figure.style().colours : options.colours;
 }
@@ -192,11 +212,14 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     if (arrangement == Arrangement::panels)
         wishes.columns = std::min(options.columns.value_or(panel_columns(boxes)), plates.size());
     const double unset = wishes.columns > 1 && format != PictureFormat::png ? panel_line_width : 1;
+    wishes.longest = format == PictureFormat::png ? 1000 : 600;
+    const double longer = std::max(options.width.value_or(0), options.height.value_or(0));
+    const double growth = std::max(1.0, longer / wishes.longest);
     bool captions = false;
     result.margin = options.margin;
     for (const Plate& plate : plates) {
         const Palette known(colours_of(*plate.figure, options), 1);  // throws if not
-        result.widths.push_back(line_width(*plate.figure, options, unset));
+        result.widths.push_back(line_width(*plate.figure, options, unset, growth));
         result.margin = std::max(result.margin,
                                  result.widths.back() * widest_stroke(*plate.figure, budget) / 2);
         captions = captions || !plate.caption.empty();
@@ -208,11 +231,9 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
                     " wide: the setting narrow lets the symbol ! widen strokes too much");
     wishes.width = options.width;
     wishes.height = options.height;
-    wishes.longest = format == PictureFormat::png ? 1000 : 600;
     wishes.margin = result.margin;
     wishes.common_scale = options.common_scale;
     if (arrangement == Arrangement::panels && plates.size() > 1) wishes.gap = wishes.longest / 40;
-    const double longer = std::max(options.width.value_or(0), options.height.value_or(0));
     result.font_size = options.font_size.value_or(
         caption_size(longer > 0 ? longer : wishes.longest, wishes.columns));
     const double lines = (captions ? 1 : 0) + (options.scale_bar ? 1 : 0);
@@ -246,6 +267,10 @@ Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arran
     } else {
         result.page = layout(boxes, wishes);
     }
+    for (std::size_t i = 0; i < plates.size(); ++i)
+        if (!options.line_width && !plates[i].figure->style().width)
+            result.widths[i] =
+                thinned(result.widths[i], *plates[i].figure, result.page.cells[i].frame.scale);
     Layout& page = result.page;
     if (format == PictureFormat::png) {
         page.width = std::ceil(page.width - 1e-6);

@@ -28,6 +28,16 @@ details { margin-top: .3rem; font-size: .85rem; }
 .problem { color: #a4000f; font-size: .85rem; white-space: pre-wrap; margin: .4rem 0; }
 summary { cursor: pointer; color: #0b5a8a; }
 pre { overflow-x: auto; background: #f5f4ee; padding: .5rem; font: .72rem/1.4 "DejaVu Sans Mono", Menlo, monospace; }
+@media (prefers-color-scheme: dark) {
+body { color: #e4e4e0; background: #15171a; }
+h2 { border-color: #3a3d42; }
+a, summary { color: #7cc0ee; }
+figure { background: #1e2125; border-color: #33363b; }
+figure img { background: white; }
+figcaption span { color: #a5a8ad; }
+.problem { color: #ff8a94; }
+pre { background: #282b30; }
+}
 )";
 
 /// A path as a link has it: what browsers would take for something else is encoded.

@@ -20,8 +20,9 @@
 //
 // The diagram of a dimension is log-log: cells touched (or lengths, for dividers) against the size of the whole in cells. Each scale
 // shows the mean over the grids' offsets with its range; scales that the fit uses are filled dots on a shaded strip. Underneath stand
-// the residuals: by how many per cent each mean is off the line. The line of a box count is the
-// fit's own value at each scale, which is not defined everywhere; that of other measures is least squares through the scales used.
+// the residuals: by how many per cent each mean is off the line. The line is straight: of the estimated slope, and where it fits the scales
+// used best; it is drawn there and nowhere else. A dimension that is known by other means is a dashed line through the same place.
+// The numbers of an axis have one notation, digits or powers of ten.
 //
 // As a page of HTML a diagram is the same picture, as svg within it, with a program that enlarges parts of it and the numbers as a table.
 
@@ -176,23 +177,35 @@ std::vector<double> marks(double low, double high, double at_least) {
     return found;
 }
 
-std::string number(double value) {
-    if (std::abs(value) >= 1e6) {
-        const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
-        std::string digits = std::to_string(value / std::pow(10, exponent));
-        while (digits.ends_with('0')) digits.pop_back();
-        if (digits.ends_with('.')) digits.pop_back();
-        return digits + "e" + std::to_string(exponent);
-    }
-    return std::to_string(static_cast<long>(std::llround(value)));
+/// A power of ten with a raised exponent.
+std::string power_of_ten(int exponent) {
+    static constexpr const char* raised[] = {"\u2070", "\u00b9", "\u00b2", "\u00b3", "\u2074",
+                                             "\u2075", "\u2076", "\u2077", "\u2078", "\u2079"};
+    std::string out = "10";
+    for (const char sign : std::to_string(exponent))
+        out += sign == '-' ? "\u207b" : raised[sign - '0'];
+    return out;
 }
+
+/// A number of an axis whose numbers all have one notation: factors and powers of ten, or digits.
+std::string number(double value, bool as_power) {
+    if (std::abs(value) < 1e-12) return "0";
+    if (!as_power) return rounded_decimal(value, 6);
+    const int exponent = static_cast<int>(std::floor(std::log10(std::abs(value)) + 1e-9));
+    const std::string factor = rounded_decimal(value / std::pow(10, exponent), 4);
+    return (factor == "1" ? "" : factor + "\u00b7") + power_of_ten(exponent);
+}
+
+/// From here on the numbers of an axis are written with powers of ten.
+constexpr double large_number = 1e5;
 
 /// The diagram on a page: the rectangle of the numbers and how it is drawn.
 class Diagram : Chart {
 public:
     static constexpr double page_height = 320, top = 20, bottom = 64;
 
-    Diagram(const Plot& plot, cairo_t* context) : Chart(context, page_width - left), plot_(plot) {
+    Diagram(const Plot& plot, cairo_t* context)
+        : Chart(context, page_width - left - right - 10), plot_(plot) {
         double high = -std::numeric_limits<double>::infinity();
         low_ = plot.logarithmic ? -high : 0;
         for (const auto* points : {&plot.dots, &plot.line})
@@ -202,7 +215,7 @@ public:
                 low_ = std::min(low_, y);
                 high = std::max(high, y);
             }
-        if (plot.logarithmic) low_ = std::floor(low_);
+        if (plot.logarithmic) low_ = std::floor(low_ + 1e-9);
         high_ = high > low_ ? high : low_ + 1;
         if (last_ <= first_) last_ = first_ + 1;
     }
@@ -231,15 +244,13 @@ private:
             colour(0.85, 0.85, 0.85);
             stroke(left, y(mark), page_width - right, y(mark));
             colour(0, 0, 0);
-            text(plot_.logarithmic ? (mark == 0   ? "1"
-                                      : mark == 1 ? "10"
-                                                  : "10^" + number(mark))
-                                   : number(mark),
+            text(plot_.logarithmic ? power_of_ten(static_cast<int>(std::llround(mark)))
+                                   : number(mark, high_ >= large_number),
                  left - 6, y(mark) + 4, 1);
         }
         for (const double mark : marks(first_, last_, 1)) {
             stroke(x(mark), page_height - bottom, x(mark), page_height - bottom + 4);
-            text(number(mark), x(mark), page_height - bottom + 17, 0.5);
+            text(number(mark, last_ >= large_number), x(mark), page_height - bottom + 17, 0.5);
         }
         cairo_move_to(context_, left, top);
         cairo_line_to(context_, left, page_height - bottom);
@@ -308,8 +319,22 @@ struct Series {
     std::vector<double> line;         // empty without a fit; not finite where it has no value
     std::size_t first = 0, last = 0;  // the scales used
     std::optional<Estimate> estimate;
+    std::optional<double> exact;  // slope
+    std::string exact_text;
     std::string caption, upward, sideways;  // underneath, and what the axes are
 };
+
+/// The straight line of this slope that fits best at the scales used; nowhere else has it values.
+std::vector<double> straight_line(const Series& series, double slope) {
+    double above = 0;
+    for (std::size_t i = series.first; i <= series.last; ++i)
+        above += series.values[i].mean - slope * series.across[i];
+    above /= static_cast<double>(series.last - series.first + 1);
+    std::vector<double> line(series.across.size(), std::numeric_limits<double>::quiet_NaN());
+    for (std::size_t i = series.first; i <= series.last; ++i)
+        line[i] = above + slope * series.across[i];
+    return line;
+}
 
 Series series_of(const DimensionPlot& plot) {
     const BoxCounts& counts = plot.counts;
@@ -322,15 +347,16 @@ Series series_of(const DimensionPlot& plot) {
         made.values.push_back({std::log10(static_cast<double>(*least)),
                                std::log10(counts.mean(scale)),
                                std::log10(static_cast<double>(*most))});
-        if (plot.fit.estimate)
-            made.line.push_back(plot.fit.fitted(counts, scale) / std::numbers::ln10);
     }
     made.first = plot.fit.first;
     made.last = plot.fit.last;
     made.estimate = plot.fit.estimate;
+    made.exact = plot.exact;
+    made.exact_text = plot.exact_text;
     made.caption = plot.caption;
-    made.upward = "cells touched";
-    made.sideways = "size of the whole / size of a cell";
+    made.upward = "number of cells touched";
+    made.sideways = "size of the whole in cells";
+    if (made.estimate) made.line = straight_line(made, made.estimate->value);
     return made;
 }
 
@@ -347,7 +373,7 @@ Series series_of(const ScalingPlot& plot) {
     made.last = scaling.last;
     made.estimate = scaling.estimate;
     made.caption = plot.caption;
-    made.upward = plot.value;
+    made.upward = plot.value + (plot.value == "length" ? " (units of the file)" : "");
     made.sideways = "widest " + plot.scale + " / " + plot.scale;
     if (!made.estimate) return made;
     double n = 0, x = 0, y = 0, xx = 0, xy = 0;
@@ -358,8 +384,7 @@ Series series_of(const ScalingPlot& plot) {
         xx += made.across[i] * made.across[i];
         xy += made.across[i] * made.values[i].mean;
     }
-    const double slope = (n * xy - x * y) / (n * xx - x * x), at_0 = (y - slope * x) / n;
-    for (const double across : made.across) made.line.push_back(at_0 + slope * across);
+    made.line = straight_line(made, (n * xy - x * y) / (n * xx - x * x));
     return made;
 }
 
@@ -400,7 +425,7 @@ public:
         }
         axes();
         if (plot_.estimate) {
-            line();
+            lines();
             residuals();
         }
         dots();
@@ -437,12 +462,6 @@ private:
         stroke(left, panel.lower, page_width - right, panel.lower);
     }
 
-    static std::string power_of_ten(int exponent) {
-        if (exponent < 0) return digits("%g", std::pow(10, exponent));
-        return exponent < 4 ? digits("%.0f", std::pow(10, exponent))
-                            : "10^" + std::to_string(exponent);
-    }
-
     void axes() {
         cairo_set_line_width(context_, 0.7);
         const int lowest = static_cast<int>(std::floor(counts_.low)),
@@ -451,56 +470,82 @@ private:
         const auto shown = [&](double value) {
             return value >= counts_.low && value <= counts_.high;
         };
+        const bool as_powers = counts_.high >= std::log10(large_number);
         for (int k = lowest; k <= highest; k += step) {
-            if (shown(k)) grid_line(counts_, k, power_of_ten(k));
+            if (shown(k)) grid_line(counts_, k, number(std::pow(10, k), as_powers));
             if (counts_.high - counts_.low > 1.5) continue;
             for (const int part : {2, 5})
                 if (const double value = k + std::log10(part); shown(value))
-                    grid_line(counts_, value, digits("%g", part * std::pow(10, k)));
+                    grid_line(counts_, value, number(part * std::pow(10, k), as_powers));
         }
         for (const double share : {-1.0, 0.0, 1.0}) {
             const double value = share * std::floor(residuals_.high / 1.5 + 0.5);
             grid_line(residuals_, value, value == 0 ? "0" : digits("%+.0f %%", value));
         }
-        const std::size_t every = scales_ / 9 + 1;
         for (std::size_t scale = 0; scale < scales_; ++scale) {
             const double at = residuals_.x(across(scale));
-            stroke(at, residuals_.lower, at, residuals_.lower + 4);
-            if (scale % every != 0) continue;
-            const double ratio = std::pow(10, across(scale));
-            text(ratio < 1e6 ? digits("%.0f", ratio) : digits("%.0e", ratio), at,
-                 residuals_.lower + 16, 0.5);
+            stroke(at, residuals_.lower, at, residuals_.lower + 3);
         }
+        // Numbers stand at powers of ten where the axis is long, otherwise at the scales.
+        const bool long_axis = residuals_.last >= std::log10(large_number);
+        const int least = static_cast<int>(std::ceil(residuals_.first - 1e-9)),
+                  most = static_cast<int>(std::floor(residuals_.last + 1e-9));
+        const int stride = (most - least) / 9 + 1;
+        for (int k = least; long_axis && k <= most; k += stride) {
+            const double at = residuals_.x(k);
+            stroke(at, residuals_.lower, at, residuals_.lower + 5);
+            text(power_of_ten(k), at, residuals_.lower + 17, 0.5);
+        }
+        const std::size_t every = scales_ / 9 + 1;
+        for (std::size_t scale = 0; !long_axis && scale < scales_; scale += every)
+            text(rounded_decimal(std::pow(10, across(scale)), 3), residuals_.x(across(scale)),
+                 residuals_.lower + 17, 0.5);
         frame(counts_);
         frame(residuals_);
     }
 
-    void line() {
-        colour(0.35, 0.5, 0.8);
-        cairo_set_line_width(context_, 1.2);
+    /// Draws a line where it has values.
+    void line(const std::vector<double>& heights) {
         cairo_save(context_);
         cairo_rectangle(context_, left, counts_.upper, page_width - left - right,
                         counts_.lower - counts_.upper);
         cairo_clip(context_);
-        for (std::size_t scale = 0; scale < scales_; ++scale) {
-            const double height = plot_.line[scale];
-            if (std::isfinite(height))
+        for (std::size_t scale = 0; scale < scales_; ++scale)
+            if (const double height = heights[scale]; std::isfinite(height))
                 cairo_line_to(context_, counts_.x(across(scale)), counts_.y(height));
-        }
         cairo_stroke(context_);
         cairo_restore(context_);
     }
 
-    void dot(double x, double y, bool used) {
+    void lines() {
+        constexpr double dashes[] = {4, 3};
+        if (plot_.exact) {
+            colour(0.8, 0.35, 0.2);
+            cairo_set_line_width(context_, 1.2);
+            cairo_set_dash(context_, dashes, 2, 0);
+            line(straight_line(plot_, *plot_.exact));
+            cairo_set_dash(context_, dashes, 0, 0);
+        }
+        colour(0.35, 0.5, 0.8);
+        cairo_set_line_width(context_, 1.2);
+        line(plot_.line);
+    }
+
+    /// A full dot where the fit uses the scale; a ring where cells are too large for it, a cross where they are too small.
+    void mark(double x, double y, std::size_t scale) {
+        colour(0.1, 0.2, 0.5);
+        cairo_set_line_width(context_, 0.8);
+        if (plot_.estimate && scale > plot_.last) {
+            stroke(x - 2.2, y - 2.2, x + 2.2, y + 2.2);
+            stroke(x - 2.2, y + 2.2, x + 2.2, y - 2.2);
+            return;
+        }
         cairo_new_sub_path(context_);
         cairo_arc(context_, x, y, 2.5, 0, 2 * std::numbers::pi);
-        colour(0.1, 0.2, 0.5);
-        if (used) {
+        if (is_used(scale))
             cairo_fill(context_);
-        } else {
-            cairo_set_line_width(context_, 0.8);
+        else
             cairo_stroke(context_);
-        }
     }
 
     bool is_used(std::size_t scale) const {
@@ -514,14 +559,13 @@ private:
             colour(0.1, 0.2, 0.5);
             cairo_set_line_width(context_, 0.8);
             stroke(at, counts_.y(value.least), at, counts_.y(value.most));
-            dot(at, counts_.y(value.mean), is_used(scale));
+            mark(at, counts_.y(value.mean), scale);
         }
     }
 
     void residuals() {
-        for (std::size_t scale = 0; scale < scales_; ++scale)
-            if (std::abs(percent(scale)) <= residuals_.high)
-                dot(residuals_.x(across(scale)), residuals_.y(percent(scale)), is_used(scale));
+        for (std::size_t scale = plot_.first; scale <= plot_.last; ++scale)
+            mark(residuals_.x(across(scale)), residuals_.y(percent(scale)), scale);
     }
 
     void words() {
@@ -532,9 +576,20 @@ private:
         text(plot_.caption, page_width / 2, page_height - 10, 0.5);
         if (!plot_.estimate) return;
         const Estimate& found = *plot_.estimate;
-        text("dimension " + digits("%.4f", found.value), left + 14, top + 12, 0);
-        text("between " + digits("%.4f", found.low) + " and " + digits("%.4f", found.high),
-             left + 14, top + 27, 0);
+        double height = top + 12;
+        const auto line_of_text = [&](const std::string& words_of_line) {
+            text(words_of_line, left + 14, height, 0);
+            height += 15;
+        };
+        line_of_text("measured slope " + digits("%.4f", found.value) + ", between " +
+                     digits("%.4f", found.low) + " and " + digits("%.4f", found.high));
+        if (plot_.exact)
+            line_of_text("exact slope " + digits("%.4f", *plot_.exact) +
+                         (plot_.exact_text.empty() ? "" : " = " + plot_.exact_text) + " (dashed)");
+        if (plot_.first > 0 || plot_.last + 1 < scales_)
+            line_of_text(std::string("not used:") +
+                         (plot_.first > 0 ? " \u25cb cells too large" : "") +
+                         (plot_.last + 1 < scales_ ? " \u00d7 too small" : ""));
     }
 
     const Series& plot_;
@@ -585,8 +640,8 @@ Plot growth_plot(const D0L& system, std::uint64_t first, std::uint64_t last, con
         system.name.empty() ? "length of generation n" : system.name + ": length of generation n";
     plot.formula = form.text();
     if (plot.formula.size() > 120) plot.formula.clear();
-    plot.horizontal = "n";
-    plot.vertical = "length";
+    plot.horizontal = "generation n";
+    plot.vertical = "length (letters)";
     plot.logarithmic = growth_class(system, budget).order.kind == GrowthKind::exponential;
     const std::vector<Integer> exact = lengths(system, last + 1, budget);
     for (std::uint64_t n = first; n <= last; ++n) {

@@ -113,7 +113,9 @@ struct PictureOptions {
     std::optional<double> width, height;
     /// The blank border; at least half a line width is used, so that no stroke is cut off.
     double margin = 10;
-    /// Instead of the figure's own `width`, or of 1 (0.6 points in a row of panels).
+    /// Instead of the figure's own `width`, or of 1 (0.6 points in a row of panels). These two hold for
+    /// pictures up to the default size, and grow with larger ones; where strokes of the latter would
+    /// cover more than half of the box of a figure, it is thinner, down to 0.4 of it.
     std::optional<double> line_width;
     /// Instead of the figure's own `colour`: names, `#rrggbb` or `along`.
     std::vector<std::string> colours;
@@ -342,11 +344,15 @@ struct DimensionPlot {
     std::string caption;  // underneath
     BoxCounts counts;
     BoxFit fit;
+    /// What is known of the dimension by other means: beside the estimate, and as the slope of a line.
+    std::optional<double> exact = std::nullopt;
+    std::string exact_text = {};  // "log 4 / log 3"
 };
 
 /// Draws, in the format of the path's extension, the number of cells against how many of them
-/// lie side by side, both logarithmic: the mean over the grids' offsets with its range, the line of
-/// the fit with its scales shaded, and underneath the deviation of each mean from the line in per cent.
+/// lie side by side, both logarithmic: the mean over the grids' offsets with its range, a straight line of the estimated
+/// slope through the scales used, which are shaded, and underneath the deviation of each mean from that line in per cent.
+/// Scales left out because cells are too large, or too small, have marks of their own.
 /// 480 x 420 points (png: 960 x 840 pixels).
 ///
 /// Throws Error if there are fewer than two scales or the file cannot be written.

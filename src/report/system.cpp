@@ -318,6 +318,9 @@ std::string to_text(const SystemReport& report) {
     const OpenRules found = open_rules(system);
     std::vector<std::string> notes;
     for (const auto& module : found.unmatched) notes.push_back(unmatched_text(module));
+    if (system.drawing.angle && lies_down(system))
+        notes.emplace_back(
+            "the turtle starts along +x, so that a plant lies: `start upward` lets it stand");
     list("notes", notes);
     line("deterministic", deterministic_text(kind, found));
     line("propagating", answer(kind.propagating));
@@ -325,7 +328,9 @@ std::string to_text(const SystemReport& report) {
     const auto& drawing = system.drawing;
     line("angle",
          drawing.angle ? to_text(drawing.angle->expression) : "90 (the file does not say)");
-    if (const auto& start = drawing.start)
+    if (const auto& start = drawing.start; start && start->upward)
+        line("start", "upward");
+    else if (start)
         line("start",
              fmt::format("{} {} {}", to_text(start->x.expression), to_text(start->y.expression),
                          to_text(start->heading.expression)));

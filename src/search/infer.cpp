@@ -243,8 +243,7 @@ Inference with_tables(const std::vector<Word>& words, const InferenceWish& wish,
     std::vector<std::size_t> schedule(words.size() - 1, 0);
     std::uint64_t below = unbounded;
     do {
-        const std::size_t tables =
-            schedule.empty() ? 1 : *std::ranges::max_element(schedule) + 1;
+        const std::size_t tables = schedule.empty() ? 1 : *std::ranges::max_element(schedule) + 1;
         if (auto system =
                 deterministic(words, wish, 0, 0, schedule, tables, below, found.cases, budget)) {
             below = system->size;
@@ -258,8 +257,7 @@ Inference with_contexts(const std::vector<Word>& words, const InferenceWish& wis
                         const Budget& budget) {
     Inference found;
     std::size_t longest = 0;
-    for (std::size_t i = 0; i + 1 < words.size(); ++i)
-        longest = std::max(longest, words[i].size());
+    for (std::size_t i = 0; i + 1 < words.size(); ++i) longest = std::max(longest, words[i].size());
     const std::vector<std::size_t> schedule(words.size() - 1, 0);
     const std::size_t most = longest == 0 ? 0 : longest - 1;
     for (std::size_t both = 0; both <= 2 * most && !found.system; ++both)
@@ -367,8 +365,8 @@ Inference infer_generations(const std::vector<Word>& words, const InferenceWish&
     if (wish.family == dt0l) return with_tables(words, wish, budget);
     if (wish.family == dil) return with_contexts(words, wish, budget);
     Inference found;
-    found.system = deterministic(words, wish, 0, 0, std::vector<std::size_t>(words.size() - 1, 0), 1,
-                                 unbounded, found.cases, budget);
+    found.system = deterministic(words, wish, 0, 0, std::vector<std::size_t>(words.size() - 1, 0),
+                                 1, unbounded, found.cases, budget);
     return found;
 }
 
@@ -425,7 +423,9 @@ Inference infer_sample(const std::vector<Word>& words, const InferenceWish& wish
     using enum InferenceWish::Family;
     if (words.empty()) throw Error("expected words to infer a system from, found none");
     if (wish.family == dil)
-        throw Error("samples are of D0L, 0L and DT0L systems; of IL systems the first generations are known");
+        throw Error(
+            "samples are of D0L, 0L and DT0L systems; of IL systems the first generations are "
+            "known");
     Domain domain;
     domain.kind = Domain::Kind::system;
     domain.deterministic = wish.family != ol;
@@ -456,8 +456,7 @@ Inference infer_sample(const std::vector<Word>& words, const InferenceWish& wish
                 for (std::size_t table = 0; table < system.tables.size(); ++table)
                     for (Symbol letter = 0; letter < instance.letters(); ++letter)
                         for (const Word& successor : system.tables[table][letter])
-                            made.rules.push_back(
-                                {table, {}, names[letter], {}, named(successor)});
+                            made.rules.push_back({table, {}, names[letter], {}, named(successor)});
                 return false;
             },
             budget);

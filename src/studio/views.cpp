@@ -141,10 +141,10 @@ public:
         const double place = std::round(fraction * static_cast<double>(symbols_));
         symbol_ = static_cast<std::uint32_t>(
             std::clamp(place, 0.0, static_cast<double>(std::max<std::uint64_t>(symbols_, 1) - 1)));
-        if (!along_ || painted_) return;
+        if (scheme_.empty() || painted_) return;
         constexpr double shades = 180;
         const double shade = std::floor(std::clamp(fraction, 0.0, 1.0) * shades) / shades;
-        look_.colour = hexadecimal(hue(360 * shade));
+        look_.colour = hexadecimal(scheme_colour(scheme_, shade));
     }
     bool wants_position() const override { return true; }
 
@@ -155,12 +155,14 @@ public:
 private:
     static float near(double value, double middle) { return static_cast<float>(value - middle); }
     void choose() {
-        along_ = false;
+        scheme_.clear();
         look_.colour.clear();
         if (colours_.empty()) return;
         const std::string& name = colours_[index_ % colours_.size()];
-        along_ = name == "along";
-        if (!along_) look_.colour = hexadecimal(colour_named(name));
+        if (is_scheme(name))
+            scheme_ = name;
+        else
+            look_.colour = hexadecimal(colour_named(name));
     }
 
     const std::vector<std::string>& colours_;
@@ -170,7 +172,8 @@ private:
     const Budget& budget_;
     Look look_;
     std::uint32_t index_ = 0, symbol_ = 0;
-    bool painted_ = false, along_ = false;
+    bool painted_ = false;
+    std::string scheme_;  // that runs with the word now
 };
 
 json json_of(const Look& look) {

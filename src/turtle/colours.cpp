@@ -3,6 +3,8 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <numbers>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -10,7 +12,7 @@
 #include "turtle/turtle.hpp"
 
 // Colours by name: those of CSS that figures are likely to want, in the only list of their names; reading, printing and
-// completion ask it.
+// completion ask it. And colours for many places of a word, even to the eye.
 
 namespace algae {
 namespace {
@@ -123,6 +125,132 @@ Colour hue(double degrees) {
         return std::clamp(2.0 - away / 60.0, 0.0, 1.0);
     };
     return {part(0), part(120), part(240)};
+}
+
+namespace {
+
+// Oklab (Ottosson 2020): lightness, and two axes of colour whose distances are those that one sees.
+
+struct Oklab {
+    double lightness = 0, a = 0, b = 0;
+};
+
+double to_linear(double part) {
+    return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4);
+}
+
+double from_linear(double part) {
+    return part <= 0.0031308 ? 12.92 * part : 1.055 * std::pow(part, 1 / 2.4) - 0.055;
+}
+
+Oklab oklab(const Colour& colour) {
+    const double r = to_linear(colour.red), g = to_linear(colour.green), b = to_linear(colour.blue);
+    const double l = std::cbrt(0.4122214708 * r + 0.5363325363 * g + 0.0514459929 * b),
+                 m = std::cbrt(0.2119034982 * r + 0.6806995451 * g + 0.1073969566 * b),
+                 s = std::cbrt(0.0883024619 * r + 0.2817188376 * g + 0.6299787005 * b);
+    return {0.2104542553 * l + 0.7936177850 * m - 0.0040720468 * s,
+            1.9779984951 * l - 2.4285922050 * m + 0.4505937099 * s,
+            0.0259040371 * l + 0.7827717662 * m - 0.8086757660 * s};
+}
+
+/// Parts below 0 or above 1 are those of no screen.
+Colour linear_rgb(const Oklab& lab) {
+    const auto cube = [](double x) { return x * x * x; };
+    const double l = cube(lab.lightness + 0.3963377774 * lab.a + 0.2158037573 * lab.b),
+                 m = cube(lab.lightness - 0.1055613458 * lab.a - 0.0638541728 * lab.b),
+                 s = cube(lab.lightness - 0.0894841775 * lab.a - 1.2914855480 * lab.b);
+    return {4.0767416621 * l - 3.3077115913 * m + 0.2309699292 * s,
+            -1.2684380046 * l + 2.6097574011 * m - 0.3413193965 * s,
+            -0.0041960863 * l - 0.7034186147 * m + 1.7076147010 * s};
+}
+
+/// The most vivid colour of this lightness and these axes' direction that a screen has, up to these axes themselves.
+Colour shown(Oklab lab) {
+    const auto within = [&](double share) {
+        const Colour rgb = linear_rgb({lab.lightness, share * lab.a, share * lab.b});
+        const auto [least, most] = std::minmax({rgb.red, rgb.green, rgb.blue});
+        return least >= -1e-6 && most <= 1 + 1e-6;
+    };
+    double share = 1;
+    if (!within(share)) {
+        double inside = 0, outside = 1;
+        for (int i = 0; i < 20; ++i) {
+            const double middle = (inside + outside) / 2;
+            (within(middle) ? inside : outside) = middle;
+        }
+        share = inside;
+    }
+    const Colour rgb = linear_rgb({lab.lightness, share * lab.a, share * lab.b});
+    const auto part = [](double value) { return from_linear(std::clamp(value, 0.0, 1.0)); };
+    return {part(rgb.red), part(rgb.green), part(rgb.blue)};
+}
+
+/// How light a colour is to WCAG 2.
+double luminance(const Colour& colour) {
+    return 0.2126 * to_linear(colour.red) + 0.7152 * to_linear(colour.green) +
+           0.0722 * to_linear(colour.blue);
+}
+
+double contrast(const Colour& one, const Colour& other) {
+    const auto [dark, light] = std::minmax({luminance(one), luminance(other)});
+    return (light + 0.05) / (dark + 0.05);
+}
+
+// Colours of the schemes at equal shares, between which it is straight (van der Walt and Smith 2015, public domain; Nuñez, Anderton and Renslow 2018).
+constexpr std::uint32_t viridis[] = {0x440154, 0x472d7b, 0x3b528b, 0x2c728e, 0x21918c,
+                                     0x28ae80, 0x5ec962, 0xaddc30, 0xfde725};
+constexpr std::uint32_t cividis[] = {0x00204d, 0x00336f, 0x39486b, 0x575c6d, 0x707173,
+                                     0x8a8779, 0xa69d75, 0xc4b56c, 0xe4cf5b, 0xffea46};
+
+Colour between(std::span<const std::uint32_t> codes, double share) {
+    const double at = share * static_cast<double>(codes.size() - 1);
+    const std::size_t below = std::min(static_cast<std::size_t>(at), codes.size() - 2);
+    const double rest = at - static_cast<double>(below);
+    const Colour low = from_code(codes[below]), high = from_code(codes[below + 1]);
+    if (rest == 1) return high;
+    return {low.red + rest * (high.red - low.red), low.green + rest * (high.green - low.green),
+            low.blue + rest * (high.blue - low.blue)};
+}
+
+/// Hues of one lightness, which are read on white (3 to 1) and on black (6 to 1).
+Colour on_circle(double share) {
+    constexpr double lightness = 0.65, vivid = 0.16, first = 25;  // degrees: it begins with red
+    const double angle = (first + 360 * share) * std::numbers::pi / 180;
+    return shown({lightness, vivid * std::cos(angle), vivid * std::sin(angle)});
+}
+
+}  // namespace
+
+const std::vector<std::string>& colour_schemes() {
+    static const std::vector<std::string> names_of_schemes{"along", "viridis", "cividis"};
+    return names_of_schemes;
+}
+
+bool is_scheme(std::string_view name) {
+    return std::ranges::find(colour_schemes(), name) != colour_schemes().end();
+}
+
+Colour scheme_colour(std::string_view scheme, double share) {
+    const double within = std::clamp(share, 0.0, 1.0);
+    if (scheme == "along") return on_circle(within);
+    if (scheme == "viridis") return between(viridis, within);
+    if (scheme == "cividis") return between(cividis, within);
+    throw Error("expected along, viridis or cividis, found \"" + std::string(scheme.substr(0, 40)) +
+                '"');
+}
+
+Colour readable_on(const Colour& colour, const Colour& background) {
+    constexpr double enough = 3;
+    if (contrast(colour, background) >= enough) return colour;
+    Oklab lab = oklab(colour);
+    const bool lighter = luminance(background) < 0.18;  // white has more contrast there than black
+    double still = lab.lightness, read = lighter ? 1 : 0;
+    for (int i = 0; i < 20; ++i) {
+        lab.lightness = (still + read) / 2;
+        (contrast(shown(lab), background) >= enough ? read : still) = lab.lightness;
+    }
+    lab.lightness = read;
+    return shown(lab);
 }
 
 }  // namespace algae

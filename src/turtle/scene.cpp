@@ -124,8 +124,8 @@ SceneBuilder::SceneBuilder(const Drawing& drawing, std::string name, std::size_t
     scene_.name = std::move(name);
     scene_.colours = drawing.colours;
     for (const std::string& colour : drawing.colours) {
-        along_.push_back(colour == "along");
-        runs_along_ = runs_along_ || along_.back();
+        schemes_.push_back(is_scheme(colour) ? colour : "");
+        runs_along_ = runs_along_ || is_scheme(colour);
     }
 }
 
@@ -135,8 +135,10 @@ void SceneBuilder::before(std::size_t module, const TurtleState&) {
 
 Paint SceneBuilder::paint_now() const {
     constexpr double hues = 256;
-    if (paint_.colour || !runs_along_ || !along_[paint_.index % along_.size()]) return paint_;
-    return {paint_.index, hue(360 * std::floor(fraction_ * hues) / hues)};
+    if (paint_.colour || !runs_along_) return paint_;
+    const std::string& scheme = schemes_[paint_.index % schemes_.size()];
+    if (scheme.empty()) return paint_;
+    return {paint_.index, scheme_colour(scheme, std::floor(fraction_ * hues) / hues)};
 }
 
 void SceneBuilder::check_memory() const {

@@ -206,6 +206,28 @@ std::vector<std::string_view> colour_names();
 /// Example: hue(120) == colour_named("lime")
 Colour hue(double degrees);
 
+/// The names of what stands for many colours, each for its place in the word: `along`, a circle of hues of one lightness;
+/// `viridis` and `cividis`, from dark to light, which are told apart in grey and, cividis, by those who do not see red.
+///
+/// Example: colour_schemes().front() == "along"
+const std::vector<std::string>& colour_schemes();
+
+/// Whether this names one of them.
+///
+/// Example: is_scheme("viridis") && !is_scheme("red")
+bool is_scheme(std::string_view name);
+
+/// The colour of a scheme at a share from 0 to 1. Throws Error if there is no such scheme.
+///
+/// Example: scheme_colour("viridis", 1) == colour_named("#fde725")
+Colour scheme_colour(std::string_view scheme, double share);
+
+/// The same hue as light or as dark as it must be to be read on a background: a contrast of 3 to 1 after WCAG 2. Colours that
+/// can be read stay as they are.
+///
+/// Example: readable_on(colour_named("yellow"), colour_named("black")) == colour_named("yellow")
+Colour readable_on(const Colour& colour, const Colour& background);
+
 // -------------------------------------------------------------------------------------------------
 // Figures in the plane
 

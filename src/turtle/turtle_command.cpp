@@ -289,6 +289,9 @@ TurtleManner turtle_manner(const Model& system, std::uint64_t generation, const 
     }
     if (!std::isfinite(heading))
         throw Error(name + ": the heading of the start is no number; see start and spin");
+    // Upward in space: the plane of the figure stands on its lower side, x stays and y becomes z.
+    if (drawing.start && drawing.start->upward && leaves_plane(system))
+        start.attitude.roll(turn_by(-90));
     start.attitude.yaw(turn_by(heading));
     return manner;
 }

@@ -573,7 +573,7 @@ void SpaceView::draw(Canvas& canvas, double resolution, const Budget& budget) co
                  {},
                  scene_.colours.empty()};
     for (const std::string& name : scene_.colours)
-        lit.colours.push_back(name == "along" ? hue(0) : colour_named(name));
+        lit.colours.push_back(is_scheme(name) ? scheme_colour(name, 0) : colour_named(name));
 
     std::vector<SeenThing> things;
     things.reserve(scene_.parts());

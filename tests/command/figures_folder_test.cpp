@@ -77,3 +77,14 @@ TEST_CASE("figures --page writes its page where the time was over before the fir
     CHECK(found.err.find("the time allowed by --timeout is over") != std::string::npos);
     CHECK(text_of(scratch.file("out/index.html")).starts_with("<!DOCTYPE html>"));
 }
+
+TEST_CASE("a file says that its picture is a tree, a table or a plot, in standard input too") {
+    const Scratch scratch;
+    const std::string file = scratch.file("a.svg");
+    for (const char* kind : {"tree", "table", "plot", "figure"})
+        CHECK(run("draw - -o " + file,
+                  std::string("printf 'axiom F; F -> F+F; generation 1; picture ") + kind + "' |")
+                  .status == 0);
+    CHECK(run("draw - -n 0..2 -o " + file, "printf 'axiom F; F -> F+F; picture tree' |")
+              .err.find("a tree shows one generation") != std::string::npos);
+}

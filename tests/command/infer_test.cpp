@@ -10,8 +10,7 @@ TEST_CASE("infer gives a system that derives the words again") {
     const Run found = run("infer c b ac cb");
     CHECK(found.status == 0);
     CHECK(found.out.starts_with("axiom c\nc -> b\nb -> ac\na -> c\n# size "));
-    CHECK(run("derive - -n 3", "printf 'axiom c; c -> b; b -> ac; a -> c' |").out ==
-          "cb\n");
+    CHECK(run("derive - -n 3", "printf 'axiom c; c -> b; b -> ac; a -> c' |").out == "cb\n");
 }
 
 TEST_CASE("infer in JSON has the keys that programs rely on") {
@@ -29,8 +28,9 @@ TEST_CASE("infer in JSON has the keys that programs rely on") {
 }
 
 TEST_CASE("infer finds tables, contexts and choices") {
-    CHECK(run("infer a aa aaaaaa --family DT0L").out.starts_with(
-        "axiom a\ntable t_1\na -> aa\ntable t_2\na -> aaa\nschedule t_1 t_2\n# size 8"));
+    CHECK(run("infer a aa aaaaaa --family DT0L")
+              .out.starts_with(
+                  "axiom a\ntable t_1\na -> aa\ntable t_2\na -> aaa\nschedule t_1 t_2\n# size 8"));
     CHECK(run("infer a aa aaa --family 0L").status == 0);
     CHECK(run("infer a aa aaa --family T0L").out.find("# the smallest T0L system: ") !=
           std::string::npos);

@@ -33,7 +33,10 @@ std::string file(const std::string& modules, const std::string& axiom, const std
 }  // namespace
 
 TEST_CASE("the bush is that of the gallery, letter by letter and stroke by stroke") {
-    const Model bush = read_brno(example("bush.brno"), "bush.brno"), known = of_gallery("bush-3d");
+    const Model bush = read_brno(example("bush.brno"), "bush.brno");
+    Model known = of_gallery("bush-3d");
+    CHECK(read_brno(print_brno(known), "bush-3d").drawing.start == std::nullopt);
+    known.drawing.start.reset();  // the format does not say that it stands
     const std::size_t lengths[] = {1, 36, 216, 777, 2556, 8010};
     for (std::uint64_t n = 0; n <= 5; ++n) {
         const std::string word = word_of(bush, n);

@@ -174,8 +174,8 @@ TEST_CASE("files for editors are those that are made from the tables") {
         const bool grammar = file.path.find("lsys") != std::string::npos || claims;
         for (const StatementHelp& help : claims ? claim_statements() : system_statements())
             if (grammar)
-                CHECK_MESSAGE(file.text.find(help.keyword.substr(0, help.keyword.find(' '))) !=
-                                  std::string::npos,
+                CHECK_MESSAGE(file.text.find(help.keyword.substr(
+                                  0, help.keyword.find_first_of(" -"))) != std::string::npos,
                               help.keyword);
     }
 }

@@ -116,3 +116,16 @@ TEST_CASE("brackets do not join what blanks part in the names of catalogues") {
     check_round_trip(read_lsystem("id (\nid 2\nid !(  . b)\naxiom F", "x.lsys"));
     CHECK(canonical("id (  a\nid b)\naxiom F") == "id ( a b)\naxiom F\n");
 }
+
+TEST_CASE("an upward start, kinds of pictures and panels are printed as they are read") {
+    const std::string text = "axiom F\nstart upward\npicture tree\ncolumns 3\ncommon-scale no\n";
+    const Model model = read_lsystem(text, "");
+    CHECK(print_lsystem(model) == text);
+    CHECK(model.drawing.start->heading.exact == Rational(90));
+    CHECK(model.drawing.columns == 3U);
+    CHECK(model.drawing.common_scale == false);
+    // The names stay free for symbols and constants.
+    CHECK(read_lsystem(
+              "alphabet upward; axiom upward; let upward = 2; start upward 0 0; upward -> F", "")
+              .drawing.start->x.exact == Rational(2));
+}

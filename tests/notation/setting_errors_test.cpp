@@ -348,3 +348,20 @@ TEST_CASE("a value does not begin like a comment, which it would be behind a bla
           "  expect segments 1: # 4\n"
           "                    ^");
 }
+
+TEST_CASE("panels and pictures that are none") {
+    CHECK(findings("axiom S\ncolumns 0\ncommon-scale perhaps\npicture tee\nstart up") ==
+          "x.lsys:2:9: error: expected how many panels stand in a row, from 1 on, found '0'\n"
+          "  columns 0\n"
+          "          ^\n"
+          "x.lsys:3:14: error: expected yes or no, found 'perhaps'\n"
+          "  common-scale perhaps\n"
+          "               ^\n"
+          "x.lsys:4:9: error: expected figure, table, tree or plot, found 'tee'; did you mean "
+          "'tree'?\n"
+          "  picture tee\n"
+          "          ^\n"
+          "x.lsys:5:7: error: expected a number or a constant, found 'up'\n"
+          "  start up\n"
+          "        ^");
+}

@@ -22,6 +22,7 @@ public:
         box_ = measure.box;
         facts_.segments = Integer(measure.lines);
         facts_.widest = measure.widest;
+        if (measure.lines > 0) facts_.step = measure.way / static_cast<double>(measure.lines);
         strokes_ = measure.lines;
     }
 
@@ -42,6 +43,7 @@ private:
         void line_to(Point point) override {
             box.add(here);
             box.add(point);
+            way += std::hypot(point.x - here.x, point.y - here.y);
             here = point;
             ++lines;
         }
@@ -53,7 +55,7 @@ private:
         void width_as_length(double length) override { widest = std::fmax(widest, length); }
         void colour(std::uint32_t) override {}
         void position(double) override {}
-        double widest = 0;
+        double widest = 0, way = 0;
         Box box;
         Point here;
         std::uint64_t lines = 0;

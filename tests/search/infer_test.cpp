@@ -125,7 +125,9 @@ TEST_CASE("four words of a fern's filament determine its rules") {
 
 TEST_CASE("10,000 random D0L systems are inferred from their words, and not by larger ones") {
     std::mt19937_64 random(20261123);
-    const auto below = [&](std::size_t count) { return static_cast<std::size_t>(random() % count); };
+    const auto below = [&](std::size_t count) {
+        return static_cast<std::size_t>(random() % count);
+    };
     int inferred = 0, forced = 0, smaller = 0;
     while (inferred < 10'000) {
         const std::size_t letters = 1 + below(3);
@@ -159,8 +161,9 @@ TEST_CASE("10,000 random D0L systems are inferred from their words, and not by l
     }
     CHECK(forced > 1000);
     CHECK(smaller > 500);
-    MESSAGE(inferred << " systems inferred, " << smaller << " of them smaller than what made the words, "
-                     << forced << " compared with all morphisms");
+    MESSAGE(inferred << " systems inferred, " << smaller
+                     << " of them smaller than what made the words, " << forced
+                     << " compared with all morphisms");
 }
 
 TEST_CASE("any words: a system is found where brute force finds one, and nowhere else") {
@@ -170,8 +173,7 @@ TEST_CASE("any words: a system is found where brute force finds one, and nowhere
     for (int round = 0; round < 8000; ++round) {
         Texts texts{all[1 + random() % 14]};
         for (int i = 0; i < 2; ++i) texts.push_back(all[random() % all.size()]);
-        const auto least =
-            least_by_force(texts, letters_in({texts.begin(), texts.end() - 1}), 4);
+        const auto least = least_by_force(texts, letters_in({texts.begin(), texts.end() - 1}), 4);
         const Inference found = infer_generations(words_of(texts), {});
         REQUIRE(found.system.has_value() == least.has_value());
         (least ? some : none) += 1;

@@ -4,6 +4,7 @@
 #include <iostream>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -48,6 +49,45 @@ struct SpaceOptions {
     /// Throws Error if one of these options is given.
     void check_unused(const std::string& name) const;
 };
+
+/// Options that stand for settings of the file: `--angle` and `--start`.
+struct SettingOptions {
+    std::string angle, start;
+
+    void add_to(Verb& verb);
+    /// The system with these settings instead of its own. Throws Error, naming the option, if one cannot be read.
+    Model applied_to(Model system) const;
+};
+
+/// How light the page is that a picture is for.
+enum class Theme { light, dark, print };
+
+/// A reader of the text of --theme.
+Theme theme(const std::string& option, const std::string& text);
+
+/// What a picture is drawn on and in for a theme, where the command line does not say. On a dark page black becomes
+/// light, and colours that could not be read become lighter; in print all are greys.
+struct ThemeColours {
+    std::optional<std::string> background;
+    std::vector<std::string> colours;
+};
+
+/// `own` are the colours of the file; `background` that of the command line.
+ThemeColours theme_colours(Theme theme, const std::vector<std::string>& own,
+                           const std::optional<std::string>& background);
+
+/// Whether panels of a system have one scale where the command line does not say: as its file says, otherwise
+/// if they show generations of which none is many times as large as another.
+bool has_common_scale(const Drawing& drawing, std::span<const Plate> plates);
+
+/// Whether the picture of a system is one that draw_other draws, and not figures of its turtle.
+bool is_other_picture(const Drawing& drawing);
+
+/// Draws what the setting `picture` names: the table of a turtle's commands, a derivation tree, a plot of lengths. Throws Error if several
+/// generations are asked for where one can be shown, or the system has none of this.
+void draw_other(const Model& system, std::pair<std::uint64_t, std::uint64_t> generations,
+                const std::string& path, PictureFormat format, const PictureOptions& picture,
+                const Budget& budget);
 
 /// How the scenes of a system are seen: as the options say, otherwise as its file says.
 /// `background` is that of the picture.

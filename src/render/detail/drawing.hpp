@@ -32,6 +32,9 @@ struct Plan {
 Plan plan(std::span<const Plate> plates, PictureFormat format, Arrangement arrangement,
           const PictureOptions& options, const Budget& budget);
 
+/// A stroke of a pen of this width that the symbol ! narrows by a factor: it stays wide enough to be seen.
+double narrowed(double pen, double factor);
+
 /// The colours that a figure is drawn in: those of the options, or its own.
 const std::vector<std::string>& colours_of(const Figure& figure, const PictureOptions& options);
 

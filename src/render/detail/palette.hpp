@@ -8,8 +8,8 @@
 
 namespace algae {
 
-/// The colours a figure is drawn in. The list may name `along`, which is every hue from 0 to 360
-/// degrees by position in the word, in a bounded number of shades.
+/// The colours a figure is drawn in. The list may name schemes such as `along`, which are many colours by position in the word, in
+/// a bounded number of shades.
 class Palette {
 public:
     /// The number of no colour.
@@ -28,7 +28,7 @@ public:
 private:
     struct Entry {
         Colour colour;
-        bool along = false;
+        std::string scheme;  // empty if it is one colour
     };
     std::vector<Entry> entries_;
     std::uint32_t hues_;

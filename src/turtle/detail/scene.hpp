@@ -50,7 +50,7 @@ private:
 
     Scene scene_;
     const Budget& budget_;
-    std::vector<char> along_;  // by colour: it is a hue that runs with the word
+    std::vector<std::string> schemes_;  // by colour: the one that runs with the word; may be empty
     bool runs_along_ = false;
     double modules_, fraction_ = 0;
     Paint paint_;

@@ -4,11 +4,14 @@ if exists('b:current_syntax')
 endif
 syntax case match
 syntax match lsysNumber /\%(\w\|\.\)\@<!\d\+\%(\.\d\+\)\?/
-syntax match lsysKeyword /\%(\%(^\|[;{]\)\s*\)\@<=\%(title\|source\|id\|alphabet\|let\|system\|axiom\|table\|schedule\|ignore\|terminals\|interpret\|coding\|environment\|angle\|step\|shrink\|start\|spin\|scale\|narrow\|plot\|stamp\|solid\|surface\|tropism\|susceptibility\|width\|colour\|turn\|camera\|light\|fog\|generation\|seed\|expect\)\ze\%(\s\|{\)/
+syntax match lsysKeyword /\%(\%(^\|[;{]\)\s*\)\@<=\%(title\|source\|id\|alphabet\|let\|system\|axiom\|table\|schedule\|ignore\|terminals\|interpret\|coding\|environment\|angle\|step\|shrink\|start\|spin\|scale\|narrow\|plot\|stamp\|solid\|surface\|tropism\|susceptibility\|width\|colour\|turn\|camera\|light\|fog\|generation\|seed\|picture\|columns\|common-scale\|expect\)\ze\%(\s\|{\)/
 syntax match lsysArrow /->\|→\|-([^()[:blank:]]*)->/
 syntax match lsysNameEnvironment /\s\@<=\%(x\|y\|z\|position\|heading\|clip\|collision\|light\|external\)\ze\%(\s\|;\|$\)/ contained
 syntax match lsysEnvironment /\%(\%(^\|[;{]\)\s*\)\@<=\%(environment\)\s[^;]*/ contains=lsysKeyword,lsysNameEnvironment,lsysNumber,lsysArrow,lsysComment
 highlight default link lsysNameEnvironment Constant
+syntax match lsysNameStart /\s\@<=\%(upward\)\ze\%(\s\|;\|$\)/ contained
+syntax match lsysStart /\%(\%(^\|[;{]\)\s*\)\@<=\%(start\)\s[^;]*/ contains=lsysKeyword,lsysNameStart,lsysNumber,lsysArrow,lsysComment
+highlight default link lsysNameStart Constant
 syntax match lsysNameStamp /\s\@<=\%(square\|circle\|triangle\)\ze\%(\s\|;\|$\)/ contained
 syntax match lsysStamp /\%(\%(^\|[;{]\)\s*\)\@<=\%(stamp\)\s[^;]*/ contains=lsysKeyword,lsysNameStamp,lsysNumber,lsysArrow,lsysComment
 highlight default link lsysNameStamp Constant
@@ -18,7 +21,7 @@ highlight default link lsysNameSolid Constant
 syntax match lsysNameSurface /\s\@<=\%(leaf\|petal\|disc\|polygon\|patch\)\ze\%(\s\|;\|$\)/ contained
 syntax match lsysSurface /\%(\%(^\|[;{]\)\s*\)\@<=\%(surface\)\s[^;]*/ contains=lsysKeyword,lsysNameSurface,lsysNumber,lsysArrow,lsysComment
 highlight default link lsysNameSurface Constant
-syntax match lsysNameColour /\s\@<=\%(along\|aqua\|aquamarine\|beige\|black\|blue\|brown\|chartreuse\|chocolate\|coral\|crimson\|cyan\|darkblue\|darkcyan\|darkgray\|darkgreen\|darkgrey\|darkmagenta\|darkolivegreen\|darkorange\|darkred\|darkviolet\|deeppink\|deepskyblue\|dimgray\|dimgrey\|dodgerblue\|firebrick\|forestgreen\|fuchsia\|gold\|goldenrod\|gray\|green\|greenyellow\|grey\|hotpink\|indianred\|indigo\|ivory\|khaki\|lavender\|lawngreen\|lightblue\|lightgray\|lightgreen\|lightgrey\|lime\|limegreen\|magenta\|maroon\|midnightblue\|navy\|olive\|olivedrab\|orange\|orangered\|orchid\|palegreen\|peru\|pink\|plum\|purple\|red\|royalblue\|saddlebrown\|salmon\|seagreen\|sienna\|silver\|skyblue\|slateblue\|slategray\|slategrey\|springgreen\|steelblue\|tan\|teal\|tomato\|turquoise\|violet\|wheat\|white\|yellow\|yellowgreen\)\ze\%(\s\|;\|$\)/ contained
+syntax match lsysNameColour /\s\@<=\%(along\|viridis\|cividis\|aqua\|aquamarine\|beige\|black\|blue\|brown\|chartreuse\|chocolate\|coral\|crimson\|cyan\|darkblue\|darkcyan\|darkgray\|darkgreen\|darkgrey\|darkmagenta\|darkolivegreen\|darkorange\|darkred\|darkviolet\|deeppink\|deepskyblue\|dimgray\|dimgrey\|dodgerblue\|firebrick\|forestgreen\|fuchsia\|gold\|goldenrod\|gray\|green\|greenyellow\|grey\|hotpink\|indianred\|indigo\|ivory\|khaki\|lavender\|lawngreen\|lightblue\|lightgray\|lightgreen\|lightgrey\|lime\|limegreen\|magenta\|maroon\|midnightblue\|navy\|olive\|olivedrab\|orange\|orangered\|orchid\|palegreen\|peru\|pink\|plum\|purple\|red\|royalblue\|saddlebrown\|salmon\|seagreen\|sienna\|silver\|skyblue\|slateblue\|slategray\|slategrey\|springgreen\|steelblue\|tan\|teal\|tomato\|turquoise\|violet\|wheat\|white\|yellow\|yellowgreen\)\ze\%(\s\|;\|$\)/ contained
 syntax match lsysColour /\%(\%(^\|[;{]\)\s*\)\@<=\%(colour\)\s[^;]*/ contains=lsysKeyword,lsysNameColour,lsysNumber,lsysArrow,lsysComment,lsysHex
 highlight default link lsysNameColour Constant
 syntax match lsysNameTurn /\s\@<=\%(clockwise\|counter-clockwise\)\ze\%(\s\|;\|$\)/ contained
@@ -27,6 +30,9 @@ highlight default link lsysNameTurn Constant
 syntax match lsysNameCamera /\s\@<=\%(perspective\)\ze\%(\s\|;\|$\)/ contained
 syntax match lsysCamera /\%(\%(^\|[;{]\)\s*\)\@<=\%(camera\)\s[^;]*/ contains=lsysKeyword,lsysNameCamera,lsysNumber,lsysArrow,lsysComment
 highlight default link lsysNameCamera Constant
+syntax match lsysNamePicture /\s\@<=\%(figure\|table\|tree\|plot\)\ze\%(\s\|;\|$\)/ contained
+syntax match lsysPicture /\%(\%(^\|[;{]\)\s*\)\@<=\%(picture\)\s[^;]*/ contains=lsysKeyword,lsysNamePicture,lsysNumber,lsysArrow,lsysComment
+highlight default link lsysNamePicture Constant
 syntax match lsysNameExpect /\s\@<=\%(length\|lengths\|mean\|word\|segments\|distinct\|vertices\|end\|box\)\ze\%(\s\|;\|$\)/ contained
 syntax match lsysExpect /\%(\%(^\|[;{]\)\s*\)\@<=\%(expect\)\s[^;]*/ contains=lsysKeyword,lsysNameExpect,lsysNumber,lsysArrow,lsysComment
 highlight default link lsysNameExpect Constant

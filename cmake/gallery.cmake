@@ -1,6 +1,6 @@
 # Embeds the files of figures and systems, so that `algae show koch` works wherever the command runs, those of
 # the other generators, for `algae ifs fern`, the claims of the theory, for `algae check theory` and `algae closure`,
-# and the lessons with their exercises. Sets algae_gallery_sources; the files are written at
+# the proofs in Coq that claims name, and the lessons with their exercises. Sets algae_gallery_sources; the files are written at
 # build time, again whenever a figure or a claim changes.
 function(embed function)  # embed(function file...): writes the definition of algae::function() from the files
   set(seen)
@@ -31,6 +31,8 @@ file(GLOB_RECURSE algae_claim_files CONFIGURE_DEPENDS theory/*.claim)
 embed(gallery ${algae_gallery_files})
 embed(generator_gallery ${algae_generator_files})
 embed(theory_claims ${algae_claim_files})
+file(GLOB algae_formal_files CONFIGURE_DEPENDS theory/formal/*.v theory/formal/table.txt)
+embed(formal_texts ${algae_formal_files})
 file(GLOB algae_lesson_files CONFIGURE_DEPENDS lessons/[0-9]*.md)
 file(GLOB algae_exercise_files CONFIGURE_DEPENDS lessons/exercises/*.exercise)
 embed(lesson_texts ${algae_lesson_files})

@@ -1,5 +1,4 @@
-// Claims of the theory and their certificates: `check` decides what a claim says, `closure` shows the table
-// that the claims below theory/closure make together, `verify` checks a certificate again.
+// Claims of the theory and their certificates: `check` decides what a claim says, `verify` checks a certificate again.
 //
 // A claim stands, rests on a cited source, is undecided or is wrong; a run ends with the worst of these results.
 // All claims are read before any is decided, so that mistakes in them are reported at once. `verify` takes only
@@ -15,6 +14,7 @@
 
 #include "command/detail/checkpoint.hpp"
 #include "command/detail/files.hpp"
+#include "command/detail/formal.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
@@ -70,7 +70,7 @@ Claim open_claim(const std::string& file, const Budget& budget,
 
 struct CheckOptions {
     std::vector<std::string> paths;
-    std::string statement, certificate, accept, checkpoint, resume;
+    std::string statement, certificate, accept, checkpoint, resume, formal;
     std::vector<std::string> alphabet;
     std::uint64_t instances = SearchLimits().instances, size = SearchLimits().size;
     bool explain = false, json = false, latex = false, outside = false;
@@ -80,7 +80,7 @@ struct CheckOptions {
 /// The verdict on a statement with what it rests on, as lines.
 std::vector<std::string> reasons(const CheckedStatement& found, const ClaimedStatement& claimed,
                                  const Alphabet& alphabet) {
-    if (found.outcome == Outcome::cited) return {"cited: " + claimed.citation};
+    if (found.is_by_citation()) return {verdict_text(found) + ": " + claimed.citation};
     std::vector<std::string> lines = sentences(found.answer, alphabet);
     const std::string verdict = verdict_text(found);
     if (const auto values = witness_of(found.answer, alphabet); !values.empty()) {
@@ -102,7 +102,7 @@ std::vector<std::string> reasons(const CheckedStatement& found, const ClaimedSta
 
 /// The claim's title, its theorem with the verdict, how many examples hold, and lines with the reasons for each that
 /// does not. The title stands behind a word of ours, so it cannot imitate a verdict.
-std::string summary(const CheckedClaim& checked) {
+std::string summary(const CheckedClaim& checked, const FormalProofs& proofs) {
     const Claim& claim = checked.claim;
     std::string text = "claim " + claim.title + '\n';
     if (const auto theorem = checked.theorem()) {
@@ -115,18 +115,21 @@ std::string summary(const CheckedClaim& checked) {
     const auto [hold, of] = checked.examples();
     if (of > 0)
         text += "  examples: " + std::to_string(hold) + " of " + std::to_string(of) + " hold\n";
+    for (const ClosureFact& fact : claim.closure)
+        if (!fact.theorem.empty())
+            text += "  in Coq " + fact.theorem + ": " + proofs.verdict(fact) + '\n';
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {
         const CheckedStatement& found = checked.statements[i];
         const ClaimedStatement& claimed = claim.statements[i];
         if (found.outcome == Outcome::holds || checked.theorem() == i) continue;
         text += "    " + to_string(claimed.statement.place) + ": " + claimed.statement.text + ": " +
                 verdict_text(found) + '\n';
-        const std::vector<std::string> lines = found.outcome == Outcome::cited
+        const std::vector<std::string> lines = found.is_by_citation()
                                                    ? std::vector<std::string>{claimed.citation}
                                                    : sentences(found.answer, *claim.alphabet);
         for (const std::string& line : lines) text += "        " + line + '\n';
     }
-    if (checked.worst() != Outcome::holds)
+    if (checked.worst() > Outcome::formally)
         if (const std::string over = complement_text(claim.letters, *claim.alphabet); !over.empty())
             text += "  " + over + '\n';
     return text;
@@ -152,7 +155,7 @@ Json theorem_json(const CheckedStatement& found, const ClaimedStatement& claimed
     return out;
 }
 
-Json as_json(const CheckedClaim& checked) {
+Json as_json(const CheckedClaim& checked, const FormalProofs& proofs) {
     const Claim& claim = checked.claim;
     Json statements = Json::array();
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {
@@ -179,6 +182,15 @@ Json as_json(const CheckedClaim& checked) {
         out.set("theorem", theorem_json(checked.statements[*theorem], claim.statements[*theorem],
                                         *claim.alphabet));
     out.set("examples", {{"hold", hold}, {"of", of}});
+    Json formal = Json::array();
+    for (const ClosureFact& fact : claim.closure)
+        if (!fact.theorem.empty())
+            formal.add(Json{{"operation", fact.operation},
+                            {"families", fact.families},
+                            {"closed", fact.closed},
+                            {"theorem", fact.theorem},
+                            {"verdict", proofs.verdict(fact)}});
+    out.set("formal", formal);
     return out.set("statements", statements);
 }
 
@@ -277,6 +289,7 @@ int check_claims(const CheckOptions& options) {
     const Budget budget = options.bounds.budget();
     if (!options.accept.empty() && options.accept != "cited")
         throw Error("--accept: expected 'cited', found " + algae::quoted(options.accept));
+    const FormalProofs proofs(options.formal, budget);
     // All are read before any is decided: a mistake in one shows at once.
     std::vector<Claim> claims = asked_claims(options, budget);
     if (!options.certificate.empty() && claims.size() != 1)
@@ -291,19 +304,20 @@ int check_claims(const CheckOptions& options) {
         return a == refuted || b == refuted ? static_cast<int>(refuted) : std::max(a, b);
     };
     for (std::size_t i = 0; i < claims.size(); ++i) {
-        const CheckedClaim checked = check(std::move(claims[i]), budget, limits);
+        CheckedClaim checked = check(std::move(claims[i]), budget, limits);
+        proofs.settle(checked);
         ++counts[checked.verdict()];
         worst = worse(worst, status_of(checked, !options.accept.empty()));
         if (!options.certificate.empty())
             write_file(options.certificate, Json(certificate(checked)).text(1));
         if (options.json)
-            all.add(as_json(checked));
+            all.add(as_json(checked, proofs));
         else if (options.latex)
             print(latex(checked));
         else
             print(options.explain
                       ? (i > 0 ? "\n" + std::string(100, '=') + "\n\n" : "") + explanation(checked)
-                      : summary(checked));
+                      : summary(checked, proofs));
         bar.report(static_cast<double>(i + 1) / static_cast<double>(claims.size()));
     }
     if (options.json)
@@ -317,257 +331,6 @@ int check_claims(const CheckOptions& options) {
                      }) +
               '\n');
     return worst;
-}
-
-// closure
-
-struct ClosureOptions {
-    std::string family;
-    std::vector<std::string> operation;  // its words
-    bool explain = false, json = false, latex = false;
-    Bounds bounds;
-};
-
-/// The claims of the table, each checked when it is first asked for.
-class Theory {
-public:
-    explicit Theory(const Budget& budget)
-        : budget_(budget), claims_(read(budget)), table_(claims_), checked_(claims_.size()) {}
-
-    std::optional<ClosureTable::Cell> cell(const std::string& family,
-                                           const std::string& operation) const {
-        return table_.cell(family, operation);
-    }
-    /// What a search finds of the formal statement that a family is closed, or that it is not; nullptr where there is no
-    /// such statement. That it is not is searched for among small finite languages.
-    const CheckedClaim* searched(const std::string& family, const std::string& operation,
-                                 bool closed) {
-        const auto [entry, is_new] = searched_.try_emplace({family, operation});
-        if (is_new)
-            if (std::optional<Claim> claim = closure_claim(family, operation, closed)) {
-                const SearchLimits limits =
-                    closed ? SearchLimits{0, 0, 0, nullptr} : SearchLimits{1'000, 9, 0, nullptr};
-                entry->second = check(std::move(*claim), budget_, limits);
-                is_stopped_ = is_stopped_ || is_stopped(*entry->second);
-            }
-        return entry->second ? &*entry->second : nullptr;
-    }
-    /// Whether the search came to no end, as a bound was reached.
-    static bool is_stopped(const CheckedClaim& search) {
-        const Answer& answer = search.statements.at(0).answer;
-        return !answer.proof && !answer.searched;
-    }
-    /// The proof of the statement, or why the search for it was stopped; nullptr where neither is there.
-    const CheckedClaim* theorem(const std::string& family, const std::string& operation,
-                                bool closed) {
-        const CheckedClaim* search = searched(family, operation, closed);
-        const bool tells =
-            search && (search->verdict() == ClaimVerdict::proved || is_stopped(*search));
-        return tells ? search : nullptr;
-    }
-    const CheckedClaim& checked(std::size_t claim) {
-        if (!checked_[claim]) checked_[claim] = check(claims_[claim], budget_);
-        return *checked_[claim];
-    }
-    /// Whether every claim that was asked for is decided, and no bound was reached before.
-    bool is_decided() const {
-        return !is_stopped_ && std::ranges::none_of(checked_, [](const auto& checked) {
-            return checked && checked->worst() == Outcome::undecided;
-        });
-    }
-
-private:
-    static std::vector<Claim> read(const Budget& budget) {
-        std::vector<Claim> claims;
-        for (const GalleryEntry& entry : theory_claims())
-            if (entry.path.starts_with("theory/closure/"))
-                claims.push_back(read_claim(entry.text, std::string(entry.path),
-                                            systems_from({"."}, budget, false)));
-        return claims;
-    }
-
-    const Budget& budget_;
-    std::vector<Claim> claims_;
-    ClosureTable table_;
-    std::vector<std::optional<CheckedClaim>> checked_;
-    std::map<std::pair<std::string, std::string>, std::optional<CheckedClaim>> searched_;
-    bool is_stopped_ = false;
-};
-
-/// What is known of a cell: "refuted" by a counterexample, or what the claim comes to that is about it.
-std::string status_of(Theory& theory, const ClosureTable::Cell& cell, const std::string& family,
-                      const std::string& operation) {
-    if (const CheckedClaim* theorem = theory.theorem(family, operation, cell.closed)) {
-        if (Theory::is_stopped(*theorem)) return "undecided";
-        return cell.closed ? "proved" : "refuted";
-    }
-    return std::string(to_string(theory.checked(cell.claim).verdict()));
-}
-
-/// "+" and "-" where a formal statement decides it, with "e" where examples hold, in brackets where a source is cited.
-std::string sign(Theory& theory, const std::string& family, const std::string& operation) {
-    const auto cell = theory.cell(family, operation);
-    if (!cell) return "?";
-    const std::string plain = cell->closed ? "+" : "-";
-    const std::string status = status_of(theory, *cell, family, operation);
-    if (status == "proved" || status == "refuted") return plain;
-    if (status == "examples") return "e" + plain;
-    return status == "cited" ? "(" + plain + ")" : plain + "?";
-}
-
-Json as_json(Theory& theory, const std::string& family, const std::string& operation) {
-    const auto cell = theory.cell(family, operation);
-    Json entry{{"family", family}, {"operation", operation}};
-    if (!cell) return entry.set("closed", nullptr);
-    const std::string status = status_of(theory, *cell, family, operation);
-    entry.set("closed", status == "undecided" ? Json() : Json(cell->closed));
-    entry.set("status", status);
-    if (status == "refuted") {
-        const CheckedClaim& found = *theory.theorem(family, operation, cell->closed);
-        Json witness;
-        for (const auto& [name, value] :
-             witness_of(found.statements.at(0).answer, *found.claim.alphabet))
-            witness.set(name, value);
-        entry.set("counterexample", std::move(witness));
-    }
-    return entry.set("claim", theory.checked(cell->claim).claim.name);
-}
-
-std::string table_text(Theory& theory, const std::vector<std::string>& families,
-                       const std::vector<std::string>& operations) {
-    std::size_t widest = 0;
-    for (const std::string& operation : operations) widest = std::max(widest, operation.size());
-    std::string text = fmt::format("{:<{}}", "", widest);
-    for (const std::string& family : families) text += fmt::format("  {:^5}", family);
-    text += '\n';
-    for (const std::string& operation : operations) {
-        std::string line = fmt::format("{:<{}}", operation, widest);
-        for (const std::string& family : families)
-            line += fmt::format("  {:^5}", sign(theory, family, operation));
-        text += line.substr(0, line.find_last_not_of(' ') + 1) + '\n';
-    }
-    return text +
-           "\n+ closed, - not closed; without a mark it is proved, - by a counterexample. e: "
-           "examples of a "
-           "construction or of\n"
-           "an argument hold. In brackets: a statement of the claim rests on a cited source. "
-           "`algae "
-           "closure 0L union` shows a cell.\n";
-}
-
-std::string cell_text(Theory& theory, const std::string& family, const std::string& operation) {
-    const auto cell = theory.cell(family, operation);
-    if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
-    const CheckedClaim& checked = theory.checked(cell->claim);
-    const std::string under = "closed under " + operation;
-    const std::string status = status_of(theory, *cell, family, operation);
-    const bool is_known = status != "undecided";
-    const std::string name =
-        !is_known ? "Whether " + family + " languages are " + under + " is undecided"
-                  : family + " languages are " + (cell->closed ? "" : "not ") + under;
-    std::string text = name + " (" + checked.claim.name + ", " + status + ").\n\n";
-    if (const CheckedClaim* theorem = theory.theorem(family, operation, cell->closed))
-        text += explanation(*theorem) + '\n';
-    return text +
-           explanation(checked, is_known ? family : "");  // the reason may be at another family
-}
-
-/// The table, or rows of it, in plus and minus signs.
-std::string table_latex(Theory& theory, const std::vector<std::string>& families,
-                        const std::vector<std::string>& operations) {
-    std::string text = "\\begin{tabular}{l" + std::string(families.size(), 'c') + "}\n ";
-    for (const std::string& family : families) text += " & " + family;
-    text += " \\\\ \\hline\n";
-    for (const std::string& operation : operations) {
-        text += "  " + escaped_latex(operation);
-        for (const std::string& family : families)
-            text += " & $" + escaped_latex(sign(theory, family, operation)) + "$";
-        text += " \\\\\n";
-    }
-    return text + "\\end{tabular}\n";
-}
-
-/// A cell with what stands behind it.
-std::string cell_latex(Theory& theory, const std::string& family, const std::string& operation) {
-    const auto cell = theory.cell(family, operation);
-    if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
-    std::string text;
-    if (const CheckedClaim* theorem = theory.theorem(family, operation, cell->closed))
-        text += latex(*theorem) + '\n';
-    return text + latex(theory.checked(cell->claim));
-}
-
-std::string known(const std::string& written, const std::vector<std::string>& all,
-                  const std::string& what) {
-    std::string plain = written;
-    std::ranges::replace(plain, '-', ' ');
-    for (const std::string& name : all) {
-        std::string other = name;
-        std::ranges::replace(other, '-', ' ');
-        if (other == plain) return name;
-    }
-    throw Error("expected " + what + " of the table (" + joined(all, ", ") + "), found " + written +
-                did_you_mean(written, all));
-}
-
-int closure(const ClosureOptions& options) {
-    const Budget budget = options.bounds.budget();
-    Theory theory(budget);
-    std::vector<std::string> families = closure_families(), operations = closure_operations();
-    if (!options.family.empty()) families = {known(options.family, families, "a family")};
-    if (!options.operation.empty()) {
-        operations = {known(joined(options.operation, " "), operations, "an operation")};
-    }
-    const bool one_cell = families.size() == 1 && operations.size() == 1;
-    if (options.latex) {
-        print(one_cell ? cell_latex(theory, families[0], operations[0])
-                       : table_latex(theory, families, operations));
-    } else if (options.json) {
-        std::vector<Json> entries;
-        for (const std::string& operation : operations)
-            for (const std::string& family : families)
-                entries.push_back(as_json(theory, family, operation));
-        if (!one_cell) {
-            print(Json{{"table", entries}}.text());
-            return theory.is_decided() ? success : undecided;
-        }
-        const auto cell = theory.cell(families[0], operations[0]);
-        Json proof = Json::array();
-        if (cell) {
-            const CheckedClaim& checked = theory.checked(cell->claim);
-            if (const CheckedClaim* theorem =
-                    theory.theorem(families[0], operations[0], cell->closed))
-                for (const std::string& line :
-                     sentences(theorem->statements.at(0).answer, *theorem->claim.alphabet))
-                    proof.add(line);
-            for (const CheckedStatement& statement : checked.statements)
-                for (const std::string& line : sentences(statement.answer, *checked.claim.alphabet))
-                    proof.add(line);
-        }
-        print(Json{{"verdict", !cell                  ? "not settled"
-                               : !theory.is_decided() ? "undecided"
-                               : cell->closed         ? "closed"
-                                                      : "not closed"},
-                   {"cell", entries[0]},
-                   {"proof", proof}}
-                  .text());
-    } else if (one_cell) {
-        print(cell_text(theory, families[0], operations[0]));
-    } else if (options.explain) {
-        std::string text;
-        for (const std::string& operation : operations)
-            for (const std::string& family : families)
-                if (theory.cell(family, operation))
-                    text += (text.empty() ? "" : "\n" + std::string(100, '=') + "\n\n") +
-                            cell_text(theory, family, operation);
-        print(text);
-    } else {
-        print(table_text(theory, families, operations));
-    }
-    if (!theory.is_decided()) return undecided;
-    if (!one_cell) return success;
-    const auto cell = theory.cell(families[0], operations[0]);
-    return !cell ? undecided : cell->closed ? success : refuted;
 }
 
 // verify
@@ -723,27 +486,13 @@ void add_check(Verbs& verbs) {
     verb.option("--accept", options.accept, "cited",
                 "let statements that rest on a cited source count as decided");
     verb.flag("--explain", options.explain, "print the argument in sentences");
+    add_formal_option(verb, options.formal);
     add_outside_flag(verb, options.outside);
     verb.output("--certificate", options.certificate, "FILE",
                 "write what algae verify checks again");
     verb.json_flag(options.json);
     verb.latex_flag(options.latex,
                     "print statements and arguments as LaTeX, which needs amsmath and amsthm");
-    verb.bounded_by(options.bounds);
-}
-
-void add_closure(Verbs& verbs) {
-    auto [verb, options] = verbs.add(
-        "closure", "Which families of languages are closed under which operations, with proofs",
-        {"algae closure", "algae closure 0L union --explain"}, closure);
-    verb.option("CLASS", options.family, joined(closure_families(), "|"), "a family of languages");
-    verb.option("OP", options.operation, joined(closure_operations(), "|"), "an operation");
-    verb.flag("--explain", options.explain, "print the proof of every cell asked for");
-    verb.json_flag(options.json);
-    verb.latex_flag(
-        options.latex,
-        "print rows of the table, or a cell with its proof, as LaTeX, which needs amsmath "
-        "and amsthm");
     verb.bounded_by(options.bounds);
 }
 

@@ -917,7 +917,7 @@ Json statement_json(const ClaimedStatement& claimed, const CheckedStatement& che
                     const Alphabet& alphabet) {
     Json result{{"text", claimed.statement.text},
                 {"statement", to_json(claimed.statement, alphabet)}};
-    if (checked.outcome == CheckedStatement::Outcome::cited) {
+    if (checked.is_by_citation()) {
         result["verdict"] = "cited";
         result["citation"] = claimed.citation;
         return result;

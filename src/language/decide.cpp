@@ -273,6 +273,7 @@ ClaimVerdict CheckedClaim::verdict() const {
     const std::optional<std::size_t> which = theorem();
     const Outcome decisive = which ? statements[*which].outcome : worst();
     if (decisive == Outcome::cited) return ClaimVerdict::cited;
+    if (which && decisive == Outcome::formally) return ClaimVerdict::formally;
     if (which && statements[*which].is_vacuous()) return ClaimVerdict::vacuous;
     if (decisive == Outcome::undecided) return ClaimVerdict::undecided;
     return which ? ClaimVerdict::proved : ClaimVerdict::examples;
@@ -297,13 +298,14 @@ CheckedClaim check(Claim claim, const Budget& budget, const SearchLimits& limits
 }
 
 std::string_view to_string(ClaimVerdict verdict) {
-    static constexpr std::string_view names[] = {"proved",  "examples",  "cited",
-                                                 "vacuous", "undecided", "refuted"};
+    static constexpr std::string_view names[] = {"proved",  "proved formally", "examples", "cited",
+                                                 "vacuous", "undecided",       "refuted"};
     return names[static_cast<std::size_t>(verdict)];
 }
 
 std::string verdict_text(const CheckedStatement& checked) {
     if (checked.outcome == Outcome::cited) return "cited";
+    if (checked.outcome == Outcome::formally) return "proved formally";
     if (checked.is_vacuous()) return "vacuous";
     return std::string(to_string(checked.answer.truth));
 }

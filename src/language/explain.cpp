@@ -205,14 +205,12 @@ std::string explanation(const CheckedClaim& checked, const std::string& family) 
         const CheckedStatement& found = checked.statements[i];
         if (!family.empty() && is_about_another(claim, claimed.statement, family)) continue;
         const bool is_theorem = claimed.purpose == ClaimedStatement::Purpose::theorem;
-        page += "\n" + wrapped((is_theorem ? "Theorem. " : std::to_string(++number) + ". ") +
-                                   claimed.statement.text + ": " + verdict_text(found) +
-                                   (found.outcome == CheckedStatement::Outcome::cited
-                                        ? " (" + claimed.citation + ")"
-                                        : "") +
-                                   ".",
-                               0);
-        if (found.outcome == CheckedStatement::Outcome::cited) continue;
+        page +=
+            "\n" + wrapped((is_theorem ? "Theorem. " : std::to_string(++number) + ". ") +
+                               claimed.statement.text + ": " + verdict_text(found) +
+                               (found.is_by_citation() ? " (" + claimed.citation + ")" : "") + ".",
+                           0);
+        if (found.is_by_citation()) continue;
         const std::vector<std::string> argument = sentences(found.answer, *claim.alphabet);
         std::size_t first = 0;
         while (first + 1 < argument.size() && said.contains(argument[first])) ++first;
@@ -386,7 +384,7 @@ std::string latex(const CheckedClaim& checked) {
     for (std::size_t i = 0; i < checked.statements.size(); ++i) {
         const ClaimedStatement& claimed = claim.statements[i];
         const CheckedStatement& found = checked.statements[i];
-        const bool cited = found.outcome == CheckedStatement::Outcome::cited;
+        const bool cited = found.is_by_citation();
         text += "\n\\paragraph{" + std::to_string(i + 1) + "} " + "\\texttt{" +
                 set(claimed.statement.text, in_prose, as_it_is) + "}: " + verdict_text(found) +
                 (cited ? " (" + set(claimed.citation, in_prose, as_it_is) + ")" : "") + ".\n";

@@ -916,6 +916,9 @@ struct ClosureFact {
     std::string operation;  // "union", "intersection with regular", ...
     std::vector<std::string> families;
     Place place;
+    /// The theorem of theory/formal that says so of these families, "formal/OneTable.v:extended_union"; empty where the claim
+    /// names none. It is not compiled here.
+    std::string theorem = {};
 };
 
 /// A `.claim` file: definitions and statements about them.
@@ -1047,9 +1050,16 @@ Answer judge_size(const Language& language, const Integer& size, const Alphabet&
 /// The result for one statement of a claim. It holds if it is as the claim says: proved, or refuted where the claim
 /// says `refute`. A statement is cited if it is undecided here and rests on a source that the claim names.
 struct CheckedStatement {
-    enum class Outcome { holds, cited, undecided, fails };
+    /// `formally`: what is cited is a theorem in Coq, whose compiled proof stands beside. `check` never says that; who finds the
+    /// proof does.
+    enum class Outcome { holds, formally, cited, undecided, fails };
     Outcome outcome = Outcome::undecided;
     Answer answer;
+
+    /// Whether it rests on what the claim cites, and not on its answer.
+    bool is_by_citation() const {
+        return outcome == Outcome::cited || outcome == Outcome::formally;
+    }
 
     /// Whether it is about all values that meet conditions, and none was found that does.
     bool is_vacuous() const;
@@ -1057,9 +1067,9 @@ struct CheckedStatement {
 
 /// What a claim comes to: the verdict on its theorem, or `examples` where it has none and its statements hold.
 /// `refuted` if anything in it fails, `vacuous` if no instance of the theorem meets its conditions.
-enum class ClaimVerdict { proved, examples, cited, vacuous, undecided, refuted };
+enum class ClaimVerdict { proved, formally, examples, cited, vacuous, undecided, refuted };
 
-/// "proved", "examples", ...
+/// "proved", "proved formally", "examples", ...
 std::string_view to_string(ClaimVerdict verdict);
 
 /// The result for a claim: one entry for each of its statements.
@@ -1072,7 +1082,7 @@ struct CheckedClaim {
     std::optional<std::size_t> theorem() const;
     /// How many statements that are not the theorem hold, and how many there are.
     std::pair<std::size_t, std::size_t> examples() const;
-    /// The worst of all statements, of `fails`, `undecided`, `cited`, `holds`.
+    /// The worst of all statements, of `fails`, `undecided`, `cited`, `formally`, `holds`.
     CheckedStatement::Outcome worst() const;
 };
 
@@ -1080,7 +1090,7 @@ struct CheckedClaim {
 /// what `decide` throws beside Error.
 CheckedClaim check(Claim claim, const Budget& budget = {}, const SearchLimits& limits = {});
 
-/// "proved", "refuted", "cited", "vacuous" or "undecided": what is known of the statement, whatever the claim says of it.
+/// "proved", "refuted", "proved formally", "cited", "vacuous" or "undecided": what is known of the statement, whatever the claim says of it.
 std::string verdict_text(const CheckedStatement& checked);
 
 /// The name of the method by which a certificate calls the proof: "instance", "cases", "form", ...; empty where there

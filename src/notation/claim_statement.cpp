@@ -524,4 +524,51 @@ ClosureFact parse_closure_fact(std::string_view text, const ClaimReading& readin
     return fact;
 }
 
+namespace {
+
+constexpr std::string_view formal_folder = "formal/";
+
+/// What theory/formal/table.txt has of a cell: the sign and the theorem.
+std::pair<std::string_view, std::string_view> formal_cell(const std::string& operation,
+                                                          const std::string& family) {
+    const std::string cell = "\n" + operation + "; " + family + "; ";
+    for (const GalleryEntry& entry : formal_texts()) {
+        if (entry.path != "theory/formal/table.txt") continue;
+        const std::size_t at = entry.text.find(cell);
+        if (at == std::string_view::npos) break;
+        const std::string_view rest = entry.text.substr(at + cell.size());
+        const std::string_view line = rest.substr(0, rest.find('\n'));
+        const std::size_t middle = line.find("; ");
+        return {line.substr(0, middle), line.substr(middle + 2)};
+    }
+    return {"open", "-"};
+}
+
+}  // namespace
+
+bool is_formal_theorem(std::string_view citation) { return citation.starts_with(formal_folder); }
+
+void set_formal_theorem(ClosureFact& fact, std::string_view citation) {
+    if (!is_formal_theorem(citation))
+        throw SyntaxError{citation.data(),
+                          "expected a theorem of theory/formal, as "
+                          "formal/Star.v:not_closed_under_star, found " +
+                              quoted(citation)};
+    for (const std::string& family : fact.families) {
+        const auto [sign, theorem] = formal_cell(fact.operation, family);
+        const std::string cell = family + " under " + fact.operation;
+        if (sign == "open")
+            throw SyntaxError{citation.data(), "theory/formal has no theorem on " + cell};
+        if ((sign == "closed") != fact.closed)
+            throw SyntaxError{citation.data(),
+                              "expected a statement that theory/formal proves, which has " + cell +
+                                  ": " + std::string(sign)};
+        if (citation.substr(formal_folder.size()) != theorem)
+            throw SyntaxError{citation.data(), "expected " + std::string(formal_folder) +
+                                                   std::string(theorem) + ", the theorem on " +
+                                                   cell + ", found " + quoted(citation)};
+    }
+    fact.theorem = citation;
+}
+
 }  // namespace algae

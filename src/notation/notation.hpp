@@ -384,6 +384,10 @@ std::span<const GalleryEntry> generator_gallery();
 /// same name in different folders.
 std::span<const GalleryEntry> theory_claims();
 
+/// The proofs in Coq of theory/formal, `theory/formal/Spec.v`, and `theory/formal/table.txt`: a line for each cell of the table
+/// of closure, `union; E0L; closed; OneTable.v:extended_union`, with the theorem that settles it, or `open; -`.
+std::span<const GalleryEntry> formal_texts();
+
 /// The lessons that come with algae, in their order, and their exercises, named as `03-2`.
 std::span<const GalleryEntry> lesson_texts();
 std::span<const GalleryEntry> exercise_texts();

@@ -401,7 +401,9 @@ private:
         if (word == "show" || word == "lemma" || word == "refute" || word == "theorem")
             return read_claimed(clause);
         if (is_closure_fact(clause.text)) {
-            claim_.closure.push_back(parse_closure_fact(clause.text, reading_));
+            const auto [fact, citation] = with_citation(clause.text);
+            claim_.closure.push_back(parse_closure_fact(fact, reading_));
+            if (!citation.empty()) set_formal_theorem(claim_.closure.back(), citation);
             return;
         }
         std::vector<std::string> words;
@@ -428,9 +430,18 @@ private:
         (clause.keyword == "claim" ? claim_.title : claim_.source) = value;
     }
 
+    /// What stands before `by` and behind it.
+    static std::pair<std::string_view, std::string_view> with_citation(std::string_view text) {
+        const std::size_t by = find_word(text, "by");
+        if (by == std::string_view::npos) return {trimmed(text), {}};
+        const std::string_view citation = trimmed(text.substr(by + 2));
+        if (citation.empty()) throw unexpected("a citation after 'by'", text.data() + text.size());
+        return {trimmed(text.substr(0, by)), citation};
+    }
+
     void read_claimed(const ClaimClause& clause) {
         using Purpose = ClaimedStatement::Purpose;
-        std::string_view text = clause.text.substr(clause.keyword.size());
+        const std::string_view text = clause.text.substr(clause.keyword.size());
         ClaimedStatement claimed;
         claimed.purpose = clause.keyword == "show"      ? Purpose::show
                           : clause.keyword == "lemma"   ? Purpose::lemma
@@ -440,16 +451,13 @@ private:
             if (theorem_) throw given_twice(clause.keyword, theorem_, reading_.source);
             theorem_ = clause.text.data();
         }
-        if (const std::size_t by = find_word(text, "by"); by != std::string_view::npos) {
-            const std::string_view citation = trimmed(text.substr(by + 2));
-            if (citation.empty())
-                throw unexpected("a citation after 'by'", text.data() + text.size());
-            claimed.citation = citation;
-            text = text.substr(0, by);
+        const auto [said, citation] = with_citation(text);
+        claimed.citation = citation;
+        claimed.statement = parse_statement(said, reading_);
+        if (theorem_ == clause.text.data() && is_closure_fact(said)) {
+            claim_.closure.push_back(parse_closure_fact(said, reading_));
+            if (is_formal_theorem(citation)) set_formal_theorem(claim_.closure.back(), citation);
         }
-        claimed.statement = parse_statement(trimmed(text), reading_);
-        if (theorem_ == clause.text.data() && is_closure_fact(trimmed(text)))
-            claim_.closure.push_back(parse_closure_fact(trimmed(text), reading_));
         claim_.statements.push_back(std::move(claimed));
     }
 

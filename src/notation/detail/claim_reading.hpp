@@ -238,4 +238,9 @@ bool is_closure_fact(std::string_view text);
 /// What such a clause says. Throws `SyntaxError`.
 ClosureFact parse_closure_fact(std::string_view text, const ClaimReading& reading);
 
+/// Whether a citation names a theorem of theory/formal: `formal/Star.v:not_closed_under_star`.
+bool is_formal_theorem(std::string_view citation);
+/// Sets the theorem of a fact. Throws `SyntaxError` unless theory/formal has it, by this name, of all families of the fact.
+void set_formal_theorem(ClosureFact& fact, std::string_view citation);
+
 }  // namespace algae

@@ -1,5 +1,5 @@
 (* verify FILE...: checks the statements of certificates of `algae check --certificate` by the checker that is proved in
-   Checker.v.  This file reads JSON and says which statement is meant; whether it is true is decided by `check_numbers`.
+   Checker.v.  verify --lines FILE: each line is a certificate, and a line of the output says what becomes of it.  This file reads JSON and says which statement is meant; whether it is true is decided by `check_numbers`.
    What is neither on finite languages nor a derivation is not covered. *)
 
 open Checker
@@ -146,12 +146,7 @@ exception Too_long
 let fuel = 200
 let seconds = 10
 
-let checked = ref 0 and not_covered = ref 0 and failed = ref 0
-let reasons = Hashtbl.create 16
-let leave reason = incr not_covered; Hashtbl.replace reasons reason (1 + Option.value ~default:0 (Hashtbl.find_opt reasons reason))
-let wrong file entry why =
-  incr failed;
-  Printf.printf "FAILED   %s: %s: %s\n" file (match find "text" entry with Some (String s) -> s | _ -> "?") why
+type outcome = Checked | Left of string | Wrong of string    (* left: not covered *)
 
 (* Of a statement with parts that all hold each part is checked, by its own proof. *)
 let rec parts entry =
@@ -166,37 +161,70 @@ let rec parts entry =
       | _ -> raise (Not_covered "a part without its proof")) statements)
   | _ -> [ entry ]
 
-let check_part file certificate entry =
+let check_part certificate entry =
   match statement_of certificate entry with
-  | exception Not_covered reason -> leave reason
-  | exception Failure why -> wrong file entry why
+  | exception Not_covered reason -> Left reason
+  | exception Failure why -> Wrong why
   | size, statement ->
     ignore (Unix.alarm seconds);
-    (match check_numbers size fuel statement with
-     | true -> incr checked
-     | false -> (match statement with
-       | Is_not _ -> leave "the search finds no proof"
-       | Has_form _ -> leave "a form that only letters which never occur disturb"
-       | _ -> wrong file entry "not so")
-     | exception (Too_long | Stack_overflow | Out_of_memory) -> leave "too long");
-    ignore (Unix.alarm 0)
+    let outcome = match check_numbers size fuel statement with
+      | true -> Checked
+      | false -> (match statement with
+        | Is_not _ -> Left "the search finds no proof"
+        | Has_form _ -> Left "a form that only letters which never occur disturb"
+        | _ -> Wrong "not so")
+      | exception (Too_long | Stack_overflow | Out_of_memory) -> Left "too long" in
+    ignore (Unix.alarm 0);
+    outcome
 
-let check_entry file certificate entry =
+let check_entry certificate entry =
   match parts entry with
-  | exception Not_covered reason -> leave reason
-  | parts -> List.iter (check_part file certificate) parts
+  | exception Not_covered reason -> [ Left reason ]
+  | parts -> List.map (check_part certificate) parts
+
+let certificate_of text =
+  let certificate = parse text in
+  (certificate, items (get "statements" certificate))
 
 let read file =
   let channel = open_in_bin file in
   Fun.protect ~finally:(fun () -> close_in channel) (fun () -> really_input_string channel (in_channel_length channel))
 
+let check_files files =
+  let checked = ref 0 and failed = ref 0 and not_covered = ref 0 and reasons = Hashtbl.create 16 in
+  let count file entry = function
+    | Checked -> incr checked
+    | Left reason -> incr not_covered; Hashtbl.replace reasons reason (1 + Option.value ~default:0 (Hashtbl.find_opt reasons reason))
+    | Wrong why ->
+      incr failed;
+      Printf.printf "FAILED   %s: %s: %s\n" file (match find "text" entry with Some (String s) -> s | _ -> "?") why in
+  List.iter (fun file -> match certificate_of (read file) with
+    | certificate, entries -> List.iter (fun entry -> List.iter (count file entry) (check_entry certificate entry)) entries
+    | exception (Failure why | Not_covered why | Invalid_argument why) -> incr failed; Printf.printf "FAILED   %s: %s\n" file why) files;
+  List.iter (fun (reason, n) -> Printf.printf "%6d not covered: %s\n" n reason)
+    (List.sort compare (List.of_seq (Hashtbl.to_seq reasons)));
+  Printf.printf "%d checked, %d not covered, %d failed\n" !checked !not_covered !failed;
+  if !failed > 0 then 1 else 0
+
+let line_outcome text =
+  match certificate_of text with
+  | exception (Failure why | Not_covered why | Invalid_argument why) -> "unreadable: " ^ why
+  | certificate, entries ->
+    let outcomes = List.concat_map (check_entry certificate) entries in
+    let wrong = List.find_map (function Wrong why -> Some ("failed: " ^ why) | _ -> None) outcomes in
+    let left = List.find_map (function Left why -> Some ("not covered: " ^ why) | _ -> None) outcomes in
+    match wrong, left with
+    | Some text, _ | None, Some text -> text
+    | None, None -> if outcomes = [] then "not covered: no statement" else "checked"
+
+let check_lines file =
+  let channel = open_in_bin file in
+  (try while true do print_endline (line_outcome (input_line channel)) done with End_of_file -> ());
+  close_in channel; 0
+
 let () =
   Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> raise Too_long));
-  let broken = ref 0 in
-  Array.iteri (fun i file -> if i > 0 then
-    match parse (read file) with
-    | certificate -> List.iter (check_entry file certificate) (items (get "statements" certificate))
-    | exception (Failure why | Not_covered why | Invalid_argument why) -> incr broken; Printf.printf "FAILED   %s: %s\n" file why) Sys.argv;
-  Hashtbl.iter (fun reason n -> Printf.printf "%6d not covered: %s\n" n reason) reasons;
-  Printf.printf "%d checked, %d not covered, %d failed\n" !checked !not_covered (!failed + !broken);
-  exit (if !failed + !broken > 0 then 1 else 0)
+  exit (match List.tl (Array.to_list Sys.argv) with
+    | [ "--lines"; file ] -> check_lines file
+    | [] -> prerr_endline "verify FILE...: which certificates?"; 2
+    | files -> check_files files)

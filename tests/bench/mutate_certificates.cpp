@@ -1,9 +1,11 @@
 // Changes tokens of the certificates of all claims of the theory and counts what verify makes of them (tools/mutate-certificates).
+// mutate_certificates COUNT SEED FILE: writes them for another checker, a line each, and what verify says of them to FILE.verify.
 
 #include <fmt/format.h>
 
 #include <chrono>
 #include <cstdlib>
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "exact/exact.hpp"
@@ -54,14 +56,32 @@ int main(int argc, char** argv) {
                all.size(), time.count());
     mutants::Mutator mutate(seed);
     mutants::Counts counts;
+    std::ofstream lines, findings;
+    mutants::OnMutant write;
+    if (argc > 3) {
+        lines.open(argv[3]);
+        findings.open(argv[3] + std::string(".verify"));
+        write = [&](const Json& mutant, const std::optional<verify::Finding>& finding) {
+            // verify's finding is that of the first statement
+            const bool has_others = mutant["statements"].size() > 1;
+            lines << (has_others ? mutants::with_statement(mutant, 0) : mutant).dump() << '\n';
+            findings << (finding ? to_string(finding->outcome) : "refused") << '\n';
+        };
+    }
     for (std::size_t i = 0; counts.mutants < count && !all.empty(); ++i)
-        counts.add(
-            mutants::judged(all[i % all.size()], all[mutate.below(all.size())], 4, mutate, time));
+        counts.add(mutants::judged(all[i % all.size()], all[mutate.below(all.size())], 4, mutate,
+                                   time, write));
     fmt::print(
         "{} mutants (seed {}): {} rejected; accepted: {} that say the same, {} confirmed, {} not "
         "decided, {} false\n",
         counts.mutants, seed, counts.rejected, counts.same, counts.confirmed, counts.open,
         counts.wrong);
     for (const std::string& example : counts.examples) fmt::print("FALSE: {}\n", example);
+    lines.close();
+    findings.close();
+    if (argc > 3 && (!lines || !findings)) {
+        fmt::print("FAILED: {} is not written\n", argv[3]);
+        return 1;
+    }
     return counts.wrong == 0 ? 0 : 1;
 }

@@ -193,15 +193,19 @@ private:
     Numbers random_;
 };
 
+/// What another checker is to be asked of, too: a mutant, and what verify finds.
+using OnMutant = std::function<void(const Json&, const std::optional<algae::verify::Finding>&)>;
+
 /// Judges so many mutants of a certificate of one statement.
 inline Counts judged(const Json& certificate, const Json& other, std::size_t count, Mutator& mutate,
-                     std::chrono::milliseconds time) {
+                     std::chrono::milliseconds time, const OnMutant& on_mutant = {}) {
     Counts counts;
     for (std::size_t n = 0; n < count; ++n) {
         const Json mutant = mutate(certificate, other);
         if (mutant == certificate) continue;
         ++counts.mutants;
         const auto finding = found(mutant, time);
+        if (on_mutant) on_mutant(mutant, finding);
         if (!finding || finding->outcome != algae::verify::Finding::Outcome::checked) {
             ++counts.rejected;
             continue;

@@ -176,19 +176,19 @@ public:
     bool operator()(bool holds) {
         const auto now = std::chrono::steady_clock::now();
         const std::clock_t worked = std::clock();
-        if (!holds) {
-            since_.reset();
-        } else if (!since_) {
+        if (!held_) {
             since_ = now;
             worked_ = worked;
         }
+        held_ = holds;
         using namespace std::chrono_literals;
-        return holds && now - *since_ >= 1400ms &&
-               (worked - worked_ >= CLOCKS_PER_SEC * 6 / 5 || now - *since_ >= 4s);
+        return holds && now - since_ >= 1400ms &&
+               (worked - worked_ >= CLOCKS_PER_SEC * 6 / 5 || now - since_ >= 4s);
     }
 
 private:
-    std::optional<std::chrono::steady_clock::time_point> since_;
+    bool held_ = false;  // the last time
+    std::chrono::steady_clock::time_point since_;
     std::clock_t worked_ = 0;
 };
 

@@ -78,6 +78,9 @@ struct Judge {
     Answer operator()(const HoldsInWord& said) const {
         return judge_infinite_word(said, alphabet, budget);
     }
+    Answer operator()(const CountsInWord& said) const {
+        return judge_counts(said, alphabet, budget);
+    }
     Answer operator()(const Joint& said) const { return judge_joint(said, claim, budget, limits); }
     Answer operator()(const Quantified& said) const {
         return judge_quantified(said, claim, budget, limits);
@@ -198,7 +201,9 @@ Answer decide(const Statement& statement, const Claim& claim, const Facts& facts
                 found = *std::move(better);
         return statement.negated ? opposite(std::move(found)) : found;
     } catch (const BoundReached& error) {
-        return undecided(error.what());
+        Answer found = undecided(error.what());
+        found.out_of_time = error.bound() == Bound::time;
+        return found;
     } catch (const Error& error) {
         const std::string what = error.what(), file = statement.place.file;
         if (statement.place.line == 0 || (!file.empty() && what.starts_with(file + ":"))) throw;
@@ -232,11 +237,12 @@ namespace {
 using Outcome = CheckedStatement::Outcome;
 using Purpose = ClaimedStatement::Purpose;
 
-Outcome outcome(const ClaimedStatement& claimed, Truth truth) {
-    if (truth == Truth::undecided)
-        return claimed.citation.empty() ? Outcome::undecided : Outcome::cited;
+Outcome outcome(const ClaimedStatement& claimed, const Answer& answer) {
+    if (answer.truth == Truth::undecided)
+        return claimed.citation.empty() || answer.out_of_time ? Outcome::undecided
+                                                              : Outcome::cited;
     const Truth expected = claimed.purpose == Purpose::refute ? Truth::refuted : Truth::proved;
-    return truth == expected ? Outcome::holds : Outcome::fails;
+    return answer.truth == expected ? Outcome::holds : Outcome::fails;
 }
 
 }  // namespace
@@ -290,7 +296,7 @@ CheckedClaim check(Claim claim, const Budget& budget, const SearchLimits& limits
         } catch (const Error& error) {  // the other statements are decided all the same
             found.answer = undecided(error.what());
         }
-        found.outcome = outcome(claimed, found.answer.truth);
+        found.outcome = outcome(claimed, found.answer);
         checked.statements.push_back(std::move(found));
     }
     checked.claim = std::move(claim);

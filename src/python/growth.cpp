@@ -160,7 +160,7 @@ py::object lengths(const SystemObject& system, std::uint64_t first, std::uint64_
     });
     py::list all;
     for (const Integer& value : found) all.append(as_python(value));
-    return std::move(all);
+    return all;
 }
 
 /// How often each letter occurs, a row for each generation.

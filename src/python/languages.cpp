@@ -345,7 +345,8 @@ CheckedObject checked(const ClaimObject& object, std::uint64_t instances, std::u
 }
 
 py::list statements(const CheckedObject& object) {
-    static const char* const outcomes[] = {"holds", "cited", "undecided", "fails"};
+    static const char* const outcomes[] = {"holds", "proved formally", "cited", "undecided",
+                                           "fails"};
     static const char* const purposes[] = {"show", "lemma", "refute", "theorem"};
     const CheckedClaim& checked = object.checked;
     py::list all;

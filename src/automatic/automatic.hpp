@@ -161,6 +161,34 @@ struct LinearRepresentation {
 LinearRepresentation counts(const AutomaticRelation& relation, const std::string& n,
                             const Numeration& numeration);
 
+/// That numbers of places in an infinite word are in a linear relation: for all n from some one on, the sum of so many times the number of
+/// i for which a statement about i and n holds, plus slope n + constant, is 0.
+struct CountingStatement {
+    struct Part {
+        Integer times;
+        FirstOrderStatement places;  // no other variables than i and n are free
+    };
+    std::vector<Part> parts;
+    Integer slope = 0, constant = 0, from = 0;
+};
+
+/// As certificates have it, without the word.
+nlohmann::ordered_json to_json(const CountingStatement& statement);
+
+struct CountingAnswer {
+    std::optional<Integer> fails;  // for this n, if it does not hold
+    Integer sum = 0;               // what is not 0 then
+    std::size_t size = 0;          // rows of the matrices
+};
+
+/// Decides a statement about numbers of places.
+///
+/// Each number is a product of matrices, one for each digit of n (Charlier, Rampersad and Shallit, Enumeration and decidable properties of automatic
+/// sequences, 2012); a sum of such products is 0 for all n if it is where the products span what all of them do (Schutzenberger 1961).
+/// Throws as `decide_first_order`, and Error where infinitely many places belong to some n.
+CountingAnswer decide_counting(const CountingStatement& statement, const AutomaticWord& word,
+                               const Budget& budget);
+
 /// What is proved of a sequence of numbers, for all n.
 struct ComplexityProof {
     LinearRepresentation sequence;

@@ -251,6 +251,51 @@ ComplexityProof proof_of(const AutomaticRelation& places, Relations& relations,
 
 }  // namespace
 
+CountingAnswer decide_counting(const CountingStatement& statement, const AutomaticWord& word,
+                               const Budget& budget) {
+    Relations relations(word, budget, {});
+    const std::string late = "n >= " + to_string(statement.from);
+    const auto relation = [&](const FirstOrderStatement& places) {
+        return relations.over(decide_first_order(places, word, budget).relation, {"i", "n"});
+    };
+    const auto read = [&](const std::string& text) {
+        return relation(read_first_order(text, "counting", "T", word.letters));
+    };
+    std::vector<std::pair<Integer, LinearRepresentation>> sum;
+    const auto add = [&](const Integer& times, const AutomaticRelation& places) {
+        if (!times.is_zero()) sum.emplace_back(times, counts(places, "n", word.numeration));
+    };
+    for (const auto& [times, places] : statement.parts)
+        add(times, relations.both(relation(places), read(late + " and i >= 0")));
+    add(statement.slope, read(late + " and i < n"));
+    add(statement.constant, read(late + " and i = 0"));
+    if (sum.empty()) return {};
+    const LinearRepresentation all = combination(sum);
+    CountingAnswer found;
+    found.size = all.size();
+    std::vector<Space> spaces(word.numeration.letters().size());
+    std::vector<Integer> reached;  // the numbers whose vectors are looked at
+    walk(all, word.numeration,
+         [&](std::uint32_t state, const Vector& row, std::size_t from, std::uint32_t digit) {
+             budget.check();
+             const bool is_zero = from == ~std::size_t{0};
+             if (found.fails || (!spaces[state].add(row) && !is_zero)) return false;
+             std::vector<std::uint32_t> digits;
+             if (!is_zero) {
+                 digits = word.numeration.digits(reached[from]);
+                 digits.push_back(digit);
+             }
+             reached.push_back(*word.numeration.value(digits));
+             const Integer value = times(row, all.end);
+             if (!value.is_zero()) {
+                 found.fails = reached.back();
+                 found.sum = value;
+             }
+             return true;
+         });
+    return found;
+}
+
 ComplexityProofs complexity_proofs(const AutomaticWord& word, const Budget& budget) {
     const auto relation = [&](const std::string& statement) {
         return decide_first_order(read_first_order(statement, "complexity", "T", word.letters),

@@ -16,6 +16,12 @@ using Kind = FirstOrderNode::Kind;
 
 class Writer {
 public:
+    Json operator()(const FirstOrderStatement& statement) {
+        for (const std::string& variable : statement.free()) named(variable);
+        return (*this)(statement.root());
+    }
+
+private:
     Json operator()(const FirstOrderNode& node) {
         const auto sums = [&](std::size_t from) {
             Json all = Json::array();
@@ -64,8 +70,6 @@ public:
         }
         return bound("for all");
     }
-
-private:
     /// The name as it was written, with strokes where another quantifier binds it too.
     std::string named(const std::string& variable) {
         const auto [at, is_new] = names_.try_emplace(variable);
@@ -103,7 +107,17 @@ bool adds(const FirstOrderNode& node) {
 
 }  // namespace
 
-Json to_json(const FirstOrderStatement& statement) { return Writer()(statement.root()); }
+Json to_json(const FirstOrderStatement& statement) { return Writer()(statement); }
+
+Json to_json(const CountingStatement& statement) {
+    Json parts = Json::array();
+    for (const auto& [times, places] : statement.parts)
+        parts.push_back({{"times", to_string(times)}, {"places", to_json(places)}});
+    return {{"counts", std::move(parts)},
+            {"n", to_string(statement.slope)},
+            {"plus", to_string(statement.constant)},
+            {"from", to_string(statement.from)}};
+}
 
 bool adds(const FirstOrderStatement& statement) { return adds(statement.root()); }
 

@@ -28,7 +28,7 @@ using Outcome = CheckedStatement::Outcome;
 struct ClosureOptions {
     std::string family;
     std::vector<std::string> operation;  // its words
-    std::string formal;  // the folder of compiled proofs
+    std::string formal;                  // the folder of compiled proofs
     bool explain = false, json = false, latex = false;
     Bounds bounds;
 };
@@ -158,8 +158,7 @@ Json as_json(Theory& theory, const std::string& family, const std::string& opera
     if (const ClosureFact* fact = theory.formal(family, operation)) {
         Json formal{{"theorem", fact->theorem}, {"verdict", theory.proofs().verdict(*fact)}};
         if (theory.proofs().prove(*fact)) formal.set("by", theory.proofs().checkers());
-        entry.set("formal",
-                  formal.set("says", formal_words(family, operation, cell->closed)));
+        entry.set("formal", formal.set("says", formal_words(family, operation, cell->closed)));
     }
     return entry.set("claim", theory.checked(cell->claim).claim.name);
 }

@@ -155,9 +155,7 @@ FormalProofs::FormalProofs(const std::string& folder, const Budget& budget) {
                 (again.is_boolean() && again.get<bool>() ? " and coqchk" : "");
 }
 
-bool FormalProofs::prove(const ClosureFact& fact) const {
-    return theorems_.contains(fact.theorem);
-}
+bool FormalProofs::prove(const ClosureFact& fact) const { return theorems_.contains(fact.theorem); }
 
 std::string FormalProofs::verdict(const ClosureFact& fact) const {
     return prove(fact) ? "proved formally" : "cited";
@@ -176,7 +174,8 @@ void FormalProofs::settle(CheckedClaim& checked) const {
 
 void add_formal_option(Verb& verb, std::string& folder) {
     verb.option("--formal", folder, "FOLDER",
-                "where tools/formal compiled the proofs of theory/formal, build/formal: theorems that claims name are "
+                "where tools/formal compiled the proofs of theory/formal, build/formal: theorems "
+                "that claims name are "
                 "proved by these; else they are cited");
 }
 
@@ -225,21 +224,29 @@ constexpr OperationWords operation_words[] = {
      "that the machine may write while it reads a word of X"}};
 
 std::string family_words(const std::string& family) {
-    if (family == "REG") return "REG: accepted by a complete deterministic automaton with finitely many states.";
+    if (family == "REG")
+        return "REG: accepted by a complete deterministic automaton with finitely many states.";
     if (family == "CF")
-        return "CF: the words that a grammar derives from its start, with finitely many letters that are rewritten, one at a "
+        return "CF: the words that a grammar derives from its start, with finitely many letters "
+               "that are rewritten, one at a "
                "time, each with finitely many successors.";
     if (family == "IL")
-        return "IL: derived from an axiom other than ε by steps that replace all letters at once; the successors of a letter, "
-               "finitely many and at least one, depend on at most m letters before it and n behind it.";
+        return "IL: derived from an axiom other than ε by steps that replace all letters at once; "
+               "the successors of a letter, "
+               "finitely many and at least one, depend on at most m letters before it and n behind "
+               "it.";
     const auto has = [&](char c) { return family.find(c) != std::string::npos; };
-    const std::string successors = std::string(has('D') ? "one successor" : "finitely many successors, at least one") +
-                                   (has('P') ? ", none of them ε" : "");
-    return family + ": derived from an axiom other than ε by steps that replace all letters at once, " +
-           (has('T') ? "each step by one of finitely many tables, at least one; a table gives each letter "
+    const std::string successors =
+        std::string(has('D') ? "one successor" : "finitely many successors, at least one") +
+        (has('P') ? ", none of them ε" : "");
+    return family +
+           ": derived from an axiom other than ε by steps that replace all letters at once, " +
+           (has('T') ? "each step by one of finitely many tables, at least one; a table gives each "
+                       "letter "
                      : "by one table, which gives each letter ") +
            successors + "." +
-           (has('E') ? " Of the words derived those without nonterminals, of which there are finitely many, are in the language."
+           (has('E') ? " Of the words derived those without nonterminals, of which there are "
+                       "finitely many, are in the language."
                      : "");
 }
 
@@ -256,8 +263,8 @@ std::vector<std::string> formal_words(const std::string& family, const std::stri
         given.replace(at, 1, family);
         at += family.size();  // CF ends with F, too
     }
-    return {std::string(closed ? "For" : "It is not so that for") + " every finite alphabet A, " + given +
-                ": the language of all words " + found->made + " is " + family + ".",
+    return {std::string(closed ? "For" : "It is not so that for") + " every finite alphabet A, " +
+                given + ": the language of all words " + found->made + " is " + family + ".",
             family_words(family)};
 }
 

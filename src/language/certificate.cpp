@@ -268,6 +268,12 @@ struct StatementWriter {
         for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
         return result;
     }
+    Json operator()(const CountsInWord& said) const {
+        Json result = to_json(*said.says);
+        result["system"] = said.system->name;
+        for (const auto& [letter, name] : said.coding) result["coding"][letter] = name;
+        return result;
+    }
     Json operator()(const Joint& said) const {
         return {{joint_name(said.kind), statements(said.parts)}};
     }

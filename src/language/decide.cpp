@@ -239,8 +239,7 @@ using Purpose = ClaimedStatement::Purpose;
 
 Outcome outcome(const ClaimedStatement& claimed, const Answer& answer) {
     if (answer.truth == Truth::undecided)
-        return claimed.citation.empty() || answer.out_of_time ? Outcome::undecided
-                                                              : Outcome::cited;
+        return claimed.citation.empty() || answer.out_of_time ? Outcome::undecided : Outcome::cited;
     const Truth expected = claimed.purpose == Purpose::refute ? Truth::refuted : Truth::proved;
     return answer.truth == expected ? Outcome::holds : Outcome::fails;
 }

@@ -285,6 +285,7 @@ private:
     void put(HasDimension&) const {}
     void put(BoundaryHasDimension&) const {}
     void put(HoldsInWord& said) const { said.system = system(said.system); }
+    void put(CountsInWord& said) const { said.system = system(said.system); }
     void put(Joint& said) const {
         for (Statement& part : said.parts) part = (*this)(part);
     }
@@ -382,6 +383,7 @@ private:
     void in(const HasDimension&) {}
     void in(const BoundaryHasDimension&) {}
     void in(const HoldsInWord&) {}
+    void in(const CountsInWord&) {}
     void in(const Joint& said) {
         for (const Statement& part : said.parts) of(part);
     }

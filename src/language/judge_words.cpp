@@ -386,20 +386,43 @@ Answer judge_palindrome(const Word& word) {
     return proved(steps::Palindrome{word, {}});
 }
 
+namespace {
+
+AutomaticWord infinite_word(const SourceSystem& system,
+                            const std::map<std::string, std::string>& coding,
+                            const Alphabet& alphabet) {
+    return automatic_word(as_d0l(system), [&](Symbol letter) {
+        const auto coded = coding.find(alphabet.name(letter));
+        return coded == coding.end() ? alphabet.name(letter) : coded->second;
+    });
+}
+
+AutomaticRelation addition(const AutomaticWord& word, const Budget& budget) {
+    static const FirstOrderStatement sum = read_first_order("x + y = z", "", "", {});
+    return decide_first_order(sum, word, budget).relation;
+}
+
+}  // namespace
+
 Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
                            const Budget& budget) {
-    const AutomaticWord word = automatic_word(as_d0l(*said.system), [&](Symbol letter) {
-        const auto coded = said.coding.find(alphabet.name(letter));
-        return coded == said.coding.end() ? alphabet.name(letter) : coded->second;
-    });
+    const AutomaticWord word = infinite_word(*said.system, said.coding, alphabet);
     const FirstOrderAnswer found = decide_first_order(*said.says, word, budget);
     steps::ByAutomata proof{said.system->name,      found.holds, found.witness, found.largest,
                             word.numeration.base(), {}};
-    if (adds(*said.says)) {
-        static const FirstOrderStatement sum = read_first_order("x + y = z", "", "", {});
-        proof.addition = decide_first_order(sum, word, budget).relation;
-    }
+    if (adds(*said.says)) proof.addition = addition(word, budget);
     return found.holds ? proved(std::move(proof)) : refuted(std::move(proof));
+}
+
+Answer judge_counts(const CountsInWord& said, const Alphabet& alphabet, const Budget& budget) {
+    const AutomaticWord word = infinite_word(*said.system, said.coding, alphabet);
+    const CountingAnswer found = decide_counting(*said.says, word, budget);
+    steps::ByAutomata proof{said.system->name,      !found.fails, {},        0,
+                            word.numeration.base(), {},           found.size};
+    if (found.fails) proof.witness = {{"n", *found.fails}};
+    for (const auto& [times, places] : said.says->parts)
+        if (adds(places) && proof.addition.edges.empty()) proof.addition = addition(word, budget);
+    return found.fails ? refuted(std::move(proof)) : proved(std::move(proof));
 }
 
 }  // namespace algae

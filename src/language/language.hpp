@@ -28,6 +28,7 @@
 namespace algae {
 
 class DimensionValue;
+struct CountingStatement;
 class FirstOrderStatement;
 struct GeneratingFunction;
 class Rewriting;
@@ -850,6 +851,13 @@ struct HoldsInWord {
         {};  // what letters are called that have other names
 };
 
+/// Numbers of places in the infinite word of a D0L system are in a linear relation.
+struct CountsInWord {
+    std::shared_ptr<const SourceSystem> system;
+    std::shared_ptr<const CountingStatement> says;
+    std::map<std::string, std::string> coding = {};
+};
+
 struct Statement;
 
 /// Several statements as one.
@@ -895,7 +903,7 @@ struct Statement {
     std::variant<InFamily, IsFinite, IsEmpty, EqualLanguages, IncludedIn, HasWord, HasSize, IsCode,
                  IsPalindrome, Derives, EqualSequences, EqualGrowth, HasGrowthClass, IsIncreasing,
                  ComparesNumbers, ComparesWords, Rewrites, HasChance, HasDimension,
-                 BoundaryHasDimension, HoldsInWord, Joint, Quantified>
+                 BoundaryHasDimension, HoldsInWord, CountsInWord, Joint, Quantified>
         says;
     bool negated = false;
     std::string text = {};  // as written
@@ -1048,7 +1056,7 @@ Answer judge_size(const Language& language, const Integer& size, const Alphabet&
                   const Budget& budget = {});
 
 /// The result for one statement of a claim. It holds if it is as the claim says: proved, or refuted where the claim
-/// says `refute`. A statement is cited if it is undecided here and rests on a source that the claim names.
+/// says `refute`. A statement is cited if it is undecided here, not as the time was over, and rests on a source that the claim names.
 struct CheckedStatement {
     /// `formally`: what is cited is a theorem in Coq, whose compiled proof stands beside. `check` never says that; who finds the
     /// proof does.

@@ -349,9 +349,15 @@ public:
         if (!values.empty())
             say(std::string(said.holds ? "It is true for " : "It is false for ") + marked(values) +
                 ".");
-        say("Automata that read positions of the infinite word of " + marked(said.system) +
-            " in the numeration of Dumont and Thomas decide it, the largest with " +
-            number(said.largest) + (said.largest == 1 ? " state." : " states."));
+        const std::string automata = "utomata that read positions of the infinite word of " +
+                                     marked(said.system) +
+                                     " in the numeration of Dumont and Thomas";
+        if (said.rows > 0)
+            return say("Products of matrices with " + number(said.rows) +
+                       (said.rows == 1 ? " row" : " rows") + ", made of a" + automata +
+                       ", count the places; they decide it for all n.");
+        say("A" + automata + " decide it, the largest with " + number(said.largest) +
+            (said.largest == 1 ? " state." : " states."));
     }
     void operator()(const steps::Falls& said) {
         say("Generation " + number(said.generation) + " of " + marked(said.system) + " has " +

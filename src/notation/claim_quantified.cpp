@@ -507,6 +507,7 @@ public:
             throw SyntaxError{text.data(), "more than 100 statements inside each other"};
         if (const auto system = first_order_system(text, reading_))
             return parse_first_order(*system, text, reading_);
+        if (is_on_complexities(text)) return parse_single_statement(text, reading_);
         std::string_view rest = text;
         bool denied = false;
         while (take_words(rest, {"not"})) {

@@ -407,6 +407,15 @@ public:
         return dimension_of<BoundaryHasDimension>("boundary", "'(' after 'boundary'");
     }
 
+    /// `f is overlap-free`, of its infinite word.
+    bool word_property() { return parse_word_property(text_, statement_, reading_); }
+
+    /// `complexity(f, n) = n + 1`.
+    bool complexities() { return parse_complexities(text_, statement_, reading_); }
+
+    /// `abba in factors(f)`.
+    bool factor() { return parse_factor(text_, statement_, reading_); }
+
     /// `|A| = 3`, or `!=`.
     bool size() {
         HasSize said;
@@ -447,8 +456,11 @@ constexpr StatementForm statement_forms[] = {
     {"P(G ==> w in 3 steps) = 1/9", &StatementReader::chance},
     {"G ==> w in 3 steps", &StatementReader::derivation},
     {"word(F, n + 2) == word(F, n + 1) word(F, n)", &StatementReader::words},
+    {"abba in factors(G)", &StatementReader::factor},
     {"ab in A", &StatementReader::membership},
     {"abba is a palindrome", &StatementReader::palindrome},
+    {"f is overlap-free", &StatementReader::word_property},
+    {"complexity(f, n) = n + 1", &StatementReader::complexities},
     {"sequence(G) == sequence(H)", &StatementReader::sequences},
     {"growth(G) is strictly increasing", &StatementReader::increasing},
     {"growth(G) = 2^n + 1", &StatementReader::growth},

@@ -352,14 +352,22 @@ Statement Reader::of_systems(const Field& field, Statement read) const {
         return read;
     }
     if (field.has("dimension") || field.has("boundary")) return of_dimension(field, read);
-    if (field.has("first order")) {
-        field.only({"first order", "system", "coding"});
-        read.kind = Kind::first_order;
+    if (field.has("first order") || field.has("counts")) {
+        const bool counts = field.has("counts");
+        if (counts)
+            field.only({"counts", "n", "plus", "from", "system", "coding"});
+        else
+            field.only({"first order", "system", "coding"});
+        read.kind = counts ? Kind::counts : Kind::first_order;
         read.systems = {named_system(field.at("system"))};
         if (field.has("coding"))
             for (const auto& [name, image] : field.at("coding").object())
                 read.coding[symbol(image, name)] = image.text();
-        read.first_order = std::make_shared<const Formula>(read_formula(field.at("first order")));
+        if (counts)
+            read.counted = std::make_shared<const CountedPlaces>(read_counts(field));
+        else
+            read.first_order =
+                std::make_shared<const Formula>(read_formula(field.at("first order")));
         return read;
     }
     if (field.has("increasing")) {
@@ -935,6 +943,7 @@ std::string plain_text(const Statement& statement, const Alphabet& alphabet, boo
                    (statement.compared == "equals" ? "" : statement.compared + " ") +
                    statement.formula->text();
         case Kind::first_order:
+        case Kind::counts:
             return (opposite ? "not: " : "") + formula_text(statement, alphabet);
         case Kind::joint:
             return (opposite ? "not: " : "") + joint_text(statement, alphabet);

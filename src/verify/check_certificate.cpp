@@ -124,6 +124,7 @@ const std::vector<Method>& methods() {
         {"words", {Kind::words}, either, {}, check_words},
         {"morphism", {Kind::quantified}, holds, {"morphism"}, check_step_of_words},
         {"automata", {Kind::first_order}, either, {"addition"}, check_first_order},
+        {"automata", {Kind::counts}, either, {"addition"}, check_counts},
         {"parts", {Kind::joint}, either, {"parts"}, check_parts},
         {"instance",
          {Kind::quantified},

@@ -452,7 +452,98 @@ public:
 
     bool holds(const Formula& formula) { return !automata_.empty(evaluate(formula, false)); }
 
+    /// Whether the sum is 0 for all n from `from` on.
+    ///
+    /// A row has, for each state of the automata of places, how many numbers i reach it beside the digits of n so far, and a digit of n moves it
+    /// as a matrix does. What a row gives is linear, so rows in the span of others give 0 if those do; and behind one letter the
+    /// same digits follow.
+    bool sums_to_zero(const CountedPlaces& counted) {
+        std::vector<Tuples> places;
+        std::vector<Integer> factors;
+        const Formula early{Kind::less, {{{{"n", 1}}, -counted.from}}};
+        const auto add = [&](const Integer& times, const Formula& formula) {
+            if (times.is_zero()) return;
+            Block block;
+            collect(formula, false, block);
+            collect(early, true, block);
+            block.relations.push_back(automata_.all({"i", "n"}, [](const auto&) { return true; }));
+            places.push_back(solved(std::move(block)));
+            factors.push_back(times);
+        };
+        for (const auto& [times, formula] : counted.parts) add(times, formula);
+        add(counted.slope, Formula{Kind::less, {{{{"i", 1}, {"n", -1}}, 0}}});
+        add(counted.plus, Formula{Kind::equation, {{{{"i", 1}}, 0}}});
+        std::vector<std::size_t> begins{0};  // of each automaton in a row
+        for (const Tuples& one : places) begins.push_back(begins.back() + one.edges.size());
+        using Row = std::vector<Integer>;
+        const auto moved = [&](const Row& row, std::uint64_t digit) {
+            Row found(row.size(), 0);
+            for (std::size_t k = 0; k < places.size(); ++k)
+                for (std::size_t s = 0; s < places[k].edges.size(); ++s)
+                    if (const Integer& here = row[begins[k] + s]; !here.is_zero())
+                        for (const auto& [column, to] : places[k].edges[s])
+                            if (automata_.digit(column, 1) == digit) found[begins[k] + to] += here;
+            return found;
+        };
+        const auto value = [&](const Row& row) {
+            Integer sum = 0;
+            for (std::size_t k = 0; k < places.size(); ++k)
+                for (std::size_t s = 0; s < places[k].edges.size(); ++s)
+                    if (places[k].accepting[s]) sum += factors[k] * row[begins[k] + s];
+            return sum;
+        };
+        Row first(begins.back(), 0);
+        for (std::size_t k = 0; k < places.size(); ++k) first[begins[k]] = 1;
+        for (std::size_t round = 0;; ++round) {  // digits of i before those of n
+            const Row next = moved(first, 0);
+            if (next == first) break;
+            if (round > first.size()) task_.refuse("infinitely many places belong to some n");
+            first = next;
+        }
+        std::vector<std::vector<Row>> independent(paths_.images.size());
+        std::vector<std::pair<std::uint32_t, Row>> left{{0, first}};
+        while (!left.empty()) {
+            task_.budget.check();
+            const auto [letter, row] = std::move(left.back());
+            left.pop_back();
+            if (!is_independent(row, independent[letter])) continue;
+            if (!value(row).is_zero()) return false;
+            const auto& image = paths_.images[letter];
+            for (std::uint32_t d = 0; d < image.size(); ++d)
+                left.emplace_back(image[d], moved(row, d));
+        }
+        return true;
+    }
+
 private:
+    /// Whether a row is no combination of others, each of which begins with more zeros than the one before; then it joins them.
+    static bool is_independent(std::vector<Integer> row,
+                               std::vector<std::vector<Integer>>& others) {
+        const auto begin = [](const std::vector<Integer>& one) {
+            std::size_t zeros = 0;
+            while (zeros < one.size() && one[zeros].is_zero()) ++zeros;
+            return zeros;
+        };
+        auto at = others.begin();
+        for (; at != others.end(); ++at) {
+            const std::size_t here = begin(*at);
+            if (begin(row) < here) break;
+            if (row[here].is_zero()) continue;
+            const Integer mine = row[here], its = (*at)[here];
+            Integer common = 0;
+            for (std::size_t k = here; k < row.size(); ++k) {
+                row[k] = its * row[k] - mine * (*at)[k];
+                common = gcd(common, row[k]);
+            }
+            if (common > 1)
+                for (std::size_t k = here; k < row.size(); ++k)
+                    if (!row[k].is_zero()) row[k] = floor_divide(row[k], common);
+        }
+        if (begin(row) == row.size()) return false;
+        others.insert(at, std::move(row));
+        return true;
+    }
+
     /// Names that are bound, and relations that hold at once.
     struct Block {
         std::set<std::string> bound;
@@ -809,190 +900,11 @@ void check_first_order(const Obligation& task) {
                                : "the statement is true of the word");
 }
 
-namespace {
-
-LinearSum read_sum(const Field& field, const std::set<std::string>& known, bool is_position) {
-    field.only({"of", "plus"});
-    LinearSum read;
-    for (const auto& [name, times] : field.at("of").object()) {
-        if (!known.contains(name)) times.fail("no quantifier binds " + name);
-        read.of[name] = times.integer(!is_position);
-        if (read.of[name].is_zero()) times.fail("expected another number than 0");
-    }
-    read.plus = field.at("plus").integer(!is_position);
-    return read;
-}
-
-/// `bound` has the names of all quantifiers so far, `known` those of the quantifiers around.
-Formula read_formula(const Field& field, std::set<std::string>& bound,
-                     const std::set<std::string>& known) {
-    Formula read;
-    const auto terms = [&](const Field& from, std::size_t count) {
-        const auto list = from.list();
-        if (list.size() != count) from.fail("expected " + std::to_string(count) + " terms");
-        for (const Field& one : list) read.terms.push_back(read_sum(one, known, true));
-    };
-    const auto parts = [&](const Field& from) {
-        for (const Field& one : from.list()) read.parts.push_back(read_formula(one, bound, known));
-        if (read.parts.empty()) from.fail("expected a statement");
-    };
-    struct Form {
-        const char* key;
-        Kind kind;
-        const char* other = nullptr;
-    };
-    static constexpr Form forms[] = {{"equation", Kind::equation},
-                                     {"less", Kind::less},
-                                     {"same letter", Kind::same_letter},
-                                     {"letter", Kind::letter, "at"},
-                                     {"equal", Kind::equal},
-                                     {"palindrome", Kind::palindrome},
-                                     {"not", Kind::negation},
-                                     {"and", Kind::conjunction},
-                                     {"or", Kind::disjunction},
-                                     {"implies", Kind::implication},
-                                     {"iff", Kind::equivalence},
-                                     {"exists", Kind::exists, "holds"},
-                                     {"for all", Kind::for_all, "holds"}};
-    const auto form = std::find_if(std::begin(forms), std::end(forms),
-                                   [&](const Form& one) { return field.has(one.key); });
-    if (form == std::end(forms)) field.fail("expected a first-order statement");
-    if (form->other)
-        field.only({form->key, form->other});
-    else
-        field.only({form->key});
-    read.kind = form->kind;
-    const Field value = field.at(form->key);
-    switch (read.kind) {
-        case Kind::equation:
-        case Kind::less:
-            read.terms = {read_sum(value, known, false)};
-            break;
-        case Kind::same_letter:
-        case Kind::palindrome:
-            terms(value, 2);
-            break;
-        case Kind::equal:
-            terms(value, 3);
-            break;
-        case Kind::letter:
-            read.letter = value.text();
-            read.terms = {read_sum(field.at("at"), known, true)};
-            break;
-        case Kind::negation:
-            read.parts = {read_formula(value, bound, known)};
-            break;
-        case Kind::implication:
-            parts(value);
-            if (read.parts.size() != 2) value.fail("expected two statements");
-            break;
-        case Kind::conjunction:
-        case Kind::disjunction:
-        case Kind::equivalence:
-            parts(value);
-            break;
-        case Kind::exists:
-        case Kind::for_all: {
-            std::set<std::string> inner = known;
-            for (const Field& name : value.list()) {
-                if (name.text().empty() || name.text()[0] == '.') name.fail("expected a name");
-                if (!bound.insert(name.text()).second)
-                    name.fail("expected another name, as this one is bound already");
-                inner.insert(name.text());
-                read.names.push_back(name.text());
-            }
-            if (read.names.empty()) value.fail("expected a name");
-            read.parts = {read_formula(field.at("holds"), bound, inner)};
-            break;
-        }
-    }
-    return read;
-}
-
-std::string sum_text(const LinearSum& sum, const Integer& sign) {
-    std::string text;
-    const auto add = [&](const Integer& times, const std::string& name) {
-        if (times * sign <= 0) return;
-        const Integer size = times * sign;
-        text += text.empty() ? "" : " + ";
-        text += name.empty() ? to_string(size) : size == 1 ? name : to_string(size) + name;
-    };
-    for (const auto& [name, times] : sum.of) add(times, name);
-    add(sum.plus, "");
-    return text.empty() ? "0" : text;
-}
-
-std::string formula_text(const Formula& formula, const std::string& word) {
-    const auto listed = [](const auto& all, const std::string& between, const auto& text) {
-        std::string found;
-        for (const auto& one : all) found += (found.empty() ? "" : between) + text(one);
-        return found;
-    };
-    const auto parts = [&](const std::string& between) {
-        return "(" +
-               listed(formula.parts, " " + between + " ",
-                      [&](const Formula& one) { return formula_text(one, word); }) +
-               ")";
-    };
-    const auto at = [&](std::size_t i) { return word + "[" + sum_text(formula.terms[i], 1) + "]"; };
-    const auto compared = [&](const std::string& sign) {
-        return sum_text(formula.terms[0], 1) + sign + sum_text(formula.terms[0], -1);
-    };
-    const auto called = [&](const std::string& name) {
-        return name + "(" +
-               listed(formula.terms, ", ", [](const LinearSum& one) { return sum_text(one, 1); }) +
-               ")";
-    };
-    const auto bound = [&](const std::string& words) {
-        return words + " " +
-               listed(formula.names, ", ", [](const std::string& one) { return one; }) + ": " +
-               formula_text(formula.parts[0], word);
-    };
-    switch (formula.kind) {
-        case Kind::equation:
-            return compared(" = ");
-        case Kind::less:
-            return compared(" < ");
-        case Kind::same_letter:
-            return at(0) + " = " + at(1);
-        case Kind::letter:
-            return at(0) + " = '" + formula.letter + "'";
-        case Kind::equal:
-            return called("equal");
-        case Kind::palindrome:
-            return called("palindrome");
-        case Kind::negation:
-            return "not (" + formula_text(formula.parts[0], word) + ")";
-        case Kind::conjunction:
-            return parts("and");
-        case Kind::disjunction:
-            return parts("or");
-        case Kind::implication:
-            return parts("implies");
-        case Kind::equivalence:
-            return parts("iff");
-        case Kind::exists:
-            return bound("for some");
-        case Kind::for_all:
-            break;
-    }
-    return bound("for all");
-}
-
-}  // namespace
-
-Formula read_formula(const Field& field) {
-    std::set<std::string> bound;
-    return read_formula(field, bound, {});
-}
-
-std::string formula_text(const Statement& statement, const Alphabet& alphabet) {
-    std::string coded;
-    for (const auto& [a, name] : statement.coding)
-        coded += (coded.empty() ? "" : ", ") + alphabet.name(a) + " written as " + name;
-    return "of the infinite word " + statement.systems[0].name +
-           (coded.empty() ? "" : ", " + coded) + ": " +
-           formula_text(*statement.first_order, statement.systems[0].name);
+void check_counts(const Obligation& task) {
+    const Paths paths(task.system(), task);
+    if (Working(task, paths).sums_to_zero(*task.statement.counted) != task.holds)
+        task.refuse(task.holds ? "the numbers differ for some n"
+                               : "the numbers are equal for all n");
 }
 
 }  // namespace algae::verify

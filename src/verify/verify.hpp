@@ -383,6 +383,13 @@ struct Formula {
     std::vector<Formula> parts = {};
 };
 
+/// For all n >= from, the sum of so many times the number of i that make a statement true, and slope n + plus, is 0. Free in the statements
+/// are i and n.
+struct CountedPlaces {
+    std::vector<std::pair<Integer, Formula>> parts;
+    Integer slope = 0, plus = 0, from = 0;
+};
+
 /// A statement, without any "not" in front of it.
 struct Statement {
     enum class Kind {
@@ -408,6 +415,7 @@ struct Statement {
         dimension,
         boundary,
         first_order,
+        counts,
         joint,
         quantified
     };
@@ -436,6 +444,7 @@ struct Statement {
         parts;  // joined as `family` says; of a quantified statement, conditions and body as they stand
     std::shared_ptr<const Quantified> quantified;
     std::shared_ptr<const Formula> first_order;
+    std::shared_ptr<const CountedPlaces> counted;
     std::map<Symbol, std::string>
         coding;  // what letters of its word are called, if not their names
 };

@@ -138,25 +138,33 @@ TEST_CASE("proofs of other sources, or other compiled files, are refused") {
         std::function<void(Compiled&)> make;
         const char* error;
     };
-    const auto append = [](const fs::path& file) {
-        std::ofstream(file, std::ios::app) << ' ';
-    };
+    const auto append = [](const fs::path& file) { std::ofstream(file, std::ios::app) << ' '; };
     const Change changes[] = {
         {"no proved.json", [](Compiled& c) { fs::remove(c.path() / "proved.json"); },
          "expected a folder with proved.json"},
         {"no JSON", [&](Compiled& c) { std::ofstream(c.path() / "proved.json") << "{"; },
          "expected an object with the format \"algae formal 1\""},
-        {"another format", [](Compiled& c) { c.proved["format"] = "algae formal 2"; c.write(); },
+        {"another format",
+         [](Compiled& c) {
+             c.proved["format"] = "algae formal 2";
+             c.write();
+         },
          "expected an object with the format \"algae formal 1\""},
         {"a changed source", [&](Compiled& c) { append(c.path() / "Spec.v"); },
          "Spec.v: expected the text of theory/formal/Spec.v that this algae carries"},
         {"no source", [](Compiled& c) { fs::remove(c.path() / "Spec.v"); },
          "Spec.v: expected this file, found none"},
         {"compiled from another source",
-         [](Compiled& c) { c.proved["files"]["Star"]["source"] = std::string(64, '0'); c.write(); },
+         [](Compiled& c) {
+             c.proved["files"]["Star"]["source"] = std::string(64, '0');
+             c.write();
+         },
          "expected the digest of theory/formal/Star.v that this algae carries"},
         {"another table",
-         [](Compiled& c) { c.proved["files"].erase("table"); c.write(); },
+         [](Compiled& c) {
+             c.proved["files"].erase("table");
+             c.write();
+         },
          "expected the digest of theory/formal/table.txt that this algae carries"},
         {"compiled again", [&](Compiled& c) { append(c.path() / "Table.vo"); },
          "Table.vo: expected what Coq compiled, found something else"},
@@ -182,8 +190,9 @@ TEST_CASE("a theorem that rests on an axiom, or that was not looked at, is cited
     compiled.proved["theorems"].erase("OneTable.v:extended_star");
     compiled.write();
     for (const char* operation : {"union", "star", "plus"}) {
-        const Json cell = Json::parse(
-            run("closure E0L " + std::string(operation) + " --json" + compiled.option()).out)["cell"];
+        const Json cell =
+            Json::parse(run("closure E0L " + std::string(operation) + " --json" + compiled.option())
+                            .out)["cell"];
         CHECK(cell["formal"]["verdict"] ==
               (operation == std::string("plus") ? "proved formally" : "cited"));
     }
@@ -192,17 +201,21 @@ TEST_CASE("a theorem that rests on an axiom, or that was not looked at, is cited
 TEST_CASE("check shows a theorem as proved formally only where its proof is") {
     const Compiled compiled;
     const Scratch scratch;
-    const std::string claim = "claim E0L languages are closed under union\ntheorem closed under union: E0L";
-    const std::string cited = "check '" + scratch.file("a.claim", claim + " by " + union_e0l + "\n") + "'";
+    const std::string claim =
+        "claim E0L languages are closed under union\ntheorem closed under union: E0L";
+    const std::string cited =
+        "check '" + scratch.file("a.claim", claim + " by " + union_e0l + "\n") + "'";
     const Run without = run(cited), with = run(cited + compiled.option());
     CHECK(without.status == 3);
-    CHECK(without.out == "claim E0L languages are closed under union\n"
-                         "  theorem closed under union: E0L\n    cited: " + union_e0l + "\n  in Coq " +
-                             union_e0l + ": cited\n");
+    CHECK(without.out ==
+          "claim E0L languages are closed under union\n"
+          "  theorem closed under union: E0L\n    cited: " +
+              union_e0l + "\n  in Coq " + union_e0l + ": cited\n");
     CHECK(with.status == 0);
-    CHECK(with.out == "claim E0L languages are closed under union\n"
-                      "  theorem closed under union: E0L\n    proved formally: " + union_e0l +
-                          "\n  in Coq " + union_e0l + ": proved formally\n");
+    CHECK(with.out ==
+          "claim E0L languages are closed under union\n"
+          "  theorem closed under union: E0L\n    proved formally: " +
+              union_e0l + "\n  in Coq " + union_e0l + ": proved formally\n");
     const Json found = Json::parse(run(cited + " --json" + compiled.option()).out)["claims"][0];
     CHECK(found["verdict"] == "proved formally");
     CHECK(found["theorem"]["verdict"] == "proved formally");
@@ -213,13 +226,17 @@ TEST_CASE("check shows a theorem as proved formally only where its proof is") {
     CHECK(Json::parse(text_of(certificate))["statements"][0]["verdict"] == "cited");
 
     // What is no sentence of the table is not proved by naming a theorem of it.
-    const std::string other = "check '" + scratch.file("b.claim", "claim x\ntheorem for all E0L languages A: "
-                                                                  "A* is E0L by " + union_e0l + "\n") + "'";
+    const std::string other = "check '" +
+                              scratch.file("b.claim",
+                                           "claim x\ntheorem for all E0L languages A: "
+                                           "A* is E0L by " +
+                                               union_e0l + "\n") +
+                              "'";
     CHECK(run(other + compiled.option()).status == 3);
     CHECK(run(other + compiled.option()).out.find("formally") == std::string::npos);
     // Examples stay examples.
-    const Json examples =
-        Json::parse(run("check theory/closure/union-e0l.claim --json" + compiled.option()).out)["claims"][0];
+    const Json examples = Json::parse(
+        run("check theory/closure/union-e0l.claim --json" + compiled.option()).out)["claims"][0];
     CHECK(examples["verdict"] == "examples");
     CHECK(examples["formal"][0] == Json{{"operation", "union"},
                                         {"families", {"E0L", "ET0L", "EDT0L"}},
@@ -231,7 +248,8 @@ TEST_CASE("check shows a theorem as proved formally only where its proof is") {
 TEST_CASE("a claim can name only the theorem of its own cells") {
     const Scratch scratch;
     const auto error = [&](const std::string& clause) {
-        const std::string file = scratch.file("x.claim", "claim x\nshow a in {a}\n" + clause + "\n");
+        const std::string file =
+            scratch.file("x.claim", "claim x\nshow a in {a}\n" + clause + "\n");
         const Run found = run("check '" + file + "'");
         CHECK(found.status == 2);
         return found.err;

@@ -180,6 +180,58 @@ TEST_CASE("statements") {
               .starts_with("2:21: expected a family of the table (REG, "));
 }
 
+TEST_CASE("statements about infinite words and their factors") {
+    const std::string names =
+        "let f = D0L { axiom a; a -> ab; b -> a }\nlet A = {a}\n"
+        "let N = 0L { axiom a; a -> b; a -> a }\nlet g = D0L { axiom c; c -> cd; d -> dc; e -> e "
+        "}\n";
+    const auto told = [&](const std::string& text) {
+        return claim_messages(names + "show " + text);
+    };
+    const std::string properties =
+        "balanced, 7/3-power-free, 7/3+-power-free, square-free, overlap-free, cube-free, "
+        "aperiodic, recurrent, uniformly recurrent, closed under reversal or rich";
+    CHECK(told("f is overlap-fee") ==
+          "6:11: expected a property of the infinite word of f (" + properties +
+              "), found 'overlap-fee'; did you mean 'overlap-free'?; of its language, write L(f)");
+    CHECK(told("N is rich") ==
+          "6:6: expected a D0L system, whose words may begin one infinite word, found 'N'");
+    CHECK(told("f is 1-power-free") == "6:11: expected an exponent above 1, which all words have");
+    CHECK(told("f is 7/0+-power-free") == "6:11: expected a property of the infinite word of f (" +
+                                              properties +
+                                              "), found '7/0+-power-free'; did you mean "
+                                              "'7/3+-power-free'?; of its language, write L(f)");
+    CHECK(told("f is 7/x-power-free") == "6:11: expected a property of the infinite word of f (" +
+                                             properties +
+                                             "), found '7/x-power-free'; did you mean "
+                                             "'7/3-power-free'?; of its language, write L(f)");
+    CHECK(told("g is balanced") ==
+          "6:11: 'balanced' is said of words over two letters, and g has 3");
+    CHECK(told("ab in factors(A)") == "6:20: expected a system, found 'A', a language");
+    CHECK(told("ab in factors(f") == "6:21: expected ')', found the end of the line");
+    CHECK(told("complexity(f, n) > n") == "6:23: expected '+', '-', '=' or '!=', found '>'");
+    CHECK(told("complexity(f, n) = complexity(g, n)") ==
+          "6:36: expected one system in a statement on complexities, 'f', found 'g'");
+    CHECK(told("complexity(f, m) = n + 1") ==
+          "6:25: expected one number, 'm', found 'n' beside it");
+    CHECK(told("complexity(f, n - 1) = n") == "6:22: expected '+' or ')', found '-'");
+    CHECK(told("complexity(f) = n") == "6:18: expected ',' and a length, found ')'");
+    CHECK(told("complexity(A, n) = n") == "6:17: expected a system, found 'A', a language");
+    CHECK(told("complexity(f, n) = 2 *") ==
+          "6:28: expected a number, a name of one, or complexity(...), found the end of the line");
+    CHECK(told("abelian_complexity(f, n) = 2") ==
+          "6:6: expected complexity or palindromic_complexity, found 'abelian_complexity'");
+    CHECK(told("for all n with m >= 1: complexity(f, n) = 2") ==
+          "6:23: expected 'n >= ' and a number, found '>'");
+    CHECK(told("for all n with n >= 1 complexity(f, n) = 2") ==
+          "6:28: expected '>=' and a number, or ':', found 'complexity'");
+    CHECK(told("for some n: complexity(f, n) = 2").find("a number of this statement alone") !=
+          std::string::npos);
+    CHECK(told("for all n: complexity(f, n) = 2 and f is rich") ==
+          "6:31: expected a number of this statement alone, found 'n', which stands for something "
+          "else; 'for all n with n >= 1:' goes before a single statement on complexities");
+}
+
 TEST_CASE("a claim allows the empty axiom or does not") {
     CHECK(!claim("show {ε} is 0L").empty_axiom);
     CHECK(claim("allow empty axiom\nshow {ε} is 0L").empty_axiom);

@@ -79,8 +79,7 @@ TEST_CASE("colours along the word are those of a circle of hues") {
     const Scene scene = drawn("axiom F&F|F'F; colour along red").scene;
     REQUIRE(scene.rods.size() == 4);
     CHECK(scene.rods[0].paint.colour == scheme_colour("along", 0));
-    CHECK(scene.rods[1].paint.colour ==
-          scheme_colour("along", std::floor(256 * 2.0 / 7) / 256));
+    CHECK(scene.rods[1].paint.colour == scheme_colour("along", std::floor(256 * 2.0 / 7) / 256));
     CHECK(scene.rods[3].paint == Paint{1, {}});
 }
 

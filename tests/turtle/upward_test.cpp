@@ -14,9 +14,7 @@ using namespace algae;
 
 namespace {
 
-Vector end_of(const std::string& text) {
-    return scene(read_lsystem(text, ""), 0, {}).end.position;
-}
+Vector end_of(const std::string& text) { return scene(read_lsystem(text, ""), 0, {}).end.position; }
 
 }  // namespace
 

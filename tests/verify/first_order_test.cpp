@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "automatic/known_words.hpp"
 #include "automatic/random_formulas.hpp"
@@ -154,4 +155,101 @@ TEST_CASE("an automaton of addition that is none is refused") {
     Json none = good;
     none["statements"][0]["proof"].erase("addition");
     CHECK(outcome(none) == Outcome::wrong);
+}
+
+namespace {
+
+/// How many factors of 0, 1, ... letters a prefix has, or palindromes among them.
+std::vector<int> factors_of(const std::string& prefix, bool palindromes, std::size_t longest) {
+    std::vector<int> all;
+    for (std::size_t n = 0; n <= longest; ++n) {
+        std::set<std::string> different;
+        for (std::size_t i = 0; i + n <= prefix.size(); ++i) {
+            const std::string factor = prefix.substr(i, n);
+            if (!palindromes || factor == std::string(factor.rbegin(), factor.rend()))
+                different.insert(factor);
+        }
+        all.push_back(static_cast<int>(different.size()));
+    }
+    return all;
+}
+
+}  // namespace
+
+TEST_CASE("sums of complexities are those of long prefixes, and verify counts again") {
+    std::size_t proofs = 0, refutations = 0, late = 0, changed = 0;
+    std::vector<KnownWord> some;
+    std::vector<std::vector<int>> complexities, palindromes;
+    for (const KnownWord& word : words())
+        for (const char* name : {"Thue-Morse", "Fibonacci", "Stewart", "Pell", "Sturmian",
+                                 "not primitive", "period doubling"})
+            if (word.name == std::string(name)) {
+                some.push_back(word);
+                const std::string prefix = word.prefix(20'000);
+                complexities.push_back(factors_of(prefix, false, 60));
+                palindromes.push_back(factors_of(prefix, true, 60));
+            }
+    CHECK(rc::check("sums", [&] {
+        const auto which = *rc::gen::inRange<std::size_t>(0, some.size());
+        const bool of_palindromes = *rc::gen::weightedElement<bool>({{3, false}, {1, true}});
+        const auto& values = (of_palindromes ? palindromes : complexities)[which];
+        const int a = *rc::gen::inRange(1, 4), b = *rc::gen::inRange(0, 3);
+        const int c = *rc::gen::inRange(0, 3), d = *rc::gen::inRange(0, 3);
+        const int times = *rc::gen::inRange(0, 3), from = *rc::gen::inRange(0, 5);
+        const auto left = [&](int n) {
+            return values[static_cast<std::size_t>(a * n + b)] -
+                   times * values[static_cast<std::size_t>(c * n + d)];
+        };
+        // A line through the first two values, which is the whole of many such sequences.
+        const int slope = left(from + 1) - left(from);
+        const int constant =
+            left(from) - slope * from + *rc::gen::weightedElement<int>({{9, 0}, {1, 1}});
+        const std::string name = of_palindromes ? "palindromic_complexity" : "complexity";
+        const auto call = [&](int p, int q) {
+            return name + "(T, " + std::to_string(p) + "n + " + std::to_string(q) + ")";
+        };
+        const std::string text = "for all n with n >= " + std::to_string(from) + ": " + call(a, b) +
+                                 " = " + std::to_string(times) + " " + call(c, d) +
+                                 (slope < 0 ? " - " : " + ") + std::to_string(std::abs(slope)) +
+                                 "n" + (constant < 0 ? " - " : " + ") +
+                                 std::to_string(std::abs(constant));
+        int fails = -1;
+        for (int n = from; n < from + 14 && fails < 0; ++n)
+            if (left(n) != slope * n + constant) fails = n;
+        RC_LOG(some[which].name + std::string(": ") + text);
+        Json certificate = certificate_of(definition(some[which]), text);
+        const std::string verdict = certificate["statements"][0]["verdict"];
+        RC_ASSERT(verdict != "undecided");
+        if (fails >= 0) RC_ASSERT(verdict == "refuted");
+        ++(verdict == "proved" ? proofs : refutations);
+        late += fails < 0 && verdict == "refuted";
+        RC_ASSERT(outcome(certificate) == Outcome::checked);
+        RC_ASSERT(outcome(opposite_of(certificate)) == Outcome::wrong);
+        if (verdict != "proved") return;
+        Json& said = certificate["statements"][0]["statement"];  // another constant is none
+        said["plus"] = std::to_string(std::stoi(said["plus"].get<std::string>()) + 1);
+        RC_ASSERT(outcome(certificate) == Outcome::wrong);
+        ++changed;
+    }));
+    MESSAGE(proofs << " sums proved for all n, " << refutations << " refuted, " << late
+                   << " of them beyond the prefix; " << changed << " changed");
+    CHECK(proofs >= 20);
+    CHECK(refutations >= 20);
+}
+
+TEST_CASE("a certificate with places that cannot be counted is refused") {
+    Json certificate =
+        certificate_of("let T = D0L { axiom a; a -> ab; b -> a }\n", "complexity(T, n) = n + 1");
+    CHECK(outcome(certificate) == Outcome::checked);
+    Json& said = certificate["statements"][0]["statement"];
+    const Json all = Json::parse(R"({"equation": {"of": {}, "plus": "0"}})");
+    const Json places = said["counts"][0]["places"];
+    said["counts"][0]["places"] = all;  // all i
+    CHECK(outcome(certificate) == Outcome::wrong);
+    said["counts"][0]["places"] = places;
+    said["from"] = "-1";
+    CHECK_THROWS_AS(outcome(certificate), Error);
+    said["from"] = "0";
+    said["counts"][0]["places"]["not"]["exists"][0] = "i";  // that is free
+    CHECK_THROWS_AS(outcome(certificate), Error);
 }

@@ -226,6 +226,7 @@ Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget 
 
 /// Whether a first-order statement holds in the infinite word of a D0L system, by automata. Undecided where addition is not
 /// regular in its numeration; throws Error where there is no such word.
+Answer judge_counts(const CountsInWord& said, const Alphabet& alphabet, const Budget& budget);
 Answer judge_infinite_word(const HoldsInWord& said, const Alphabet& alphabet,
                            const Budget& budget = {});
 

@@ -289,6 +289,7 @@ struct ByAutomata {
     std::size_t largest = 0;                               // states of the largest automaton
     std::uint32_t base = 1;                                // of the digits
     AutomaticRelation addition;  // x + y = z; without edges where it is not known
+    std::size_t rows = 0;        // of the matrices, where places are counted
 };
 
 struct Falls {

@@ -209,6 +209,17 @@ std::optional<std::string_view> first_order_system(std::string_view text,
 /// The first-order statement that is the whole of the text. Throws `SyntaxError` or `DependsOnError`.
 Statement parse_first_order(std::string_view system, std::string_view text, ClaimReading& reading);
 
+/// Reads `f is overlap-free`, a property of the infinite word of a system; false if the text is no property of a system. Throws
+/// as the others.
+bool parse_word_property(std::string_view text, Statement& statement, ClaimReading& reading);
+/// Reads `abba in factors(G)`: some word of the language of G has the factor; false if it is no such statement.
+bool parse_factor(std::string_view text, Statement& statement, ClaimReading& reading);
+/// Reads `complexity(f, 2n + 1) = 2 complexity(f, n + 1)` for all n, and with `for all n with n >= 1:` before it; false if it is no such
+/// statement.
+bool parse_complexities(std::string_view text, Statement& statement, ClaimReading& reading);
+/// Whether the text is a single statement about complexities with a quantifier.
+bool is_on_complexities(std::string_view text);
+
 // Statements about numbers and words that may depend on numbers. A name of a number that nothing binds makes the statement one
 // about all numbers. All throw `SyntaxError` or `DependsOnError`.
 

@@ -256,8 +256,11 @@ void check_rises_by_letters(const Obligation& task);
 void check_falls(const Obligation& task);
 /// Of an infinite word.
 void check_first_order(const Obligation& task);
+void check_counts(const Obligation& task);
 /// A first-order statement without free names. Throws Error if it is none.
 Formula read_formula(const Field& field);
+/// A sum of numbers of places. Throws Error if it is none.
+CountedPlaces read_counts(const Field& field);
 /// The same as text, with its word.
 std::string formula_text(const Statement& statement, const Alphabet& alphabet);
 /// Statements made of others, and quantified ones.

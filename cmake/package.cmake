@@ -21,7 +21,7 @@ set(CPACK_DEBIAN_COMMAND_PACKAGE_DEPENDS fonts-dejavu-core)
 set(CPACK_COMPONENT_COMMAND_DESCRIPTION "algae derives Lindenmayer systems exactly, computes with generations far too
 large to write out, decides questions about growth, membership, finiteness and
 equality, checks claims of the theory, and draws figures in the plane and in
-space, derivation trees and animations. A gallery, twelve lessons with
+space, derivation trees and animations. A gallery, fourteen lessons with
 exercises that it marks, and the table of closure come with it.")
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libalgae-dev)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)

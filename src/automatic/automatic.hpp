@@ -132,7 +132,7 @@ struct FirstOrderAnswer {
         relation;        // over the free variables: all tuples for which the statement holds
     bool holds = false;  // where there are no free variables
     /// Of a statement that begins with `for some` and holds: numbers for which it does. Of one that begins with `for all` and does not hold: numbers
-    /// for which it does not. Those with the fewest digits.
+    /// for which it does not. With `not` before it the other way round. Those with the fewest digits.
     std::vector<std::pair<std::string, Integer>> witness;
     std::size_t largest = 0;  // states of the largest automaton on the way
 };

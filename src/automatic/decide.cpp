@@ -380,17 +380,20 @@ FirstOrderAnswer decide_first_order(const FirstOrderStatement& statement, const 
     Relations relations(word, budget, progress);
     Decision decision(relations);
     FirstOrderAnswer answer;
-    const FirstOrderNode& root = statement.root();
-    const bool is_some = root.kind == Kind::exists, is_all = root.kind == Kind::for_all;
+    const FirstOrderNode* root = &statement.root();
+    bool denied = false;
+    for (; root->kind == Kind::negation; root = root->parts[0].get()) denied = !denied;
+    const bool is_some = root->kind == Kind::exists, is_all = root->kind == Kind::for_all;
     if (statement.free().empty() && (is_some || is_all)) {
-        const AutomaticRelation found = decision.first_block(root, is_all);
-        answer.holds = is_some != found.empty();
+        const AutomaticRelation found = decision.first_block(*root, is_all);
+        answer.holds = (is_some != found.empty()) != denied;
         if (!found.empty())
             for (auto& [name, value] : relations.witness(found))
                 answer.witness.emplace_back(written_name(name), std::move(value));
         answer.relation = relations.constant(answer.holds);
     } else {
-        answer.relation = relations.over(decision.evaluate(root, false), statement.free());
+        answer.relation =
+            relations.over(decision.evaluate(statement.root(), false), statement.free());
         answer.holds = !answer.relation.empty();
     }
     answer.largest = relations.largest();

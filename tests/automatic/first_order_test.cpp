@@ -214,6 +214,12 @@ TEST_CASE("what makes a statement true or false is told") {
     const std::string prefix = words()[1].prefix(10'000);
     for (std::size_t k = 0; k < 2 * at["n"]; ++k)
         CHECK(prefix[at["i"] + k] == prefix[at["i"] + at["n"] + k]);
+    const auto denied = answer(fibonacci, "not (for some i: T[i] = T[i+1])");
+    CHECK(!denied.holds);
+    REQUIRE(denied.witness.size() == 1);
+    CHECK(denied.witness[0].second == 2);  // ab aa
+    CHECK(answer(fibonacci, "not for all i: T[i] = a").witness.size() == 1);
+    CHECK(answer(fibonacci, "not for some i: T[i] = b and T[i+1] = b").holds);
     const auto no = answer(fibonacci, "for all i: T[i] = a or T[i+1] = b");
     CHECK(!no.holds);
     REQUIRE(no.witness.size() == 1);

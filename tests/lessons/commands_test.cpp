@@ -56,7 +56,7 @@ std::string page(const std::string& name) {
 
 TEST_CASE(
     "every command in a lesson prints what the lesson shows, and makes the pictures it shows") {
-    CHECK(lessons().size() == 12);
+    CHECK(lessons().size() == 14);
     for (const Lesson& lesson : lessons()) {
         const Scratch folder;
         CAPTURE(lesson.path);

@@ -19,11 +19,11 @@ TEST_CASE("lesson lists the lessons, prints one, and prints the task of an exerc
     const Run task = run("lesson 3 --exercise 2");
     CHECK(task.status == 0);
     CHECK(task.out.starts_with("Exercise 3.2: The squares and one\n\nWrite a PD0L system"));
-    CHECK(run("lesson 13").status == 2);
+    CHECK(run("lesson 15").status == 2);
     CHECK(run("lesson 3 --exercise 9").status == 2);
     CHECK(run("lesson --exercise 1").status == 2);
     CHECK(run("lesson 3 answer.lsys").status == 2);
-    CHECK(run("lesson three").err.find("from 1 to 12") != std::string::npos);
+    CHECK(run("lesson three").err.find("from 1 to 14") != std::string::npos);
 }
 
 TEST_CASE(

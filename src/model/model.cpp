@@ -64,7 +64,7 @@ bool Model::operator==(const Model& other) const {
 bool lies_down(const Model& model) {
     if (model.drawing.start || !model.drawing.plotters.empty()) return false;
     const auto has = [&](const Word& word, std::string_view signs) {
-        return std::ranges::any_of(word, [&](Symbol symbol) {
+        return std::any_of(word.begin(), word.end(), [&](Symbol symbol) {
             const std::string& name = model.alphabet.name(symbol);
             return name.size() == 1 && signs.find(name[0]) != std::string_view::npos;
         });
@@ -73,7 +73,7 @@ bool lies_down(const Model& model) {
     // A stem: a stroke outside of brackets.
     const auto has_stem = [&](const Word& word) {
         int depth = 0;
-        return std::ranges::any_of(word, [&](Symbol symbol) {
+        return std::any_of(word.begin(), word.end(), [&](Symbol symbol) {
             const std::string& name = model.alphabet.name(symbol);
             depth += (name == "[") - (name == "]");
             return depth == 0 && (name == "F" || name.starts_with("F_"));

@@ -212,13 +212,14 @@ std::optional<InferredSystem> deterministic(const std::vector<Word>& words,
         found.rules.push_back(
             {keys[i].table, keys[i].left, keys[i].letter, keys[i].right, std::move(successor)});
     }
-    std::ranges::stable_sort(found.rules, [](const InferredRule& a, const InferredRule& b) {
-        const auto contexts_of = [](const InferredRule& rule) {
-            return rule.left.size() + rule.right.size();
-        };
-        const std::size_t of_a = contexts_of(a), of_b = contexts_of(b);
-        return std::tie(a.table, a.letter, of_b) < std::tie(b.table, b.letter, of_a);
-    });
+    std::stable_sort(
+        found.rules.begin(), found.rules.end(), [](const InferredRule& a, const InferredRule& b) {
+            const auto contexts_of = [](const InferredRule& rule) {
+                return rule.left.size() + rule.right.size();
+            };
+            const std::size_t of_a = contexts_of(a), of_b = contexts_of(b);
+            return std::tie(a.table, a.letter, of_b) < std::tie(b.table, b.letter, of_a);
+        });
     return found;
 }
 
@@ -243,7 +244,8 @@ Inference with_tables(const std::vector<Word>& words, const InferenceWish& wish,
     std::vector<std::size_t> schedule(words.size() - 1, 0);
     std::uint64_t below = unbounded;
     do {
-        const std::size_t tables = schedule.empty() ? 1 : *std::ranges::max_element(schedule) + 1;
+        const std::size_t tables =
+            schedule.empty() ? 1 : *std::max_element(schedule.begin(), schedule.end()) + 1;
         if (auto system =
                 deterministic(words, wish, 0, 0, schedule, tables, below, found.cases, budget)) {
             below = system->size;
@@ -283,7 +285,7 @@ public:
     Inference least() {
         for (Symbol letter = 0; letter < successors_.size(); ++letter) {
             const auto has = [&](const Word& word) {
-                return std::ranges::find(word, letter) != word.end();
+                return std::find(word.begin(), word.end(), letter) != word.end();
             };
             const bool said = std::any_of(words_.begin(), words_.end() - 1, has);
             // What the words do not say costs 1, or 2 if it must not be empty.
@@ -303,7 +305,9 @@ public:
                 system.rules.push_back({0, {}, letter, {}, successor});
         for (const Symbol letter : unsaid_)
             system.rules.push_back({0, {}, letter, {}, shortest_ == 0 ? Word() : Word{letter}});
-        std::ranges::stable_sort(system.rules, {}, &InferredRule::letter);
+        std::stable_sort(
+            system.rules.begin(), system.rules.end(),
+            [](const InferredRule& a, const InferredRule& b) { return a.letter < b.letter; });
         return found;
     }
 
@@ -335,7 +339,7 @@ private:
         for (std::size_t length = last ? room : shortest_; length <= room - after; ++length) {
             if (length < shortest_ || size_ + 1 + length >= below_) break;
             Word successor(begin, begin + static_cast<std::ptrdiff_t>(length));
-            if (std::ranges::find(known, successor) != known.end()) continue;
+            if (std::find(known.begin(), known.end(), successor) != known.end()) continue;
             known.push_back(std::move(successor));
             size_ += 1 + length;
             next(step, at + 1, cut + length);
@@ -385,7 +389,7 @@ public:
     /// Whether for some way all words pass. The way is then in names().
     bool find(const std::function<bool(const Word&)>& passes, std::size_t at = 0) {
         if (at == occurring_.size())
-            return std::ranges::all_of(words_, [&](const Word& word) {
+            return std::all_of(words_.begin(), words_.end(), [&](const Word& word) {
                 Word renamed;
                 for (const Symbol letter : word) renamed.push_back(to_[letter]);
                 return passes(renamed);

@@ -1,6 +1,6 @@
 (* The table: what is proved of each operation and family, and by which theorem.  [None] says that nothing is. *)
 From Coq Require Import String.
-From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable GapsExtended Star Pumping
+From Algae Require Import Words Reversal Obstruction NonClosure Complement Regular AbstractFamily ContextFree Runs Extended Substitution OneTable GapsExtended Repetitions Star Pumping
   Interactions InteractionsMarked InteractionsComplement.
 Open Scope string_scope.
 
@@ -71,11 +71,13 @@ Definition extended_cell (many one : bool) (o : operation) : option (bool * stri
   | Complement => no "GapsExtended.v:extended_not_closed_under_complement"
   | Homomorphism => yes "OneTable.v:extended_homomorphism"
   | NonErasingHomomorphism => yes "OneTable.v:extended_non_erasing_homomorphism"
-  | InverseHomomorphism => match many, one with true, false => yes "OneTable.v:et0l_inverse_homomorphism" | _, _ => None end
+  | InverseHomomorphism => match many, one with
+    | true, false => yes "OneTable.v:et0l_inverse_homomorphism" | true, true => no "Repetitions.v:edt0l_not_closed_under_inverse_homomorphism" | _, _ => None end
   | Reversal => yes "Reversal.v:lsystem_reversal"
-  | FiniteSubstitution => if one then None else yes "OneTable.v:extended_finite_substitution"
-  | Substitution => match many, one with true, false => yes "OneTable.v:et0l_substitution" | _, _ => None end
-  | GsmMapping => if one then None else yes "OneTable.v:extended_gsm_mapping"
+  | FiniteSubstitution => if one then no "Repetitions.v:edt0l_not_closed_under_finite_substitution" else yes "OneTable.v:extended_finite_substitution"
+  | Substitution => match many, one with
+    | true, false => yes "OneTable.v:et0l_substitution" | true, true => no "Repetitions.v:edt0l_not_closed_under_substitution" | _, _ => None end
+  | GsmMapping => if one then no "Repetitions.v:edt0l_not_closed_under_gsm_mapping" else yes "OneTable.v:extended_gsm_mapping"
   end.
 Definition interacting_cell (o : operation) : option (bool * string) :=
   match o with
@@ -137,10 +139,10 @@ Proof.
     by_theorem extended_not_closed_under_intersection|by_theorem extended_intersection_with_regular|
     by_theorem extended_not_closed_under_complement|by_theorem extended_homomorphism|by_theorem extended_non_erasing_homomorphism| |
     by_theorem lsystem_reversal| | |].
-  - destruct many, one; try easy. by_theorem et0l_inverse_homomorphism.
-  - destruct one; [easy|by_theorem extended_finite_substitution].
-  - destruct many, one; try easy. by_theorem et0l_substitution.
-  - destruct one; [easy|by_theorem extended_gsm_mapping].
+  - destruct many, one; try easy; [by_theorem edt0l_not_closed_under_inverse_homomorphism|by_theorem et0l_inverse_homomorphism].
+  - destruct one; [rewrite (H eq_refl); by_theorem edt0l_not_closed_under_finite_substitution|by_theorem extended_finite_substitution].
+  - destruct many, one; try easy; [by_theorem edt0l_not_closed_under_substitution|by_theorem et0l_substitution].
+  - destruct one; [rewrite (H eq_refl); by_theorem edt0l_not_closed_under_gsm_mapping|by_theorem extended_gsm_mapping].
 Qed.
 Lemma interacting_right o sign name : interacting_cell o = Some (sign, name) -> holds o IL sign.
 Proof.

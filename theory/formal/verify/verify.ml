@@ -1,6 +1,7 @@
 (* verify FILE...: checks the statements of certificates of `algae check --certificate` by the checker that is proved in
-   Checker.v.  verify --lines FILE: each line is a certificate, and a line of the output says what becomes of it.  This file reads JSON and says which statement is meant; whether it is true is decided by `check_numbers`.
-   What is neither on finite languages nor a derivation is not covered. *)
+   Checker.v.  verify --lines FILE: each line is a certificate, and a line of the output says what becomes of it.  This file
+   reads JSON and says which statement is meant; whether it is true is decided by `check_numbers`.
+   What Checker.v has no form for is not covered. *)
 
 open Checker
 
@@ -81,70 +82,142 @@ let statement_of certificate entry =
     | Some i -> (match number size i with Some x -> x | None -> failwith "a letter beyond the alphabet")
     | None -> raise (Not_covered ("letter " ^ name)) in
   let word v = match text v with "" -> [] | s -> List.map letter (String.split_on_char ' ' s) in
+  let rule_system s =
+    match find "rules" s with
+    | None -> raise (Not_covered "a system with modules")
+    | Some rules ->
+      if find "ignored" s <> None then raise (Not_covered "a system with ignored letters");
+      let rule r = (((word (get "left" r), letter (text (get "letter" r))), word (get "right" r)), word (get "successor" r)) in
+      (word (get "axiom" s), List.map rule (items rules)) in
+  let rules_of s =
+    if find "tables" s = None then raise (Not_covered "a system with context");
+    let table t = List.concat_map (fun (x, us) -> List.map (fun u -> (letter x, word u)) (items us)) (fields t) in
+    (word (get "axiom" s), List.map table (items (get "tables" s)),
+     match find "terminals" s with Some l -> word l | None -> List.map letter names) in
+  let named name = get name (get "systems" certificate) in
+  let system name = rules_of (named name) in
+  let morphism h = List.map (fun (x, u) -> (letter x, word u)) (fields h) in
   let rec language v = match fields v with
     | [ "words", l ] -> Words (List.map word (items l))
     | [ "union", List [ e; f ] ] -> United (language e, language f)
     | [ "intersection", List [ e; f ] ] -> Intersected (language e, language f)
     | [ "difference", List [ e; f ] ] -> Difference (language e, language f)
     | [ "concatenation", List [ e; f ] ] -> Product (language e, language f)
+    | [ "star", e ] -> Starred (language e)
+    | [ "plus", e ] -> let e = language e in Product (e, Starred e)
     | [ "reversal", e ] -> Reversed (language e)
-    | [ "image", e; "morphism", h ] | [ "morphism", h; "image", e ] ->
-      Imaged (List.map (fun (x, u) -> (letter x, word u)) (fields h), language e)
-    | _ -> raise (Not_covered "a language that is not given as finite") in
-  let rules_of s =
-    if find "terminals" s = None && find "tables" s = None then raise (Not_covered "a system with context");
-    let table t = List.concat_map (fun (x, us) -> List.map (fun u -> (letter x, word u)) (items us)) (fields t) in
-    (word (get "axiom" s), List.map table (items (get "tables" s)),
-     match find "terminals" s with Some l -> word l | None -> List.map letter names) in
-  let system name = rules_of (get name (get "systems" certificate)) in
+    | [ "complement", e; "letters", l ] | [ "letters", l; "complement", e ] -> Complemented (word l, language e)
+    | [ "image", e; "morphism", h ] | [ "morphism", h; "image", e ] -> Imaged (morphism h, language e)
+    | [ "inverse image", e; "morphism", h ] | [ "morphism", h; "inverse image", e ] -> Inverse (morphism h, language e)
+    | [ "generated", name ] -> let axiom, tables, terminals = system (text name) in Generated (tables, axiom, terminals)
+    | (("powers" | "numbers"), _) :: _ -> raise (Not_covered "a language of powers")
+    | _ -> raise (Not_covered "a language of another form") in
   let derivation proof = List.map word (items (get "words" proof)) in
+  let proof () = match find "proof" entry with Some p -> p | None -> Null in
+  let witnesses () = match find "word" (proof ()) with Some w -> [ word w ] | None -> [] in
+  let integer = function Number n | String n -> (try int_of_string n with Failure _ -> raise (Not_covered "a large number")) | _ -> raise (Not_covered "no number") in
+  let kind_of family = match List.assoc_opt family kinds with
+    | Some (tabled, deterministic, propagating) -> { tabled; deterministic; propagating; extended = false }
+    | None -> raise (Not_covered family) in
   let rec meant is v = match fields v with
     | [ "not", v ] -> meant (not is) v
-    | _ when find "is" v <> None && find "language" v <> None && not is ->
-      (match List.assoc_opt (text (get "is" v)) kinds with
-       | Some (tabled, deterministic, propagating) ->
-         Is_not ({ tabled; deterministic; propagating; extended = false }, language (get "language" v))
-       | None -> raise (Not_covered (text (get "is" v))))
-    | _ when find "is" v <> None && find "language" v <> None ->
-      let k = match List.assoc_opt (text (get "is" v)) kinds with
-        | Some (tabled, deterministic, propagating) -> { tabled; deterministic; propagating; extended = false }
-        | None -> raise (Not_covered (text (get "is" v))) in
-      let l = get "language" v and proof = get "proof" entry in
-      (match find "by" proof, find "generated" l with
-       | Some (String "form"), Some name when find "terminals" (get (text name) (get "systems" certificate)) = None ->
-         let axiom, tables, _ = system (text name) in Has_form (k, tables, axiom)
-       | Some (String "system"), _ ->
-         let axiom, tables, _ = rules_of (get "system" proof) in Is (k, language l, tables, axiom)
-       | _ -> raise (Not_covered "a family, by another proof"))
-    | [ "equal", List [ e; f ] ] -> if is then Equal (language e, language f) else Not_equal (language e, language f)
-    | [ "included", List [ e; f ] ] -> if is then Included (language e, language f) else Not_included (language e, language f)
+    | _ when find "for all" v <> None && find "holds" v <> None && find "with" v = None ->
+      let operation, family = closure v in if is then Closed (operation, family) else Not_closed (operation, family)
+    | _ when find "is" v <> None && find "language" v <> None -> belongs is (text (get "is" v)) (get "language" v)
+    | [ "equal", List [ e; f ] ] -> if is then Equal (language e, language f) else Not_equal (language e, language f, witnesses ())
+    | [ "included", List [ e; f ] ] -> if is then Included (language e, language f) else Not_included (language e, language f, witnesses ())
+    | _ when find "size" v <> None && find "language" v <> None && is -> Number_of (language (get "language" v), integer (get "size" v))
     | _ when find "member" v <> None ->
       let w = word (get "member" v) and l = get "language" v in
-      (match find "generated" l, is with
-       | Some name, true ->
+      (match find "generated" l, is, find "derivation" (proof ()) with
+       | Some name, true, Some steps ->
          let axiom, tables, terminals = system (text name) in
-         (match derivation (get "derivation" (get "proof" entry)) with
+         (match derivation steps with
           | first :: steps when first = axiom -> Generates (tables, axiom, terminals, w, steps)
           | _ -> failwith "the derivation does not begin with the axiom")
        | _ -> if is then Member (w, language l) else Not_member (w, language l))
-    | _ when find "derives" v <> None && find "system" v <> None && is ->
-      let axiom, tables, _ = system (text (get "system" v)) in
-      let from = match find "from" v with Some u -> word u | None -> axiom in
-      (match derivation (get "proof" entry) with
-       | first :: steps when first = from ->
-         let n = match find "steps" v with Some (Number n) | Some (String n) -> int_of_string n | _ -> List.length steps in
-         Derives (tables, from, n, word (get "derives" v), steps)
-       | _ -> failwith "the derivation begins with another word")
-    | _ -> raise (Not_covered "the form of the statement") in
+    | _ when find "derives" v <> None && find "system" v <> None && find "probability" v = None -> derives is v
+    | _ -> raise (Not_covered "the form of the statement")
+  (* The statement is in a family, finite or empty, or it is not. *)
+  and belongs is family l = match family, is with
+    | "finite", true -> Finite (language l)
+    | "empty", true -> Empty (language l)
+    | "empty", false -> Not_empty (language l, witnesses ())
+    | "IL", true ->
+      (match find "generated" l with
+       | Some name -> let axiom, rules = rule_system (named (text name)) in Is_interacting (axiom, rules)
+       | None -> raise (Not_covered "IL"))
+    | _, false -> Is_not (kind_of family, language l)
+    | _, true ->
+      let k = kind_of family in
+      (match find "by" (proof ()), find "generated" l with
+       | Some (String "form"), Some name when find "terminals" (named (text name)) = None ->
+         let axiom, tables, _ = system (text name) in Has_form (k, tables, axiom)
+       | Some (String "system"), _ ->
+         let axiom, tables, _ = rules_of (get "system" (proof ())) in Is (k, language l, tables, axiom)
+       | _ -> raise (Not_covered "a family, by another proof"))
+  and derives is v =
+    let s = named (text (get "system" v)) and w = word (get "derives" v) in
+    let from = match find "from" v with Some u -> word u | None -> word (get "axiom" s) in
+    if not is then begin
+      let _, tables, _ = rules_of s in
+      match find "steps" v with
+      | Some n -> Not_derives (tables, from, integer n, w)
+      | None -> Not_member (w, Generated (tables, from, List.map letter names))
+    end else
+      match derivation (proof ()) with
+      | first :: steps when first = from ->
+        let n = match find "steps" v with Some n -> integer n | None -> List.length steps in
+        if find "rules" s <> None then let _, rules = rule_system s in Context_derives (rules, from, n, w, steps)
+        else let _, tables, _ = rules_of s in Derives (tables, from, n, w, steps)
+      | _ -> failwith "the derivation begins with another word"
+  (* "for all languages of a family, what an operation makes of them is in the family": a cell of the table *)
+  and closure v =
+    let suffix = " languages" in
+    let family_of s =
+      let n = String.length s - String.length suffix in
+      if n < 0 || String.sub s n (String.length suffix) <> suffix then raise (Not_covered "a statement on all numbers, words, systems or languages");
+      match String.sub s 0 n with
+      | "REG" -> REG | "CF" -> CF | "IL" -> IL
+      | "E0L" -> LSystem { tabled = false; deterministic = false; propagating = false; extended = true }
+      | "ET0L" -> LSystem { tabled = true; deterministic = false; propagating = false; extended = true }
+      | "EDT0L" -> LSystem { tabled = true; deterministic = true; propagating = false; extended = true }
+      | name -> LSystem (kind_of name) in
+    let variables = List.map (fun x -> (text (get "name" x), text (get "of" x))) (items (get "for all" v)) in
+    let holds = get "holds" v in
+    let is_name x = function Object [ "name", String y ] -> x = y | _ -> false in
+    match variables, find "is" holds, Option.map fields (find "language" holds) with
+    | (x, f) :: others, Some (String result), Some made when family_of (result ^ suffix) = family_of f ->
+      let family = family_of f in
+      let operation = match others, made with
+        | [ (y, g) ], [ "union", List [ p; q ] ] when is_name x p && is_name y q && family_of g = family -> Union
+        | [ (y, g) ], [ "concatenation", List [ p; q ] ] when is_name x p && is_name y q && family_of g = family -> Concatenation
+        | [ (y, g) ], [ "intersection", List [ p; q ] ] when is_name x p && is_name y q && family_of g = family -> Intersection
+        | [ (y, "REG languages") ], [ "intersection", List [ p; q ] ] when is_name x p && is_name y q -> IntersectionWithRegular
+        | [], [ "star", p ] when is_name x p -> Star
+        | [], [ "plus", p ] when is_name x p -> Plus
+        | [], [ "reversal", p ] when is_name x p -> Reversal
+        | [ (h, "morphisms") ], [ "image", p; "morphism", String g ] when is_name x p && g = h -> Homomorphism
+        | [ (h, "non-erasing morphisms") ], [ "image", p; "morphism", String g ] when is_name x p && g = h -> NonErasingHomomorphism
+        | [ (h, "finite substitutions") ], [ "image", p; "morphism", String g ] when is_name x p && g = h -> FiniteSubstitution
+        | [ (h, "morphisms") ], [ "inverse image", p; "morphism", String g ] when is_name x p && g = h -> InverseHomomorphism
+        | _ -> raise (Not_covered "a statement on all numbers, words, systems or languages") in
+      (operation, family)
+    | _ -> raise (Not_covered "a statement on all numbers, words, systems or languages") in
   let is = match get "verdict" entry with
     | String "proved" -> true | String "refuted" -> false
     | _ -> raise (Not_covered "not decided") in
-  (size, meant is (get "statement" entry))
+  let statement = get "statement" entry in
+  let opposite = match meant (not is) statement with s -> Some s | exception (Not_covered _ | Failure _) -> None in
+  (size, meant is statement, opposite)
 
 (* ---- files ---- *)
 exception Too_long
 let fuel = 200
-let seconds = 10
+let bound = 12
+let seconds = ref 1.
+
+let clock s = ignore (Unix.setitimer Unix.ITIMER_VIRTUAL { it_interval = 0.; it_value = s })    (* of the processor *)
 
 type outcome = Checked | Left of string | Wrong of string    (* left: not covered *)
 
@@ -161,20 +234,27 @@ let rec parts entry =
       | _ -> raise (Not_covered "a part without its proof")) statements)
   | _ -> [ entry ]
 
+(* False is what is not a derivation, and that of which the checker proves the opposite. *)
 let check_part certificate entry =
   match statement_of certificate entry with
   | exception Not_covered reason -> Left reason
   | exception Failure why -> Wrong why
-  | size, statement ->
-    ignore (Unix.alarm seconds);
-    let outcome = match check_numbers size fuel statement with
-      | true -> Checked
-      | false -> (match statement with
+  | size, statement, opposite ->
+    let checked s = check_numbers size fuel bound s in
+    clock !seconds;
+    let outcome_of () =
+      if checked statement then Checked
+      else match statement with
+        | Derives _ | Generates _ | Context_derives _ -> Wrong "not so"
         | Is_not _ -> Left "the search finds no proof"
         | Has_form _ -> Left "a form that only letters which never occur disturb"
-        | _ -> Wrong "not so")
+        | _ -> (match opposite with
+          | Some s when checked s -> Wrong "not so"
+          | _ -> Left "not found out") in
+    let outcome = match outcome_of () with
+      | outcome -> outcome
       | exception (Too_long | Stack_overflow | Out_of_memory) -> Left "too long" in
-    ignore (Unix.alarm 0);
+    clock 0.;
     outcome
 
 let check_entry certificate entry =
@@ -218,12 +298,13 @@ let line_outcome text =
     | None, None -> if outcomes = [] then "not covered: no statement" else "checked"
 
 let check_lines file =
+  seconds := 0.5;
   let channel = open_in_bin file in
   (try while true do print_endline (line_outcome (input_line channel)) done with End_of_file -> ());
   close_in channel; 0
 
 let () =
-  Sys.set_signal Sys.sigalrm (Sys.Signal_handle (fun _ -> raise Too_long));
+  Sys.set_signal Sys.sigvtalrm (Sys.Signal_handle (fun _ -> raise Too_long));
   exit (match List.tl (Array.to_list Sys.argv) with
     | [ "--lines"; file ] -> check_lines file
     | [] -> prerr_endline "verify FILE...: which certificates?"; 2

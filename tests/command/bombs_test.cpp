@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 namespace {
 
@@ -158,7 +159,7 @@ TEST_CASE("whatever an input asks for, the bound of memory holds") {
         const Scratch files, out;
         const std::string file = files.file("bomb.lsys", bomb.text);
         const std::string command =
-            "timeout -s KILL 60 '" ALGAE_COMMAND "' " +
+            "timeout -s KILL 60 '" + built_command() + "' " +
             with(with(bomb.arguments, '@', "'" + file + "'"), '%', out.file("made")) +
             " --max-memory 100M --timeout 2 >/dev/null 2>'" + files.file("err") + "'";
         const Ended ended = measured(command);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 using nlohmann::json;
 
@@ -258,7 +259,7 @@ TEST_CASE("a thousand verdicts of a census have proofs that verify checks") {
 
 TEST_CASE("the files of counts are what their commands print") {
     // Each line of the table has a file and a command; here for small sizes, whose lines begin the file.
-    const std::string folder = std::string(ALGAE_SOURCE_DIR) + "/theory/census/";
+    const std::string folder = source_folder() + "/theory/census/";
     std::istringstream readme(text_of(folder + "README.md"));
     std::size_t files = 0;
     for (std::string line; std::getline(readme, line);) {

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 using nlohmann::json;
 
@@ -47,7 +48,7 @@ TEST_CASE(
 }
 
 TEST_CASE("check of a dimension within a time says that it is over, and nothing of the rules") {
-    const std::string claim = ALGAE_SOURCE_DIR "/theory/document-001/dimension-gosper.claim";
+    const std::string claim = source_folder() + "/theory/document-001/dimension-gosper.claim";
     for (const char* option : {"", " --json"}) {
         const Run found = run("check '" + claim + "' --timeout 0.001" + option);
         CHECK(found.status == 3);
@@ -94,7 +95,7 @@ TEST_CASE("check --json tells claims, statements, verdicts and arguments") {
 
 TEST_CASE("check --explain of Theorem 8 of document 001 is the proof by cases") {
     const Run page =
-        run("check '" ALGAE_SOURCE_DIR "/theory/document-001/theorem-8.claim' --explain");
+        run("check '" + source_folder() + "/theory/document-001/theorem-8.claim' --explain");
     CHECK(page.status == 0);
     CHECK(page.out.starts_with("0L languages are not closed under union\n001 Theorem 8\n\n"));
     const std::string proof =

@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 TEST_CASE("derive prints the word of a generation, or all of them") {
     CHECK(run("derive koch -n 1").out == "F+F--F+F\n");
@@ -148,11 +149,12 @@ TEST_CASE("numbers out of range are refused with what was expected") {
 TEST_CASE("a full output is an error, a closed pipe ends the command") {
     const Scratch scratch;
     if (std::filesystem::exists("/dev/full")) {
-        const int ended =
-            std::system("'" ALGAE_COMMAND "' derive koch -n 10 >/dev/full 2>/dev/null");
+        const int ended = std::system(
+            ("'" + built_command() + "' derive koch -n 10 >/dev/full 2>/dev/null").c_str());
         CHECK(WEXITSTATUS(ended) == 2);
     }
-    const int ended = std::system("'" ALGAE_COMMAND "' derive koch -n 13 | head -c 10 >/dev/null");
+    const int ended = std::system(
+        ("'" + built_command() + "' derive koch -n 13 | head -c 10 >/dev/null").c_str());
     CHECK(WEXITSTATUS(ended) == 0);
 }
 

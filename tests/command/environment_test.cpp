@@ -4,10 +4,11 @@
 #include <nlohmann/json.hpp>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 namespace {
 
-const std::string growth = ALGAE_SOURCE_DIR "/figures/001-formal-languages/open-growth.lsys";
+const std::string growth = source_folder() + "/figures/001-formal-languages/open-growth.lsys";
 
 /// A system that leaves its module to a program, on standard input.
 const std::string external =

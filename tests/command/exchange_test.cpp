@@ -3,12 +3,13 @@
 #include <nlohmann/json.hpp>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 using nlohmann::json;
 
 namespace {
 
-const std::string examples = ALGAE_SOURCE_DIR "/examples/";
+const std::string examples = source_folder() + "/examples/";
 
 std::size_t letters(const std::string& line) { return line.size() - 1; }  // without the line break
 

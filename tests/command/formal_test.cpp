@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-const fs::path sources = fs::path(ALGAE_SOURCE_DIR) / "theory" / "formal";
+const fs::path sources = fs::path(source_folder()) / "theory" / "formal";
 
 /// The digest of a file, by another program.
 std::string digest(const fs::path& file) {

@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 namespace {
 
-const std::string figures = ALGAE_SOURCE_DIR "/figures/003-fractal-notes/";
+const std::string figures = source_folder() + "/figures/003-fractal-notes/";
 
 std::string refused(const std::string& arguments, int status = 2) {
     const Run wrong = run(arguments);

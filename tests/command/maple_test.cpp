@@ -3,10 +3,11 @@
 #include <string>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 namespace {
 
-const std::string examples = ALGAE_SOURCE_DIR "/examples/";
+const std::string examples = source_folder() + "/examples/";
 
 bool holds(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 namespace {
 
@@ -121,8 +122,8 @@ TEST_CASE("a claim reads no system outside its folder") {
 TEST_CASE("help that cannot be written fails") {
     if (!std::filesystem::exists("/dev/full")) return;
     for (const std::string arguments : {"--help", "draw --help", "--version"}) {
-        const int ended =
-            std::system(("'" ALGAE_COMMAND "' " + arguments + " >/dev/full 2>/dev/null").c_str());
+        const int ended = std::system(
+            ("'" + built_command() + "' " + arguments + " >/dev/full 2>/dev/null").c_str());
         CHECK(WEXITSTATUS(ended) == 2);
     }
 }
@@ -131,10 +132,10 @@ TEST_CASE("two stops leave no unfinished file") {
     const Scratch files;
     const std::string out = files.file("far.gif");
     // The second stop ends the program at once, wherever it is.
-    const std::string command =
-        "'" ALGAE_COMMAND "' draw koch -n 8 --progressive --max-frames 10000 -o '" + out +
-        "' >/dev/null 2>&1 & p=$!; sleep 1; kill -HUP $p; sleep 0.7; "
-        "kill -HUP $p; wait $p; exit $?";
+    const std::string command = "'" + built_command() +
+                                "' draw koch -n 8 --progressive --max-frames 10000 -o '" + out +
+                                "' >/dev/null 2>&1 & p=$!; sleep 1; kill -HUP $p; sleep 0.7; "
+                                "kill -HUP $p; wait $p; exit $?";
     const int ended = std::system(command.c_str());
     CHECK((WEXITSTATUS(ended) == 130 || WEXITSTATUS(ended) == 0));
     CHECK(files.size() == (WEXITSTATUS(ended) == 0 ? 1 : 0));

@@ -10,6 +10,8 @@
 #include <sstream>
 #include <string>
 
+#include "places.hpp"
+
 /// What the command printed and how it ended.
 struct Run {
     int status = -1;  // exit status; 128 + signal if it was killed
@@ -59,7 +61,7 @@ inline Run run(const std::string& arguments, const std::string& before = "") {
     const Scratch scratch;
     const std::string out = scratch.file("out"), err = scratch.file("err");
     const std::string command =
-        before + " '" ALGAE_COMMAND "' " + arguments + " >'" + out + "' 2>'" + err + "'";
+        before + " '" + built_command() + "' " + arguments + " >'" + out + "' 2>'" + err + "'";
     const int ended = std::system(command.c_str());
     Run result;
     result.status = WIFEXITED(ended) ? WEXITSTATUS(ended) : 128 + WTERMSIG(ended);

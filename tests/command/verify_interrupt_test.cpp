@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "command/run.hpp"
+#include "places.hpp"
 
 // A real Ctrl-C: `algae verify` is a process of its own, at work on a certificate whose check takes long, and gets SIGINT.
 
@@ -20,7 +21,7 @@ class Process {
 public:
     Process(const std::vector<std::string>& arguments, const std::string& out,
             const std::string& err) {
-        std::vector<std::string> words{ALGAE_COMMAND};
+        std::vector<std::string> words{built_command()};
         words.insert(words.end(), arguments.begin(), arguments.end());
         std::vector<char*> pointers;
         for (std::string& word : words) pointers.push_back(word.data());

@@ -10,13 +10,14 @@
 #include "exact/exact.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 #include "system/system.hpp"
 
 namespace algae::exchange_tests {
 
 /// The text of a file of the folder `examples`.
 inline std::string example(const std::string& name) {
-    std::ifstream file(ALGAE_SOURCE_DIR "/examples/" + name);
+    std::ifstream file(source_folder() + "/examples/" + name);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

@@ -11,6 +11,7 @@
 #include "exchange/netlogo_model.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 #include "turtle/turtle.hpp"
 
 using namespace algae;
@@ -74,7 +75,7 @@ TEST_CASE("the model's three systems are those of the gallery") {
             CHECK(same_scene(scene_of(own, n).scene, scene_of(known, n).scene));
         }
     }
-    std::ifstream file(ALGAE_SOURCE_DIR "/examples/koch-island.netlogo");
+    std::ifstream file(source_folder() + "/examples/koch-island.netlogo");
     std::ostringstream text;
     text << file.rdbuf();
     CHECK(bare(read(text.str())) == bare(of_gallery("koch-island-002")));

@@ -11,6 +11,7 @@
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "oracle/certificate_truth.hpp"
+#include "places.hpp"
 #include "verify/mutants.hpp"
 #include "verify/samples.hpp"
 #include "verify/verify.hpp"
@@ -42,7 +43,7 @@ const std::vector<Json>& sound() {
         for (const samples::Sample& sample : samples::sound())
             found.push_back(pruned(samples::certificate(sample)));
         for (const char* file : {"finite", "languages", "numbers", "statements", "systems"}) {
-            std::ifstream text(ALGAE_SOURCE_DIR "/tests/verify/certificates/" + std::string(file) +
+            std::ifstream text(source_folder() + "/tests/verify/certificates/" + std::string(file) +
                                ".json");
             for (const Json& each : Json::parse(text)) {
                 if (each["outcome"] != "checked") continue;

@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "fuzz/targets.hpp"
+#include "places.hpp"
 
 using namespace algae;
 namespace fs = std::filesystem;
@@ -28,7 +29,7 @@ void survives(const fuzz::Target& target, const std::string& bytes) {
 }  // namespace
 
 TEST_CASE("what once broke something breaks nothing") {
-    const fs::path kept = fs::path(ALGAE_SOURCE_DIR) / "tests/fuzz/kept";
+    const fs::path kept = fs::path(source_folder()) / "tests/fuzz/kept";
     if (!fs::exists(kept)) return;
     for (const auto& entry : fs::recursive_directory_iterator(kept)) {
         if (!entry.is_regular_file()) continue;

@@ -1,4 +1,5 @@
 #include "fuzz/targets.hpp"
+#include "places.hpp"
 
 #include <algorithm>
 #include <chrono>
@@ -93,7 +94,7 @@ Texts texts_of(const std::vector<std::string>& folders, const std::string& endin
     Texts texts;
     for (const std::string& folder : folders)
         for (const auto& entry :
-             fs::recursive_directory_iterator(fs::path(ALGAE_SOURCE_DIR) / folder)) {
+             fs::recursive_directory_iterator(fs::path(source_folder()) / folder)) {
             if (!entry.is_regular_file() || !entry.path().string().ends_with(ending)) continue;
             std::ifstream file(entry.path(), std::ios::binary);
             std::ostringstream text;

@@ -12,6 +12,7 @@
 
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 #include "system/system.hpp"
 
 namespace algae {
@@ -80,8 +81,8 @@ inline D0L any_wide_system(std::size_t letters) {
 inline std::vector<D0L> systems_in_files() {
     std::vector<D0L> found;
     for (const char* folder : {"/figures", "/systems"})
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(
-                 std::string(ALGAE_SOURCE_DIR) + folder)) {
+        for (const auto& entry :
+             std::filesystem::recursive_directory_iterator(source_folder() + folder)) {
             if (entry.path().extension() != ".lsys") continue;
             std::ifstream in(entry.path(), std::ios::binary);
             std::ostringstream text;

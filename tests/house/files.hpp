@@ -7,11 +7,13 @@
 #include <string>
 #include <vector>
 
+#include "places.hpp"
+
 namespace algae::house {
 
 namespace fs = std::filesystem;
 
-inline fs::path root() { return ALGAE_SOURCE_DIR; }
+inline fs::path root() { return source_folder(); }
 
 /// The files under a folder of the repository with one of these endings, in order of their paths,
 /// relative to the root.

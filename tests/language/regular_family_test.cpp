@@ -16,6 +16,7 @@
 #include "language/language.hpp"
 #include "notation/notation.hpp"
 #include "oracle/written_out.hpp"
+#include "places.hpp"
 #include "verify/verify.hpp"
 
 using namespace algae;
@@ -144,7 +145,7 @@ Plain system_of(const nlohmann::ordered_json& proof) {
 }  // namespace
 
 TEST_CASE("sixty infinite languages are of the families that their table says, with proofs") {
-    std::ifstream file(ALGAE_SOURCE_DIR "/theory/census/infinite-languages.md");
+    std::ifstream file(source_folder() + "/theory/census/infinite-languages.md");
     std::string let, line;
     std::size_t languages = 0, decided_0l = 0, decided = 0;
     while (std::getline(file, line)) {

@@ -6,11 +6,12 @@
 #include "exact/exact.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 
 // The model answers to exercises, and the systems that answers may open.
 
 inline const std::filesystem::path answers =
-    std::filesystem::path(ALGAE_SOURCE_DIR) / "lessons" / "answers";
+    std::filesystem::path(source_folder()) / "lessons" / "answers";
 
 inline algae::Model from_gallery(const std::string& name) {
     for (const algae::GalleryEntry& entry : algae::gallery())

@@ -8,6 +8,7 @@
 #include "command/run.hpp"
 #include "lesson/lesson.hpp"
 #include "lessons/markdown.hpp"
+#include "places.hpp"
 
 using namespace algae;
 
@@ -48,9 +49,7 @@ void check_page(std::string_view text, const Scratch& folder) {
     }
 }
 
-std::string page(const std::string& name) {
-    return text_of(std::string(ALGAE_SOURCE_DIR) + "/" + name);
-}
+std::string page(const std::string& name) { return text_of(source_folder() + "/" + name); }
 
 }  // namespace
 
@@ -131,8 +130,7 @@ TEST_CASE("code in a lesson is a region of a file, and not retyped") {
             CHECK(block.lines.empty());
             const std::size_t hash = block.region.find('#');
             REQUIRE(hash != std::string::npos);
-            const std::string text =
-                text_of(std::string(ALGAE_SOURCE_DIR) + "/" + block.region.substr(0, hash));
+            const std::string text = text_of(source_folder() + "/" + block.region.substr(0, hash));
             const std::string name = block.region.substr(hash + 1);
             CHECK(text.find("//> " + name + "\n") != std::string::npos);
             CHECK(text.find("//< " + name + "\n") != std::string::npos);

@@ -6,6 +6,7 @@
 
 #include "notation/claim_said.hpp"
 #include "notation/detail/claim_reading.hpp"
+#include "places.hpp"
 
 using namespace algae;
 
@@ -139,7 +140,7 @@ TEST_CASE("systems are over the alphabet of the claim") {
 }
 
 TEST_CASE("NOTATION.md shows each form of statements") {
-    std::ifstream file(std::string(ALGAE_SOURCE_DIR) + "/NOTATION.md");
+    std::ifstream file(source_folder() + "/NOTATION.md");
     const std::string notation(std::istreambuf_iterator<char>(file), {});
     CHECK(written_statements().size() == 16);
     for (const std::string& written : written_statements())

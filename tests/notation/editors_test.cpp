@@ -19,6 +19,7 @@
 #include "notation/detail/reading.hpp"
 #include "notation/notation.hpp"
 #include "notation/random_text.hpp"
+#include "places.hpp"
 
 using namespace algae;
 using nlohmann::json;
@@ -26,7 +27,7 @@ namespace paths = std::filesystem;
 
 namespace {
 
-const paths::path root = ALGAE_SOURCE_DIR;
+const paths::path root = source_folder();
 
 std::string text_of(const paths::path& path) {
     std::ifstream file(path);

@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 
 #include "notation/notation.hpp"
+#include "places.hpp"
 
 using namespace algae;
 namespace fs = std::filesystem;
@@ -42,11 +43,11 @@ std::string first_unmet(const std::string& text) {
 }  // namespace
 
 TEST_CASE("every figure comes out as its file expects") {
-    CHECK(check_folder(ALGAE_SOURCE_DIR "/figures") >= 60);
+    CHECK(check_folder(source_folder() + "/figures") >= 60);
 }
 
 TEST_CASE("every system that is no figure comes out as its file expects") {
-    CHECK(check_folder(ALGAE_SOURCE_DIR "/systems") >= 20);
+    CHECK(check_folder(source_folder() + "/systems") >= 20);
 }
 
 TEST_CASE("an expectation that does not hold says what was found") {

@@ -10,6 +10,7 @@
 #include "model/model.hpp"
 #include "notation/notation.hpp"
 #include "notation/random_text.hpp"
+#include "places.hpp"
 
 using namespace algae;
 
@@ -96,7 +97,7 @@ TEST_CASE("reading what was printed gives the same system, and printing it the s
 TEST_CASE("every system that comes with algae is read, and survives printing") {
     std::size_t files = 0;
     for (const char* folder : {"/figures", "/systems"}) {
-        const std::filesystem::path root = std::string(ALGAE_SOURCE_DIR) + folder;
+        const std::filesystem::path root = source_folder() + folder;
         if (!std::filesystem::exists(root)) continue;
         for (const auto& entry : std::filesystem::recursive_directory_iterator(root)) {
             if (entry.path().extension() != ".lsys") continue;

@@ -8,13 +8,14 @@
 
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 
 using namespace algae;
 
 namespace {
 
 std::string file_text(const std::string& name) {
-    std::ifstream file(ALGAE_SOURCE_DIR "/" + name);
+    std::ifstream file(source_folder() + "/" + name);
     std::ostringstream text;
     text << file.rdbuf();
     return text.str();

@@ -9,6 +9,7 @@
 
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 #include "system/system.hpp"
 
 using namespace algae;
@@ -22,7 +23,7 @@ struct Line {
 };
 
 std::vector<Line> lines() {
-    std::ifstream in(ALGAE_SOURCE_DIR "/tests/notation/words.txt");
+    std::ifstream in(source_folder() + "/tests/notation/words.txt");
     std::vector<Line> all;
     for (std::string text; std::getline(in, text);) {
         if (text.starts_with('#')) continue;

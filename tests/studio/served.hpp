@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "places.hpp"
+
 namespace served {
 
 /// A connection of a test to a port of this machine: bytes as they are, without a library that would mend them.
@@ -113,12 +115,12 @@ public:
             ::dup2(output[1], STDOUT_FILENO);
             ::close(output[0]);
             ::close(output[1]);
-            std::vector<std::string> words{ALGAE_COMMAND, "studio"};
+            std::vector<std::string> words{built_command(), "studio"};
             words.insert(words.end(), arguments.begin(), arguments.end());
             std::vector<char*> pointers;
             for (std::string& word : words) pointers.push_back(word.data());
             pointers.push_back(nullptr);
-            ::execv(ALGAE_COMMAND, pointers.data());
+            ::execv(words[0].c_str(), pointers.data());
             std::_Exit(127);
         }
         ::close(output[1]);

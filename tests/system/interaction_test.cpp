@@ -1,4 +1,5 @@
 #include "system/detail/interaction.hpp"
+#include "places.hpp"
 
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
@@ -19,7 +20,7 @@ namespace {
 IL system_of(const std::string& text) { return *as_il(read_lsystem(text, "written.lsys")); }
 
 std::string file_text(const std::string& name) {
-    std::ifstream in(std::string(ALGAE_SOURCE_DIR "/systems/") + name);
+    std::ifstream in(source_folder() + "/systems/" + name);
     std::ostringstream text;
     text << in.rdbuf();
     return text.str();

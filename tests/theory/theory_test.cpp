@@ -12,6 +12,7 @@
 #include "language/language.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 #include "verify/verify.hpp"
 
 using namespace algae;
@@ -27,7 +28,7 @@ Model from_gallery(const std::string& name) {
 std::vector<std::filesystem::path> files() {
     std::vector<std::filesystem::path> found;
     for (const auto& entry :
-         std::filesystem::recursive_directory_iterator(std::string(ALGAE_SOURCE_DIR) + "/theory"))
+         std::filesystem::recursive_directory_iterator(source_folder() + "/theory"))
         if (entry.path().extension() == ".claim") found.push_back(entry.path());
     std::sort(found.begin(), found.end());
     return found;

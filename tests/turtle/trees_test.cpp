@@ -10,6 +10,7 @@
 #include <string>
 
 #include "model/model.hpp"
+#include "places.hpp"
 #include "turtle/of_gallery.hpp"
 #include "turtle/turtle.hpp"
 
@@ -22,7 +23,7 @@ bool near(double a, double b) { return std::fabs(a - b) < 1e-12 * (1 + std::fabs
 }  // namespace
 
 TEST_CASE("trees have the segments, lengths and boxes of an independent computation") {
-    std::ifstream numbers(ALGAE_SOURCE_DIR "/tests/turtle/trees.txt");
+    std::ifstream numbers(source_folder() + "/tests/turtle/trees.txt");
     REQUIRE(numbers);
     std::map<std::string, Model> trees;
     int compared = 0;

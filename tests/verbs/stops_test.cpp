@@ -8,6 +8,7 @@
 
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
+#include "places.hpp"
 #include "verbs/in_process.hpp"
 
 namespace {
@@ -192,7 +193,7 @@ public:
         for (int i = 0; i < 300; ++i)
             points += std::to_string(i * 7 % 100) + " " + std::to_string(i * i % 91) + "\n";
         std::ofstream(path_ / "in/points.csv") << points;
-        std::filesystem::copy(ALGAE_SOURCE_DIR "/examples/bush.brno", path_ / "in/bush.brno");
+        std::filesystem::copy(source_folder() + "/examples/bush.brno", path_ / "in/bush.brno");
         run({"draw", "koch", "-n", "3", "--width", "60", "-o", (path_ / "in/picture.png").string()},
             path_);
         for (const char* name : {"all", "drawn"})

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "exact/exact.hpp"
+#include "places.hpp"
 #include "verify/verify.hpp"
 
 namespace {
@@ -20,7 +21,7 @@ using Json = nlohmann::ordered_json;
 using algae::verify::Finding;
 
 Json cases_of(const std::string& file) {
-    std::ifstream text(ALGAE_SOURCE_DIR "/tests/verify/certificates/" + file + ".json");
+    std::ifstream text(source_folder() + "/tests/verify/certificates/" + file + ".json");
     REQUIRE(text);
     return Json::parse(text);
 }

@@ -16,6 +16,7 @@
 #include <climits>
 #include <condition_variable>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -119,18 +120,50 @@ std::string csv_field(const std::string& text) {
     return quoted + "\"";
 }
 
+namespace {
+
+/// A character that steers a terminal instead of being shown: of ASCII, of its second set of controls, or one that turns the direction in
+/// which a line is written.
+bool steers(std::uint32_t code) {
+    if (code < 0x20) return code != '\n' && code != '\t';
+    return (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e || code == 0x200f ||
+           (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+/// The code of the character of UTF-8 that a text begins with, and its bytes; 0 bytes if there is none.
+std::pair<std::uint32_t, std::size_t> decoded(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    if (first < 0x80) return {first, 1};
+    const std::size_t bytes = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4 || text.size() < bytes) return {0, 0};
+    std::uint32_t code = first & (0x7fU >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return {0, 0};
+        code = code << 6 | (byte(i) & 0x3fU);
+    }
+    return {code, bytes};
+}
+
+}  // namespace
+
 std::string printable(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
     std::string all;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f) {
-            constexpr std::string_view digits = "0123456789abcdef";
+    while (!text.empty()) {
+        const auto [code, bytes] = decoded(text);
+        if (bytes > 0 && !steers(code)) {
+            all += text.substr(0, bytes);
+        } else if (code < 0x80) {  // a byte that is no text is one of controls for some terminals
+            const auto byte = static_cast<unsigned char>(text[0]);
             all += "\\x";
             all += digits[byte >> 4];
             all += digits[byte & 15];
         } else {
-            all += c;
+            all += "\\u";
+            for (const unsigned shift : {12U, 8U, 4U, 0U}) all += digits[code >> shift & 15];
         }
+        text.remove_prefix(std::max<std::size_t>(bytes, 1));
     }
     return all;
 }

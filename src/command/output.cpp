@@ -7,9 +7,11 @@
 #include "command/detail/output.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -202,27 +204,48 @@ std::atomic<bool> ends_late_work = false;
 constexpr std::int64_t no_deadline = std::numeric_limits<std::int64_t>::max();
 std::atomic<std::int64_t> deadline = no_deadline;  // of steady_clock, in its ticks
 
-/// Whether a condition has held so long that work that heeds it would have ended: nearly two seconds of work, or twice that on a
-/// machine that does others' work.
+/// How long the first thread has waited for a processor that others had. Nothing is allocated, as there may be no memory.
+std::chrono::nanoseconds kept_off() {
+    long long ran = 0, waited = 0;
+    const int file = ::open("/proc/self/schedstat", O_RDONLY | O_CLOEXEC);
+    if (file < 0) return {};
+    std::array<char, 80> text{};
+    const ssize_t size = ::read(file, text.data(), text.size() - 1);
+    ::close(file);
+    if (size <= 0 || std::sscanf(text.data(), "%lld %lld", &ran, &waited) != 2) return {};
+    return std::chrono::nanoseconds(waited);
+}
+
+/// Whether the first thread does all work: besides it there is that of the heartbeat.
+bool works_alone() {
+    struct stat threads;
+    return ::stat("/proc/self/task", &threads) == 0 && threads.st_nlink <= 2 + 2;
+}
+
+/// Whether a condition has held so long that work that heeds it would have ended: nearly two seconds of work, or of waiting for something
+/// else than a processor, such as a reader or a writer. On a machine that does others' work it may take twice that.
 class Overdue {
 public:
     bool operator()(bool holds) {
         const auto now = std::chrono::steady_clock::now();
-        const std::clock_t worked = std::clock();
-        if (!held_) {
+        if (holds && !held_) {
             since_ = now;
-            worked_ = worked;
+            worked_ = std::clock();
+            kept_off_ = kept_off();
         }
         held_ = holds;
         using namespace std::chrono_literals;
-        return holds && now - since_ >= 1400ms &&
-               (worked - worked_ >= CLOCKS_PER_SEC * 6 / 5 || now - since_ >= 4s);
+        const auto time = now - since_;
+        if (!holds || time < 1400ms) return false;
+        return std::clock() - worked_ >= CLOCKS_PER_SEC * 6 / 5 || time >= 4s ||
+               (works_alone() && time - (kept_off() - kept_off_) >= 1400ms);
     }
 
 private:
     bool held_ = false;  // the last time
     std::chrono::steady_clock::time_point since_;
     std::clock_t worked_ = 0;
+    std::chrono::nanoseconds kept_off_{};
 };
 
 /// Ends the program in the middle of its work, which has no lasting state but files without a name yet.

@@ -37,9 +37,8 @@ std::vector<std::string> claim_files(const std::string& path) {
     std::vector<std::string> files;
     if (path == "-" || std::filesystem::is_regular_file(path, ignored)) return {path};
     if (std::filesystem::is_directory(path, ignored)) {
-        for (const auto& entry : std::filesystem::recursive_directory_iterator(path))
-            if (entry.is_regular_file() && entry.path().extension() == ".claim")
-                files.push_back(entry.path().string());
+        for (const std::filesystem::path& file : files_below(path))
+            if (file.extension() == ".claim") files.push_back(file.string());
         if (files.empty()) throw Error(path + ": expected .claim files in this folder, found none");
     } else {
         const std::string folder = path.ends_with('/') ? path : path + '/';

@@ -184,12 +184,9 @@ std::vector<Entry> entries(const std::string& folder, const Budget& budget) {
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored))
         throw Error(folder + ": expected a folder with .lsys files for --table");
-    std::vector<std::filesystem::path> files;
-    for (const auto& file : std::filesystem::recursive_directory_iterator(folder))
-        if (file.is_regular_file() && file.path().extension() == ".lsys")
-            files.push_back(file.path());
+    std::vector<std::filesystem::path> files = files_below(folder);
+    std::erase_if(files, [](const auto& file) { return file.extension() != ".lsys"; });
     if (files.empty()) throw Error(folder + ": expected .lsys files in this folder, found none");
-    std::ranges::sort(files);
     for (const auto& file : files)
         all.push_back({file.stem().string(), open_model(file.string(), budget)});
     return all;

@@ -57,18 +57,19 @@ bool is_figure_file(const fs::path& path) {
 /// All files of figures in a folder, those of a group together, sorted by name. Pictures of files that
 /// differ only in their extensions keep these in their names.
 std::vector<Outcome> figure_files(const fs::path& folder) {
-    if (!fs::is_directory(folder))
+    std::error_code ignored;
+    if (!fs::is_directory(folder, ignored))
         throw Error(folder.string() +
                     ": expected a folder of .lsys files and of files of generators");
     std::vector<Outcome> files;
     std::map<fs::path, std::size_t> of_stem;
-    for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-        if (!entry.is_regular_file() || !is_figure_file(entry.path())) continue;
-        const fs::path group = fs::relative(entry.path().parent_path(), folder).lexically_normal();
+    for (const fs::path& file : files_below(folder)) {
+        if (!is_figure_file(file)) continue;
+        const fs::path group = fs::relative(file.parent_path(), folder).lexically_normal();
         Outcome& outcome = files.emplace_back();
-        outcome.file = entry.path();
+        outcome.file = file;
         outcome.group = group == "." ? fs::path() : group;
-        outcome.stem = entry.path().stem().string();
+        outcome.stem = file.stem().string();
         ++of_stem[outcome.group / outcome.stem];
     }
     if (files.empty())
@@ -85,7 +86,7 @@ std::vector<Outcome> figure_files(const fs::path& folder) {
 /// Where the picture of a file goes, in this format.
 std::string picture_path(const fs::path& out, const Outcome& outcome, const std::string& format) {
     const fs::path folder = (out / outcome.group).lexically_normal();
-    fs::create_directories(folder);
+    make_folders(folder);
     return (folder / outcome.stem).string() + '.' + format;
 }
 
@@ -127,7 +128,6 @@ void write_page(const Options& options, const std::vector<Outcome>& outcomes) {
         for (const std::string& path : outcome.pictures) picture.files.push_back(from_page(path));
         pictures.push_back(std::move(picture));
     }
-    fs::create_directories(options.out);  // there may be no picture in it
     write_file((fs::path(options.out) / "index.html").string(), picture_page("Figures", pictures));
 }
 
@@ -182,6 +182,7 @@ int draw_folder(const Options& options) {
     const Budget budget = options.bounds.budget();
     for (const std::string& format : options.formats) picture_format("figure." + format);
     std::vector<Outcome> outcomes = figure_files(options.folder);
+    if (!options.check) make_folders(options.out);
 
     ProgressBar bar("Figures");
     std::mutex reporting;
@@ -212,9 +213,11 @@ int draw_folder(const Options& options) {
     Json all = Json::array();
     for (const Outcome& outcome : outcomes) {
         for (const std::string& problem : outcome.problems)
-            std::cerr << (problem.starts_with(outcome.file.string()) ? ""
-                                                                     : outcome.file.string() + ": ")
-                      << problem << '\n';
+            std::cerr << printable((problem.starts_with(outcome.file.string())
+                                        ? ""
+                                        : outcome.file.string() + ": ") +
+                                   problem)
+                      << '\n';
         wrong += outcome.problems.empty() ? 0 : 1;
         pictures += outcome.pictures.size();
         status = std::max(status, outcome.status);

@@ -123,12 +123,23 @@ bool ends_as_file(const std::string& text) {
            generator_format(text);
 }
 
+/// Opens files, each after a question whether that may be: a name can stand for several files.
+struct Opener {
+    const Budget& budget;
+    std::function<void(const std::string&)> allow;  // throws Error for a file that may not be read
+
+    std::string text(const std::string& path) const {
+        if (allow) allow(path);
+        return file_text(path, budget);
+    }
+};
+
 /// A text that is in a file, in standard input or in the gallery; nothing if there is none of this name.
-std::optional<SourceText> stored_text(const std::string& file, const Budget& budget) {
-    if (file == "-") return SourceText{"standard input", file_text(file, budget)};
-    if (exists(file)) return SourceText{file, file_text(file, budget)};
+std::optional<SourceText> stored_text(const std::string& file, const Opener& open) {
+    if (file == "-") return SourceText{"standard input", open.text(file)};
+    if (exists(file)) return SourceText{file, open.text(file)};
     if (const auto [path, entry] = file_and_entry(file); !entry.empty() && exists(path))
-        return SourceText{file, file_text(path, budget)};
+        return SourceText{file, open.text(path)};
     if (const GalleryEntry* entry = find_system(file))
         return SourceText{std::string(entry->name), std::string(entry->text)};
     if (const GalleryEntry* entry = find_generator(file))
@@ -185,7 +196,7 @@ std::string foreign_format(std::string_view text) {
 
 /// The files of a model of cpfg that a name stands for: a system has the view beside it, a view or an animation its system. Nothing if it is
 /// none of them.
-std::optional<CpfgFiles> cpfg_model(const std::string& file, const Budget& budget) {
+std::optional<CpfgFiles> cpfg_model(const std::string& file, const Opener& open) {
     if (!exists(file)) return std::nullopt;
     const std::filesystem::path path(file);
     const auto beside = [&](const char* ending) {
@@ -194,7 +205,7 @@ std::optional<CpfgFiles> cpfg_model(const std::string& file, const Budget& budge
         return exists(other.string()) ? other.string() : std::string();
     };
     if (path.filename() == "specifications") {
-        CpfgFiles found = cpfg_files(file_text(file, budget), file);
+        CpfgFiles found = cpfg_files(open.text(file), file);
         for (std::string* one : {&found.system, &found.view, &found.animation})
             if (!one->empty()) *one = (path.parent_path() / *one).string();
         return found;
@@ -214,39 +225,25 @@ std::optional<CpfgFiles> cpfg_model(const std::string& file, const Budget& budge
 }
 
 /// The model of cpfg as its files say it; of a system of Fractint, which ends in `.l` too, the system alone.
-Model model_of(const CpfgFiles& files, const Budget& budget) {
-    const std::string text = file_text(files.system, budget);
+Model model_of(const CpfgFiles& files, const Opener& open) {
+    const std::string text = open.text(files.system);
     const SystemFormat* const by_text = system_format_of(text);
     if (!by_text || by_text->name != "cpfg")
         return system_format(files.system)->read(text, files.system);
     Model model = by_text->read(text, files.system);
-    if (!files.view.empty())
-        model = with_cpfg_view(model, file_text(files.view, budget), files.view);
+    if (!files.view.empty()) model = with_cpfg_view(model, open.text(files.view), files.view);
     if (!files.animation.empty())
-        model.drawing.generations =
-            cpfg_frames(file_text(files.animation, budget), files.animation);
+        model.drawing.generations = cpfg_frames(open.text(files.animation), files.animation);
     return model;
 }
 
-}  // namespace
-
-SourceText open_text(const std::string& file, const Budget& budget,
-                     const std::vector<std::string>& let) {
-    if (let.empty() && !cpfg_model(file, budget))
-        if (std::optional<SourceText> stored = stored_text(file, budget)) return *stored;
-    const Model system = open_model(file, budget, let);
-    const bool is_foreign = system_format(system.name);
-    return {system.name + (is_foreign ? ".lsys" : ""), print_lsystem(system)};
-}
-
-Model open_model(const std::string& file, const Budget& budget,
-                 const std::vector<std::string>& let) {
+Model open_model(const std::string& file, const Opener& open, const std::vector<std::string>& let) {
     const ConstantValues constants = constants_of(let);
-    if (const std::optional<CpfgFiles> files = cpfg_model(file, budget)) {
-        const Model model = model_of(*files, budget);
+    if (const std::optional<CpfgFiles> files = cpfg_model(file, open)) {
+        const Model model = model_of(*files, open);
         return let.empty() ? model : read_lsystem(print_lsystem(model), files->system, constants);
     }
-    const std::optional<SourceText> stored = stored_text(file, budget);
+    const std::optional<SourceText> stored = stored_text(file, open);
     if (!stored && is_typed_system(file) && !ends_as_file(file))
         return read_typed_system(file, typed_name, constants);
     if (!stored) refuse_missing(file);
@@ -269,6 +266,23 @@ Model open_model(const std::string& file, const Budget& budget,
     return read_lsystem(source.text, source.name, constants);
 }
 
+}  // namespace
+
+SourceText open_text(const std::string& file, const Budget& budget,
+                     const std::vector<std::string>& let) {
+    const Opener open{budget, {}};
+    if (let.empty() && !cpfg_model(file, open))
+        if (std::optional<SourceText> stored = stored_text(file, open)) return *stored;
+    const Model system = open_model(file, budget, let);
+    const bool is_foreign = system_format(system.name);
+    return {system.name + (is_foreign ? ".lsys" : ""), print_lsystem(system)};
+}
+
+Model open_model(const std::string& file, const Budget& budget,
+                 const std::vector<std::string>& let) {
+    return open_model(file, Opener{budget, {}}, let);
+}
+
 LSystem open_system(const std::string& file, const Budget& budget,
                     const std::vector<std::string>& let) {
     return open_model(file, budget, let);
@@ -282,6 +296,40 @@ void add_let_option(Verb& verb, std::vector<std::string>& let) {
 std::string folder_of(const std::string& file) {
     const std::string folder = std::filesystem::path(file).parent_path().string();
     return file == "-" || folder.empty() ? "." : folder;
+}
+
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder) {
+    namespace fs = std::filesystem;
+    std::vector<fs::path> files, folders{folder};
+    const auto check = [](const fs::path& path, const std::error_code& failed) {
+        if (failed) throw Error("cannot read " + path.string() + ": " + failed.message());
+    };
+    while (!folders.empty()) {
+        const fs::path above = std::move(folders.back());
+        folders.pop_back();
+        std::error_code failed;
+        fs::directory_iterator next(above, failed);
+        check(above, failed);
+        while (next != fs::directory_iterator()) {
+            const fs::file_status status = next->status(failed);
+            // A link that leads nowhere is no file.
+            if (status.type() != fs::file_type::not_found) check(next->path(), failed);
+            if (fs::is_regular_file(status)) files.push_back(next->path());
+            // Links to folders are not followed, they may lead in a circle.
+            if (fs::is_directory(status) && !next->is_symlink(failed))
+                folders.push_back(next->path());
+            next.increment(failed);
+            check(above, failed);
+        }
+    }
+    std::ranges::sort(files);
+    return files;
+}
+
+void make_folders(const std::filesystem::path& folder) {
+    std::error_code failed;
+    std::filesystem::create_directories(folder, failed);
+    if (failed) throw Error("cannot make the folder " + folder.string() + ": " + failed.message());
 }
 
 namespace {
@@ -302,25 +350,31 @@ bool is_below(const std::filesystem::path& file, const std::string& folder) {
 std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
                                                       const Budget& budget, bool outside) {
     return [folders, budget, outside](const std::string& name) {
-        const auto is_allowed = [&](const std::filesystem::path& file) {
-            return outside || std::ranges::any_of(folders, [&](const std::string& folder) {
-                       return is_below(file, folder);
-                   });
-        };
-        const auto refuse = [&] {
-            throw Error(
-                name +
-                ": is outside the folder of the text that names it; expected a file in it or "
-                "below, or a name of the gallery; --allow-outside reads it");
+        const auto open = [&](const std::string& path) {
+            const auto refuse_outside = [&](const std::string& file) {
+                std::error_code ignored;
+                // What is not there is not outside, it cannot be read.
+                if (file == "-" || !std::filesystem::exists(file, ignored) ||
+                    std::ranges::any_of(
+                        folders, [&](const std::string& folder) { return is_below(file, folder); }))
+                    return;
+                const bool is_named = file == path || file == file_and_entry(path).first;
+                throw Error(
+                    name + (is_named ? ": " : ": stands for " + file + ", which ") +
+                    "is outside the folder of the text that names it; expected a file in it or "
+                    "below, or a name of the gallery; --allow-outside reads it");
+            };
+            Opener opener{budget, {}};
+            if (!outside) opener.allow = refuse_outside;
+            return open_model(path, opener, {});
         };
         for (const std::string& folder : folders) {
-            const std::filesystem::path beside = std::filesystem::path(folder) / name;
-            if (!exists(beside.string())) continue;
-            if (!is_allowed(beside)) refuse();
-            return open_model(beside.string(), budget);
+            const std::string beside = (std::filesystem::path(folder) / name).string();
+            if (exists(beside)) return open(beside);
+            if (const auto [file, entry] = file_and_entry(beside); !entry.empty() && exists(file))
+                return open(beside);
         }
-        if (name != "-" && exists(name) && !is_allowed(name)) refuse();
-        return open_model(name, budget);
+        return open(name);
     };
 }
 

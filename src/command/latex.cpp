@@ -198,8 +198,9 @@ private:
         if (file.at >= file.text.size() || file.text[file.at] != '{') return;
         const std::string name = argument(file, file.at, '{', '}');
         const paths::path folder = paths::path(document_.files.front()).parent_path();
+        std::error_code ignored;
         for (const std::string& ending : {std::string(), std::string(".tex")})
-            if (paths::is_regular_file(folder / (name + ending)))
+            if (paths::is_regular_file(folder / (name + ending), ignored))
                 return read((folder / (name + ending)).string());
     }
 
@@ -550,15 +551,34 @@ std::string fingerprint(const std::string& text) {
     return fmt::format("{:016x}", hash);
 }
 
-constexpr std::string_view result_begins = "\\algaeresult{", marked = "% of ";
+constexpr std::string_view header = "% Results of algae for ", result_begins = "\\algaeresult{",
+                           marked = "% of ";
 
-/// The results that the file has already, with their fingerprints.
-std::map<std::string, std::pair<std::string, std::string>> kept_results(const std::string& path,
-                                                                        const Budget& budget) {
-    std::map<std::string, std::pair<std::string, std::string>> found;
+/// The text of the file that the results will replace, empty if there is none. Throws Error if it is not one of results: a
+/// document that was read, or what somebody wrote.
+std::string replaced_text(const std::string& output, const Document& document,
+                          const Budget& budget) {
     std::error_code ignored;
-    if (!paths::is_regular_file(path, ignored)) return found;
-    const std::string text = file_text(path, budget);
+    if (!paths::is_regular_file(output, ignored)) return "";
+    const auto is_output = [&](const std::string& file) {
+        return paths::equivalent(output, file, ignored);
+    };
+    const std::string text = file_text(output, budget);
+    const bool has_header = text.starts_with(header);
+    // A document may \input its results, but it is none itself.
+    if (is_output(document.files.front()) ||
+        (!has_header && std::ranges::any_of(document.files, is_output)))
+        throw Error("cannot write " + output + ": it was read as input; expected another name");
+    if (!has_header && !text.empty())
+        throw Error("cannot write " + output +
+                    ": it is not a file of results, which begins with \"" +
+                    std::string(header.substr(0, header.size() - 1)) + "\"; expected another name");
+    return text;
+}
+
+/// The results in a text, with their fingerprints.
+std::map<std::string, std::pair<std::string, std::string>> kept_results(const std::string& text) {
+    std::map<std::string, std::pair<std::string, std::string>> found;
     for (std::size_t at = text.find("\n% of "); at != std::string::npos;) {
         const std::size_t mark = at + 1 + marked.size(), line = text.find('\n', mark);
         const std::size_t next = text.find("\n% of ", mark);
@@ -593,11 +613,10 @@ int latex_results(const LatexOptions& options) {
     const std::string output = options.output.empty()
                                    ? (path.parent_path() / path.stem()).string() + ".algae"
                                    : options.output;
-    const auto kept = kept_results(output, budget);
+    const auto kept = kept_results(replaced_text(output, document, budget));
     const Maker maker(document, budget);
-    std::string text = "% Results of algae for " + path.filename().string() +
-                       ", made by `algae latex " + path.filename().string() +
-                       "'; changes are lost.\n";
+    std::string text = std::string(header) + path.filename().string() + ", made by `algae latex " +
+                       path.filename().string() + "'; changes are lost.\n";
     std::size_t made = 0, same = 0;
     std::vector<Diagnostic> wrong;
     ProgressBar bar("latex");

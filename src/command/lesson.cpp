@@ -15,7 +15,9 @@
 #include <array>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <iostream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -27,6 +29,7 @@
 #include "language/language.hpp"
 #include "lesson/lesson.hpp"
 #include "notation/notation.hpp"
+#include "render/render.hpp"
 #include "studio/studio.hpp"
 
 namespace algae::command {
@@ -289,7 +292,7 @@ std::vector<std::string> answers_in(const std::string& folder) {
 int mark_class(const Options& options, const Exercise& exercise) {
     std::error_code failed;
     if (!options.feedback.empty()) {
-        std::filesystem::create_directories(options.feedback, failed);
+        make_folders(options.feedback);
         if (std::filesystem::equivalent(options.feedback, options.answer, failed))
             throw Error("--feedback: expected another folder than that of the answers, found " +
                         options.feedback);
@@ -304,6 +307,12 @@ int mark_class(const Options& options, const Exercise& exercise) {
     share.memory = options.bounds.memory.value_or(usual_memory);
     share.at_once = std::max(1U, std::thread::hardware_concurrency());
     const std::vector<std::string> names = answers_in(options.answer);
+    const auto feedback_of = [&](const std::string& name) {
+        return (std::filesystem::path(options.feedback) / (name + ".txt")).string();
+    };
+    if (!options.feedback.empty())
+        for (const std::string& name : names)
+            const FileOutput writable(feedback_of(name));  // throws where it is not
     std::vector<Row> rows(names.size());
     std::vector<std::string> texts;
     std::vector<std::size_t> of_text;
@@ -335,10 +344,19 @@ int mark_class(const Options& options, const Exercise& exercise) {
     if (stop) throw Interrupted();
     for (std::size_t k = 0; k < answers.size(); ++k)
         rows[of_text[k]] = row_of(exercise, names[of_text[k]], answers[k], seconds);
-    if (!options.feedback.empty())
-        for (const Row& row : rows)
-            write_file((std::filesystem::path(options.feedback) / (row.file + ".txt")).string(),
-                       row.feedback);
+    if (!options.feedback.empty()) {
+        std::size_t replaced = 0;
+        for (const Row& row : rows) {
+            const std::string path = feedback_of(row.file);
+            if (std::ifstream there(path, std::ios::binary); there)
+                if (std::string(std::istreambuf_iterator<char>(there), {}) != row.feedback)
+                    ++replaced;
+            write_file(path, row.feedback);
+        }
+        if (replaced > 0)
+            note(counted(replaced, "file") + " in " + options.feedback + " had another text and " +
+                 (replaced == 1 ? "is" : "are") + " replaced; --no-clobber keeps what is there");
+    }
     print(table_of(options, exercise, rows));
     return success;
 }
@@ -371,19 +389,20 @@ Exercise own_exercise(const Options& options) {
 }
 
 int write_files(const Options& options, const Lesson& lesson) {
-    std::filesystem::create_directories(options.out);
+    make_folders(options.out);
+    std::error_code ignored;
     std::size_t count = 0;
     for (const LessonFile& file : lesson_files(lesson)) {
         const std::string path = (std::filesystem::path(options.out) / file.name).string();
         std::string place = path;
         // A file that is there and is another one may be an answer: it stays.
-        for (int n = 1; std::filesystem::exists(place) &&
+        for (int n = 1; std::filesystem::exists(place, ignored) &&
                         file_text(place, options.bounds.budget()) != file.text;
              ++n)
             place = path + ".new" + (n == 1 ? "" : std::to_string(n));
         if (place != path)
             note(path + " was changed and stays; the file of the lesson is " + place);
-        if (!std::filesystem::exists(place)) write_file(place, file.text);
+        if (!std::filesystem::exists(place, ignored)) write_file(place, file.text);
         ++count;
     }
     print(counted(count, "file") + " of lesson " + options.lesson + " in " + options.out + "\n");

@@ -532,7 +532,7 @@ int lsp(const LspOptions& options) {
         const std::filesystem::path folder(options.editors);
         for (const EditorFile& file : editor_files()) {
             const std::filesystem::path path = folder / file.path;
-            std::filesystem::create_directories(path.parent_path());
+            make_folders(path.parent_path());
             write_file(path.string(), file.text);
         }
         return success;

@@ -7,15 +7,18 @@
 #include "command/detail/output.hpp"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
 #include <climits>
 #include <condition_variable>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -119,18 +122,50 @@ std::string csv_field(const std::string& text) {
     return quoted + "\"";
 }
 
+namespace {
+
+/// A character that steers a terminal instead of being shown: of ASCII, of its second set of controls, or one that turns the direction in
+/// which a line is written.
+bool steers(std::uint32_t code) {
+    if (code < 0x20) return code != '\n' && code != '\t';
+    return (code >= 0x7f && code < 0xa0) || code == 0x61c || code == 0x200e || code == 0x200f ||
+           (code >= 0x2028 && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
+}
+
+/// The code of the character of UTF-8 that a text begins with, and its bytes; 0 bytes if there is none.
+std::pair<std::uint32_t, std::size_t> decoded(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+    const unsigned char first = byte(0);
+    if (first < 0x80) return {first, 1};
+    const std::size_t bytes = first >= 0xf0 ? 4 : first >= 0xe0 ? 3 : 2;
+    if (first < 0xc2 || first > 0xf4 || text.size() < bytes) return {0, 0};
+    std::uint32_t code = first & (0x7fU >> bytes);
+    for (std::size_t i = 1; i < bytes; ++i) {
+        if ((byte(i) & 0xc0) != 0x80) return {0, 0};
+        code = code << 6 | (byte(i) & 0x3fU);
+    }
+    return {code, bytes};
+}
+
+}  // namespace
+
 std::string printable(std::string_view text) {
+    constexpr std::string_view digits = "0123456789abcdef";
     std::string all;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if ((byte < 0x20 && c != '\n' && c != '\t') || byte == 0x7f) {
-            constexpr std::string_view digits = "0123456789abcdef";
+    while (!text.empty()) {
+        const auto [code, bytes] = decoded(text);
+        if (bytes > 0 && !steers(code)) {
+            all += text.substr(0, bytes);
+        } else if (code < 0x80) {  // a byte that is no text is one of controls for some terminals
+            const auto byte = static_cast<unsigned char>(text[0]);
             all += "\\x";
             all += digits[byte >> 4];
             all += digits[byte & 15];
         } else {
-            all += c;
+            all += "\\u";
+            for (const unsigned shift : {12U, 8U, 4U, 0U}) all += digits[code >> shift & 15];
         }
+        text.remove_prefix(std::max<std::size_t>(bytes, 1));
     }
     return all;
 }
@@ -169,27 +204,48 @@ std::atomic<bool> ends_late_work = false;
 constexpr std::int64_t no_deadline = std::numeric_limits<std::int64_t>::max();
 std::atomic<std::int64_t> deadline = no_deadline;  // of steady_clock, in its ticks
 
-/// Whether a condition has held so long that work that heeds it would have ended: nearly two seconds of work, or twice that on a
-/// machine that does others' work.
+/// How long the first thread has waited for a processor that others had. Nothing is allocated, as there may be no memory.
+std::chrono::nanoseconds kept_off() {
+    long long ran = 0, waited = 0;
+    const int file = ::open("/proc/self/schedstat", O_RDONLY | O_CLOEXEC);
+    if (file < 0) return {};
+    std::array<char, 80> text{};
+    const ssize_t size = ::read(file, text.data(), text.size() - 1);
+    ::close(file);
+    if (size <= 0 || std::sscanf(text.data(), "%lld %lld", &ran, &waited) != 2) return {};
+    return std::chrono::nanoseconds(waited);
+}
+
+/// Whether the first thread does all work: besides it there is that of the heartbeat.
+bool works_alone() {
+    struct stat threads;
+    return ::stat("/proc/self/task", &threads) == 0 && threads.st_nlink <= 2 + 2;
+}
+
+/// Whether a condition has held so long that work that heeds it would have ended: nearly two seconds of work, or of waiting for something
+/// else than a processor, such as a reader or a writer. On a machine that does others' work it may take twice that.
 class Overdue {
 public:
     bool operator()(bool holds) {
         const auto now = std::chrono::steady_clock::now();
-        const std::clock_t worked = std::clock();
-        if (!held_) {
+        if (holds && !held_) {
             since_ = now;
-            worked_ = worked;
+            worked_ = std::clock();
+            kept_off_ = kept_off();
         }
         held_ = holds;
         using namespace std::chrono_literals;
-        return holds && now - since_ >= 1400ms &&
-               (worked - worked_ >= CLOCKS_PER_SEC * 6 / 5 || now - since_ >= 4s);
+        const auto time = now - since_;
+        if (!holds || time < 1400ms) return false;
+        return std::clock() - worked_ >= CLOCKS_PER_SEC * 6 / 5 || time >= 4s ||
+               (works_alone() && time - (kept_off() - kept_off_) >= 1400ms);
     }
 
 private:
     bool held_ = false;  // the last time
     std::chrono::steady_clock::time_point since_;
     std::clock_t worked_ = 0;
+    std::chrono::nanoseconds kept_off_{};
 };
 
 /// Ends the program in the middle of its work, which has no lasting state but files without a name yet.

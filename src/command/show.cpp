@@ -111,10 +111,12 @@ int format(const FmtOptions& options) {
         print(text);
         return success;
     }
-    if (options.file == "-" || !std::filesystem::exists(options.file))
+    std::error_code ignored;
+    if (options.file == "-" || !std::filesystem::exists(options.file, ignored))
         throw Error("--in-place: expected a file, found " +
-                    std::string(options.file == "-"
-                                    ? "standard input"
+                    std::string(options.file == "-" ? "standard input"
+                                : is_typed_system(options.file)
+                                    ? "a system that is typed"
                                     : "the figure " + options.file + " of the gallery"));
     write_file(options.file, text, true);
     return success;

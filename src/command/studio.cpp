@@ -269,7 +269,7 @@ int open_source(const Question& question) {
         std::error_code failed;
         const auto whole = std::filesystem::canonical(question.around.folder / path, failed);
         if (failed || whole.parent_path() != question.around.folder ||
-            !std::filesystem::is_regular_file(whole))
+            !std::filesystem::is_regular_file(whole, failed))
             refuse();
         text = file_text(whole.string(), question.budget());
     }
@@ -536,7 +536,12 @@ int answer_question(const std::string& text, const Surroundings& around) {
 
 /// Goes to a folder that is there for nobody: names of files lead nowhere from it.
 void enter_empty_place() {
-    std::string folder = (std::filesystem::temp_directory_path() / "algae-studio-XXXXXX").string();
+    std::error_code failed;
+    const std::filesystem::path temporary = std::filesystem::temp_directory_path(failed);
+    if (failed)
+        throw Error("cannot use the folder for temporary files, which TMPDIR names: " +
+                    failed.message());
+    std::string folder = (temporary / "algae-studio-XXXXXX").string();
     if (!::mkdtemp(folder.data())) throw Error("cannot make a folder in " + folder);
     const bool is_there = ::chdir(folder.c_str()) == 0;
     ::rmdir(folder.c_str());
@@ -548,7 +553,7 @@ int studio(const Options& options) {
     if (!options.folder.empty()) {
         std::error_code failed;
         around.folder = std::filesystem::canonical(options.folder, failed);
-        if (failed || !std::filesystem::is_directory(around.folder))
+        if (failed || !std::filesystem::is_directory(around.folder, failed))
             throw Error("cannot read the folder " + options.folder);
     } else {
         enter_empty_place();

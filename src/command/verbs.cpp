@@ -8,6 +8,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <string_view>
@@ -137,6 +138,11 @@ int run_command(int argc, char** argv) {
                   "the generation"
                 : "the machine has no more memory; lower --max-memory or the generation",
             undecided);
+    } catch (const std::filesystem::filesystem_error& error) {
+        const std::string path = error.path1().string();
+        return report("cannot use " + (path.empty() ? "a file or folder" : path) + ": " +
+                          error.code().message(),
+                      bad_input);
     } catch (const std::exception& error) {
         return report(error.what(), bad_input);
     }

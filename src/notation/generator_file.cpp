@@ -283,7 +283,8 @@ GeneratorFile read_generator_file(std::string_view text, const std::string& name
         if (known == keys.end()) {
             findings.add(offset + begin, "unknown statement " + algae::quoted(statement.key) +
                                              did_you_mean(statement.key, names) +
-                                             "; expected one of " + joined(names, ", "));
+                                             "; expected one of " + joined(names, ", ") +
+                                             comment_hint(line.substr(begin)));
             continue;
         }
         if (!known->repeats && !said.insert(statement.key).second) {

@@ -375,6 +375,21 @@ void Reading::check_distances() {
     }
 }
 
+std::string comment_hint(std::string_view text) {
+    constexpr std::size_t longest = 40;
+    for (const std::string_view sign : {"//", "/*", "%", "--"}) {
+        if (!text.starts_with(sign)) continue;
+        text.remove_prefix(sign.size());
+        text = trimmed(text.substr(0, text.find_first_of("\r\n")));
+        if (text.ends_with("*/")) text = trimmed(text.substr(0, text.size() - 2));
+        return "; a comment begins with '#'" +
+               (text.empty() || text.size() > longest
+                    ? ""
+                    : ", did you mean '# " + std::string(text) + "'?");
+    }
+    return {};
+}
+
 namespace {
 
 /// The row of the table for a keyword; nullptr if there is none.
@@ -395,9 +410,7 @@ Stage stage(const Clause& clause) {
 
 /// How algae says what other notations write so; otherwise the hint.
 std::string said_elsewhere(std::string_view text, const std::string& hint) {
-    if (text.starts_with("//") || text.starts_with("/*") || text.starts_with("%") ||
-        text.starts_with("--"))
-        return "; a comment begins with '#'";
+    if (const std::string comment = comment_hint(text); !comment.empty()) return comment;
     if (!hint.empty()) return hint;
     for (const std::string_view arrow : {"-->", "=>", "::=", ":=", "\u2192", "="})
         if (text.find(arrow) != std::string_view::npos)

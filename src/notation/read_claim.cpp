@@ -10,6 +10,7 @@
 
 #include "notation/detail/claim_reading.hpp"
 #include "notation/detail/grammar.hpp"
+#include "notation/detail/reading.hpp"
 
 // A `.claim` file from its text, and whether a system fits the family that its definition names.
 //
@@ -409,9 +410,11 @@ private:
         std::vector<std::string> words;
         for (const StatementHelp& help : claim_statements()) words.push_back(help.keyword);
         constexpr std::size_t most = 1000;  // after so many findings nobody needs suggestions
-        throw unknown_word(
+        SyntaxError unknown = unknown_word(
             "claim, source, note, alphabet, allow, let, theorem, show, lemma, refute or closed",
             word, reading_.findings.count() < most ? words : std::vector<std::string>());
+        unknown.message += comment_hint(clause.text);
+        throw unknown;
     }
 
     void read_text(const ClaimClause& clause) {

@@ -373,7 +373,13 @@ std::vector<Production> parse_productions(std::string_view text, const char* arr
     shared.place = reading.source.place(text.data());
     const Arrow split = split_at_arrow(text, arrow);
     if (split.left_side.empty()) throw unexpected("a symbol before the arrow", text.data());
-    parse_left_side(split.left_side, reading.lexicon, reading.source, shared);
+    try {
+        parse_left_side(split.left_side, reading.lexicon, reading.source, shared);
+    } catch (const SyntaxError&) {
+        // The arrow of cpfg. Before it is what may be a letter, so it is named only where nothing else can be read.
+        if (*arrow != '-' || arrow == text.data() || arrow[-1] != '-') throw;
+        throw SyntaxError{arrow - 1, "expected an arrow, found '-->'; did you mean '->'?"};
+    }
     if (split.probability.data())
         shared.probability = parse_probability(split.probability, reading);
     const std::vector<std::string_view> successors =

@@ -118,6 +118,7 @@ FileOutput::FileOutput(const std::string& path, bool is_input) : path_(path), ta
         if (!ignored) target_ = leads_to.string();
     }
     const files::file_status status = files::status(target_, ignored);
+    if (status.type() == files::file_type::none) fail(ignored.value());  // links in a circle
     if (files::is_directory(status)) fail(EISDIR);
     if (files::is_regular_file(status)) {
         struct stat there;
@@ -186,6 +187,13 @@ void FileOutput::commit() {
     if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
     set_unfinished(temporary_.c_str(), nullptr);
     temporary_.clear();
+    // Its name is on the disk too. Where that cannot be, the machine that stops leaves the old name or the new one.
+    const std::string folder = std::filesystem::path(target_).parent_path().string();
+    const int above =
+        ::open(folder.empty() ? "." : folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (above < 0) return;
+    ::fsync(above);
+    ::close(above);
 }
 
 void StreamOutput::write(const char* bytes, std::size_t count) {

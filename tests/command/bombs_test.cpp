@@ -17,6 +17,13 @@
 
 namespace {
 
+// Sanitizers have an account of their own: the one of algae is off under them, and their shadow counts as memory.
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr bool has_own_account = false;
+#else
+constexpr bool has_own_account = true;
+#endif
+
 /// A command line; `@` is the file with the text, `%` a file that is written.
 struct Bomb {
     std::string arguments, text;
@@ -149,7 +156,8 @@ std::string with(std::string text, char sign, const std::string& value) {
 
 }  // namespace
 
-TEST_CASE("whatever an input asks for, the bound of memory holds") {
+TEST_CASE("whatever an input asks for, the bound of memory holds" *
+          doctest::skip(!has_own_account)) {
     constexpr std::uint64_t bound = 100 << 20;
     constexpr std::uint64_t most = bound + bound / 5 + (std::uint64_t{100} << 20);
     std::uint64_t greatest = 0;

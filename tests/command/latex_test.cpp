@@ -75,6 +75,43 @@ TEST_CASE("--latex of verbs") {
     CHECK(holds(run("derive honda-a -n 2 --latex").err, "--latex: "));
 }
 
+TEST_CASE("algae latex replaces a file of results and no other") {
+    const Scratch scratch;
+    const std::string part = scratch.file("part.tex", "\\algaegrowth{koch}\n");
+    const std::string text = "\\input{part}\\algaegrowth{fibonacci}\n";
+    const std::string paper = scratch.file("paper.tex", text);
+    const std::string link = scratch.file("link.algae");
+    std::filesystem::create_symlink(paper, link);
+    for (const std::string& read : {paper, part, link}) {
+        INFO(read);
+        const std::string before = text_of(read);
+        const Run refused = run("latex '" + paper + "' -o '" + read + "'");
+        CHECK(refused.status == 2);
+        CHECK(refused.err ==
+              "algae: cannot write " + read + ": it was read as input; expected another name\n");
+        CHECK(text_of(read) == before);
+    }
+    // A document whose name ends as that of its results would be replaced by them.
+    const std::string own = scratch.file("own.algae", text);
+    CHECK(run("latex '" + own + "'").status == 2);
+    CHECK(text_of(own) == text);
+    const std::string other = scratch.file("notes.txt", "mine");
+    const Run refused = run("latex '" + paper + "' -o '" + other + "'");
+    CHECK(refused.status == 2);
+    CHECK(refused.err == "algae: cannot write " + other +
+                             ": it is not a file of results, which begins with \"% Results of "
+                             "algae for\"; expected another name\n");
+    CHECK(text_of(other) == "mine");
+    // Results are replaced, also where the document inputs them, and an empty file is.
+    const std::string results = scratch.file("paper.algae");
+    scratch.file("paper.tex", "\\input{paper.algae}" + text);
+    const std::string empty = scratch.file("empty", "");
+    CHECK(run("latex '" + paper + "' -o '" + empty + "'").status == 0);
+    CHECK(text_of(empty).starts_with("% Results of algae for paper.tex"));
+    CHECK(run("latex '" + paper + "'").out == results + ": 2 made, 0 kept\n");
+    CHECK(run("latex '" + paper + "'").out == results + ": 0 made, 2 kept\n");
+}
+
 TEST_CASE("algae latex writes results, keeps them and says what is wrong where") {
     const Scratch scratch;
     const std::string paper = scratch.file("paper.tex", every_command);

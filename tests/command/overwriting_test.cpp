@@ -92,6 +92,32 @@ TEST_CASE("the files of a lesson leave an answer that was written in them") {
     CHECK(files.size() == count + 1);
 }
 
+TEST_CASE(
+    "feedback that is there is kept with --no-clobber, and else it is said that it is replaced") {
+    const Scratch files;
+    const std::string answers = files.file("answers"), feedback = files.file("feedback");
+    std::filesystem::create_directory(answers);
+    std::filesystem::create_directory(feedback);
+    files.file("answers/anna.lsys", "axiom a\na -> ab\nb -> a\n");
+    const std::string mine = files.file("feedback/anna.lsys.txt", "what the teacher wrote");
+    const std::string mark =
+        "lesson 1 --exercise 1 '" + answers + "' --feedback '" + feedback + "'";
+    const Run refused = run(mark + " --no-clobber");
+    CHECK(refused.status == 2);
+    CHECK(refused.out.empty());
+    CHECK(refused.err == "algae: cannot write " + mine +
+                             ": it is there already, and files that are there are kept\n");
+    CHECK(text_of(mine) == "what the teacher wrote");
+    CHECK(files.size() == 2);
+    const Run replaced = run(mark);
+    CHECK(replaced.status == 0);
+    CHECK(replaced.err == "algae: note: 1 file in " + feedback +
+                              " had another text and is replaced; --no-clobber keeps what is "
+                              "there\n");
+    CHECK(text_of(mine).find("exercise 1.1") != std::string::npos);
+    CHECK(run(mark).err.empty());  // the same again
+}
+
 TEST_CASE("a claim reads no system outside its folder") {
     const Scratch files, others;
     const std::string secret = others.file("secret.lsys", "axiom a\na -> ab\nb -> a\n");
@@ -117,6 +143,65 @@ TEST_CASE("a claim reads no system outside its folder") {
               std::string::npos);
         CHECK(check(name, "--allow-outside").status == 0);
     }
+}
+
+TEST_CASE("a claim reads no file of a cpfg model outside its folder, wherever links lead") {
+    const Scratch files, others;
+    const std::string system =
+        "Lsystem: 1\nderivation length: 3\nAxiom: a\na --> ab\nb --> a\nendlsystem\n";
+    const std::string view = "angle factor: 6\n", animation = "first frame: 0\nlast frame: 3\n";
+    others.file("plant.l", system);
+    others.file("plant.v", view);
+    others.file("plant.a", animation);
+    others.file("specifications", "cpfg plant.l\n");
+    others.file(
+        "many.l",
+        "Many {\n  Angle 4\n  Axiom F\n  F=FF\n}\nOther {\n  Angle 4\n  Axiom F\n  F=F+F\n}\n");
+    const auto check = [&](const std::string& name, const std::string& option = "") {
+        const std::string claim =
+            files.file("x.claim", "claim x\nlet G = D0L " + name + "\nshow L(G) == L(G)\n");
+        return run("check " + option + " '" + claim + "'");
+    };
+    // Each file of the model is a link in turn, first to one beside it, then to one of the others.
+    struct Case {
+        std::string named, link;
+    };
+    for (const auto& [named, link] :
+         {Case{"plant.l", "plant.v"}, Case{"plant.l", "plant.l"}, Case{"plant.v", "plant.l"},
+          Case{"plant.v", "plant.v"}, Case{"plant.a", "plant.l"}, Case{"plant.a", "plant.v"},
+          Case{"plant.a", "plant.a"}, Case{"specifications", "plant.l"},
+          Case{"specifications", "plant.v"}, Case{"specifications", "plant.a"},
+          Case{"specifications", "specifications"}}) {
+        INFO(named << " with the link " << link);
+        files.file("plant.l", system);
+        files.file("plant.v", view);
+        files.file("plant.a", animation);
+        files.file("specifications", "cpfg plant.l plant.v plant.a\n");
+        std::filesystem::rename(files.file(link), files.file("moved"));
+        std::filesystem::create_symlink(files.file("moved"), files.file(link));
+        const Run inside = check(named);
+        INFO(inside.err);
+        CHECK(inside.status == 0);
+        std::filesystem::remove(files.file(link));
+        std::filesystem::create_symlink(others.file(link), files.file(link));
+        const Run refused = check(named);
+        INFO(refused.err);
+        CHECK(refused.status == 2);
+        CHECK(refused.err.find("is outside the folder of the text that names it; expected a file "
+                               "in it or below") != std::string::npos);
+        CHECK(refused.err.find(link) != std::string::npos);
+        CHECK(check(named, "--allow-outside").status == 0);
+        std::filesystem::remove(files.file(link));
+        std::filesystem::remove(files.file("moved"));
+    }
+    // One of the systems in a file of Fractint.
+    const std::string entry = others.file("many.l") + ":Other";
+    CHECK(check(entry, "--allow-outside").status == 0);
+    const Run refused = check(entry);
+    CHECK(refused.status == 2);
+    CHECK(refused.err.find(entry + ": is outside the folder") != std::string::npos);
+    std::filesystem::copy_file(others.file("many.l"), files.file("many.l"));
+    CHECK(check("many.l:Other").status == 0);
 }
 
 TEST_CASE("help that cannot be written fails") {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -75,6 +76,12 @@ std::unique_ptr<Generator> open_kind(const std::string& kind, const std::string&
 
 /// The folder of a file, "." for standard input.
 std::string folder_of(const std::string& file);
+
+/// The files in a folder and in those below it, in the order of their names. Throws Error, which names what cannot be read.
+std::vector<std::filesystem::path> files_below(const std::filesystem::path& folder);
+
+/// Makes a folder, and those above it, unless they are there. Throws Error.
+void make_folders(const std::filesystem::path& folder);
 
 /// How names of systems in a text are read: as a file in the first of these folders that has it, otherwise as on the command line.
 /// Unless `outside`, only files in these folders and below are read, wherever links lead, and names of the gallery: a text

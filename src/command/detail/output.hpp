@@ -31,7 +31,8 @@ void note(const std::string& text);
 /// Writes a file, which appears whole or not at all. `is_input`: it replaces the one that was read.
 void write_file(const std::string& path, const std::string& text, bool is_input = false);
 
-/// The text with control characters other than the end of a line written as \x1b, so that names cannot steer a terminal.
+/// The text with what steers a terminal instead of being shown written as \x1b or \u202e: control characters other than the end of a
+/// line, signs that turn the direction of writing, and bytes that are no UTF-8.
 std::string printable(std::string_view text);
 
 /// A field of a table with commas between its fields, quoted where it has to be.

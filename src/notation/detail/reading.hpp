@@ -126,6 +126,9 @@ std::vector<Slip> slips(std::string_view word, const Lexicon& lexicon, bool of_r
 /// counts if `of_rule`.
 void refuse_slips(std::string_view word, const Lexicon& lexicon, bool of_rule = false);
 
+/// How a statement that begins as comments of other notations do, `// text`, is said here, for a message; empty for all others.
+std::string comment_hint(std::string_view text);
+
 /// Whether a name is a symbol only if declared, and longer than one character: blanks separate symbols where
 /// there is one.
 bool is_declared_only(std::string_view name);

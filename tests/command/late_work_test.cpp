@@ -82,7 +82,7 @@ struct Ended {
 /// Starts a command, sends it a signal after a second, and waits for its end.
 Ended stopped(const std::string& arguments, int signal, const Scratch& files) {
     const std::string err = files.file("err");
-    const std::string command = "exec timeout --foreground -s KILL 90 '" ALGAE_COMMAND "' " +
+    const std::string command = "exec timeout --foreground -s KILL 90 '" + built_command() + "' " +
                                 arguments + " >/dev/null 2>'" + err + "'";
     const pid_t child = fork();
     if (child == 0) {

@@ -42,6 +42,15 @@ bool is_main_thread() {
     return !main.is_none() && main.cast<unsigned long>() == PyThread_get_thread_ident();
 }
 
+/// The time so many seconds from now; none where it would not fit the clock.
+std::optional<std::chrono::steady_clock::time_point> deadline_in(std::optional<double> seconds) {
+    constexpr double longest = 1e9;
+    if (!seconds || *seconds >= longest) return std::nullopt;
+    return std::chrono::steady_clock::now() +
+           std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+               std::chrono::duration<double>(*seconds));
+}
+
 const char* name_of(Bound bound) {
     static const char* const names[] = {"letters", "memory", "time", "nodes", "digits", "method"};
     return names[static_cast<std::size_t>(bound)];
@@ -98,13 +107,7 @@ Running::Running(const Limits& limits) : callback_(limits.progress) {
     budget_.names = &bound_names;
     if (limits.letters) budget_.letters = *limits.letters;
     if (limits.memory) budget_.memory = *limits.memory;
-    if (limits.timeout) {
-        constexpr double longest = 1e9;  // seconds; more would not fit the clock
-        if (*limits.timeout < longest)
-            budget_.deadline = std::chrono::steady_clock::now() +
-                               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                   std::chrono::duration<double>(*limits.timeout));
-    }
+    budget_.deadline = limits.deadline;
     wants_progress_ = !callback_.is_none();
     told_ = now();
     if (wants_progress_) {
@@ -164,7 +167,7 @@ void add_running(py::module_& module) {
     py::class_<Limits>(module, "Limits")
         .def(py::init([](std::optional<double> timeout, std::optional<std::uint64_t> letters,
                          std::optional<std::uint64_t> memory, py::object progress) {
-                 return Limits{timeout, letters, memory, std::move(progress)};
+                 return Limits{deadline_in(timeout), letters, memory, std::move(progress)};
              }),
              py::arg("timeout") = py::none(), py::arg("letters") = py::none(),
              py::arg("memory") = py::none(), py::arg("progress") = py::none());

@@ -47,7 +47,8 @@ def shown(output):
     if "image/png" in data:
         return f'<figure><img src="data:image/png;base64,{data["image/png"].strip()}" alt="a figure"></figure>'
     if "text/latex" in data:
-        return f'<div class="output">{by_pandoc(data["text/latex"].replace("\\allowbreak ", ""), "--from", "latex", "--to", "html5")}</div>'
+        text = data["text/latex"].replace("\\allowbreak ", "")  # pandoc does not know it
+        return f'<div class="output">{by_pandoc(text, "--from", "latex", "--to", "html5")}</div>'
     return f'<pre class="output">{html.escape(data.get("text/plain", ""))}</pre>'
 
 

@@ -154,48 +154,6 @@ py::array segments(const SystemObject& system, const Shown& shown, const Limits&
     return as_array(std::move(found), {count, 2, dimensions});
 }
 
-/// Rods of a scene for a page that turns it: both ends, the radius, the colour; and triangles of what else there is.
-py::dict scene_of(const SystemObject& system, const Shown& shown, const Limits& limits) {
-    const FigureChoices choices = choices_of(system, shown);
-    struct Found {
-        std::vector<float> rods, triangles;
-    };
-    Found found = run(limits, [&](const Budget& budget) {
-        const SpaceDerivation walked = scene(*system, shown.last, budget, choices);
-        const Scene& all = walked.scene;
-        const auto colour_of = [&](const Paint& paint) {
-            if (paint.colour) return *paint.colour;
-            if (all.colours.empty() || is_scheme(all.colours.front())) return Colour{};
-            return colour_named(all.colours[paint.index % all.colours.size()]);
-        };
-        const auto add = [](std::vector<float>& to, std::initializer_list<double> values) {
-            for (const double value : values) to.push_back(static_cast<float>(value));
-        };
-        Found result;
-        for (const Rod& rod : all.rods) {
-            const Colour colour = colour_of(rod.paint);
-            add(result.rods, {rod.from.x, rod.from.y, rod.from.z, rod.to.x, rod.to.y, rod.to.z,
-                              rod.radius, colour.red, colour.green, colour.blue});
-        }
-        for (const algae::Face& face : all.faces) {
-            const Colour colour = colour_of(face.paint);
-            const std::span<const Vector> corners = all.corners_of(face);
-            for (std::size_t i = 2; i < corners.size(); ++i) {
-                for (const Vector& at : {corners[0], corners[i - 1], corners[i]})
-                    add(result.triangles, {at.x, at.y, at.z});
-                add(result.triangles, {colour.red, colour.green, colour.blue});
-            }
-        }
-        return result;
-    });
-    py::dict out;
-    const auto rods = static_cast<py::ssize_t>(found.rods.size() / 10);
-    const auto triangles = static_cast<py::ssize_t>(found.triangles.size() / 12);
-    out["rods"] = as_array(std::move(found.rods), {rods, 10});
-    out["triangles"] = as_array(std::move(found.triangles), {triangles, 12});
-    return out;
-}
-
 py::dict mesh_arrays(const SystemObject& system, const Shown& shown, unsigned facets,
                      const Limits& limits) {
     const FigureChoices choices = choices_of(system, shown);
@@ -350,6 +308,34 @@ std::vector<FigureSource> sources_of(const SystemObject& system, const Plates& a
     return sources;
 }
 
+/// A page of HTML that turns figures in space, one for each generation.
+std::pair<std::string, std::vector<Json>> drawn_to_turn(const SystemObject& system,
+                                                        const Shown& shown,
+                                                        const FigureChoices& choices,
+                                                        const Wishes& wishes,
+                                                        const Budget& budget) {
+    MeshChoices how;
+    how.mesh.facets = wishes.facets;
+    how.colours = wishes.colours;
+    how.background = wishes.background;
+    how.camera = view_of(wishes, *system).camera;
+    std::vector<Scene> scenes;
+    std::vector<NamedScene> named;
+    std::vector<Json> facts;
+    for (std::uint64_t n = shown.first; n <= shown.last; ++n) {
+        scenes.push_back(scene(*system, n, budget, choices).scene);
+        facts.push_back(Json{{"generation", n},
+                             {"segments", scenes.back().rods.size()},
+                             {"parts", scenes.back().parts()}});
+    }
+    for (const Scene& one : scenes)
+        named.push_back({&one, "generation " + std::to_string(shown.first + named.size()) + " of " +
+                                   system->name});
+    std::ostringstream out;
+    draw_scene_page(named, out, how, options_of(wishes, *system), budget);
+    return {out.str(), std::move(facts)};
+}
+
 /// The bytes of a picture in a format, and what is known of its figures.
 py::tuple draw(const SystemObject& system, const Shown& shown, const Wishes& wishes,
                const std::string& format, const Limits& limits) {
@@ -379,6 +365,8 @@ py::tuple draw(const SystemObject& system, const Shown& shown, const Wishes& wis
                                                                {"triangles", drawn.triangles},
                                                                {"solids", drawn.solids}}});
         }
+        if (text == FigureFormat::html && leaves_plane(*system))
+            return drawn_to_turn(system, shown, choices, wishes, budget);
         const Plates all(system, shown, choices, wishes, budget);
         const PictureOptions options = options_of(wishes, *system);
         const bool pages =
@@ -500,6 +488,7 @@ py::dict nodes_and_edges(const TreeObject& object) {
     if (object.tree) {
         const DerivationTree& tree = *object.tree;
         for (std::size_t i = 0; i < tree.nodes.size(); ++i) {
+            let_signals_in(i);
             const DerivationTree::Node& node = tree.nodes[i];
             using Kind = DerivationTree::Node::Kind;
             const std::string label = node.kind == Kind::erased    ? "ε"
@@ -524,8 +513,8 @@ py::dict nodes_and_edges(const TreeObject& object) {
 
 py::bytes tree_bytes(const TreeObject& object, const std::string& format,
                      std::optional<double> width, const Limits& limits) {
-    if (format == "dot" || format == "gv") return py::bytes(dot_text(object.graph));
     return py::bytes(run(limits, [&](const Budget& budget) {
+        if (format == "dot" || format == "gv") return dot_text(object.graph);
         if (format == "tex") return latex_text(object.graph, budget);
         std::ostringstream out;
         GraphOptions options;
@@ -637,7 +626,6 @@ void add_figures(py::module_& module) {
         .def_readwrite("facets", &Wishes::facets);
     module.def("points", points, py::arg("system"), py::arg("shown"), py::arg("limits"));
     module.def("segments", segments, py::arg("system"), py::arg("shown"), py::arg("limits"));
-    module.def("scene", scene_of, py::arg("system"), py::arg("shown"), py::arg("limits"));
     module.def("mesh", mesh_arrays, py::arg("system"), py::arg("shown"), py::arg("facets"),
                py::arg("limits"));
     module.def("draw", draw, py::arg("system"), py::arg("shown"), py::arg("wishes"),
@@ -694,10 +682,15 @@ void add_figures(py::module_& module) {
                     throw Error("the rules give no formula of the dimension: " +
                                 (found.exact.conditions.empty() ? std::string()
                                                                 : found.exact.conditions.back()));
-                return run(limits, [&](const Budget&) {
+                return run(limits, [&](const Budget& budget) {
                     if (const auto exact = found.exact.value->rational())
                         return decimal(*exact, digits);
-                    return found.exact.value->decimal(digits);
+                    return decimal(
+                        [&](long bits) {
+                            budget.check();
+                            return found.exact.value->enclosure(bits);
+                        },
+                        digits);
                 });
             },
             py::arg("digits"), py::arg("limits"))

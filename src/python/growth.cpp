@@ -22,19 +22,14 @@ struct Algebraic {
     Polynomial
         minimal;  // irreducible, primitive, leading coefficient positive; 0 where it is not worked out
     std::string text;
-    std::function<std::string(int)> decimal;  // correctly rounded to so many digits after the point
     std::function<Ball(long)> enclosure;
     std::optional<Rational> rational;
 };
 
 Algebraic algebraic(const Rate& rate) {
-    Algebraic found{primitive_part(rate.minimal_polynomial()), rate.exact(), {}, {}, {}};
+    Algebraic found{primitive_part(rate.minimal_polynomial()), rate.exact(), {}, {}};
     found.enclosure = [rate](long bits) { return rate.enclosure(bits); };
     if (const auto integer = rate.integer()) found.rational = *integer;
-    found.decimal = [rational = found.rational, rate](int digits) {
-        if (rational) return decimal(*rational, digits);
-        return decimal([&](long bits) { return rate.enclosure(bits); }, digits);
-    };
     return found;
 }
 
@@ -59,18 +54,16 @@ Polynomial minimal_polynomial_of(const NumberField& field, const Polynomial& num
 }
 
 Algebraic algebraic(const Frequency& share, const std::optional<Rate>& rate) {
-    Algebraic found{{}, share.exact(), {}, {}, {}};
+    Algebraic found{{}, share.exact(), {}, {}};
     found.enclosure = [share](long bits) { return share.enclosure(bits); };
-    if (const auto& number = share.number(); number && rate && number->denominator.degree() == 0) {
+    if (const auto& number = share.number(); number && number->denominator.degree() == 0) {
         const Integer below = number->denominator.coefficient(0);
-        found.minimal = minimal_polynomial_of(NumberField(rate->minimal_polynomial()),
-                                              number->numerator, below);
         if (number->numerator.degree() <= 0)
             found.rational = Rational(number->numerator.coefficient(0), below);
+        if (rate)
+            found.minimal = minimal_polynomial_of(NumberField(rate->minimal_polynomial()),
+                                                  number->numerator, below);
     }
-    found.decimal = [share, rational = found.rational](int digits) {
-        return rational ? decimal(*rational, digits) : share.decimal(digits);
-    };
     return found;
 }
 
@@ -104,6 +97,16 @@ py::list frequencies(const GrowthObject& growth) {
     return all;
 }
 
+/// Python ints; signals are let in between them.
+py::list ints(const std::vector<Integer>& values) {
+    py::list all;
+    for (const Integer& value : values) {
+        let_signals_in(all.size());
+        all.append(as_python(value));
+    }
+    return all;
+}
+
 /// Rows of exact ints, or an array of 64 bits where all of them fit.
 py::object matrix(const std::vector<std::vector<Integer>>& rows, std::size_t columns) {
     const bool is_small = std::ranges::all_of(rows, [](const auto& row) {
@@ -118,11 +121,7 @@ py::object matrix(const std::vector<std::vector<Integer>>& rows, std::size_t col
                         {static_cast<py::ssize_t>(rows.size()), static_cast<py::ssize_t>(columns)});
     }
     py::list all;
-    for (const auto& row : rows) {
-        py::list one;
-        for (const Integer& value : row) one.append(as_python(value));
-        all.append(std::move(one));
-    }
+    for (const auto& row : rows) all.append(ints(row));
     return py::module_::import("numpy").attr("array")(all, py::arg("dtype") = "object");
 }
 
@@ -130,6 +129,29 @@ std::vector<std::string> letters(const D0L& system) {
     std::vector<std::string> names;
     for (const Symbol letter : system.letters) names.push_back(system.alphabet->name(letter));
     return names;
+}
+
+/// The first values of a recurrence, each some of them a check of the budget.
+std::vector<Integer> first_values(const Recurrence& recurrence, std::size_t count,
+                                  const Budget& budget) {
+    constexpr std::size_t step = 64;
+    std::vector<Integer> found = recurrence.values(std::min(count, recurrence.initial.size()));
+    std::uint64_t bytes = 0;
+    Recurrence from;  // what goes on from the last values
+    from.polynomial = recurrence.polynomial;
+    while (found.size() < count) {
+        budget.check();
+        from.initial.assign(found.end() - static_cast<std::ptrdiff_t>(recurrence.order()),
+                            found.end());
+        const std::size_t more = std::min(step, count - found.size());
+        std::vector<Integer> next = from.values(recurrence.order() + more);
+        for (std::size_t i = recurrence.order(); i < next.size(); ++i) {
+            bytes += sizeof(Integer) + static_cast<std::uint64_t>(bit_length(next[i])) / 8;
+            found.push_back(std::move(next[i]));
+        }
+        budget.check_memory(bytes, "the values");
+    }
+    return found;
 }
 
 GrowthObject growth(const SystemObject& system, const Limits& limits) {
@@ -158,9 +180,7 @@ py::object lengths(const SystemObject& system, std::uint64_t first, std::uint64_
         }
         return all;
     });
-    py::list all;
-    for (const Integer& value : found) all.append(as_python(value));
-    return all;
+    return ints(found);
 }
 
 /// How often each letter occurs, a row for each generation.
@@ -250,7 +270,15 @@ void add_growth(py::module_& module) {
         .def(
             "decimal",
             [](const Algebraic& number, int digits, const Limits& limits) {
-                return run(limits, [&](const Budget&) { return number.decimal(digits); });
+                return run(limits, [&](const Budget& budget) {
+                    if (number.rational) return decimal(*number.rational, digits);
+                    return decimal(
+                        [&](long bits) {
+                            budget.check();
+                            return number.enclosure(bits);
+                        },
+                        digits);
+                });
             },
             py::arg("digits"), py::arg("limits"))
         .def(
@@ -279,8 +307,11 @@ void add_growth(py::module_& module) {
         .def("latex", [](const Algebraic& number) { return formula_latex(number.text); });
 
     py::class_<GrowthObject>(module, "Growth")
-        .def("report", [](const GrowthObject& growth) { return to_json(growth.report).text(-1); })
-        .def("page", [](const GrowthObject& growth) { return to_text(growth.report); })
+        .def(
+            "report", [](const GrowthObject& growth) { return to_json(growth.report).text(-1); },
+            Unlocked())
+        .def(
+            "page", [](const GrowthObject& growth) { return to_text(growth.report); }, Unlocked())
         .def(
             "latex",
             [](const GrowthObject& growth, const std::string& part) {
@@ -295,15 +326,15 @@ void add_growth(py::module_& module) {
                             joined(parts, ", ", [](const auto& one) { return one.first; }) +
                             ", found " + algae::quoted(part));
             },
-            py::arg("part"))
+            py::arg("part"), Unlocked())
         .def("letters", [](const GrowthObject& growth) { return letters(growth.report.system); })
         .def("lengths", [](const GrowthObject& growth) { return growth.report.analysis.lengths; })
         .def(
             "values",
             [](const GrowthObject& growth, std::size_t count, const Limits& limits) {
-                return run(limits, [&](const Budget&) {
-                    return growth.report.analysis.recurrence.values(count);
-                });
+                return ints(run(limits, [&](const Budget& budget) {
+                    return first_values(growth.report.analysis.recurrence, count, budget);
+                }));
             },
             py::arg("count"), py::arg("limits"))
         .def("matrix",

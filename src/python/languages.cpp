@@ -138,7 +138,10 @@ py::dict list_of(const LanguageObject& language, std::uint64_t length, std::uint
         return list_words(written.language, *written.alphabet, {length, words}, budget);
     });
     py::list all;
-    for (const Word& word : found.words) all.append(WordObject(written.alphabet, word));
+    for (const Word& word : found.words) {
+        let_signals_in(all.size());
+        all.append(WordObject(written.alphabet, word));
+    }
     py::dict out;
     out["words"] = std::move(all);
     out["decided"] = found.decided;
@@ -460,13 +463,20 @@ void add_languages(py::module_& module) {
 
     py::class_<AnswerObject>(module, "Answer")
         .def("truth", truth)
-        .def("argument",
-             [](const AnswerObject& object) { return sentences(object.answer, *object.alphabet); })
-        .def("latex",
-             [](const AnswerObject& object) { return latex(object.answer, *object.alphabet); })
-        .def("certificate", [](const AnswerObject& object) {
-            return certificate(object.answer, *object.alphabet).dump();
-        });
+        .def(
+            "argument",
+            [](const AnswerObject& object) { return sentences(object.answer, *object.alphabet); },
+            Unlocked())
+        .def(
+            "latex",
+            [](const AnswerObject& object) { return latex(object.answer, *object.alphabet); },
+            Unlocked())
+        .def(
+            "certificate",
+            [](const AnswerObject& object) {
+                return certificate(object.answer, *object.alphabet).dump();
+            },
+            Unlocked());
 
     py::class_<ClaimObject>(module, "Claim")
         .def("title", [](const ClaimObject& object) { return object.claim.title; })
@@ -480,13 +490,18 @@ void add_languages(py::module_& module) {
              })
         .def("theorem", [](const CheckedObject& object) { return object.checked.theorem(); })
         .def("statements", statements)
-        .def("explanation", [](const CheckedObject& object) { return explanation(object.checked); })
-        .def("latex", [](const CheckedObject& object) { return latex(object.checked); })
-        .def("certificate",
-             [](const CheckedObject& object) { return certificate(object.checked).dump(); });
+        .def(
+            "explanation", [](const CheckedObject& object) { return explanation(object.checked); },
+            Unlocked())
+        .def(
+            "latex", [](const CheckedObject& object) { return latex(object.checked); }, Unlocked())
+        .def(
+            "certificate",
+            [](const CheckedObject& object) { return certificate(object.checked).dump(); },
+            Unlocked());
 
     module.def("read_language", read_expression, py::arg("text"), py::arg("systems"),
-               py::arg("letters"));
+               py::arg("letters"), Unlocked());
     module.def("families", known_families);
     module.def("member", member, py::arg("system"), py::arg("word"), py::arg("limits"));
     module.def("finite", finite, py::arg("system"), py::arg("limits"));
@@ -495,7 +510,7 @@ void add_languages(py::module_& module) {
     module.def("equal_languages", equal_languages_of, py::arg("left"), py::arg("right"),
                py::arg("limits"));
     module.def("read_claim", claim_of_text, py::arg("text"), py::arg("name"), py::arg("systems"),
-               py::arg("letters"));
+               py::arg("letters"), Unlocked());
     module.def("verify", verified, py::arg("certificate"), py::arg("limits"));
     module.def("census", census, py::arg("of"), py::arg("statements"), py::arg("first"),
                py::arg("languages"), py::arg("limits"));

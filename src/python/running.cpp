@@ -42,9 +42,26 @@ bool is_main_thread() {
     return !main.is_none() && main.cast<unsigned long>() == PyThread_get_thread_ident();
 }
 
+/// The time so many seconds from now; none where it would not fit the clock.
+std::optional<std::chrono::steady_clock::time_point> deadline_in(std::optional<double> seconds) {
+    constexpr double longest = 1e9;
+    if (!seconds || *seconds >= longest) return std::nullopt;
+    return std::chrono::steady_clock::now() +
+           std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+               std::chrono::duration<double>(*seconds));
+}
+
 const char* name_of(Bound bound) {
     static const char* const names[] = {"letters", "memory", "time", "nodes", "digits", "method"};
     return names[static_cast<std::size_t>(bound)];
+}
+
+/// A message as Python has it. One that was cut within a character, or that quotes bytes of something else, has U+FFFD there.
+py::str message_text(const std::string& message) {
+    PyObject* text =
+        PyUnicode_DecodeUTF8(message.data(), static_cast<Py_ssize_t>(message.size()), "replace");
+    if (!text) throw py::error_already_set();
+    return py::reinterpret_steal<py::str>(text);
 }
 
 /// Raises an exception of `algae.errors` that is made of these arguments.
@@ -60,16 +77,16 @@ py::list findings_of(const Diagnostics& error) {
     for (const Diagnostic& finding : error.findings()) {
         const MessageParts parts = parts_of(finding.message);
         py::dict one;
-        one["file"] = finding.place.file;
+        one["file"] = message_text(finding.place.file);
         one["line"] = finding.place.line;
         one["column"] = finding.place.column;
         one["end"] = end_column(finding);
-        one["message"] = finding.message;
-        one["text"] = finding.line;
+        one["message"] = message_text(finding.message);
+        one["text"] = message_text(finding.line);
         one["caret"] = finding.caret;
-        one["expected"] = parts.expected;
-        one["found"] = parts.found;
-        one["suggestion"] = parts.suggestion;
+        one["expected"] = message_text(parts.expected);
+        one["found"] = message_text(parts.found);
+        one["suggestion"] = message_text(parts.suggestion);
         all.append(one);
     }
     return all;
@@ -79,16 +96,16 @@ void translate(std::exception_ptr raised) {
     try {
         if (raised) std::rethrow_exception(raised);
     } catch (const Diagnostics& error) {
-        raise_own("NotationError", std::string(error.what()), findings_of(error));
+        raise_own("NotationError", message_text(error.what()), findings_of(error));
     } catch (const Error& error) {
-        raise_own("Error", std::string(error.what()));
+        raise_own("Error", message_text(error.what()));
     } catch (const BoundReached& bound) {
         raise_own(bound.bound() == Bound::time ? "Timeout" : "BoundReached",
-                  std::string(bound.what()), name_of(bound.bound()));
+                  message_text(bound.what()), name_of(bound.bound()));
     } catch (const Interrupted&) {
         PyErr_SetNone(PyExc_KeyboardInterrupt);
     } catch (const Stopped& stop) {
-        raise_own("Stopped", std::string(stop.what()));
+        raise_own("Stopped", message_text(stop.what()));
     }
 }
 
@@ -98,13 +115,7 @@ Running::Running(const Limits& limits) : callback_(limits.progress) {
     budget_.names = &bound_names;
     if (limits.letters) budget_.letters = *limits.letters;
     if (limits.memory) budget_.memory = *limits.memory;
-    if (limits.timeout) {
-        constexpr double longest = 1e9;  // seconds; more would not fit the clock
-        if (*limits.timeout < longest)
-            budget_.deadline = std::chrono::steady_clock::now() +
-                               std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                                   std::chrono::duration<double>(*limits.timeout));
-    }
+    budget_.deadline = limits.deadline;
     wants_progress_ = !callback_.is_none();
     told_ = now();
     if (wants_progress_) {
@@ -164,7 +175,7 @@ void add_running(py::module_& module) {
     py::class_<Limits>(module, "Limits")
         .def(py::init([](std::optional<double> timeout, std::optional<std::uint64_t> letters,
                          std::optional<std::uint64_t> memory, py::object progress) {
-                 return Limits{timeout, letters, memory, std::move(progress)};
+                 return Limits{deadline_in(timeout), letters, memory, std::move(progress)};
              }),
              py::arg("timeout") = py::none(), py::arg("letters") = py::none(),
              py::arg("memory") = py::none(), py::arg("progress") = py::none());

@@ -40,6 +40,14 @@ ConstantValues values_of(const Constants& let) {
 
 SystemObject made(Model model) { return {std::make_shared<const Model>(std::move(model))}; }
 
+/// The same system under another name, if one is given.
+SystemObject renamed(SystemObject system, const std::optional<std::string>& name) {
+    if (!name) return system;
+    Model model = *system;
+    model.name = *name;
+    return made(std::move(model));
+}
+
 SystemObject read_system(const std::string& text, const std::string& name, const Constants& let) {
     return made(read_lsystem(text, name, values_of(let)));
 }
@@ -75,18 +83,21 @@ SystemObject open_file(const std::string& path, const Constants& let) {
     return made(std::move(model));
 }
 
-SystemObject open_system(const std::string& source, const Constants& let) {
+/// What a source means. A name that is given is the system's: errors in a text that is typed call the text so.
+SystemObject open_system(const std::string& source, const Constants& let,
+                         const std::optional<std::string>& name) {
     std::error_code ignored;
     const auto [file, part] = file_and_entry(source);
     const bool is_line = source.find('\n') == std::string::npos;
+    const std::string called = name.value_or("system");
     if (is_line && (std::filesystem::exists(source, ignored) ||
                     (!part.empty() && std::filesystem::exists(file, ignored))))
-        return open_file(source, let);
+        return renamed(open_file(source, let), name);
     if (const GalleryEntry* entry = gallery_entry(source))
-        return read_system(std::string(entry->text), source, let);
-    if (!is_line) return read_system(source, "system", let);
+        return renamed(read_system(std::string(entry->text), source, let), name);
+    if (!is_line) return read_system(source, called, let);
     if (is_typed_system(source) && !source.ends_with(".lsys"))
-        return made(read_typed_system(source, "system", values_of(let)));
+        return made(read_typed_system(source, called, values_of(let)));
     std::vector<std::string> names;
     for (const GalleryEntry& entry : gallery()) names.emplace_back(entry.name);
     throw Error("no file " + algae::quoted(source) + ", and nothing of that name in the gallery" +
@@ -279,10 +290,12 @@ py::list boxes(const SystemObject& system, std::uint64_t n, const Limits& limits
         return boxes_after(*shapes, shapes->axiom, n, budget);
     });
     py::list all;
-    for (const ShapeBox& box : found)
+    for (const ShapeBox& box : found) {
+        let_signals_in(all.size());
         all.append(py::make_tuple(system->alphabet.name(box.symbol),
                                   py::make_tuple(box.origin[0], box.origin[1], box.origin[2]),
                                   py::make_tuple(box.size[0], box.size[1], box.size[2])));
+    }
     return all;
 }
 
@@ -331,7 +344,8 @@ void add_systems(py::module_& module) {
         .def("name", [](const SystemObject& system) { return system->name; })
         .def("title", [](const SystemObject& system) { return system->title; })
         .def("source", [](const SystemObject& system) { return system->source; })
-        .def("text", [](const SystemObject& system) { return print_lsystem(*system); })
+        .def(
+            "text", [](const SystemObject& system) { return print_lsystem(*system); }, Unlocked())
         .def("class_name", [](const SystemObject& system) { return class_of(*system).name(); })
         .def("alphabet", [](const SystemObject& system) { return names_of(system->alphabet); })
         .def("axiom",
@@ -361,15 +375,20 @@ void add_systems(py::module_& module) {
         .def("leaves_plane", [](const SystemObject& system) { return leaves_plane(*system); })
         .def("shown_generations", shown_generations)
         .def("angle", angle)
-        .def("report",
-             [](const SystemObject& system) {
-                 return to_json(SystemReport{*system, class_of(*system)}).text(-1);
-             })
-        .def("page",
-             [](const SystemObject& system) {
-                 return to_text(SystemReport{*system, class_of(*system)});
-             })
-        .def("latex", [](const SystemObject& system) { return to_latex(*system); })
+        .def(
+            "report",
+            [](const SystemObject& system) {
+                return to_json(SystemReport{*system, class_of(*system)}).text(-1);
+            },
+            Unlocked())
+        .def(
+            "page",
+            [](const SystemObject& system) {
+                return to_text(SystemReport{*system, class_of(*system)});
+            },
+            Unlocked())
+        .def(
+            "latex", [](const SystemObject& system) { return to_latex(*system); }, Unlocked())
         .def(
             "converted",
             [](const SystemObject& system, const std::string& to) {
@@ -382,7 +401,7 @@ void add_systems(py::module_& module) {
                 }
                 return format->print(*system);
             },
-            py::arg("to"))
+            py::arg("to"), Unlocked())
         .def("equals", [](const SystemObject& system,
                           const SystemObject& other) { return *system == *other; })
         .def("derive", derived, py::arg("n"), py::arg("seed"), py::arg("tables"), py::arg("limits"))
@@ -393,9 +412,12 @@ void add_systems(py::module_& module) {
         .def("expected", expected, py::arg("n"), py::arg("limits"))
         .def("boxes", boxes, py::arg("n"), py::arg("limits"))
         .def("unmet", unmet, py::arg("limits"));
-    module.def("open_system", open_system, py::arg("source"), py::arg("let"));
-    module.def("open_file", open_file, py::arg("path"), py::arg("let"));
-    module.def("read_system", read_system, py::arg("text"), py::arg("name"), py::arg("let"));
+    module.def("open_system", open_system, py::arg("source"), py::arg("let"),
+               py::arg("name") = py::none(), Unlocked());
+    module.def("open_file", open_file, py::arg("path"), py::arg("let"), Unlocked());
+    module.def("renamed", renamed, py::arg("system"), py::arg("name"), Unlocked());
+    module.def("read_system", read_system, py::arg("text"), py::arg("name"), py::arg("let"),
+               Unlocked());
     module.def(
         "read_foreign",
         [](const std::string& text, const std::string& format) {
@@ -403,7 +425,7 @@ void add_systems(py::module_& module) {
             if (!known) throw Error("no format of systems is called " + algae::quoted(format));
             return made(known->read(text, "system." + format));
         },
-        py::arg("text"), py::arg("format"));
+        py::arg("text"), py::arg("format"), Unlocked());
     module.def("needs_blank", needs_blank, py::arg("left"), py::arg("right"));
     module.def("gallery", [] {
         std::vector<std::pair<std::string, std::string>> all;

@@ -74,6 +74,7 @@ py::list modules_of(const WordObject& word) {
     const ModuleData& data = *word.modules;
     const double* values = data.word.values.data();
     for (const ModuleKind kind : data.word.kinds) {
+        let_signals_in(all.size());
         py::tuple parameters(data.kinds.arity(kind));
         for (std::size_t i = 0; i < parameters.size(); ++i)
             parameters[i] = parameter(data, word.alphabet(), *values++);
@@ -83,71 +84,222 @@ py::list modules_of(const WordObject& word) {
     return all;
 }
 
-std::string text_of(const WordObject& word) {
-    if (!word.modules) return spell(word.alphabet(), word.word());
-    return ModuleText(word.alphabet(), word.modules->kinds).text(word.modules->word);
+// Work on words. A check of the budget each so many letters costs nothing, and lets Ctrl-C in.
+
+constexpr std::size_t block = std::size_t{1} << 16;
+
+/// Calls `work(from, to)` for the parts of `size` letters, one after the other.
+template <class Work>
+void in_blocks(std::size_t size, const Budget& budget, Work work) {
+    for (std::size_t from = 0; from < size; from += block) {
+        budget.check();
+        work(from, std::min(size, from + block));
+    }
 }
 
-/// Both words over one alphabet, that of the first with the letters of the second.
-struct Pair {
-    std::shared_ptr<Alphabet> alphabet;
-    Word left, right;
+/// Throws BoundReached where a word of so many letters may not be written out.
+void check_letters(const Integer& letters, const char* what, const Budget& budget) {
+    if (letters > Integer(budget.letters))
+        throw BoundReached(Bound::letters, std::string(what) + " has " + readable(letters) +
+                                               " letters, more than the " +
+                                               std::to_string(budget.letters) + " allowed" +
+                                               budget.by(Bound::letters));
+    budget.check_memory(letters.to_uint64() * sizeof(Symbol), what);
+}
+
+/// Text that somebody waits for, piece by piece.
+class StringSink : public TextSink {
+public:
+    explicit StringSink(const Budget& budget) : budget_(budget) {}
+    void write(std::string_view piece) override {
+        if (text.size() + piece.size() > text.capacity()) {
+            budget_.check();
+            budget_.check_memory(2 * (text.size() + piece.size()), "the text");
+        }
+        text += piece;
+    }
+    void flush() override {}
+
+    std::string text;
+
+private:
+    const Budget& budget_;
 };
 
-Pair over_one(const WordObject& left, const WordObject& right) {
-    Pair pair{std::make_shared<Alphabet>(left.alphabet()), left.word(), {}};
-    pair.right = over(right, *pair.alphabet);
-    return pair;
+/// As `spell` and ModuleText write it.
+std::string text_of(const WordObject& word, const Budget& budget) {
+    if (word.size() == 0) return "ε";
+    StringSink sink(budget);
+    if (word.modules) {
+        ModuleText(word.alphabet(), word.modules->kinds).write(word.modules->word, sink, budget);
+        return std::move(sink.text);
+    }
+    const Spellings spellings(word.alphabet());
+    const Symbol* letters = word.begin();
+    in_blocks(word.size(), budget, [&](std::size_t from, std::size_t to) {
+        for (std::size_t i = from; i < to; ++i) {
+            if (i > 0 && spellings.blank_between(letters[i - 1], letters[i])) sink.write(" ");
+            sink.write(word.alphabet().name(letters[i]));
+        }
+    });
+    return std::move(sink.text);
 }
 
-bool equal(const WordObject& left, const WordObject& right) {
-    if (left.modules || right.modules) return text_of(left) == text_of(right);
-    if (left.size() != right.size()) return false;
-    if (&left.alphabet() == &right.alphabet())
-        return std::equal(left.begin(), left.end(), right.begin());
-    for (std::size_t i = 0; i < left.size(); ++i)
-        if (left.alphabet().name(left.begin()[i]) != right.alphabet().name(right.begin()[i]))
-            return false;
-    return true;
+bool equal(const WordObject& left, const WordObject& right, const Limits& limits) {
+    return run(limits, [&](const Budget& budget) {
+        if (left.modules || right.modules) return text_of(left, budget) == text_of(right, budget);
+        if (left.size() != right.size()) return false;
+        std::vector<std::optional<Symbol>> renamed;
+        for (Symbol letter = 0; letter < right.alphabet().size(); ++letter)
+            renamed.push_back(left.alphabet().find(right.alphabet().name(letter)));
+        bool same = true;
+        in_blocks(left.size(), budget, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; same && i < to; ++i)
+                same = renamed[right.begin()[i]] == left.begin()[i];
+        });
+        return same;
+    });
 }
 
-WordObject joined_words(const WordObject& left, const WordObject& right) {
-    Pair pair = over_one(left, right);
-    pair.left.insert(pair.left.end(), pair.right.begin(), pair.right.end());
-    return {pair.alphabet, std::move(pair.left)};
+WordObject joined_words(const WordObject& left, const WordObject& right, const Limits& limits) {
+    auto alphabet = left.shared_alphabet();
+    std::vector<Symbol> renamed;
+    if (alphabet != right.shared_alphabet()) {
+        auto both = std::make_shared<Alphabet>(left.alphabet());
+        renamed = letters_in(*both, right.alphabet());
+        alphabet = std::move(both);
+    }
+    Word letters = run(limits, [&](const Budget& budget) {
+        check_letters(Integer(left.size()) + Integer(right.size()), "the word", budget);
+        Word all;
+        all.reserve(left.size() + right.size());
+        in_blocks(left.size(), budget, [&](std::size_t from, std::size_t to) {
+            all.insert(all.end(), left.begin() + from, left.begin() + to);
+        });
+        in_blocks(right.size(), budget, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) {
+                const Symbol letter = right.begin()[i];
+                all.push_back(renamed.empty() ? letter : renamed[letter]);
+            }
+        });
+        return all;
+    });
+    return {alphabet, std::move(letters)};
 }
 
 WordObject repeated(const WordObject& word, std::uint64_t times, const Limits& limits) {
     Word letters = run(limits, [&](const Budget& budget) {
-        if (word.size() > 0 && times > budget.memory / sizeof(Symbol) / word.size())
-            throw BoundReached(Bound::memory, "the power takes more than " +
-                                                  std::to_string(budget.memory) + " bytes" +
-                                                  budget.by(Bound::memory));
         Word all;
-        all.reserve(word.size() * times);
-        for (std::uint64_t i = 0; i < times; ++i) all.insert(all.end(), word.begin(), word.end());
+        if (word.size() == 0) return all;
+        check_letters(Integer(word.size()) * Integer(times), "the power", budget);
+        const std::size_t size = word.size() * times;
+        all.reserve(size);
+        in_blocks(size, budget, [&](std::size_t from, std::size_t to) {
+            std::size_t at = from % word.size();
+            for (std::size_t i = from; i < to; ++i) {
+                all.push_back(word.begin()[at]);
+                if (++at == word.size()) at = 0;
+            }
+        });
         return all;
     });
     return {word.shared_alphabet(), std::move(letters)};
 }
 
+/// The part over the alphabet of the word; nothing where the word cannot have one of its letters.
+std::optional<Word> sought(const WordObject& part, const WordObject& word) {
+    Word letters;
+    letters.reserve(part.size());
+    for (const Symbol letter : part.word()) {
+        const auto known = word.alphabet().find(part.alphabet().name(letter));
+        if (!known) return std::nullopt;
+        letters.push_back(*known);
+    }
+    return letters;
+}
+
+/// Calls `found` with each position from `from` on where the part stands, overlapping ones too, until it answers false. The part is not
+/// empty. Knuth, Morris and Pratt: O(letters) steps, however the part repeats itself.
+template <class Found>
+void each_place(const WordObject& word, const Word& part, std::size_t from, const Budget& budget,
+                Found found) {
+    if (from >= word.size() || part.size() > word.size() - from) return;
+    budget.check_memory(part.size() * sizeof(std::size_t), "the borders of the part");
+    std::vector<std::size_t> border(part.size(), 0);  // of the first i + 1 letters, the longest
+    for (std::size_t i = 1, k = 0; i < part.size(); ++i) {
+        if (i % block == 0) budget.check();
+        while (k > 0 && part[i] != part[k]) k = border[k - 1];
+        if (part[i] == part[k]) ++k;
+        border[i] = k;
+    }
+    bool goes_on = true;
+    std::size_t k = 0;
+    in_blocks(word.size() - from, budget, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = from + begin; goes_on && i < from + end; ++i) {
+            while (k > 0 && word.begin()[i] != part[k]) k = border[k - 1];
+            if (word.begin()[i] == part[k]) ++k;
+            if (k < part.size()) continue;
+            goes_on = found(i + 1 - part.size());
+            k = border[k - 1];
+        }
+    });
+}
+
 /// The position of the first place from `from` on where the part stands; -1 where there is none.
-std::int64_t find(const WordObject& word, const WordObject& part, std::size_t from) {
+std::int64_t find(const WordObject& word, const WordObject& part, std::size_t from,
+                  const Limits& limits) {
     if (from > word.size()) return -1;
-    const Pair pair = over_one(word, part);
-    const auto found = std::search(pair.left.begin() + static_cast<std::ptrdiff_t>(from),
-                                   pair.left.end(), pair.right.begin(), pair.right.end());
-    if (found == pair.left.end() && !pair.right.empty()) return -1;
-    return found - pair.left.begin();
+    if (part.size() == 0) return static_cast<std::int64_t>(from);
+    return run(limits, [&](const Budget& budget) {
+        std::int64_t place = -1;
+        if (const auto letters = sought(part, word))
+            each_place(word, *letters, from, budget, [&](std::size_t at) {
+                place = static_cast<std::int64_t>(at);
+                return false;
+            });
+        return place;
+    });
+}
+
+/// At how many places the part stands, overlapping ones too.
+std::uint64_t count(const WordObject& word, const WordObject& part, const Limits& limits) {
+    if (part.size() == 0) return word.size() + 1;
+    return run(limits, [&](const Budget& budget) {
+        std::uint64_t places = 0;
+        if (const auto letters = sought(part, word))
+            each_place(word, *letters, 0, budget, [&](std::size_t) {
+                ++places;
+                return true;
+            });
+        return places;
+    });
 }
 
 WordObject picked(const WordObject& word, std::int64_t start, std::int64_t step,
-                  std::uint64_t count) {
+                  std::uint64_t count, const Limits& limits) {
     if (step == 1)
         return word.part(static_cast<std::size_t>(start), static_cast<std::size_t>(start) + count);
-    Word letters;
-    for (std::uint64_t i = 0; i < count; ++i, start += step) letters.push_back(word.begin()[start]);
+    Word letters = run(limits, [&](const Budget& budget) {
+        check_letters(Integer(count), "the slice", budget);
+        Word all;
+        all.reserve(count);
+        in_blocks(count, budget, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i)
+                all.push_back(word.begin()[start + static_cast<std::int64_t>(i) * step]);
+        });
+        return all;
+    });
     return {word.shared_alphabet(), std::move(letters)};
+}
+
+std::vector<std::uint64_t> counts(const WordObject& word, const Limits& limits) {
+    return run(limits, [&](const Budget& budget) {
+        std::vector<std::uint64_t> found(word.alphabet().size());
+        in_blocks(word.size(), budget, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i) ++found[word.begin()[i]];
+        });
+        return found;
+    });
 }
 
 /// The letters as the library has them, for reading only: the array keeps the word.
@@ -157,17 +309,22 @@ py::array letters_array(const WordObject& word) {
                       [](void* kept) { delete static_cast<std::shared_ptr<const Word>*>(kept); });
     py::array_t<Symbol> found(static_cast<py::ssize_t>(word.size()), word.begin(), owner);
     found.attr("setflags")(false);
-    return std::move(found);
+    return found;
 }
 
-py::array bytes_array(const WordObject& word) {
+py::array bytes_array(const WordObject& word, const Limits& limits) {
     if (word.alphabet().size() > 256)
         throw Error("the alphabet has " + std::to_string(word.alphabet().size()) +
                     " letters, and 256 fit a byte; expected dtype uint32");
-    std::vector<std::uint8_t> bytes(word.size());
-    std::transform(word.begin(), word.end(), bytes.begin(),
-                   [](Symbol letter) { return static_cast<std::uint8_t>(letter); });
-    return as_array(std::move(bytes));
+    return as_array(run(limits, [&](const Budget& budget) {
+        budget.check_memory(word.size(), "the array");
+        std::vector<std::uint8_t> bytes(word.size());
+        in_blocks(word.size(), budget, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i)
+                bytes[i] = static_cast<std::uint8_t>(word.begin()[i]);
+        });
+        return bytes;
+    }));
 }
 
 std::string report_json(const WordObject& word, const Limits& limits) {
@@ -211,29 +368,45 @@ MorphismObject morphism_of(const std::vector<std::pair<std::string, std::string>
 /// The images over another alphabet.
 Morphism over(const MorphismObject& of, Alphabet& alphabet) {
     Morphism found;
-    std::vector<Symbol> renamed;
-    for (Symbol letter = 0; letter < of.alphabet->size(); ++letter)
-        renamed.push_back(alphabet.symbol(of.alphabet->name(letter)));
+    const std::vector<Symbol> renamed = letters_in(alphabet, *of.alphabet);
     for (const Symbol letter : of.morphism.domain())
         found.add(renamed[letter], replaced(of.morphism[letter], renamed));
     return found;
 }
 
+/// The image of letters that all have one, as part of a result that may have so many letters in all.
+Word applied(const Morphism& morphism, const Word& letters, std::uint64_t before, const char* what,
+             const Budget& budget) {
+    Integer size = before;
+    in_blocks(letters.size(), budget, [&](std::size_t from, std::size_t to) {
+        std::uint64_t more = 0;
+        for (std::size_t i = from; i < to; ++i) more += morphism[letters[i]].size();
+        size += Integer(more);
+    });
+    check_letters(size, what, budget);
+    Word found;
+    found.reserve(size.to_uint64() - before);
+    std::size_t checked = 0;
+    for (const Symbol letter : letters) {
+        const Word& image = morphism[letter];
+        found.insert(found.end(), image.begin(), image.end());
+        if (found.size() - checked < block) continue;
+        checked = found.size();
+        budget.check();
+    }
+    return found;
+}
+
 WordObject image(const MorphismObject& of, const WordObject& word, const Limits& limits) {
     auto alphabet = std::make_shared<Alphabet>(*of.alphabet);
-    const Word letters = python::over(word, *alphabet);
-    for (const Symbol letter : letters)
-        if (!of.morphism.maps(letter))
-            throw Error("the letter " + alphabet->name(letter) + " has no image");
     Word found = run(limits, [&](const Budget& budget) {
-        std::uint64_t size = 0;
-        for (const Symbol letter : letters) size += of.morphism[letter].size();
-        if (size > budget.letters)
-            throw BoundReached(Bound::letters, "the image has " + std::to_string(size) +
-                                                   " letters, more than the " +
-                                                   std::to_string(budget.letters) + " allowed" +
-                                                   budget.by(Bound::letters));
-        return of.morphism(letters);
+        const Word letters = python::over(word, *alphabet);
+        in_blocks(letters.size(), budget, [&](std::size_t from, std::size_t to) {
+            for (std::size_t i = from; i < to; ++i)
+                if (!of.morphism.maps(letters[i]))
+                    throw Error("the letter " + alphabet->name(letters[i]) + " has no image");
+        });
+        return applied(of.morphism, letters, 0, "the image", budget);
     });
     return {alphabet, std::move(found)};
 }
@@ -242,9 +415,9 @@ WordObject image(const MorphismObject& of, const WordObject& word, const Limits&
 MorphismObject composed(const MorphismObject& outer, const MorphismObject& inner,
                         const Limits& limits) {
     auto alphabet = std::make_shared<Alphabet>(*inner.alphabet);
-    const Morphism last = over(outer, *alphabet);
     MorphismObject found{alphabet, {}};
     run(limits, [&](const Budget& budget) {
+        const Morphism last = over(outer, *alphabet);
         std::uint64_t letters = 0;
         for (const Symbol letter : inner.morphism.domain()) {
             budget.check();
@@ -252,13 +425,8 @@ MorphismObject composed(const MorphismObject& outer, const MorphismObject& inner
                 if (!last.maps(next))
                     throw Error("the letter " + alphabet->name(next) +
                                 " has no image under the second morphism");
-            Word result = last(inner.morphism[letter]);
+            Word result = applied(last, inner.morphism[letter], letters, "the composition", budget);
             letters += result.size();
-            if (letters > budget.letters)
-                throw BoundReached(Bound::letters, "the images have more than the " +
-                                                       std::to_string(budget.letters) +
-                                                       " letters allowed" +
-                                                       budget.by(Bound::letters));
             found.morphism.add(letter, std::move(result));
         }
     });
@@ -308,11 +476,15 @@ WordObject word_of(const std::string& text, const Alphabet& alphabet) {
     return {std::move(own), std::move(read.letters)};
 }
 
-Word over(const WordObject& word, Alphabet& alphabet) {
-    std::vector<Symbol> renamed(word.alphabet().size());
+std::vector<Symbol> letters_in(Alphabet& alphabet, const Alphabet& of) {
+    std::vector<Symbol> renamed(of.size());
     for (Symbol letter = 0; letter < renamed.size(); ++letter)
-        renamed[letter] = alphabet.symbol(word.alphabet().name(letter));
-    return replaced(word.word(), renamed);
+        renamed[letter] = alphabet.symbol(of.name(letter));
+    return renamed;
+}
+
+Word over(const WordObject& word, Alphabet& alphabet) {
+    return replaced(word.word(), letters_in(alphabet, word.alphabet()));
 }
 
 void add_values(py::module_& module) {
@@ -336,7 +508,12 @@ void add_values(py::module_& module) {
                 return WordObject(names, std::move(word));
             },
             py::arg("letters"), py::arg("alphabet"))
-        .def("text", text_of)
+        .def(
+            "text",
+            [](const WordObject& word, const Limits& limits) {
+                return run(limits, [&](const Budget& budget) { return text_of(word, budget); });
+            },
+            py::arg("limits"))
         .def("size", &WordObject::size)
         .def(
             "letter",
@@ -352,7 +529,10 @@ void add_values(py::module_& module) {
                  for (Symbol letter = 0; letter < word.alphabet().size(); ++letter)
                      names.emplace_back(py::str(word.alphabet().name(letter)));
                  py::list all(word.size());
-                 for (std::size_t i = 0; i < word.size(); ++i) all[i] = names[word.begin()[i]];
+                 for (std::size_t i = 0; i < word.size(); ++i) {
+                     let_signals_in(i);
+                     all[i] = names[word.begin()[i]];
+                 }
                  return all;
              })
         .def("alphabet",
@@ -362,23 +542,31 @@ void add_values(py::module_& module) {
                      names.push_back(word.alphabet().name(letter));
                  return names;
              })
-        .def("counts",
-             [](const WordObject& word) {
-                 std::vector<std::uint64_t> counts(word.alphabet().size());
-                 for (const Symbol letter : word.word()) ++counts[letter];
-                 return as_array(std::move(counts));
-             })
-        .def("part", picked, py::arg("start"), py::arg("step"), py::arg("count"))
-        .def("join", joined_words, py::arg("right"))
+        .def(
+            "counts",
+            [](const WordObject& word, const Limits& limits) {
+                return as_array(counts(word, limits));
+            },
+            py::arg("limits"))
+        .def("part", picked, py::arg("start"), py::arg("step"), py::arg("count"), py::arg("limits"))
+        .def("join", joined_words, py::arg("right"), py::arg("limits"))
         .def("repeat", repeated, py::arg("times"), py::arg("limits"))
-        .def("find", find, py::arg("part"), py::arg("from_"))
-        .def("equals", equal, py::arg("other"))
+        .def("find", find, py::arg("part"), py::arg("from_"), py::arg("limits"))
+        .def("count", count, py::arg("part"), py::arg("limits"))
+        .def("equals", equal, py::arg("other"), py::arg("limits"))
         .def("array", letters_array)
-        .def("bytes", bytes_array)
+        .def("bytes", bytes_array, py::arg("limits"))
         .def("has_parameters", [](const WordObject& word) { return word.modules != nullptr; })
         .def("modules", modules_of)
         .def("latex",
-             [](const WordObject& word) { return word_latex(word.alphabet(), word.word()); })
+             [](const WordObject& word) {
+                 constexpr std::size_t most = 120;  // letters
+                 const std::size_t shown = std::min(word.size(), most);
+                 std::string text = word_latex(word.alphabet(), word.part(0, shown).word());
+                 if (shown < word.size())
+                     text += "\\dots\\ \\text{(" + std::to_string(word.size()) + " letters)}";
+                 return text;
+             })
         .def("report", report_json, py::arg("limits"));
 
     py::class_<MorphismObject>(module, "Morphism")

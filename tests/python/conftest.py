@@ -1,5 +1,10 @@
-"""What the tests of the Python package share: where the sources are, and the built command to compare with."""
+"""What the tests of the Python package share: where the sources are, the built command to compare with, and modules that some tests need.
 
+tools/test installs the light ones of these modules; where one is missing its tests are skipped. tools/python installs all and sets
+ALGAE_REQUIRE=1, with which a missing one fails.
+"""
+
+import importlib
 import json
 import os
 import pathlib
@@ -13,6 +18,17 @@ hypothesis.settings.load_profile("algae")
 
 SOURCE = pathlib.Path(__file__).resolve().parents[2]
 COMMAND = os.environ.get("ALGAE_COMMAND", str(SOURCE / "build" / "release" / "algae"))
+
+
+def needed(name, package=None):
+    """The module; the test is skipped where it is missing, or fails with ALGAE_REQUIRE=1."""
+    try:
+        return importlib.import_module(name)
+    except ImportError:
+        said = f"{name} is not installed (Debian: {package or 'python3-' + name})"
+        if os.environ.get("ALGAE_REQUIRE") == "1":
+            pytest.fail(f"{said}, and ALGAE_REQUIRE=1 requires it")
+        pytest.skip(said)
 
 
 @pytest.fixture(scope="session")

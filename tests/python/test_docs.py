@@ -10,6 +10,7 @@ import sys
 import pytest
 
 import algae
+from conftest import needed
 
 MODULES = ["algae"] + [f"algae.{one.name}" for one in pkgutil.iter_modules(algae.__path__) if one.name != "_algae"]
 
@@ -42,7 +43,7 @@ def test_everything_that_is_public_is_documented():
 
 
 def test_types(source, tmp_path):
-    pytest.importorskip("mypy")
+    needed("mypy", "mypy")
     folder = source / "src" / "python"
     done = subprocess.run([sys.executable, "-m", "mypy", "--config-file", str(folder / "mypy.ini"), "--cache-dir", str(tmp_path),
                            str(folder / "algae")], capture_output=True, text=True, timeout=600)

@@ -92,6 +92,15 @@ def test_an_error_in_a_text_has_its_place():
     assert isinstance(error, ValueError) and pickle.loads(pickle.dumps(error)).line == 2
 
 
+@pytest.mark.parametrize("call", [lambda: algae.verify("\u00b5"), lambda: algae.census("\u00c8 systems"), lambda: algae.verify('{"\U0010f53f'),
+                                  lambda: LSystem("\u00e9\u00e9 -> \u00b5(")])
+def test_a_message_about_letters_beyond_ascii_is_an_error_of_the_package(call):
+    """Messages that were cut within a character were no text, and UnicodeDecodeError came instead."""
+    with pytest.raises(algae.Error) as caught:
+        call()
+    assert str(caught.value)
+
+
 def test_a_file_that_is_not_there(tmp_path):
     with pytest.raises(algae.Error, match="cannot read"):
         LSystem.from_file(tmp_path / "none.lsys")

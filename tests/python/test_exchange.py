@@ -5,6 +5,7 @@ import pytest
 import algae
 from algae import LSystem, Morphism, Word
 from algae.exchange import from_lpy, from_sage, sympy_expression, sympy_matrix, to_lpy, to_sage
+from conftest import needed
 
 
 def test_sage_strings():
@@ -32,7 +33,7 @@ def test_sage_strings():
 
 
 def test_sympy():
-    sympy = pytest.importorskip("sympy")
+    sympy = needed("sympy")
     growth = LSystem("a -> ab, b -> a").growth()
     assert sympy_matrix(growth).charpoly().all_coeffs() == [1, -1, -1]
     assert sympy.simplify(sympy_expression(growth.rate) - (1 + sympy.sqrt(5)) / 2) == 0
@@ -44,7 +45,7 @@ def test_sympy():
 
 
 def test_networkx():
-    networkx = pytest.importorskip("networkx")
+    networkx = needed("networkx")
     tree = LSystem("a -> ab, b -> a").tree(4)
     graph = tree.to_networkx()
     assert networkx.is_arborescence(graph) and graph.number_of_nodes() == len(tree.nodes)
@@ -53,7 +54,7 @@ def test_networkx():
 
 
 def test_pandas():
-    pytest.importorskip("pandas")
+    needed("pandas")
     table = algae.census("D0L systems up to size 5", ["finite"]).to_pandas()
     assert table.index.tolist() == [1, 2, 3, 4, 5] and (table["finite"] <= table["all"]).all()
 

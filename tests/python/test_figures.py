@@ -61,6 +61,9 @@ def test_space():
     picture = system.draw(3)
     assert "<iframe" in picture._repr_html_() and picture._repr_svg_() is None
     assert "<iframe" in mesh._repr_html_()
+    page = system.draw(3, format="html")
+    assert "drag to turn" in page.text and page.facts["segments"] == len(system.segments(3))
+    assert "drag to turn" in picture._repr_html_()  # one page for all: that of `algae draw -o figure.html`
     assert system.draw(2, format="glb").data[:4] == b"glTF"
 
 

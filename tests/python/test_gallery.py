@@ -87,7 +87,7 @@ def test_figures_are_those_of_the_command(name, command, tmp_path):
 
 def test_dimensions_are_those_of_the_command(command):
     theirs = {row["name"]: row for row in json.loads(json.dumps(command(
-        "dimension", "--table", "--quick", "--timeout", "60", "--json")))}
+        "dimension", "--table", "--quick", "--timeout", "600", "--json")))}
     for name in ("koch", "dragon", "hilbert", "gosper", "sierpinski", "levy", "plant-f"):
         if name in theirs and name in algae.gallery():
             assert LSystem(name).dimension(timeout=60).to_dict() == theirs[name]

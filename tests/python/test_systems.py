@@ -82,6 +82,32 @@ def test_the_sources_of_a_system(tmp_path, source):
     assert pickle.loads(pickle.dumps(by_text)) == by_text
 
 
+def test_a_name_goes_with_every_source(tmp_path):
+    """Systems typed on a line and those of the gallery were read as texts of files."""
+    path = tmp_path / "my.lsys"
+    path.write_text("axiom a\na -> ab\nb -> a\n")
+    for source in ("a -> ab, b -> a", "fibonacci", path, str(path), "axiom a\na -> ab\nb -> a\n", {"a": "ab", "b": "a"}):
+        system = LSystem(source, name="x")
+        assert system.name == "x" and len(system.derive(5)) in (8, 13)
+    with pytest.raises(algae.NotationError, match="^x:1:6: "):
+        LSystem("a -> ]b", name="x")
+    with pytest.raises(algae.Error, match="no file 'kock'.*did you mean 'koch'"):
+        LSystem("kock", name="x")
+    with pytest.raises(TypeError, match="name: expected a str, found 5"):
+        LSystem("koch", name=5)
+
+
+def test_an_axiom_goes_with_every_source(tmp_path):
+    path = tmp_path / "my.lsys"
+    path.write_text("axiom a\na -> ab\nb -> a\n")
+    for source in ("a -> ab, b -> a", path, str(path), "axiom a\na -> ab\nb -> a\n", {"a": "ab", "b": "a"}):
+        assert LSystem(source, axiom="ba").derive(1) == "aab"
+    koch = LSystem("koch", axiom="F-F", name="y")
+    assert koch.axiom == "F-F" and koch.name == "y" and koch.angle == 60
+    with pytest.raises(ValueError, match="axiom: expected a word"):
+        LSystem("koch", axiom="F\nF -> FF")
+
+
 def test_a_dict_with_long_names_choices_and_probabilities():
     plain = LSystem({"Leaf": algae.Word(["Leaf", "Bud"]), "Bud": algae.Word(["Leaf"])}, axiom=algae.Word(["Bud"]))
     assert plain.derive(3).letters == ["Leaf", "Bud", "Leaf"]

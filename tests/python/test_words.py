@@ -32,6 +32,33 @@ def test_operators_are_those_of_lists(left, right, times):
     assert Word(left).count(Word(right)) == len(places)
 
 
+@settings(max_examples=300, deadline=None)
+@given(st.text("ab", max_size=30), st.text("ab", min_size=1, max_size=4), st.integers(0, 35))
+def test_places_of_words_that_overlap_themselves(text, part, start):
+    places = [i for i in range(len(text) - len(part) + 1) if text[i:i + len(part)] == part]
+    word = Word(list(text))
+    assert word.count(part) == len(places)
+    assert word.find(part, start) == next((one for one in places if one >= start), -1)
+    assert word[3:].count(part) == len([one for one in places if one >= 3])
+
+
+def test_counting_does_not_copy_the_word_for_each_place():
+    word = algae.LSystem("a -> ab, b -> a").derive(30)
+    assert word.count("a", timeout=20) == word.counts()["a"] == 1346269  # it took a day
+    assert word.count("aba" * 100, timeout=20) == 0 and (Word("a") * 10**6).count(Word("a") * 10**5, timeout=20) == 9 * 10**5 + 1
+
+
+def test_a_letter_that_the_word_does_not_have_is_nowhere():
+    assert Word("ab").find("c") == -1 and Word("ab").count(Word(["Long1"])) == 0
+    assert Word("ab").find("") == 0 and Word("ab").find("", 2) == 2 and Word("ab").find("", 3) == -1 and Word("ab").count("") == 3
+
+
+def test_a_long_word_is_shown_in_part():
+    latex = (Word("ab") * 10**6)._repr_latex_()
+    assert len(latex) < 10_000 and r"\text{(2000000 letters)}" in latex
+    assert "letters" not in Word("abaab")._repr_latex_()
+
+
 @settings(max_examples=200, deadline=None)
 @given(WORDS)
 def test_texts_are_read_back_and_words_are_pickled(letters):

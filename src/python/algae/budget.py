@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import sys
 import time
-from collections.abc import Callable
-from typing import Optional, Union
+from collections.abc import Callable, Iterable
+from contextvars import ContextVar
+from typing import NamedTuple, Optional, Union
 
 from . import _algae, arguments
 
@@ -56,17 +57,41 @@ def is_watched() -> bool:
     return "ipykernel" in sys.modules
 
 
+class _Block(NamedTuple):
+    """The bounds of a block of statements, ``with Budget(...):``."""
+
+    deadline: Optional[float]
+    letters: Optional[int]
+    memory: Optional[int]
+    progress: Union[Tell, bool, None]
+
+
+_BLOCKS: ContextVar[tuple[_Block, ...]] = ContextVar("algae_blocks", default=())
+
+
+def _least(values: Iterable[Optional[int]]) -> Optional[int]:
+    return min((one for one in values if one is not None), default=None)
+
+
 class Budget:
     """Bounds of work: ``timeout`` in seconds, ``letters`` of a word that may be written out, ``memory`` in bytes.
 
     ``progress`` is called now and then with a number from 0 to 1, or None where it is not known how far the work is; True is a
     ``ProgressBar``, False nothing, and None a bar where somebody looks at standard error.
 
+    A call takes one as ``budget=``. ``with`` bounds all that is done in a block, operators such as ``f * g`` and ``w + w`` too; its
+    timeout is that of the whole block.
+
     >>> import algae
     >>> algae.LSystem("a -> ab, b -> a").derive(100, budget=algae.Budget(letters=1000))
     Traceback (most recent call last):
     ...
     algae.errors.BoundReached: generation 100 has 927372692193078999176 letters, more than the 1000 allowed by letters=; a slice of word(n) gives any part of it, length(n) its length, draw(n) its picture
+    >>> with algae.Budget(letters=1000):
+    ...     algae.Morphism("a -> ab, b -> a") ** 100
+    Traceback (most recent call last):
+    ...
+    algae.errors.BoundReached: the composition has 2584 letters, more than the 1000 allowed by letters=
     """
 
     def __init__(
@@ -83,6 +108,14 @@ class Budget:
             raise arguments.wrong_type("progress", "a function, True, False or None", progress)
         self.progress = progress
 
+    def __enter__(self) -> "Budget":
+        deadline = None if self.timeout is None else time.monotonic() + self.timeout
+        _BLOCKS.set((*_BLOCKS.get(), _Block(deadline, self.letters, self.memory, self.progress)))
+        return self
+
+    def __exit__(self, *raised: object) -> None:
+        _BLOCKS.set(_BLOCKS.get()[:-1])
+
     def __repr__(self) -> str:
         said = [f"{name}={getattr(self, name)!r}" for name in ("timeout", "letters", "memory", "progress")
                 if getattr(self, name) is not None]
@@ -90,7 +123,8 @@ class Budget:
 
 
 class limits:
-    """The bounds of one call, for the library; takes a bar away when the call ends."""
+    """The bounds of one call, for the library: its own, and those of the blocks that it stands in. All that is done with them must be done
+    within the time. Takes a bar away when the call ends."""
 
     def __init__(self, timeout: float | None, budget: Budget | None, label: str) -> None:
         if budget is not None and not isinstance(budget, Budget):
@@ -99,18 +133,27 @@ class limits:
         if seconds is None and budget is not None:
             seconds = budget.timeout
         wish = budget.progress if budget is not None else None
+        letters = budget.letters if budget is not None else None
+        memory = budget.memory if budget is not None else None
+        blocks = _BLOCKS.get()
+        if blocks:
+            now = time.monotonic()
+            for block in blocks:
+                if block.deadline is not None:
+                    left = max(0.0, block.deadline - now)
+                    seconds = left if seconds is None else min(seconds, left)
+            letters = _least([letters, *(block.letters for block in blocks)])
+            memory = _least([memory, *(block.memory for block in blocks)])
+            for block in reversed(blocks):
+                if wish is None:
+                    wish = block.progress
         self._bar: ProgressBar | None = None
         tell: Tell | None = None
         if wish is True or (wish is None and is_watched()):
             tell = self._bar = ProgressBar(label)
         elif callable(wish):
             tell = wish
-        self._limits = _algae.Limits(
-            seconds,
-            budget.letters if budget is not None else None,
-            budget.memory if budget is not None else None,
-            tell,
-        )
+        self._limits = _algae.Limits(seconds, letters, memory, tell)
 
     def __enter__(self) -> _algae.Limits:
         return self._limits
@@ -118,6 +161,3 @@ class limits:
     def __exit__(self, *raised: object) -> None:
         if self._bar is not None:
             self._bar.close()
-
-
-NONE = _algae.Limits()

@@ -10,7 +10,7 @@ from typing import Any, Optional, Union
 import numpy
 
 from . import _algae, arguments, pages
-from .budget import NONE, Budget, limits
+from .budget import Budget, limits
 
 __all__ = ["Mesh", "Picture", "Tree"]
 
@@ -188,35 +188,47 @@ class Tree:
         return f"Tree({len(self.nodes)} nodes, {len(self.edges)} edges)"
 
     def _repr_svg_(self) -> str:
-        return self._tree.bytes("svg", None, NONE).decode("utf-8")
+        with limits(None, None, "tree") as bounds:
+            return self._tree.bytes("svg", None, bounds).decode("utf-8")
 
 
 class Mesh:
-    """The surface of a figure in space as triangles: arrays of points, normals and triangles."""
+    """The surface of a figure in space as triangles: arrays of points, normals and triangles.
 
-    def __init__(self, arrays: dict[str, Any], system: _algae.System, shown: _algae.Shown, title: str) -> None:
+    >>> import algae
+    >>> mesh = algae.LSystem("bush-3d").mesh(2)
+    >>> mesh.points.shape[1], int(mesh.triangles.max()) < len(mesh.points)
+    (3, True)
+    """
+
+    def __init__(self, arrays: dict[str, Any], system: _algae.System, shown: _algae.Shown) -> None:
         self.points: "numpy.ndarray[Any, Any]" = arrays["points"]
         self.normals: "numpy.ndarray[Any, Any]" = arrays["normals"]
         self.triangles: "numpy.ndarray[Any, Any]" = arrays["triangles"]
-        self._system, self._shown, self._title = system, shown, title
+        self._system, self._shown = system, shown
 
-    def save(self, path: Union[str, "os.PathLike[str]"], **wishes: Any) -> None:
+    def save(self, path: Union[str, "os.PathLike[str]"], *, timeout: Optional[float] = None, budget: Optional[Budget] = None,
+             **wishes: Any) -> None:
         """Writes glb, obj, ply, stl, x3d, wrl or vrml1, by the end of the path."""
         file = arguments.path("path", path)
         chosen = format_of(file, None)
-        data, _ = _algae.draw(self._system, self._shown, wishes_of(wishes), chosen, NONE)
+        wanted = wishes_of(wishes)
+        with limits(timeout, budget, "mesh") as bounds:
+            data, _ = _algae.draw(self._system, self._shown, wanted, chosen, bounds)
         write(file, data)
 
     def __repr__(self) -> str:
         return f"Mesh({len(self.points)} points, {len(self.triangles)} triangles)"
 
     def _repr_html_(self) -> str:
-        return pages.framed(page_in_space(self._system, self._shown, self._title))
+        with limits(None, None, "mesh") as bounds:
+            return pages.framed(page_to_turn(self._system, self._shown, _algae.Wishes(), bounds))
 
 
-def page_in_space(system: _algae.System, shown: _algae.Shown, title: str) -> str:
-    parts = _algae.scene(system, shown, NONE)
-    return pages.turned(title, parts["rods"], parts["triangles"], -60.0, 15.0)
+def page_to_turn(system: _algae.System, shown: _algae.Shown, wishes: _algae.Wishes, bounds: _algae.Limits) -> str:
+    """The page of HTML in which a figure in space is turned with the mouse."""
+    data, _ = _algae.draw(system, shown, wishes, "html", bounds)
+    return data.decode("utf-8")
 
 
 def facts_of(texts: list[str]) -> list[dict[str, Any]]:

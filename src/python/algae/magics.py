@@ -33,17 +33,23 @@ class _Failed:
         return pages.error(self.message)
 
 
-def _name_of(line: str, usual: str) -> tuple[str, dict[str, str]]:
-    """The variable and what stands behind it: `--let a=3`, `--timeout 5`."""
-    parts = shlex.split(line)
+def _name_of(line: str, usual: str, known: tuple[str, ...]) -> tuple[str, dict[str, str]]:
+    """The variable and what stands behind it: `--let a=3`, `--timeout 5`. `known` are the options without their dashes."""
+    try:
+        parts = shlex.split(line)
+    except ValueError:
+        raise Error(f"expected a quote that closes the one in {line.strip()!r}") from None
     options: dict[str, str] = {}
     names = []
     at = 0
     while at < len(parts):
         if parts[at].startswith("--"):
+            option = parts[at][2:]
+            if option not in known:
+                raise Error(f"expected --{' or --'.join(known)}, found {parts[at]!r}")
             if at + 1 == len(parts):
                 raise Error(f"{parts[at]}: expected a value behind it")
-            options[parts[at][2:]] = parts[at + 1]
+            options[option] = parts[at + 1]
             at += 2
         else:
             names.append(parts[at])
@@ -56,12 +62,20 @@ def _name_of(line: str, usual: str) -> tuple[str, dict[str, str]]:
     return name, options
 
 
+def _seconds(options: dict[str, str]) -> Optional[float]:
+    if "timeout" not in options:
+        return None
+    try:
+        return arguments.real("--timeout", float(options["timeout"]), "seconds, a number above 0", 0)
+    except ValueError:
+        raise Error(f"--timeout: expected seconds, a number above 0, found {options['timeout']!r}") from None
+
+
 def lsys_cell(line: str, cell: str) -> tuple[str, Any]:
     """The variable of a cell ``%%lsys`` and its system, or what is wrong with it."""
     from .systems import LSystem
 
-    name, options = _name_of(line, "system")
-    arguments.unknown("%%lsys", options, ("let",))
+    name, options = _name_of(line, "system", ("let",))
     let = {}
     for one in options.get("let", "").split(","):
         if one:
@@ -79,9 +93,8 @@ def claim_cell(line: str, cell: str, systems: dict[str, "LSystem"]) -> tuple[str
     """The variable of a cell ``%%claim`` and the checked claim, or what is wrong with it."""
     from .languages import Claim
 
-    name, options = _name_of(line, "claim")
-    arguments.unknown("%%claim", options, ("timeout",))
-    timeout = float(options["timeout"]) if "timeout" in options else None
+    name, options = _name_of(line, "claim", ("timeout",))
+    timeout = _seconds(options)
     try:
         text = cell if re.search(r"^\s*claim\b", cell, re.M) else f"claim {name}\n{cell}"
         return name, Claim(text, name=name, systems=systems).check(timeout=timeout)
@@ -102,7 +115,10 @@ def load_ipython_extension(ipython: Any) -> None:
 
     def lsys(line: str, cell: Optional[str] = None) -> Any:
         if cell is None:
-            return LSystem(line.strip())
+            try:
+                return LSystem(line.strip())
+            except Error as error:
+                return _Failed(f"%lsys: {error}")
         try:
             return shown(*lsys_cell(line, cell))
         except Error as error:
@@ -127,13 +143,24 @@ def sliders(system: "LSystem", *, generations: Optional[tuple[int, int]] = None,
     Needs ipywidgets. Without it the pictures of some values are shown below each other: those of the generations, and of the first
     constant half, whole and one and a half times as large.
     """
+    from .figures import wishes_of
     from .systems import LSystem
 
     if not isinstance(system, LSystem):
         raise arguments.wrong_type("system", "an LSystem", system)
-    first, last = generations if generations is not None else (0, (system.shown_generations or (0, 4))[1])
-    arguments.generation("generations[0]", first)
-    arguments.generation("generations[1]", last)
+    first, last = 0, (system.shown_generations or (0, 4))[1]
+    if generations is not None:
+        if not isinstance(generations, (tuple, list)):
+            raise arguments.wrong_type("generations", "a pair (first, last)", generations)
+        if len(generations) != 2:
+            raise arguments.wrong_value("generations", "a pair (first, last)", generations)
+        first = arguments.generation("generations[0]", generations[0])
+        last = arguments.generation("generations[1]", generations[1])
+        if last < first:
+            raise ValueError(f"generations[1]: expected {first} or more, which is generations[0], found {last}")
+    steps = arguments.count("steps", steps, 1)
+    width = arguments.real("width", width, "a number above 0", 0)
+    wishes_of(wishes)
     values: dict[str, float] = {}
     for name, text in system.constants.items():
         try:

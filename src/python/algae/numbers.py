@@ -7,7 +7,7 @@ from fractions import Fraction
 from typing import Optional
 
 from . import _algae, arguments
-from .budget import NONE, Budget, limits
+from .budget import Budget, limits
 
 __all__ = ["Algebraic", "Dimension"]
 
@@ -55,7 +55,7 @@ class Algebraic:
 
     def __float__(self) -> float:
         rational = self.rational
-        return float(rational) if rational is not None else float(self._number.decimal(40, NONE))
+        return float(rational) if rational is not None else float(self.n(40))
 
     def __str__(self) -> str:
         return self._number.text()
@@ -65,7 +65,8 @@ class Algebraic:
 
     def _compare(self, other: object) -> int | None:
         if isinstance(other, Algebraic):
-            return self._number.compare(other._number, NONE)
+            with limits(None, None, "compare") as bounds:
+                return self._number.compare(other._number, bounds)
         if isinstance(other, bool) or not isinstance(other, (int, float, Fraction)):
             return None
         if isinstance(other, float) and (other != other or other in (float("inf"), float("-inf"))):
@@ -76,7 +77,7 @@ class Algebraic:
             return (rational > value) - (rational < value)
         digits = 40
         while digits <= 20_000:
-            about = Fraction(self._number.decimal(digits, NONE))
+            about = Fraction(self.n(digits))
             apart = Fraction(1, 10**digits)
             if about - value > apart:
                 return 1
@@ -187,7 +188,7 @@ class Dimension:
         return found
 
     def __float__(self) -> float:
-        return float(self._found.decimal(20, NONE))
+        return float(self.n(20))
 
     def __str__(self) -> str:
         return self.formula or "no formula"
@@ -196,13 +197,18 @@ class Dimension:
         return f"Dimension({self.formula!r}, {self.status})"
 
     def _repr_latex_(self) -> str:
+        return f"${self._latex()}$"
+
+    def _latex(self) -> str:
         formula = self._found.latex()
         relation = r"\dim \le" if self.status == "upper bound" else r"\dim ="
-        return f"${relation} {formula}$" if formula else r"$\text{no formula of the dimension}$"
+        if not formula:
+            return r"\text{no formula of the dimension}"
+        about = rf" \approx {self.n(12)}" if self.rational is None else ""
+        return f"{relation} {formula}{about}"
 
     def _repr_html_(self) -> str:
-        from .pages import escaped
+        from . import pages
 
-        said = "".join(f"<li>{escaped(one)}</li>" for one in self.conditions)
-        digits = f" = {self.n(15)}..." if self.formula and self.rational is None else ""
-        return f"<p>{escaped(self.status)}: {escaped(str(self))}{digits}</p><ul>{said}</ul>"
+        said = "".join(f"<li>{pages.escaped(one)}</li>" for one in self.conditions)
+        return f'{pages.formula(self._latex())}<p>{pages.escaped(self.status)}</p><ul class="tex2jax_ignore mathjax_ignore">{said}</ul>'

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 import os
+import re
 from collections.abc import Iterable, Iterator, Mapping
 from fractions import Fraction
 from typing import Any, Optional, Union, overload
@@ -12,9 +13,9 @@ import numpy
 
 from . import _algae, arguments, pages
 from .answers import Comparison, Finite, Membership
-from .budget import NONE, Budget, limits
+from .budget import Budget, limits
 from .errors import Error
-from .figures import Mesh, Picture, Tree, facts_of, format_of, page_in_space, wishes_of
+from .figures import Mesh, Picture, Tree, facts_of, format_of, page_to_turn, wishes_of
 from .languages import Language
 from .numbers import Algebraic, Dimension
 from .words import Morphism, Word, WordLike, as_word
@@ -86,10 +87,10 @@ class LSystem:
         name: Optional[str] = None,
     ) -> None:
         constants = arguments.constants("let", let)
+        called = None if name is None else arguments.text("name", name)
         if isinstance(source, Mapping):
             text = _text_of_rules(source, axiom, settings)
-            self._system: _algae.System = _algae.read_system(
-                text, arguments.text("name", name) if name is not None else "system", constants)
+            self._system: _algae.System = _algae.read_system(text, called if called is not None else "system", constants)
             return
         if not isinstance(source, (str, os.PathLike)):
             raise arguments.wrong_type("source", "a str, a path, or a dict of letters and successors", source)
@@ -98,15 +99,15 @@ class LSystem:
         if axiom is not None and not isinstance(axiom, (str, Word)):
             raise arguments.wrong_type("axiom", "a Word or a str", axiom)
         if isinstance(source, str):
-            given = arguments.text("source", source)
-            if axiom is not None:
-                given = f"axiom {axiom}, {given}"
-            if name is not None:
-                self._system = _algae.read_system(given, arguments.text("name", name), constants)
-            else:
-                self._system = _algae.open_system(given, constants)
+            self._system = _algae.open_system(arguments.text("source", source), constants, called)
         else:
-            self._system = _algae.open_file(arguments.path("source", source), constants)
+            self._system = _algae.renamed(_algae.open_file(arguments.path("source", source), constants), called)
+        if axiom is not None:
+            start = _word_text("axiom", axiom)
+            text, replaced = re.subn(r"^axiom .*$", lambda _: f"axiom {start}", self._system.text(), flags=re.M)
+            if replaced != 1:
+                raise TypeError("axiom: the source has no axiom that could be replaced")
+            self._system = _algae.read_system(text, self._system.name() or "system", [])
 
     @classmethod
     def _of(cls, system: _algae.System) -> "LSystem":
@@ -450,12 +451,11 @@ class LSystem:
         chosen = format_of(file, format)
         shown = self._shown(n, seed, tables)
         wanted = wishes_of(wishes)
+        page = None
         with limits(timeout, budget, "draw") as bounds:
             data, texts = _algae.draw(self._system, shown, wanted, chosen, bounds)
-        page = None
-        if chosen == "svg" and self._system.leaves_plane() and "camera" not in wishes and file is None:
-            if shown_single(self._generations(n)):
-                page = page_in_space(self._system, shown, self.title or self.name)
+            if chosen == "svg" and self._system.leaves_plane() and "camera" not in wishes and file is None:
+                page = page_to_turn(self._system, shown, wanted, bounds)
         picture = Picture(data, chosen, facts_of(texts), page)
         if file is not None:
             picture.save(file)
@@ -499,7 +499,7 @@ class LSystem:
         shown = self._shown(n, seed, tables)
         with limits(timeout, budget, "mesh") as bounds:
             arrays = _algae.mesh(self._system, shown, arguments.count("facets", facets, 3, 256), bounds)
-        return Mesh(arrays, self._system, shown, self.title or self.name)
+        return Mesh(arrays, self._system, shown)
 
     def tree(self, n: Optional[int] = None, *, word: Union[WordLike, None] = None, depth: Optional[int] = None,
              shared: bool = False, seed: Optional[int] = None, tables: str = "", max_nodes: int = 2000,
@@ -561,10 +561,6 @@ class LSystem:
             figure = ""
         head = f"<b>{pages.escaped(self.title or self.name)}</b> ({pages.escaped(self.kind)})"
         return f"<div>{head}{figure}{pages.preformatted(self.text)}</div>"
-
-
-def shown_single(generations: tuple[int, int]) -> bool:
-    return generations[0] == generations[1]
 
 
 def _unpickled(text: str, name: str) -> LSystem:
@@ -758,9 +754,15 @@ class Growth:
         """The lengths of generations 0 to 10."""
         return self._growth.lengths()
 
-    def values(self, count: int) -> list[int]:
-        """The first lengths, by the recurrence."""
-        return self._growth.values(arguments.count("count", count, 0, 10**7), NONE)
+    def values(self, count: int, *, timeout: Optional[float] = None, budget: Optional[Budget] = None) -> list[int]:
+        """The first lengths, by the recurrence.
+
+        >>> LSystem("a -> ab, b -> a").growth().values(8)
+        [1, 2, 3, 5, 8, 13, 21, 34]
+        """
+        most = arguments.count("count", count, 0, 10**7)
+        with limits(timeout, budget, "values") as bounds:
+            return self._growth.values(most, bounds)
 
     @property
     def matrix(self) -> "numpy.ndarray[Any, Any]":
@@ -850,11 +852,15 @@ class Growth:
     def __repr__(self) -> str:
         return f"Growth({self.kind}, {self.order})"
 
+    def _formulas(self) -> list[str]:
+        return [self._growth.latex(part).strip() for part in ("recurrence", "form")]
+
     def _repr_latex_(self) -> str:
-        return "\n\n".join(f"$${self._growth.latex(part).strip()}$$" for part in ("recurrence", "form"))
+        return "\n\n".join(f"$${one}$$" for one in self._formulas())
 
     def _repr_html_(self) -> str:
-        return pages.preformatted(self._growth.page())
+        # Notebooks prefer HTML to LaTeX, so the formulas are in it.
+        return "".join(pages.formula(one) for one in self._formulas()) + pages.folded("all of the analysis", self._growth.page())
 
 
 class Recurrence:

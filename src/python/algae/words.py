@@ -10,7 +10,7 @@ from typing import Any, Optional, Union, overload
 import numpy
 
 from . import _algae, arguments
-from .budget import NONE, Budget, limits
+from .budget import Budget, limits
 from .errors import Error
 
 __all__ = ["Morphism", "Parameter", "Word", "WordLike"]
@@ -78,47 +78,66 @@ class Word:
         return self._word.has_parameters()
 
     def array(self, dtype: Any = "uint32") -> "numpy.ndarray[Any, Any]":
-        """The letters as numbers, places in `alphabet`: uint32 without copying, for reading only, or uint8."""
+        """The letters as numbers, places in `alphabet`: uint32 without copying, for reading only, or uint8.
+
+        >>> Word("abaab").array("uint8")
+        array([0, 1, 0, 0, 1], dtype=uint8)
+        """
         wanted = numpy.dtype(dtype)
         if wanted == numpy.uint32:
             return self._word.array()
         if wanted == numpy.uint8:
-            return self._word.bytes()
+            with limits(None, None, "array") as bounds:
+                return self._word.bytes(bounds)
         raise arguments.wrong_value("dtype", "uint32 or uint8", dtype)
 
     def __array__(self, dtype: Any = None) -> "numpy.ndarray[Any, Any]":
         found = self._word.array()
         return found if dtype is None else found.astype(dtype)
 
-    def counts(self) -> dict[str, int]:
-        """How often each letter of the alphabet occurs."""
-        return dict(zip(self._word.alphabet(), (int(one) for one in self._word.counts())))
+    def counts(self, *, timeout: float | None = None, budget: Budget | None = None) -> dict[str, int]:
+        """How often each letter of the alphabet occurs.
 
-    def count(self, part: "WordLike") -> int:
+        >>> Word("abaab").counts()
+        {'a': 3, 'b': 2}
+        """
+        with limits(timeout, budget, "counts") as bounds:
+            return dict(zip(self._word.alphabet(), (int(one) for one in self._word.counts(bounds))))
+
+    def count(self, part: "WordLike", *, timeout: float | None = None, budget: Budget | None = None) -> int:
         """How often the word occurs in this one, overlapping occurrences too.
 
         >>> Word("aaaa").count("aa")
         3
         """
         wanted = as_word("part", part)
-        if len(wanted) == 0:
-            return len(self) + 1
-        found, at = 0, self._word.find(wanted._word, 0)
-        while at >= 0:
-            found += 1
-            at = self._word.find(wanted._word, at + 1)
-        return found
+        with limits(timeout, budget, "count") as bounds:
+            return self._word.count(wanted._word, bounds)
 
-    def find(self, part: "WordLike", start: int = 0) -> int:
-        """The first position from `start` on where the word occurs; -1 where it does not."""
-        return self._word.find(as_word("part", part)._word, arguments.count("start", start))
+    def find(self, part: "WordLike", start: int = 0, *, timeout: float | None = None, budget: Budget | None = None) -> int:
+        """The first position from `start` on where the word occurs; -1 where it does not.
+
+        >>> Word("abaab").find("ab"), Word("abaab").find("ab", 1), Word("abaab").find("bb")
+        (0, 3, -1)
+        """
+        wanted, place = as_word("part", part), arguments.count("start", start)
+        with limits(timeout, budget, "find") as bounds:
+            return self._word.find(wanted._word, place, bounds)
 
     def reversed(self) -> "Word":
-        """The word read backwards."""
+        """The word read backwards.
+
+        >>> Word("abaab").reversed()
+        Word('baaba')
+        """
         return self[::-1]
 
     def is_palindrome(self) -> bool:
-        """Whether the word read backwards is the same."""
+        """Whether the word read backwards is the same.
+
+        >>> Word("abaaba").is_palindrome(), Word("abaab").is_palindrome()
+        (True, False)
+        """
         return self == self[::-1]
 
     def analysis(self, *, timeout: float | None = None, budget: Budget | None = None) -> dict[str, Any]:
@@ -152,7 +171,8 @@ class Word:
         size = len(self)
         if isinstance(at, slice):
             start, stop, step = at.indices(size)
-            return Word._of(self._word.part(start, step, len(range(start, stop, step))))
+            with limits(None, None, "slice") as bounds:
+                return Word._of(self._word.part(start, step, len(range(start, stop, step)), bounds))
         place = arguments.integer("index", at, "an int or a slice")
         if not -size <= place < size:
             raise IndexError(f"index: the word has {size} letters, and none at {place}")
@@ -161,7 +181,9 @@ class Word:
     def __add__(self, other: object) -> "Word":
         if not isinstance(other, (str, Word)):
             return NotImplemented
-        return Word._of(self._word.join(as_word("other", other)._word))
+        right = as_word("other", other)
+        with limits(None, None, "word") as bounds:
+            return Word._of(self._word.join(right._word, bounds))
 
     def __radd__(self, other: object) -> "Word":
         if not isinstance(other, str):
@@ -171,7 +193,9 @@ class Word:
     def __mul__(self, times: object) -> "Word":
         if isinstance(times, bool) or not hasattr(type(times), "__index__"):
             return NotImplemented
-        return Word._of(self._word.repeat(max(0, arguments.integer("times", times, most=2**62)), NONE))
+        count = max(0, arguments.integer("times", times, most=2**62))
+        with limits(None, None, "word") as bounds:
+            return Word._of(self._word.repeat(count, bounds))
 
     __rmul__ = __mul__
     __pow__ = __mul__
@@ -179,14 +203,15 @@ class Word:
     def __eq__(self, other: object) -> bool:
         if isinstance(other, str):
             if self._word.has_parameters():
-                return self._word.text() == other
+                return str(self) == other
             try:
                 other = Word(other, alphabet=[one for one in self._word.alphabet() if len(one) > 1])
             except (Error, ValueError):
                 return False
         if not isinstance(other, Word):
             return NotImplemented
-        return self._word.equals(other._word)
+        with limits(None, None, "word") as bounds:
+            return self._word.equals(other._word, bounds)
 
     def __hash__(self) -> int:
         return hash(str(self))
@@ -195,7 +220,8 @@ class Word:
         return len(self) > 0
 
     def __str__(self) -> str:
-        return self._word.text()
+        with limits(None, None, "text") as bounds:
+            return self._word.text(bounds)
 
     def __repr__(self) -> str:
         if len(self) <= 80:
@@ -293,22 +319,42 @@ class Morphism:
         with limits(timeout, budget, "morphism") as bounds:
             return Word._of(self._morphism.image(given._word, bounds))
 
+    def compose(self, first: "Morphism", *, timeout: float | None = None, budget: Budget | None = None) -> "Morphism":
+        """The morphism that applies ``first`` and then this one, ``self * first``.
+
+        >>> Morphism("a -> ab, b -> a").compose(Morphism("a -> b, b -> a"))
+        Morphism({'a': 'a', 'b': 'ab'})
+        """
+        if not isinstance(first, Morphism):
+            raise arguments.wrong_type("first", "a Morphism", first)
+        with limits(timeout, budget, "morphism") as bounds:
+            return Morphism._of(self._morphism.compose(first._morphism, bounds))
+
+    def power(self, exponent: int, *, timeout: float | None = None, budget: Budget | None = None) -> "Morphism":
+        """The morphism applied so many times, ``self ** exponent``.
+
+        >>> Morphism("a -> ab, b -> a").power(4)
+        Morphism({'a': 'abaababa', 'b': 'abaab'})
+        """
+        left = arguments.count("exponent", exponent)
+        result = Morphism({letter: Word([letter]) for letter in self.alphabet if left == 0 or letter in self.domain})._morphism
+        power = self._morphism
+        with limits(timeout, budget, "morphism") as bounds:
+            while left > 0:
+                if left & 1:
+                    result = power.compose(result, bounds)
+                left >>= 1
+                if left > 0:
+                    power = power.compose(power, bounds)
+        return Morphism._of(result)
+
     def __mul__(self, other: object) -> "Morphism":
         if not isinstance(other, Morphism):
             return NotImplemented
-        return Morphism._of(self._morphism.compose(other._morphism, NONE))
+        return self.compose(other)
 
-    def __pow__(self, exponent: object) -> "Morphism":
-        left = arguments.count("exponent", exponent)
-        result = Morphism({letter: letter for letter in self.alphabet if left == 0 or letter in self.domain})
-        power = self
-        while left > 0:
-            if left & 1:
-                result = power * result
-            left >>= 1
-            if left > 0:
-                power = power * power
-        return result
+    def __pow__(self, exponent: int) -> "Morphism":
+        return self.power(exponent)
 
     def matrix(self) -> "numpy.ndarray[Any, Any]":
         """Entry (i, j): how often the j-th letter of the alphabet occurs in the image of the i-th.
@@ -318,8 +364,8 @@ class Morphism:
                [1, 0]])
         """
         alphabet = self.alphabet
-        images = self.images
-        rows = [[images[letter].count(other) if letter in images else int(letter == other) for other in alphabet]
+        counts = {letter: image.counts() for letter, image in self.images.items()}
+        rows = [[counts[letter].get(other, 0) if letter in counts else int(letter == other) for other in alphabet]
                 for letter in alphabet]
         return numpy.array(rows, dtype=numpy.int64).reshape(len(alphabet), len(alphabet))
 

@@ -4,6 +4,7 @@
 #include <pybind11/pybind11.h>
 
 #include <atomic>
+#include <chrono>
 #include <csignal>
 #include <cstdint>
 #include <functional>
@@ -18,9 +19,10 @@ namespace algae::python {
 
 namespace py = pybind11;
 
-/// What a call from Python may use: seconds, letters and bytes, and whom to tell how far the work is.
+/// What a call from Python may use: until when, letters and bytes, and whom to tell how far the work is. Several pieces of work with the
+/// same limits must all be done by then.
 struct Limits {
-    std::optional<double> timeout;
+    std::optional<std::chrono::steady_clock::time_point> deadline;
     std::optional<std::uint64_t> letters, memory;
     py::object progress =
         py::none();  // called with a number from 0 to 1, or None where it is not known
@@ -70,6 +72,15 @@ auto run(const Limits& limits, Work work) -> std::invoke_result_t<Work, const Bu
     } catch (const Interrupted&) {
         here.raise();
     }
+}
+
+/// For functions that neither touch objects of Python nor have a budget, such as readers of texts: they leave the lock free.
+using Unlocked = py::call_guard<py::gil_scoped_release>;
+
+/// Asked in loops that make objects of Python, which cannot leave the lock: now and then signals are let in, and what their handlers raise,
+/// KeyboardInterrupt for one, is thrown.
+inline void let_signals_in(std::size_t round) {
+    if (round % 4096 == 0 && PyErr_CheckSignals() != 0) throw py::error_already_set();
 }
 
 /// The same for work that only asks for a budget.

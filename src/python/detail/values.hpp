@@ -73,6 +73,9 @@ private:
 /// The word that a text writes, over the letters of an alphabet and new ones. Throws Diagnostics, and Error where a letter has parameters.
 WordObject word_of(const std::string& text, const Alphabet& alphabet);
 
+/// For each letter of one alphabet that of the same name in another; new letters are added to it.
+std::vector<Symbol> letters_in(Alphabet& alphabet, const Alphabet& of);
+
 /// The word over another alphabet, whose letters have the same names; new letters are added to it.
 Word over(const WordObject& word, Alphabet& alphabet);
 

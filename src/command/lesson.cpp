@@ -1,8 +1,8 @@
-// `algae lesson`: lessons, the files that they use, and exercises whose answers algae marks.
+// `algae lesson`: lessons, the files that they use, and exercises whose answers algae marks. `algae mark`: the answers alone.
 //
-// LESSON is the number of a lesson or a file with an exercise of your own. An answer becomes a claim by the
-// statements of the exercise, so marking means checking: right, wrong with a hint, or undecided, with the
-// exit status of a question.
+// LESSON is the number of a lesson or a file with an exercise of your own; EXERCISE is such a file, or 4.1, the first exercise of
+// lesson 4. An answer becomes a claim by the statements of the exercise, so marking means checking: right, wrong with a hint, or
+// undecided, with the exit status of a question. Both verbs mark by the same functions.
 //
 // ANSWER may be a folder with the answers of a class. Each is then marked in a process of its own, so that one that hangs or bursts costs
 // its own share of time and memory and nothing else, and all statements are looked at, for partial credit. An answer can open systems
@@ -421,6 +421,66 @@ int lesson(const Options& options) {
     return success;
 }
 
+/// EXERCISE of `mark` as `lesson` writes it: a file stays, "4.1" is exercise 1 of lesson 4.
+Options as_of_lesson(Options options) {
+    if (options.lesson.ends_with(ending)) return options;
+    const std::size_t point = options.lesson.find('.');
+    const auto is_number = [](std::string_view digits) {
+        return !digits.empty() && digits.size() < 10 &&
+               digits.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    const std::string before = options.lesson.substr(0, point),
+                      behind = point == std::string::npos ? "" : options.lesson.substr(point + 1);
+    if (!is_number(before) || !is_number(behind))
+        throw Error("expected an exercise: lesson.exercise such as 4.1, or a file ending in " +
+                    std::string(ending) + ", found " + options.lesson +
+                    (is_number(before) && point == std::string::npos
+                         ? "; the first exercise of this lesson is " + before + ".1"
+                         : std::string()));
+    options.lesson = before;
+    options.exercise = std::stoull(behind);
+    return options;
+}
+
+int mark(const Options& given) {
+    const Options options = as_of_lesson(given);
+    if (options.lesson.ends_with(ending)) return print_task_or_mark(options, own_exercise(options));
+    return print_task_or_mark(options, chosen_exercise(options, chosen_lesson(options)));
+}
+
+/// The options of both verbs that are about the answer.
+void add_marking_options(Verb& verb, Options& options) {
+    verb.choice("--table", options.table,
+                {{"csv", Options::Table::csv}, {"junit", Options::Table::junit}}, "csv|junit",
+                "how the answers of a class are listed (default csv)")
+        .excludes = {"--json"};
+    verb.output(
+            "--feedback", options.feedback, "DIR",
+            "write what was found, with counterexamples and hints, into this folder, a file for "
+            "each answer of a class")
+        .needs = {"ANSWER"};
+}
+
+constexpr const char* answer_help =
+    "a file with an answer, - for standard input, or a folder with those of a class, each "
+    "of which may take --timeout seconds (10 if not given) and --max-memory (1G)";
+
+void add_mark(Verbs& verbs) {
+    auto [verb, options] = verbs.add(
+        "mark", "Mark the answer to an exercise, or those of a class, by the theory",
+        {"algae mark 4.1 answers-of-my-class --feedback marked",
+         "algae mark squares.exercise answers --table junit", "algae mark 3.2 my-answer.lsys"},
+        mark);
+    verb.option("EXERCISE", options.lesson, "FILE",
+                "lesson.exercise such as 4.1, or a file ending in .exercise with one of your own")
+        .required = true;
+    verb.option("ANSWER", options.answer, "FILE|DIR", answer_help).required = true;
+    add_marking_options(verb, options);
+    add_outside_flag(verb, options.outside);
+    verb.json_flag(options.json);
+    verb.bounded_by(options.bounds);
+}
+
 }  // namespace
 
 void add_lesson(Verbs& verbs) {
@@ -438,19 +498,8 @@ void add_lesson(Verbs& verbs) {
     verb.option("--exercise", options.exercise, natural, "K",
                 "print the task of an exercise, or mark its answer")
         .needs = {"LESSON"};
-    verb.option(
-        "ANSWER", options.answer, "FILE|DIR",
-        "a file with an answer, - for standard input, or a folder with those of a class, each "
-        "of which may take --timeout seconds (10 if not given) and --max-memory (1G)");
-    verb.choice("--table", options.table,
-                {{"csv", Options::Table::csv}, {"junit", Options::Table::junit}}, "csv|junit",
-                "how the answers of a class are listed (default csv)")
-        .excludes = {"--json"};
-    verb.output(
-            "--feedback", options.feedback, "DIR",
-            "write what was found, with counterexamples and hints, into this folder, a file for "
-            "each answer of a class")
-        .needs = {"ANSWER"};
+    verb.option("ANSWER", options.answer, "FILE|DIR", answer_help);
+    add_marking_options(verb, options);
     Option& out = verb.output("--out", options.out, "DIR",
                               "write the files that the lesson uses into this folder");
     out.needs = {"LESSON"};
@@ -458,6 +507,7 @@ void add_lesson(Verbs& verbs) {
     add_outside_flag(verb, options.outside);
     verb.json_flag(options.json);
     verb.bounded_by(options.bounds);
+    add_mark(verbs);
 }
 
 }  // namespace algae::command

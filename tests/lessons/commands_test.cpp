@@ -36,7 +36,10 @@ bool matches(const std::vector<std::string>& shown, std::size_t i,
 /// what they print with what stands below them.
 void check_page(std::string_view text, const Scratch& folder) {
     for (const Block& block : blocks(text)) {
-        if (!block.name.empty()) folder.file(block.name, joined(block.lines));
+        if (!block.name.empty()) {
+            std::filesystem::create_directories((folder.path() / block.name).parent_path());
+            folder.file(block.name, joined(block.lines));
+        }
         if (block.kind != "console") continue;
         for (const auto& command : commands(block)) {
             CAPTURE(command.line);

@@ -146,6 +146,7 @@ const std::vector<Case>& cases() {
         {"lesson",
          {"", "3", "2 --exercise 1 IN/wrong.lsys", "IN/own.exercise IN/even.lsys --json",
           "IN/own.exercise IN/wrong.lsys"}},
+        {"mark", {"2.1 IN/wrong.lsys", "IN/own.exercise IN/even.lsys --json"}},
         {"ifs",
          {"fern --points 2000 --width 60 -o OUT.png", "copy-machine --iterations 0..2 -o OUT.pdf",
           "sierpinski"}},

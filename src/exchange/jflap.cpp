@@ -699,8 +699,9 @@ private:
 
     /// The symbol of the notation for a token, with what it does to the turtle said.
     std::string symbol(const Placed& token) {
-        const auto [known, is_new] = symbols_.emplace(token.text, "");
-        if (!is_new) return known->second;
+        const auto inserted = symbols_.emplace(token.text, "");
+        const auto known = inserted.first;
+        if (!inserted.second) return known->second;
         const Reading said = reading(token.text);
         std::string name = said.command, number;
         const auto give_up = [&](const std::string& why) {

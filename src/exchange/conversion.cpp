@@ -22,9 +22,11 @@ namespace algae {
 
 namespace {
 
-/// Files that end in `.l` are those of two programs.
+/// Files that end in `.l` are those of three programs, or panels of vlab, which hold no system.
 Model read_l(std::string_view text, const std::string& name) {
-    return looks_like_cpfg(text) ? read_cpfg(text, name) : read_fractint(text, name);
+    const bool is_of_vlab =
+        looks_like_cpfg(text) || looks_like_lpfg(text) || looks_like_panel(text);
+    return is_of_vlab ? read_cpfg(text, name) : read_fractint(text, name);
 }
 
 }  // namespace
@@ -73,7 +75,7 @@ const SystemFormat* system_format(std::string_view file_name) {
 }
 
 const SystemFormat* system_format_of(std::string_view text) {
-    if (looks_like_cpfg(text)) return system_format(".cpfg");
+    if (looks_like_cpfg(text) || looks_like_lpfg(text)) return system_format(".cpfg");
     if (looks_like_fractint(text)) return system_format(".l");
     if (looks_like_walnut(text)) return system_format(".walnut");
     return nullptr;

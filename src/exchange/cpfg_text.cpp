@@ -116,6 +116,10 @@ private:
             return next;
         }
         if (is_left_out()) return next;
+        if (kind == "include" && dialect_.plus) {
+            // The modules that it declares are known.
+            if (line.find("<lpfgall.h>") != std::string::npos) return next;
+        }
         if (kind == "undef") {
             macros_.erase(word());
             return next;
@@ -297,12 +301,15 @@ struct Expressions {
     const CpfgNames& known_names;
     const Placed& text;
     const std::set<std::string>& names;
+    const CpfgIntegers& integers;
     std::size_t at = 0;
+    bool integral = false;  // in C, what was read last is a whole number by its type
 
     std::string all() {
         std::string found = whole();
         blanks();
         if (at < text.text.size()) unexpected();
+        if (integers.wanted && !integral) found = whole_part(found);
         return found;
     }
     [[noreturn]] void unexpected() const {
@@ -316,7 +323,10 @@ struct Expressions {
                   "expected an operator or the end of the expression, found " + found + hint);
     }
     void blanks() {
-        while (at < text.text.size() && (text.text[at] == ' ' || text.text[at] == '\t')) ++at;
+        while (at < text.text.size() &&
+               (text.text[at] == ' ' || text.text[at] == '\t' ||
+                (dialect.plus && (text.text[at] == '\n' || text.text[at] == '\r'))))
+            ++at;
     }
     bool takes(std::string_view sign) {
         blanks();
@@ -378,13 +388,19 @@ struct Expressions {
         bool compared = false;
         while (const Operator* one = taken(levels()[level])) {
             const std::size_t sign = at;
+            const bool left_integral = integral;
             const std::string right = binary(level + 1);
+            const bool both = left_integral && integral;
+            integral = both || level < 4;  // relations are 0 or 1
             const bool compares = python() && level == 2;
             if (compares && compared)
                 cpfg_refuse(source, text.place(sign), "a chain of comparisons",
                             "is not read: say `a < b and b < c`");
             compared = compares;
-            if (one->sign != "%")
+            if (dialect.plus && both && one->sign == "/") {
+                check_size(left + right);
+                left = whole_part("(" + left + "/" + right + ")");
+            } else if (one->sign != "%")
                 left = "(" + left + " " + one->said + " " + right + ")";
             else if (python())
                 left = "(" + left + " - " + right + "*floor(" + left + "/" + right + "))";
@@ -420,14 +436,19 @@ struct Expressions {
         check_size(condition);
         if (python() || !takes("?")) return condition;
         const std::string yes = whole();
+        const bool yes_integral = integral;
         if (!takes(":")) unexpected();
         const std::string no = whole();
+        integral = integral && yes_integral;
         return "((" + condition + " != 0)*" + yes + " + (" + condition + " = 0)*" + no + ")";
     }
 
     /// Of cpfg: from the left, and a sign binds tighter.
     std::string power() {
         std::string left = signed_atom();
+        blanks();
+        if (dialect.plus && at < text.text.size() && text.text[at] == '^')
+            cpfg_refuse(source, text.place(at), "^", "is exclusive or in C: a power is pow(x,y)");
         while (takes("^")) left = "((" + left + ")^(" + signed_atom() + "))";
         return left;
     }
@@ -436,7 +457,9 @@ struct Expressions {
         blanks();
         if (at + 1 < text.text.size() && text.text[at] == '!' && text.text[at + 1] != '=') {
             ++at;
-            return "(!(" + signed_atom() + "))";
+            const std::string said = signed_atom();
+            integral = true;
+            return "(!(" + said + "))";
         }
         if (takes("&")) unexpected();
         return atom();
@@ -474,9 +497,10 @@ struct Expressions {
         }
         if (called.empty()) unexpected();
         if (!takes("(")) {
+            integral = integers.names.contains(called);
             if (names.contains(called)) return called;
             const auto known = known_names.find(called);
-            if (known == known_names.end() && python())
+            if (known == known_names.end() && (python() || dialect.plus))
                 cpfg_fail(source, text.place(begin), "the name '" + called + "' has no value");
             if (known == known_names.end()) return "0";  // with a warning there
             if (known->second.empty())
@@ -487,6 +511,9 @@ struct Expressions {
         std::vector<std::string> arguments{whole()};
         while (takes(",")) arguments.push_back(whole());
         if (!takes(")")) unexpected();
+        const bool was_integral = integral;
+        integral = called == "int" || (called == "abs" && was_integral && arguments.size() == 1);
+        if (called == "int" && was_integral && arguments.size() == 1) return arguments[0];
         return call(called, arguments, begin);
     }
     std::string call(const std::string& called, const std::vector<std::string>& arguments,
@@ -499,9 +526,10 @@ struct Expressions {
         const auto known = functions.find(called);
         const bool trigonometric =
             called.ends_with("sin") || called.ends_with("cos") || called.ends_with("tan");
-        if (python() && trigonometric)
+        if ((python() || dialect.plus) && trigonometric)
             cpfg_refuse(source, text.place(begin), "the function " + called,
-                        "takes radians in Python, degrees in the notation");
+                        python() ? "takes radians in Python, degrees in the notation"
+                                 : "takes radians in C, degrees in the notation");
         if (known != functions.end()) return known->second + "(" + joined(arguments, ",") + ")";
         const auto takes_count = [&](std::size_t count) {
             if (arguments.size() != count)
@@ -511,6 +539,21 @@ struct Expressions {
             for (const std::string& one : arguments) check_size(one);
         };
         const std::string& x = arguments[0];
+        if (dialect.plus && (called == "int" || called == "trunc")) {
+            takes_count(1);
+            return whole_part(x);
+        }
+        if (dialect.plus && (called == "float" || called == "double")) {
+            takes_count(1);
+            return x;
+        }
+        if (dialect.plus && called == "pow") {
+            takes_count(2);
+            return "((" + x + ")^(" + arguments[1] + "))";
+        }
+        if (dialect.plus)
+            cpfg_refuse(source, text.place(begin), "the function " + called,
+                        "has no meaning in the notation");
         if (!python() && called == "trunc") {
             takes_count(1);
             return "floor(" + x + " + 1/2)";
@@ -530,7 +573,8 @@ struct Expressions {
     std::string number() {
         const std::size_t size = number_size(std::string_view(text.text).substr(at));
         std::string digits = text.text.substr(at, size);
-        if (!python() && digits.find_first_of("eE") != std::string::npos &&
+        integral = digits.find_first_of(".eE") == std::string::npos;
+        if (!python() && !dialect.plus && digits.find_first_of("eE") != std::string::npos &&
             digits.find('.') == std::string::npos)
             cpfg_fail(source, text.place(at),
                       "the exponent of a number needs a decimal point: 1.0e5");
@@ -550,8 +594,9 @@ Placed preprocessed(const Source& source, const CpfgDialect& dialect) {
 }
 
 std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
-                            const std::set<std::string>& names, const CpfgNames& known) {
-    return Expressions{source, dialect, known, text, names}.all();
+                            const std::set<std::string>& names, const CpfgNames& known,
+                            const CpfgIntegers& integers) {
+    return Expressions{source, dialect, known, text, names, integers}.all();
 }
 
 }  // namespace algae

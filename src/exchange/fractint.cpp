@@ -3,10 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <deque>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -28,10 +30,14 @@
 // A `}` ends an entry only as the first word of its line. What the program rejects is rejected here, with the place.
 //
 // The turtle has two headings. F and G go along one that + - and | turn by whole units of 360/N degrees; D and M go along another
-// that \nn and /nn turn by degrees, and neither sees the turns of the other. The notation has one heading, so a system whose words use
-// both kinds of steps is refused; where only one kind occurs the turns of the other do nothing and are left out of the interpretation.
-// Nor does the notation have the flag by which `!` swaps all turns, or colours counted up and down by < and >. `|` turns by
-// floor(N/2) units clockwise, so it is half a turn only if N is even.
+// that \nn and /nn turn by degrees, and neither sees the turns of the other. Where only one kind of steps occurs the turns of the other do
+// nothing and are left out of the interpretation. `!` swaps the meaning of + and -, \ and /; < and > count the colour. `|` turns by floor(N/2)
+// units clockwise, so it is half a turn only if N is even.
+//
+// The notation has one heading, no such flag and no counter. So the reader keeps them: it goes along the words with a state, the difference of
+// the headings, the flag and the colour, and a letter of which symbols are derived that ask for a part of the state becomes a letter for
+// each of its values. D is then a turn by the difference, a step and the turn back. This says everything unless a letter, from one order to the
+// next, changes a part of the state that a symbol behind it asks for; such systems are refused.
 //
 // Reading writes a text of the notation, in which every symbol or command with its number, `@iq2`, is one symbol: letters are
 // capitals, characters that can be no symbols are `X_40` by their codes, and what a symbol does to the turtle, if that is not what the
@@ -170,8 +176,9 @@ public:
         }
         check(entry);
         findings_.throw_if_any();
-        Model system = read_lsystem(notation(entry), source_.file());
-        return system;
+        const std::string text = notation(entry);
+        findings_.throw_if_any();
+        return read_lsystem(text, source_.file());
     }
 
 private:
@@ -308,20 +315,14 @@ private:
         if (angle_ == 0 && !is_faulty_)
             findings_.add(entry.offset, "expected 'Angle' and a number from 3 to 50 in " +
                                             quoted(entry.name) + ", found none");
-        if (axiom_) check_brackets(*axiom_, findings_);
-        for (const auto& [symbol, rule] : rules_) check_brackets(rule, findings_);
+        if (axiom_) cut(*axiom_);
+        for (auto& [symbol, rule] : rules_) cut(rule);
         if (!axiom_ || !findings_.empty()) return;
         // Letters that the axiom reaches, each with the place where it first stands.
         std::vector<char> todo;
         const auto meet = [&](const PlacedWord& word) {
             for (const Command& one : commands_of(word)) {
                 if (met_.emplace(one.letter, one.offset).second) todo.push_back(one.letter);
-                for (const char digit : one.number)
-                    if (rules_.contains(digit))
-                        findings_.add(one.offset,
-                                      fmt::format("the rule for '{}' rewrites a part of the number "
-                                                  "of {}; expected commands that stay whole",
-                                                  digit, quoted(one.text())));
             }
         };
         meet(*axiom_);
@@ -333,38 +334,234 @@ private:
         const auto place = [&](char letter) { return met_.at(letter); };
         indexed_ = met_.contains('f') || met_.contains('g');
         const bool real = met_.contains('d') || met_.contains('m');
-        if (indexed_ && real)
-            findings_.add(std::max(std::min(met_.contains('f') ? place('f') : place('g'), SIZE_MAX),
-                                   met_.contains('d') ? place('d') : place('m')),
-                          "D and M go along a second heading, which F and G do not share; expected "
-                          "only one of the two kinds of steps");
-        if (met_.contains('!') &&
-            (met_.contains('+') || met_.contains('-') || met_.contains('/') || met_.contains('\\')))
-            findings_.add(place('!'),
-                          "'!' swaps the meaning of turns, which has no meaning in the notation");
-        for (const char colour : {'<', '>'})
-            if (met_.contains(colour))
-                findings_.add(
-                    place(colour),
-                    fmt::format(
-                        "'{}' counts a colour, which has no meaning in the notation; 'C' sets one",
-                        colour));
+        const auto meets = [&](const char* letters) {
+            return std::ranges::any_of(std::string_view(letters),
+                                       [&](char letter) { return met_.contains(letter); });
+        };
+        tracked_[flag] = meets("!") && meets("+-/\\");
+        tracked_[headings] = indexed_ && real;
+        tracked_[colour] = meets("<>");
         for (const char brace : {'{', '}'})
             if (met_.contains(brace))
                 findings_.add(place(brace), fmt::format("'{}' cannot stand in a word", brace));
     }
 
+    /// `]` without `[` ends a word; the program never reads what stands behind it.
+    void cut(PlacedWord& word) {
+        int open = 0;
+        for (std::size_t i = 0; i < word.text.size(); ++i) {
+            open += word.text[i] == '[' ? 1 : word.text[i] == ']' ? -1 : 0;
+            if (open >= 0) continue;
+            word.text.resize(i);
+            word.offsets.resize(i);
+        }
+        check_brackets(word, findings_);
+    }
+
+    // --- The state ---
+
+    enum Part { flag, headings, colour, parts };
+    using Parts = std::array<bool, parts>;
+
+    /// What a word is drawn in beside place and heading.
+    struct State {
+        bool swapped = false;
+        Rational difference = 0;  // how much further to the left the heading of D is, in degrees
+        unsigned colour = 0;
+        std::array<char, parts> unknown{};  // the letter that changes this part
+
+        bool operator<(const State& other) const {
+            return std::tuple(swapped, colour, difference) <
+                   std::tuple(other.swapped, other.colour, other.difference);
+        }
+    };
+
+    bool is_tracking() const { return tracked_[flag] || tracked_[headings] || tracked_[colour]; }
+
+    /// The parts that a command, or what is derived from it, asks for.
+    Parts asked_by(const Command& one) const {
+        Parts found{};
+        if (const auto derived = asks_.find(one.letter); derived != asks_.end())
+            found = derived->second;
+        const auto is_one_of = [&](const char* letters) {
+            return std::string_view(letters).find(one.letter) != std::string_view::npos;
+        };
+        found[flag] = (found[flag] || is_one_of("+-/\\")) && tracked_[flag];
+        found[headings] = (found[headings] || is_one_of("dm")) && tracked_[headings];
+        found[colour] = (found[colour] || is_one_of("<>")) && tracked_[colour];
+        return found;
+    }
+
+    static Rational turned(Rational degrees) {
+        return degrees - floor(degrees / Rational(360)) * Rational(360);
+    }
+    /// The whole number that a command has.
+    static unsigned count_of(const Command& one) {
+        unsigned count = 0;
+        for (const char c : one.number)
+            if (is_digit(static_cast<unsigned char>(c)) && count < 100'000)
+                count = count * 10 + static_cast<unsigned>(c - '0');
+            else
+                break;
+        return count;
+    }
+
+    /// The state behind a command.
+    void pass(const Command& one, State& state) {
+        constexpr unsigned colours = 256;
+        const Rational unit = Rational(360) / Rational(angle_);
+        const int side = state.swapped ? -1 : 1;
+        switch (one.letter) {
+            case '!':
+                state.swapped = tracked_[flag] && !state.swapped;
+                break;
+            case '+':
+                if (tracked_[headings]) state.difference = turned(state.difference - side * unit);
+                break;
+            case '-':
+                if (tracked_[headings]) state.difference = turned(state.difference + side * unit);
+                break;
+            case '|':
+                if (tracked_[headings])
+                    state.difference = turned(state.difference + Rational(angle_ / 2) * unit);
+                break;
+            case '\\':
+            case '/':
+                if (!tracked_[headings]) break;
+                if (one.number.find('q') != std::string::npos) {
+                    if (told_.insert(one.text()).second)
+                        findings_.add(one.offset,
+                                      "expected a turn without a root where both D or M "
+                                      "and F or G go, found " +
+                                          quoted(one.text()));
+                    break;
+                }
+                state.difference = turned(state.difference + (one.letter == '\\' ? side : -side) *
+                                                                 value_of(one.number));
+                break;
+            case 'c':
+                if (tracked_[colour]) {
+                    state.colour = count_of(one) % colours;
+                    state.unknown[colour] = 0;
+                }
+                break;
+            case '<':
+                if (tracked_[colour]) state.colour = (state.colour + count_of(one)) % colours;
+                break;
+            case '>':
+                if (tracked_[colour])
+                    state.colour = (state.colour + colours - count_of(one) % colours) % colours;
+                break;
+            default:
+                break;
+        }
+        if (const auto derived = changes_.find(one.letter); derived != changes_.end())
+            for (int part = 0; part < parts; ++part)
+                if (derived->second[static_cast<std::size_t>(part)])
+                    state.unknown[static_cast<std::size_t>(part)] = one.letter;
+    }
+    /// A number without a root.
+    static Rational value_of(const std::string& number) {
+        const std::string digits = digits_of(number);
+        if (digits.empty()) return 0;
+        const Rational value(digits);
+        return number.find('i') < number.find_first_of("0123456789.") ? Rational(1) / value : value;
+    }
+
+    /// Goes along a word: `each` has a command and the state before it.
+    template <class Each>
+    State walk(const PlacedWord& word, State state, Each each) {
+        std::vector<State> open;
+        for (const Command& one : commands_of(word)) {
+            each(one, state);
+            if (one.letter == '[') open.push_back(state);
+            if (one.letter == ']' && !open.empty()) {
+                state = open.back();
+                open.pop_back();
+            }
+            pass(one, state);
+        }
+        return state;
+    }
+
+    /// Which letters ask for parts of the state, and which do not leave it as it was.
+    void find_changes() {
+        for (bool more = true; more;) {
+            more = false;
+            for (const auto& [letter, word] : rules_) {
+                const Parts asked = asks_[letter], changed = changes_[letter];
+                Parts &asks = asks_[letter], &changes = changes_[letter];
+                const State end = walk(word, {}, [&](const Command& one, const State&) {
+                    const Parts by = asked_by(one);
+                    for (std::size_t part = 0; part < parts; ++part)
+                        asks[part] = asks[part] || by[part];
+                    if (one.letter == 'c' && tracked_[colour]) changes[colour] = true;
+                });
+                changes[flag] = changes[flag] || end.swapped || end.unknown[flag];
+                changes[headings] =
+                    changes[headings] || end.difference != Rational(0) || end.unknown[headings];
+                changes[colour] = changes[colour] || end.colour != 0 || end.unknown[colour];
+                // The flag decides which way turns go.
+                if (end.unknown[flag] != 0 && tracked_[headings]) changes[headings] = true;
+                asks[flag] = asks[flag] || (asks[headings] && tracked_[flag]);
+                more = more || asks != asked || changes != changed;
+            }
+        }
+    }
+
+    /// A command as it is drawn in a state: the symbol of the notation.
+    std::string symbol_in(Command one, const State& before) {
+        State state;
+        const Parts asked = asked_by(one);
+        for (std::size_t part = 0; part < parts; ++part)
+            if (asked[part] && before.unknown[part] != 0 && told_.insert(one.text()).second)
+                findings_.add(
+                    one.offset,
+                    fmt::format(
+                        "'{}' depends on {}, which '{}' before it changes from one order to "
+                        "the next; the notation has no such state",
+                        one.text(),
+                        part == flag       ? "what ! swaps"
+                        : part == headings ? "the difference of the two headings"
+                                           : "the colour",
+                        before.unknown[part]));
+        if (asked[flag]) state.swapped = before.swapped;
+        if (asked[headings]) state.difference = before.difference;
+        if (asked[colour]) state.colour = before.colour;
+        if (state.swapped && !rules_.contains(one.letter)) {
+            static constexpr std::string_view turns = "+-/\\", others = "-+\\/";
+            if (const std::size_t at = turns.find(one.letter); at != std::string_view::npos)
+                one.letter = others[at];
+            state.swapped = false;
+        }
+        if (!rules_.contains(one.letter) && one.letter != 'd' && one.letter != 'm' &&
+            one.letter != '<' && one.letter != '>')
+            state = {};
+        constexpr std::size_t most = 2000;
+        auto& known = versions_[one.text()];
+        const auto [version, is_new] = known.emplace(state, known.size());
+        if (is_new && ++version_count_ > most && told_.insert("").second)
+            findings_.add(one.offset,
+                          "the state of the turtle has more than 2000 values: that is too many "
+                          "letters of the notation");
+        if (is_new && rules_.contains(one.letter) && version_count_ <= most)
+            todo_.emplace_back(one, state);
+        return symbol(one, state, version->second);
+    }
+
     /// The symbol of the notation for a command.
-    std::string symbol(const Command& one) {
+    std::string symbol(const Command& one) { return symbol(one, State(), 0); }
+    std::string symbol(const Command& one, const State& state, std::size_t version) {
         std::string name;
         const auto code = static_cast<unsigned char>(one.letter);
-        if (std::string_view("(),:;?#=\"").find(one.letter) != std::string_view::npos)
-            name = fmt::format("X_{}", code);
+        if (std::string_view("(),:;?#=\"<>").find(one.letter) != std::string_view::npos)
+            name = fmt::format("X_{}", code) + (one.number.empty() ? "" : "·" + one.number);
         else
             name = upper(one.letter) + one.number;
+        if (version > 0) name += "·" + std::to_string(version);
         if (names_.emplace(name, one).second) {
             if (name.size() > 1) alphabet_ += " " + name;
-            const std::string meaning = meaning_of(one);
+            const std::string meaning = meaning_in(one, state, name);
             if (meaning != name) interpretation_ += "interpret " + name + " -> " + meaning + "\n";
         }
         return name;
@@ -373,6 +570,23 @@ private:
     std::string degrees(unsigned units) const {
         const Rational all = Rational(360) * Rational(units) / Rational(angle_);
         return shortest_text(all);
+    }
+
+    std::string meaning_in(const Command& one, const State& state, const std::string& name) const {
+        constexpr unsigned colours = 256;
+        const std::string meaning = meaning_of(one);
+        if (one.letter == '<' || one.letter == '>') {
+            const unsigned by = count_of(one) % colours;
+            return fmt::format("'({})",
+                               (state.colour + (one.letter == '<' ? by : colours - by)) % colours);
+        }
+        if (tracked_[headings] && (one.letter == 'd' || one.letter == 'm') &&
+            state.difference != Rational(0)) {
+            const std::string by = shortest_text(state.difference);
+            return "+(" + by + ")" + meaning + "-(" + by + ")";
+        }
+        // A letter that does nothing may have another name than the one that it does nothing by.
+        return meaning == std::string(1, upper(one.letter)) && meaning != "F" ? name : meaning;
     }
 
     std::string meaning_of(const Command& one) const {
@@ -416,17 +630,27 @@ private:
                    : nothing;
     }
 
-    std::string spelled(const PlacedWord& word) {
+    std::string spelled(const PlacedWord& word, const State& state) {
         std::vector<std::string> letters;
-        for (const Command& one : commands_of(word)) letters.push_back(symbol(one));
+        walk(word, state, [&](const Command& one, const State& now) {
+            letters.push_back(is_tracking() ? symbol_in(one, now) : symbol(one));
+        });
         return spaced_word(letters);
     }
 
     std::string notation(const Entry& entry) {
-        std::string rules = "axiom " + spelled(*axiom_) + "\n";
-        for (const char left : order_) {
-            const std::string name = symbol({left, {}, 0});
-            rules += name + " -> " + spelled(rules_.at(left)) + "\n";
+        if (is_tracking()) find_changes();
+        std::string rules = "axiom " + spelled(*axiom_, {}) + "\n";
+        if (!is_tracking())
+            for (const char left : order_) {
+                const std::string name = symbol({left, {}, 0});
+                rules += name + " -> " + spelled(rules_.at(left), {}) + "\n";
+            }
+        while (!todo_.empty() && findings_.empty()) {
+            const auto [letter, state] = todo_.front();
+            todo_.pop_front();
+            const std::string name = symbol(letter, state, versions_.at(letter.text()).at(state));
+            rules += name + " -> " + spelled(rules_.at(letter.letter), state) + "\n";
         }
         std::string head = "title " + entry.name + "\n";
         if (!alphabet_.empty()) head += "alphabet" + alphabet_ + "\n";
@@ -443,8 +667,14 @@ private:
     std::map<char, PlacedWord> rules_;
     std::map<char, std::size_t> places_;
     std::vector<char> order_;
-    std::map<char, std::size_t> met_;  // letters of words, with their places
-    bool indexed_ = false;             // steps go along the heading of F and G
+    std::map<char, std::size_t> met_;       // letters of words, with their places
+    bool indexed_ = false;                  // steps go along the heading of F and G
+    Parts tracked_{};                       // parts of the state that occur
+    std::map<char, Parts> asks_, changes_;  // by letters with rules
+    std::map<std::string, std::map<State, std::size_t>> versions_;  // of a command, by the state
+    std::deque<std::pair<Command, State>> todo_;                    // letters without a rule yet
+    std::size_t version_count_ = 0;
+    std::set<std::string> told_;  // commands that are refused
     std::map<std::string, Command> names_;
     std::string alphabet_, interpretation_;
 };

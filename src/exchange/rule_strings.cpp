@@ -209,19 +209,22 @@ public:
 
     Model read() {
         const std::string& text = text_.text();
+        find_declarations();
         // The options first: `\symbol` may stand before them.
         for (const char* key : {"l-system={", "lindenmayer system={"})
             for (std::size_t at = text.find(key); at != std::string::npos;
                  at = text.find(key, at + 1))
                 options(at + std::string(key).size());
+        choose_declaration();
         for (std::size_t at = text.find("\\rule{"); at != std::string::npos;
              at = text.find("\\rule{", at + 1)) {
+            if (is_of_another(at)) continue;
             const std::size_t from = at + 6;
             rule(text.substr(from, end_of(from) - from), from);
         }
         for (std::size_t at = text.find("\\symbol{"); at != std::string::npos;
              at = text.find("\\symbol{", at + 1))
-            symbol(at + 8);
+            if (!is_of_another(at)) symbol(at + 8);
         if (strings_.rules.empty() && axiom_.empty())
             text_.fail(
                 0,
@@ -239,6 +242,53 @@ public:
     }
 
 private:
+    /// `\pgfdeclarelindenmayersystem{NAME}{...}`: its name, and from where to where it stands.
+    struct Declaration {
+        std::string name;
+        std::size_t begin = 0, end = 0;
+    };
+
+    void find_declarations() {
+        const std::string& text = text_.text();
+        const std::string command = "\\pgfdeclarelindenmayersystem{";
+        for (std::size_t at = text.find(command); at != std::string::npos;
+             at = text.find(command, at + 1)) {
+            const std::size_t from = at + command.size(), to = end_of(from);
+            const std::size_t open = text.find_first_not_of(" \t\r\n%", to + 1);
+            if (open == std::string::npos || text[open] != '{')
+                text_.fail(at, "expected {...} with the rules behind the name of a system");
+            declared_.push_back({trimmed_text(text.substr(from, to - from)), at, end_of(open + 1)});
+        }
+    }
+
+    /// Of several declarations the options name one.
+    void choose_declaration() {
+        std::vector<std::string> names;
+        for (const Declaration& one : declared_) names.push_back(one.name);
+        const auto found = std::ranges::find(names, chosen_);
+        if (found != names.end()) {
+            if (const auto again = std::find(found + 1, names.end(), chosen_); again != names.end())
+                text_.fail(declared_[static_cast<std::size_t>(again - names.begin())].begin,
+                           "a second system of the name " + quoted(chosen_));
+            used_ = &declared_[static_cast<std::size_t>(found - names.begin())];
+        } else if (!chosen_.empty() && !names.empty()) {
+            text_.fail(chosen_place_, "no system " + quoted(chosen_) + " is declared" +
+                                          did_you_mean(chosen_, names) + "; declared are " +
+                                          joined(names, ", "));
+        } else if (names.size() > 1) {
+            text_.fail(declared_[1].begin, "a second system: say which of " + joined(names, ", ") +
+                                               " is drawn, l-system={" + names[0] +
+                                               ", axiom=..., order=...}");
+        }
+    }
+
+    /// Whether a place stands in a declaration that is not the one drawn.
+    bool is_of_another(std::size_t at) const {
+        return used_ && std::ranges::any_of(declared_, [&](const Declaration& one) {
+                   return &one != used_ && one.begin <= at && at < one.end;
+               });
+    }
+
     /// Interpretations of symbols that do something else than their names say. Turns that stand for each other are `turn clockwise`.
     void interpret() {
         const auto image = [&](char c) {
@@ -315,13 +365,27 @@ private:
     void option(const std::string& said, std::size_t place) {
         const std::size_t equals = said.find('=');
         const std::string key = trimmed_text(said.substr(0, equals));
-        if (key.empty() || equals == std::string::npos) return;  // the name of a system
+        if (key.empty()) return;
+        if (equals == std::string::npos) {
+            if (!chosen_.empty() && chosen_ != key)
+                text_.fail(place + said.find(key),
+                           "a second system: the options before this name " + quoted(chosen_) +
+                               ", these " + quoted(key) + "; expected one");
+            chosen_ = key;
+            chosen_place_ = place + said.find(key);
+            return;
+        }
         std::size_t at = place + equals + 1;
         std::string value = trimmed_text(said.substr(equals + 1));
         if (value.starts_with('{') && value.ends_with('}')) {
             at += said.substr(equals + 1).find('{') + 1;
             value = value.substr(1, value.size() - 2);
         }
+        if (const auto [said_before, is_new] = said_.emplace(key, value);
+            !is_new && said_before->second != value)
+            text_.fail(place + said.find(key), "a second value of " + quoted(key) + ", which was " +
+                                                   quoted(said_before->second) +
+                                                   "; expected one figure");
         if (key == "axiom") {
             axiom_ = value;
             axiom_place_ = at;
@@ -398,6 +462,11 @@ private:
     std::size_t axiom_place_ = 0;
     std::set<char> met_;
     std::map<char, std::string> images_;  // what `\\symbol` says
+    std::vector<Declaration> declared_;
+    const Declaration* used_ = nullptr;  // the one that the options name
+    std::string chosen_;                 // what they name
+    std::size_t chosen_place_ = 0;
+    std::map<std::string, std::string> said_;  // the options
 };
 
 /// What both writers need of a system: words of single characters, and what each does.

@@ -60,8 +60,11 @@ TEST_CASE("contexts of JFLAP rewrite the symbol of their number") {
         CHECK(development.length() == length);
         development.steps(1);
     }
-    CHECK(said(file("<axiom>a b</axiom>" + production("1 a b", "c") + production("0 b a", "d")))
-              .find("contexts of different lengths") != std::string::npos);
+    // Where two productions match, one is picked: a c is b's neighbourhood on both sides.
+    const std::string both =
+        lsys("<axiom>a b c</axiom>" + production("1 a b", "x") + production("0 b c", "y"));
+    CHECK(both.find("a < b > c -(0.5)-> x\n") != std::string::npos);
+    CHECK(both.find("a < b > c -(0.5)-> y\n") != std::string::npos);
     CHECK(said(file("<axiom>a b [ a ]</axiom>" + production("1 a b", "c")))
               .find("brackets are letters beside contexts in JFLAP") != std::string::npos);
     CHECK(said(file("<axiom>a b</axiom>" + production("2 a b", "c")))
@@ -85,6 +88,27 @@ TEST_CASE("symbols of JFLAP in the notation") {
     CHECK(lsys("<axiom>a</axiom><axiom>b</axiom>").find("axiom b\n") != std::string::npos);
 }
 
+TEST_CASE("brackets of JFLAP without a partner do nothing where no branch stands around them") {
+    const Model system =
+        read_jflap(file("<axiom>g ] X</axiom>" + production("X", "g ] [ + X")), "x");
+    CHECK(open_figure(system, 2, {}, {}, nullptr)->facts().segments == 3);
+    CHECK(word_of(system, 0) == "g X_93_0 X ");
+}
+
+TEST_CASE("colours and widths of JFLAP are those of the notation where they are known") {
+    const std::string text = lsys(
+        "<axiom>g color=red ! g [ ! ! g ] ~ "
+        "g</axiom><parameter><name>color</name><value>brown</value>"
+        "</parameter><parameter><name>lineWidth</name><value>3</value></parameter>");
+    CHECK(text.find("colour brown red\n") != std::string::npos);
+    CHECK(text.find("-> '(1)\n") != std::string::npos);
+    CHECK(text.find("width 3\n") != std::string::npos);
+    for (const char* width : {"-> !(4)\n", "-> !(5)\n", "-> !(6)\n", "-> !(3)\n"})
+        CHECK(text.find(width) != std::string::npos);
+    // R goes on making lines wider: what stands behind it is as wide as at first.
+    CHECK(lsys("<axiom>R ! g</axiom>" + production("R", "! R")).find("!(") == std::string::npos);
+}
+
 TEST_CASE("what is no L-system of JFLAP, or has no meaning here, is refused with its place") {
     const std::pair<std::string, const char*> all[] = {
         {"<structure><type>fa</type></structure>",
@@ -101,11 +125,12 @@ TEST_CASE("what is no L-system of JFLAP, or has no meaning here, is refused with
         {"<!-- ", "the comment is never closed"},
         {file("<axiom>a &x; b</axiom>"),
          "x.jff:2:10: error: expected &lt; &gt; &amp; &quot; or &apos; behind '&'"},
-        {file("<axiom>a angle=20</axiom>"),
-         "x.jff:2:10: error: the assignment 'angle=20' changes what later symbols do"},
-        {file("<axiom>g(a*a)</axiom>"),
-         "x.jff:2:8: error: expected a number between the brackets of 'g(a*a)'"},
-        {file("<axiom>a,b</axiom>"), "'a,b' is no symbol of the notation"},
+        {file("<axiom>a angle=2+</axiom>"),
+         "x.jff:2:10: error: expected an expression behind '=', found '2+'"},
+        {file("<axiom>g(a*)</axiom>"),
+         "x.jff:2:8: error: expected an expression between the brackets"},
+        {file("<axiom>[ X ]</axiom>" + production("X", "g ] g")),
+         "unmatched ']' in a word of 'X', which stands in branches"},
         {file("<axiom>a</axiom><production><right>a</right></production>"),
          "expected <left> in a production, found none"},
         {file("<axiom>a</axiom><production><left>a</left></production>"),

@@ -77,6 +77,20 @@ TEST_CASE("systems of TikZ are read as its library draws them") {
     CHECK(print_lsystem(hilbert) == "axiom G\nG -> G+G\ninterpret G -> F\nangle 90\n");
     CHECK(figure(read_tikz("\\rule{G -> GF}", "x"), 1, {})->segments() ==
           Integer(1));  // G does nothing
+    // Of two declarations the options name one.
+    const std::string two =
+        "\\pgfdeclarelindenmayersystem{a}{\\rule{F -> "
+        "FF}}\n\\pgfdeclarelindenmayersystem{b}{\\rule{F "
+        "-> F+F}\\rule{X -> F}}\n";
+    CHECK(print_lsystem(read_tikz(two + "\\draw l-system [l-system={a, axiom=F, order=1}];",
+                                  "x")) == "axiom F\nF -> FF\nangle 90\ngeneration 1\n");
+    CHECK(read_tikz(two + "[l-system={b, axiom=F}]", "x").rules.size() == 2);
+    CHECK(holds(tikz_fault(two), "x.tikz:2:1: error: a second system: say which of a, b is drawn"));
+    CHECK(holds(tikz_fault(two + "[l-system={c, axiom=F}]"),
+                "x.tikz:3:12: error: no system 'c' is declared"));
+    CHECK(holds(tikz_fault(two + "[l-system={a, axiom=F}] [l-system={b}]"), "a second system"));
+    CHECK(holds(tikz_fault("l-system={rule set={F -> FF}, axiom=F} l-system={axiom=X}"),
+                "a second value of 'axiom', which was 'F'"));
     CHECK(holds(tikz_fault("nothing"), "expected \\pgfdeclarelindenmayersystem"));
     CHECK(holds(tikz_fault("\\rule{F - F}"), "x.tikz:1:7: error: expected a rule with '->'"));
     CHECK(holds(tikz_fault("\\rule{FF -> F}"), "expected one character before '->', found 'FF'"));

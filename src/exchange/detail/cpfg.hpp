@@ -14,11 +14,12 @@ namespace algae {
 
 // What the readers of cpfg and L-Py share: texts whose characters know where they stood, the preprocessor, expressions.
 
-/// Which of the two programs.
+/// Which of the three programs: cpfg, L-Py or lpfg, whose language is L+C.
 struct CpfgDialect {
     bool python = false;
     const char* name = "cpfg";
     double angle = 45;
+    bool plus = false;  // lpfg
 };
 
 /// The first letter of an axiom that stands the turtle up along z, where the notation looks for what is level.
@@ -32,6 +33,10 @@ struct Placed {
     void add(char c, std::size_t place) {
         text += c;
         at.push_back(place);
+    }
+    void append(const Placed& more) {
+        text += more.text;
+        at.insert(at.end(), more.at.begin(), more.at.end());
     }
     Placed part(std::size_t from, std::size_t to) const {
         to = std::min(to, text.size());
@@ -63,9 +68,16 @@ Placed preprocessed(const Source& source, const CpfgDialect& dialect);
 /// Names that are no parameters, with what the notation says for them; nothing for one that it cannot say.
 using CpfgNames = std::map<std::string, std::string>;
 
+/// What is a whole number in C by its type: names, and the expression where it stands for such a parameter.
+struct CpfgIntegers {
+    std::set<std::string> names;
+    bool wanted = false;
+};
+
 /// An expression in the notation, with the brackets that keep the grouping of the program. Names are those of parameters and `known` ones;
 /// others are 0 in cpfg. Throws Diagnostics with the place of what is wrong or has no meaning in the notation.
 std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
-                            const std::set<std::string>& names, const CpfgNames& known);
+                            const std::set<std::string>& names, const CpfgNames& known,
+                            const CpfgIntegers& integers = {});
 
 }  // namespace algae

@@ -141,7 +141,8 @@ Quantity turned_compass(const Quantity& degrees);
 
 /// One system of a file of Fractint, `NAME { Angle 6; Axiom F--F--F; F=... }` in lines; `name` is the file's, with `:NAME` behind it where
 /// there are several. Each command with its number is one symbol. Throws Diagnostics with the place of whatever the program rejects, and of
-/// what has no meaning in the notation: two headings at once, `!`, colours that are counted. Linear time.
+/// a symbol that depends on `!`, the difference of the headings or the colour behind a letter that goes on changing it. Linear time unless the state
+/// of the turtle takes many values, of which there may be 2000.
 Model read_fractint(std::string_view text, const std::string& name);
 
 /// The entry of a system. It says neither lengths of steps nor where figures stand, as the program fits them to the screen; colours and what
@@ -154,8 +155,8 @@ bool looks_like_fractint(std::string_view text);
 // cpfg and L-Py: cpfg.cpp, cpfg_print.cpp.
 
 /// The L-system in a file of cpfg, as its preprocessor leaves it. Its `/` is the notation's `\`, its turtle looks up the page. Throws Diagnostics
-/// with the place of what is wrong and of what has no meaning in the notation: decompositions, rings, blocks, arrays, predecessors of several
-/// modules, and rules whose order decides otherwise than the lengths of their contexts.
+/// with the place of what is wrong and of what has no meaning in the notation: rings, blocks, arrays, and rules whose order decides otherwise than the
+/// lengths of their contexts. Of several systems `name` has the label of one behind it, `plant.l:2`. A program of lpfg is read as one.
 Model read_cpfg(std::string_view text, const std::string& name);
 
 /// The declarative part of a file of L-Py: constants, modules, axiom and rules with `-->`. Throws Diagnostics where it is a program.
@@ -165,8 +166,18 @@ Model read_lpy(std::string_view text, const std::string& name);
 std::string print_cpfg(const Model& system);
 std::string print_lpy(const Model& system);
 
-/// Whether a text looks like a file of cpfg: a line begins with `Lsystem:`.
+/// The declarative part of a program of lpfg in L+C: constants, modules, axiom, and rules whose blocks are made of `produce`, `if` and `else`.
+/// Throws Diagnostics with the place of other statements.
+Model read_lpfg(std::string_view text, const std::string& name);
+
+/// Whether a text looks like a file of cpfg: a line begins with `Lsystem:`, outside comments.
 bool looks_like_cpfg(std::string_view text);
+
+/// Whether it looks like a program of lpfg: it declares modules as `module A(float);` or includes lpfgall.h, outside comments.
+bool looks_like_lpfg(std::string_view text);
+
+/// Whether it looks like a control panel of vlab: a line begins with `panel name:` or `target:`.
+bool looks_like_panel(std::string_view text);
 
 // Rule strings: rule_strings.cpp.
 
@@ -184,9 +195,8 @@ std::string print_tikz(const Model& system);
 
 // JFLAP: jflap.cpp.
 
-/// The L-system in a file of JFLAP 4 to 8. Its turtle starts upward and + turns to the right; hues and widths of lines are left out. Throws
-/// Diagnostics with the place of what is wrong and of what has no meaning in the notation: assignments, variables, contexts of
-/// different lengths for one symbol, brackets beside contexts. Linear time.
+/// The L-system in a file of JFLAP 4 to 8. Its turtle starts upward and + turns to the right; hues are left out. Throws
+/// Diagnostics with the place of what is wrong and of a symbol that reads a variable behind a letter that goes on changing it.
 Model read_jflap(std::string_view text, const std::string& name);
 
 /// The file of a system, whose figure stands upright there. Throws Error that names what it cannot say.

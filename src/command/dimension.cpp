@@ -487,7 +487,9 @@ struct Input {
 };
 
 Input input(const Options& options, const Budget& budget) {
-    const SourceText source = open_text(options.file, budget, options.let);
+    const bool typed = options.file == "-";  // standard input is read once
+    const SourceText source =
+        typed ? open_text("-", budget, options.let) : open_text(options.file, budget);
     const auto refuse = [&](const std::string& option, bool given, const char* what) {
         if (given)
             throw Error(option + " is for " + what + ", and " + source.name +
@@ -498,8 +500,9 @@ Input input(const Options& options, const Budget& budget) {
     refuse("--invert", !image && options.invert, "images");
     if (!image && !options.points && !is_named_as_points(options.file) &&
         !starts_with_number(source.text))
-        return {source.name, options.file == "-" ? read_lsystem(source.text, source.name)
-                                                 : open_model(options.file, budget, options.let)};
+        return {source.name, typed ? read_lsystem(source.text, source.name)
+                                   : open_model(options.file, budget, options.let)};
+    refuse("--let", !options.let.empty(), "systems");
     refuse("-n", !options.generation.empty(), "systems");
     refuse("--seed", !options.seed.empty(), "systems");
     InkOptions ink;
@@ -511,6 +514,8 @@ Input input(const Options& options, const Budget& budget) {
 
 /// The generator in FILE.
 std::unique_ptr<Generator> opened(const Options& options, const Budget& budget) {
+    if (!options.let.empty())
+        throw Error("--let is for systems, and " + options.file + " is not one");
     if (options.points || options.invert || options.threshold)
         throw Error("--points, --threshold and --invert are for images and points, and " +
                     options.file + " holds none");
@@ -597,6 +602,7 @@ int dimension(const Options& options) {
     if (options.table) {
         if (options.measure != Measure::boxes) throw Error("--table is for --measure boxes");
         if (options.within) throw Error("--within is for one system, not for --table");
+        if (!options.let.empty()) throw Error("--let is for one system, not for --table");
         return print_table(options, budget);
     }
     if (options.file.empty()) throw Error("dimension: expected FILE, or --table");
@@ -653,6 +659,7 @@ void add_dimension(Verbs& verbs) {
     verb.option("FILE", options.file, file_type,
                 "a system or another generator (a file, - or a name from the gallery), an image "
                 "(png), or points: a line of 1 to 3 numbers for each; with --table a folder");
+    add_let_option(verb, options.let);
     verb.option("-n", options.generation, "N",
                 "the generation (default: the last with at most 10,000,000 segments; 1,000,000 "
                 "where words must be kept, and for measures other than boxes)");

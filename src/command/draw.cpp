@@ -9,6 +9,7 @@
 // its file, so these two stay texts until the file is known.
 
 #include <algorithm>
+#include <array>
 #include <deque>
 #include <filesystem>
 #include <optional>
@@ -624,16 +625,30 @@ Json as_json(const VariedPlates& plates, const Drawn& drawn, const std::string& 
     return out;
 }
 
-/// Whether an svg is written with names for its parts: not where it would be an image, or take too much memory.
-bool is_written_as_text(const std::vector<Plate>& plates, const Budget& budget) {
-    constexpr std::uint64_t most = 20'000'000, bytes_of_a_stroke = 40;
-    std::uint64_t strokes = 0;
-    for (const Plate& plate : plates) {
-        const auto more = plate.figure->strokes();
-        if (!more || *more > most) return false;
-        strokes += *more;
-    }
-    return strokes <= most && strokes < budget.memory / bytes_of_a_stroke;
+/// A number of bytes for people, its first digits: "5 MB", "6 EB".
+std::string size_text(const Integer& bytes) {
+    constexpr std::array units{"bytes", "kB", "MB", "GB", "TB", "PB", "EB"};
+    const std::string digits = to_string(bytes);
+    const std::size_t unit = (digits.size() - 1) / 3;
+    if (unit >= units.size()) return "more than 10^" + std::to_string(digits.size() - 1) + " bytes";
+    return digits.substr(0, digits.size() - 3 * unit) + " " + units[unit];
+}
+
+/// Throws Error if an svg would hold more strokes than any program opens: none of them is left out, and no image is put in
+/// their place unless --raster asks for it.
+void refuse_many_strokes(const std::vector<Plate>& plates) {
+    constexpr long most = 20'000'000, bytes_of_a_stroke = 5;
+    Integer strokes = 0;
+    for (const Plate& plate : plates) strokes += plate.figure->segments();
+    if (strokes <= most) return;
+    const std::string digits = to_string(strokes);
+    throw Error(
+        (plates.size() == 1 ? plates.front().name + " has "
+                            : "the " + std::to_string(plates.size()) + " figures have ") +
+        (digits.size() > 30 ? "more than 10^" + std::to_string(digits.size() - 1) : digits) +
+        " strokes, about " + size_text(strokes * bytes_of_a_stroke) + ": expected at most " +
+        std::to_string(most) +
+        " in svg; --raster puts an image in their place, a smaller -n has fewer");
 }
 
 /// A page of figures in space, which the reader turns: one for each generation.
@@ -702,7 +717,8 @@ bool is_in_space(const Options& options, const Budget& budget) {
 int draw_generator_file(const Options& options, PictureFormat format,
                         std::optional<FigureFormat> text, const PictureOptions& picture,
                         const Budget& budget) {
-    refuse_given({{"--seeds", options.seeds.has_value()},
+    refuse_given({{"--let", !options.let.empty()},
+                  {"--seeds", options.seeds.has_value()},
                   {"--tables", !options.tables.empty()},
                   {"--angle", !options.settings.angle.empty()},
                   {"--start", !options.settings.start.empty()},
@@ -812,13 +828,13 @@ int draw_as(const Options& options) {
             options.common_scale ||
             (!options.own_scale && has_common_scale(plates.system().drawing, all));
     }
-    if (!text && !animation && !options.raster && format == PictureFormat::svg &&
-        (options.plotter || is_written_as_text(all, budget)))
+    if (!text && !animation && !options.raster && format == PictureFormat::svg) {
+        if (!options.plotter) refuse_many_strokes(all);
         text = FigureFormat::svg;
+    }
     if (text) {
-        const bool exact = *text == FigureFormat::csv || *text == FigureFormat::geojson;
-        const FigureSources sources(plates.figures, choices_of(options, plates.system()), exact,
-                                    budget);
+        const FigureSources sources(plates.figures, choices_of(options, plates.system()), *text,
+                                    options.plotter, budget);
         const int status = write_as_text(
             sources.all, *text, {options.output, picture, options.plotter, panels, options.json},
             figures_json(plates), budget);

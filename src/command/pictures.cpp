@@ -367,13 +367,15 @@ struct FigureSources::Letters {
 };
 
 FigureSources::FigureSources(const std::vector<FigurePlate>& plates, const PlateChoices& choices,
-                             bool exact, const Budget& budget) {
+                             FigureFormat format, bool plotter, const Budget& budget) {
+    const bool exact = format == FigureFormat::csv || format == FigureFormat::geojson;
     for (const FigurePlate& plate : plates) {
         FigureSource& source = all.emplace_back();
         source.plate = {plate.figure.get(), plate.name, plate.caption};
         source.generation = plate.generation;
         // An external program is not asked twice, and what is seen in space is in the order of its depth.
         if (!plate.system || !choices.environment.empty() || plate.figure->is_layered()) continue;
+        if (!names_letters(*plate.figure, format, plotter)) continue;
         const Model& system = *plate.system;
         const FigureChoices chosen{plate.seed, choices.tables, choices.seeds.has_value()};
         try {

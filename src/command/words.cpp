@@ -23,7 +23,7 @@ namespace {
 struct WordsOptions {
     std::string what, file;
     std::optional<std::string> word, say;
-    std::vector<std::string> order;
+    std::vector<std::string> order, let;
     std::optional<std::uint64_t> to;
     bool prove = false, json = false;
     Bounds bounds;
@@ -174,7 +174,7 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
             "--to is for the factors of a system, and --say is for a statement about its word");
     if (!options.order.empty())
         throw Error("--order is for one word, and " + options.what + " is a system");
-    const Model model = open_model(options.what, budget);
+    const Model model = open_model(options.what, budget, options.let);
     const View<D0L> rules = as_d0l(model);
     if (!rules)
         throw Error(
@@ -201,6 +201,8 @@ int words(const WordsOptions& options) {
         throw Error("--prove is for the infinite word of a system, and one finite word is given");
     if (options.say)
         throw Error("--say is for the infinite word of a system, and one finite word is given");
+    if (!options.let.empty())
+        throw Error("--let is for the constants of a system, and one word has none");
     if (options.to)
         throw Error("--to is for the factors of a system, and one word has finitely many");
     const Letters found = options.file.empty()
@@ -223,6 +225,7 @@ void add_words(Verbs& verbs) {
         words);
     verb.option("WHAT", options.what, "FILE|NAME",
                 "a word; or a system: a file, - for standard input, or a name from the gallery");
+    add_let_option(verb, options.let);
     verb.option("--word", options.word, given_word, "WORD",
                 "a word, whatever files there are of this name");
     verb.option("--letters", options.file, "FILE",

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <array>
+#include <charconv>
 #include <cmath>
 #include <cstdlib>
 
@@ -9,11 +10,18 @@
 
 // Figures for browsers: an SVG document with names for its parts, and a page that shows figures and how they come to be.
 //
-// SVG: the document has a title and a description, each figure is a group `figure-N`, and within it the strokes that follow each other
-// in one colour, width and letter are a path whose classes are `colour-N`, `width-N` and `letter-F`: a style sheet at the head
-// says what these look like, and a person changes them there. Points are relative to the one before, in hundredths of a point, and errors do not
-// add up, because each step goes to the rounded place of the next point. That takes about ten bytes a stroke. A figure of many strokes is
-// written while it is drawn, without the letters, as asking for these takes longer than all the rest.
+// SVG: the document has a title and a description, each figure is a group `figure-N`, within it is a group `figure-N-colour-K` wherever
+// a colour begins (-2, -3 where it comes again), and the strokes that follow each other in one colour, width and letter are a path whose
+// classes are `colour-N`, `width-N` and `letter-F`: a style sheet at the head says what these look like, and a person changes them there.
+// Points are relative to the one before, in hundredths of a point, and errors do not add up, because each step goes to the rounded place of
+// the next point. That takes about ten bytes a stroke.
+//
+// A figure of many strokes is written while it is drawn, without the letters, as asking for these takes longer than all the rest. Its points
+// are whole numbers of a unit: a hundredth of a point, or less where strokes are shorter, but such that a page has fewer than 2^24. Then
+// programs that read the steps add them without error even in single precision. A curve on a lattice comes in blocks (StrokeBlock): what
+// a letter draws in its last steps, by letter and heading. The text of a block is made once, its places rounded as seen from
+// where the block begins, and copied; only its first step is worked out each time, from where the block begins in truth. So a point is
+// within a unit of its place on the lattice, however long the word is: half a unit for the beginning, half for the place in the block.
 //
 // The page has the paths of all figures as numbers in the same way and a program of a hundred lines that draws them on a canvas: a slider for
 // the generation, one for the strokes drawn so far, and the mouse or the fingers move, turn and zoom. It asks nothing of the network. What a
@@ -81,32 +89,68 @@ void add_new(std::vector<Value>& values, const Value& value) {
 
 namespace {
 
-/// Writes strokes as steps as they come.
-class StepCanvas final : public Canvas {
+/// How many strokes a block has at least that is kept as text: its first step is worked out each time.
+constexpr std::size_t strokes_of_kept = 8;
+constexpr std::size_t piece_size = std::size_t{1} << 18;  // bytes of text in one piece
+
+/// Writes strokes as steps as they come, in whole numbers of a unit.
+class StepCanvas final : public BlockCanvas {
 public:
-    StepCanvas(const Palette& palette, double width, const Frame& frame, const Budget& budget,
-               FigurePaths& styles)
-        : palette_(palette), budget_(budget), frame_(frame), width_(width), styles_(styles) {
+    /// `units`: how many a point has. `stream` may be missing.
+    StepCanvas(const Palette& palette, double width, const Frame& frame, double units,
+               const Budget& budget, FigurePaths& styles, const SvgStream* stream)
+        : palette_(palette),
+          budget_(budget),
+          stream_(stream),
+          frame_{frame.scale * units, frame.x * units, frame.y * units},
+          line_width_(width / frame.scale),
+          scale_(frame.scale),
+          width_(width),
+          styles_(styles) {
         now_.width = width;
     }
 
     void move_to(Point point) override { pen_ = point, down_ = false; }
     void line_to(Point point) override {
-        if (changed_) begin_run(false);
-        if (!down_) {
-            step('m', pen_);
-            down_ = true;
-            ++paths;
-        }
-        step('l', point);
+        set_down();
+        step('l', unit_of(point));
         pen_ = point;
         if (++strokes % 65536 == 0) check();
+    }
+    void block(const StrokeBlock& block, Point from) override {
+        if (block.strokes.size() < strokes_of_kept) {
+            for (const StrokeBlock::Stroke& stroke : block.strokes) {
+                const Point to{from.x + stroke.to.x, from.y + stroke.to.y};
+                stroke.lifted ? move_to(to) : line_to(to);
+            }
+            return;
+        }
+        const KeptText& text = kept(block);
+        const Unit start = unit_of(from);
+        const Unit first{start.x + text.first.x, start.y + text.first.y};
+        if (block.strokes.front().lifted) {
+            if (changed_) begin_run(false);
+            step('m', first);
+            ++paths;
+            down_ = true;
+        } else {
+            set_down();
+            step('l', first);
+        }
+        if (stream_ && !is_streaming_) begin_streaming();
+        make_room(text.rest.size());
+        text_->append(text.rest);
+        here_ = {start.x + text.last.x, start.y + text.last.y};
+        pen_ = {from.x + block.strokes.back().to.x, from.y + block.strokes.back().to.y};
+        strokes += text.strokes;
+        paths += text.lifts;
+        if ((++blocks_ & 0xff) == 0) check();
     }
     void polygon(std::span<const Point> corners) override {
         begin_run(true);
         char kind = 'm';
         for (const Point& corner : corners) {
-            step(kind, corner);
+            step(kind, unit_of(corner));
             kind = 'l';
         }
         *text_ += 'z';
@@ -115,7 +159,7 @@ public:
         if (++polygons % 4096 == 0) check();
     }
     void width(double factor) override { set_width(narrowed(width_, factor)); }
-    void width_as_length(double length) override { set_width(frame_.scale * std::fabs(length)); }
+    void width_as_length(double length) override { set_width(scale_ * std::fabs(length)); }
     void colour(std::uint32_t index) override {
         index_ = index;
         painted_.reset();
@@ -130,27 +174,78 @@ public:
         if (palette_.runs_along()) changed_ = true;
     }
     bool wants_position() const override { return palette_.runs_along(); }
-    double line_width() const override { return width_ / frame_.scale; }
+    double line_width() const override { return line_width_; }
 
     std::vector<SvgRun> runs;
     std::uint64_t strokes = 0, polygons = 0, paths = 0;
 
 private:
+    /// A place in whole units.
+    struct Unit {
+        long long x = 0, y = 0;
+    };
     /// A step that was written before: few different ones occur.
     struct Known {
         std::int32_t x = 0, y = 0;
         std::uint8_t size = 0;
         std::array<char, 23> text{};
     };
+    /// The text of a block from its second stroke on; places are seen from where it begins.
+    struct KeptText {
+        bool made = false;
+        Unit first, last;
+        std::string rest;
+        std::uint64_t strokes = 0, lifts = 0;  // lifts: behind the first
+    };
 
+    Unit unit_of(Point point) const {
+        const Point there = frame_(point);
+        must_be_finite(there.x + there.y);
+        return {std::llround(there.x), std::llround(there.y)};
+    }
+    const KeptText& kept(const StrokeBlock& block) {
+        if (block.number >= kept_.size()) kept_.resize(block.number + 1);
+        KeptText& text = kept_[block.number];
+        if (text.made) return text;
+        text.made = true;
+        for (const StrokeBlock::Stroke& stroke : block.strokes) {
+            const Unit to{std::llround(frame_.scale * stroke.to.x),
+                          std::llround(-frame_.scale * stroke.to.y)};
+            const bool is_first = &stroke == &block.strokes.front();
+            if (is_first)
+                text.first = to;
+            else
+                put_step(text.rest, stroke.lifted ? 'm' : 'l', to.x - text.last.x,
+                         to.y - text.last.y);
+            text.last = to;
+            if (!stroke.lifted)
+                ++text.strokes;
+            else if (!is_first)
+                ++text.lifts;
+        }
+        return text;
+    }
     void set_width(double width) {
         if (width == now_.width) return;
         now_.width = width;
         changed_ = true;
     }
+    /// Begins a path where the pen stands, unless it goes on.
+    void set_down() {
+        if (changed_) begin_run(false);
+        if (down_) return;
+        step('m', unit_of(pen_));
+        down_ = true;
+        ++paths;
+    }
     void begin_run(bool filled) {
         changed_ = false;
-        now_.colour = painted_ ? *painted_ : palette_.colour(palette_.shade(index_, fraction_));
+        const std::uint32_t shade =
+            painted_ ? Palette::no_shade : palette_.shade(index_, fraction_);
+        const std::pair looks{shade, now_.width};
+        if (!filled && looks == looks_ && !runs.empty() && !runs.back().filled) return;
+        looks_ = painted_ || filled ? std::pair{Palette::no_shade, -1.0} : looks;
+        now_.colour = painted_ ? *painted_ : palette_.colour(shade);
         auto found = std::ranges::find(styles_.styles, now_);
         if (found == styles_.styles.end())
             found = styles_.styles.insert(styles_.styles.end(), now_);
@@ -158,18 +253,14 @@ private:
         if (!runs.empty() && runs.back().style == style && runs.back().filled == filled && !filled)
             return;
         runs.push_back({style, filled, {}});
-        text_ = &runs.back().steps;
+        text_ = &runs.back().steps.emplace_back();
         down_ = false;
-        x_ = y_ = 0;
+        here_ = {};
     }
-    void step(char kind, Point point) {
-        const Point there = frame_(point);
-        must_be_finite(there.x + there.y);
-        const auto x = std::llround(there.x * steps_of_point),
-                   y = std::llround(there.y * steps_of_point);
-        const long long across = x - x_, down = y - y_;
-        x_ = x;
-        y_ = y;
+    void step(char kind, Unit to) {
+        const long long across = to.x - here_.x, down = to.y - here_.y;
+        here_ = to;
+        make_room(2 * 21);
         constexpr long long most = 1 << 30;
         if (kind == 'm' || std::abs(across) > most || std::abs(down) > most) {
             put_step(*text_, kind, across, down);
@@ -193,176 +284,336 @@ private:
         }
         text_->append(known.text.data(), known.size);
     }
+    /// Long texts are kept in pieces, so that they are not copied as they grow.
+    void make_room(std::size_t bytes) {
+        if (text_->size() + bytes <= piece_size || text_->size() < piece_size / 2) return;
+        if (is_streaming_) {
+            stream_->output.write(text_->data(), text_->size());
+            text_->clear();
+            return;
+        }
+        text_ = &runs.back().steps.emplace_back();
+        text_->reserve(piece_size);
+    }
+    /// A figure that sends a block keeps its style: what stands before its strokes is known.
+    void begin_streaming() {
+        if (runs.size() != 1) return;
+        is_streaming_ = true;
+        stream_->begin(runs.front().style);
+        text_->reserve(piece_size);
+    }
     static void put_step(std::string& out, char kind, long long x, long long y) {
         if (kind == 'm' || (x != 0 && y != 0) || (x == 0 && y == 0)) {
             out += kind;
-            put(out, x, true);
-            put(out, y, false);
+            put_whole(out, x);
+            if (y >= 0) out += ' ';
+            put_whole(out, y);
         } else {
             out += y == 0 ? 'h' : 'v';
-            put(out, y == 0 ? x : y, true);
+            put_whole(out, y == 0 ? x : y);
         }
+    }
+    static void put_whole(std::string& out, long long number) {
+        std::array<char, 24> digits;
+        const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), number).ptr;
+        out.append(digits.data(), end);
     }
     void check() const {
         budget_.check();
         std::uint64_t bytes = 0;
-        for (const SvgRun& run : runs) bytes += run.steps.capacity() + sizeof(SvgRun);
-        budget_.check_memory(2 * bytes, "the text of the figures");
+        for (const SvgRun& run : runs) {
+            bytes += sizeof(SvgRun);
+            for (const std::string& piece : run.steps) bytes += piece.capacity();
+        }
+        budget_.check_memory(bytes, "the text of the figures");
     }
 
     const Palette& palette_;
     const Budget& budget_;
-    const Frame frame_;
-    double width_;
+    const SvgStream* stream_;
+    bool is_streaming_ = false;
+    const Frame frame_;  // to units
+    double line_width_, scale_, width_;
     FigurePaths& styles_;
     PathStyle now_;
     std::string* text_ = nullptr;
     Point pen_{};
     bool down_ = false, changed_ = true;
-    long long x_ = 0, y_ = 0;
+    Unit here_;
     double fraction_ = 0;
     std::uint32_t index_ = 0;
     std::optional<Colour> painted_;
+    std::pair<std::uint32_t, double> looks_{Palette::no_shade, -1};  // of the run, if listed
     std::array<Known, 1024> known_{};
+    std::vector<KeptText> kept_;  // by the numbers of blocks
+    std::uint64_t blocks_ = 0;
 };
 
 }  // namespace
 
-std::vector<SvgRun> svg_runs(const FigureSource& source, const std::vector<std::string>& colours,
-                             double width, const Frame& frame, const Budget& budget,
-                             FigurePaths& styles, FigureTextDrawn& drawn) {
+double svg_units(double page, double step) {
+    constexpr double exact = 1 << 24, fine = 16;  // whole numbers of single precision; units a step
+    double units = steps_of_point;
+    while (step * units < fine && page * units * 10 < exact) units *= 10;
+    return units;
+}
+
+void svg_runs(PlacedFigure& placed, const std::vector<std::string>& colours, double page,
+              const Budget& budget, FigureTextDrawn& drawn, const SvgStream* stream) {
     constexpr std::uint32_t hues = 360;
     const Palette palette(colours, hues);
-    StepCanvas canvas(palette, width, frame, budget, styles);
-    source.plate.figure->draw(canvas, 0, budget);
+    const Figure& figure = *placed.source->plate.figure;
+    placed.units = svg_units(page, figure.facts().step * placed.cell.frame.scale);
+    placed.in_units = true;
+    placed.paths.strokes = figure.strokes().value_or(0);
+    StepCanvas canvas(palette, placed.width, placed.cell.frame, placed.units, budget, placed.paths,
+                      stream);
+    figure.draw(canvas, 0, budget);
     drawn.strokes += canvas.strokes;
     drawn.polygons += canvas.polygons;
     drawn.paths += canvas.paths;
-    styles.strokes = canvas.strokes;
-    return std::move(canvas.runs);
+    placed.paths.strokes = canvas.strokes;
+    placed.paths.polygons = canvas.polygons;
+    placed.runs = std::move(canvas.runs);
 }
 
-std::string svg_text(const FigureDocument& document) {
-    const Plan& plan = *document.plan;
-    std::vector<Colour> colours;
-    std::vector<double> widths;
-    for (const PlacedFigure& figure : document.figures)
-        for (const PathStyle& style : figure.paths.styles) {
-            add_new(colours, style.colour);
-            add_new(widths, style.width);
-        }
-    const std::string wide = fixed_text(plan.page.width, 3), high = fixed_text(plan.page.height, 3);
-    std::string out =
-        "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
-        "width=\"" +
-        wide + "pt\" height=\"" + high + "pt\" viewBox=\"0 0 " + wide + " " + high +
-        "\" role=\"img\">\n<title>" + escaped_markup(document.head) + "</title>\n<desc>";
-    for (const PlacedFigure& figure : document.figures)
-        out += escaped_markup(figure.source->plate.name + ": " +
-                              std::to_string(figure.paths.strokes) + " strokes. ");
-    if (!document.options->picture.source.empty())
-        out += "Source: " + escaped_markup(document.options->picture.source) + ". ";
-    if (!document.options->picture.author.empty())
-        out += "By " + escaped_markup(document.options->picture.author) + ". ";
-    out +=
-        "Drawn by algae.</desc>\n<style>\n.stroke { fill: none; stroke-linecap: " +
-        std::string(document.options->picture.flat_ends ? "butt" : "round") +
-        "; stroke-linejoin: round; stroke-width: " + fixed_text(widths.empty() ? 1 : widths[0], 4) +
-        " }\n";
-    for (std::size_t i = 0; i < colours.size(); ++i) {
-        const std::string name = ".colour-" + std::to_string(i + 1), hex = hex_colour(colours[i]);
-        out += ".stroke" + name + " { stroke: " + hex + " }\n.area" + name + " { fill: " + hex +
-               " }\n";
+namespace {
+
+/// Groups of what follows each other in one colour: `figure-1-colour-2`, and `figure-1-colour-2-2` where it comes again.
+class ColourGroups {
+public:
+    ColourGroups(std::string figure, const std::vector<Colour>& colours)
+        : figure_(std::move(figure)), colours_(colours), begun_(colours.size()) {}
+
+    /// What stands before a path of this colour.
+    std::string before(const Colour& colour) {
+        const auto number =
+            static_cast<std::size_t>(std::ranges::find(colours_, colour) - colours_.begin());
+        if (current_ == number) return {};
+        std::string out = after();
+        current_ = number;
+        out += "<g id=\"" + figure_ + "-colour-" + std::to_string(number + 1);
+        if (++begun_[number] > 1) out += "-" + std::to_string(begun_[number]);
+        return out + "\">\n";
     }
-    for (std::size_t i = 0; i < widths.size() && widths.size() > 1; ++i)
-        out += ".width-" + std::to_string(i + 1) + " { stroke-width: " + fixed_text(widths[i], 4) +
-               " }\n";
-    const bool dark = plan.background && 0.299 * plan.background->red +
-                                                 0.587 * plan.background->green +
-                                                 0.114 * plan.background->blue <
-                                             0.5;
-    out += "text { font-family: sans-serif; font-size: " + fixed_text(plan.font_size, 3) +
-           "px; fill: " + (dark ? "#fff" : "#000") + " }\n</style>\n";
-    if (plan.background)
-        out += "<rect class=\"background\" width=\"" + wide + "\" height=\"" + high + "\" fill=\"" +
-               hex_colour(*plan.background) + "\"/>\n";
-    for (std::size_t f = 0; f < document.figures.size(); ++f) {
-        const PlacedFigure& figure = document.figures[f];
-        const auto& paths = figure.paths.paths;
-        out += "<g id=\"figure-" + std::to_string(f + 1) + "\" class=\"figure\">\n<title>" +
-               escaped_markup(figure.source->plate.name) + "</title>\n";
-        for (const SvgRun& run : figure.runs) {
-            out += std::string("<path class=\"") + (run.filled ? "area " : "stroke ") +
-                   classes(figure.paths.styles[run.style], run.filled, colours, widths) +
-                   "\" d=\"" + run.steps + "\"/>\n";
+    /// What stands behind the last one.
+    std::string after() {
+        if (!current_) return {};
+        current_.reset();
+        return "</g>\n";
+    }
+
+private:
+    std::string figure_;
+    const std::vector<Colour>& colours_;
+    std::vector<std::size_t> begun_;
+    std::optional<std::size_t> current_;
+};
+
+/// Writes a document part by part.
+class SvgWriter {
+public:
+    SvgWriter(const FigureDocument& document, Output& output)
+        : document_(document), plan_(*document.plan), output_(output) {}
+
+    /// What stands before the figures. The styles of all of them are known then.
+    void head() {
+        for (const PlacedFigure& figure : document_.figures)
+            for (const PathStyle& style : figure.paths.styles) {
+                add_new(colours_, style.colour);
+                add_new(widths_, style.width);
+            }
+        const std::string wide = fixed_text(plan_.page.width, 3),
+                          high = fixed_text(plan_.page.height, 3);
+        out_ =
+            "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
+            "width=\"" +
+            wide + "pt\" height=\"" + high + "pt\" viewBox=\"0 0 " + wide + " " + high +
+            "\" role=\"img\">\n<title>" + escaped_markup(document_.head) + "</title>\n<desc>";
+        for (const PlacedFigure& figure : document_.figures)
+            out_ += escaped_markup(figure.source->plate.name + ": " +
+                                   std::to_string(figure.paths.strokes) + " strokes. ");
+        if (!document_.options->picture.source.empty())
+            out_ += "Source: " + escaped_markup(document_.options->picture.source) + ". ";
+        if (!document_.options->picture.author.empty())
+            out_ += "By " + escaped_markup(document_.options->picture.author) + ". ";
+        out_ += "Drawn by algae.</desc>\n<style>\n.stroke { fill: none; stroke-linecap: " +
+                std::string(document_.options->picture.flat_ends ? "butt" : "round") +
+                "; stroke-linejoin: round; stroke-width: " +
+                fixed_text(widths_.empty() ? 1 : widths_[0], 4) + " }\n";
+        for (std::size_t i = 0; i < colours_.size(); ++i) {
+            const std::string name = ".colour-" + std::to_string(i + 1),
+                              hex = hex_colour(colours_[i]);
+            out_ += ".stroke" + name + " { stroke: " + hex + " }\n.area" + name +
+                    " { fill: " + hex + " }\n";
         }
+        for (std::size_t i = 0; i < widths_.size() && widths_.size() > 1; ++i)
+            out_ += ".width-" + std::to_string(i + 1) +
+                    " { stroke-width: " + fixed_text(widths_[i], 4) + " }\n";
+        for (std::size_t f = 0; f < document_.figures.size(); ++f) {
+            const PlacedFigure& figure = document_.figures[f];
+            if (!figure.in_units) continue;
+            const std::string id = "#figure-" + std::to_string(f + 1);  // in its units
+            out_ += id + " .stroke { stroke-width: " +
+                    fixed_text(figure.units * (widths_.empty() ? 1 : widths_[0]), 4) + " }\n";
+            for (std::size_t i = 0; i < widths_.size() && widths_.size() > 1; ++i)
+                out_ += id + " .width-" + std::to_string(i + 1) +
+                        " { stroke-width: " + fixed_text(figure.units * widths_[i], 4) + " }\n";
+        }
+        dark_ = plan_.background && 0.299 * plan_.background->red +
+                                            0.587 * plan_.background->green +
+                                            0.114 * plan_.background->blue <
+                                        0.5;
+        out_ += "text { font-family: sans-serif; font-size: " + fixed_text(plan_.font_size, 3) +
+                "px; fill: " + (dark_ ? "#fff" : "#000") + " }\n</style>\n";
+        if (plan_.background)
+            out_ += "<rect class=\"background\" width=\"" + wide + "\" height=\"" + high +
+                    "\" fill=\"" + hex_colour(*plan_.background) + "\"/>\n";
+    }
+
+    void begin_figure(std::size_t f) {
+        figure_ = &document_.figures[f];
+        const std::string id = "figure-" + std::to_string(f + 1);
+        out_ += "<g id=\"" + id + "\" class=\"figure\">\n<title>" +
+                escaped_markup(figure_->source->plate.name) + "</title>\n";
+        groups_.emplace(id, colours_);
+        if (figure_->in_units)
+            out_ += "<g class=\"strokes\" transform=\"scale(" + fixed_text(1 / figure_->units, 6) +
+                    ")\">\n";
+    }
+    void begin_run(std::uint32_t number, bool filled) {
+        const PathStyle& style = figure_->paths.styles[number];
+        out_ += groups_->before(style.colour) + "<path class=\"" + (filled ? "area " : "stroke ") +
+                classes(style, filled, colours_, widths_) + "\" d=\"";
+        flush();
+    }
+    void end_run(const SvgRun& run) {
+        for (const std::string& piece : run.steps) output_.write(piece.data(), piece.size());
+        out_ += "\"/>\n";
+    }
+    void paths() {
+        const auto& paths = figure_->paths.paths;
+        const PlacedFigure& figure = *figure_;
         for (std::size_t i = 0; i < paths.size();) {
             const FigurePath& first = paths[i];
-            out += std::string("<path class=\"") + (first.filled ? "area " : "stroke ") +
-                   classes(figure.paths.styles[first.style], first.filled, colours, widths) +
-                   "\" d=\"";
+            out_ += groups_->before(figure.paths.styles[first.style].colour) + "<path class=\"" +
+                    (first.filled ? "area " : "stroke ") +
+                    classes(figure.paths.styles[first.style], first.filled, colours_, widths_) +
+                    "\" d=\"";
             Steps steps(figure.cell.frame);
             do {
                 const FigurePath& path = paths[i];
                 auto [x, y] = steps.to(path.points.front());
-                out += 'm';  // the first one is from the corner of the page
-                put(out, x, true);
-                put(out, y, false);
+                out_ += 'm';  // the first one is from the corner of the page
+                put(out_, x, true);
+                put(out_, y, false);
                 char last = 'm';  // numbers behind it are a line's
                 for (std::size_t k = 1; k < path.points.size(); ++k) {
                     std::tie(x, y) = steps.to(path.points[k]);
                     const char kind = y == 0 ? 'h' : x == 0 ? 'v' : 'l';
                     const bool same = kind == last || (kind == 'l' && last == 'm');
-                    if (!same) out += kind;
+                    if (!same) out_ += kind;
                     if (kind == 'l') {
-                        put(out, x, !same);
-                        put(out, y, false);
+                        put(out_, x, !same);
+                        put(out_, y, false);
                     } else {
-                        put(out, kind == 'h' ? x : y, !same);
+                        put(out_, kind == 'h' ? x : y, !same);
                     }
                     last = kind == 'l' && last == 'm' ? 'm' : kind;
                 }
-                if (path.filled) out += 'z';
+                if (path.filled) out_ += 'z';
                 ++i;
             } while (i < paths.size() && !first.filled && !paths[i].filled &&
                      paths[i].style == first.style);
-            out += "\"/>\n";
+            out_ += "\"/>\n";
         }
-        for (const PointLabel& label : plan.options.labels)
+    }
+    /// What stands behind the strokes of a figure.
+    void end_figure() {
+        const PlacedFigure& figure = *figure_;
+        out_ += groups_->after();
+        if (figure.in_units) out_ += "</g>\n";
+        for (const PointLabel& label : plan_.options.labels)
             if (const auto place = figure.source->plate.figure->place(label.place)) {
                 const Point at = figure.cell.frame(*place);
-                out += "<text class=\"label\" x=\"" + fixed_text(at.x + plan.font_size / 4, 2) +
-                       "\" y=\"" + fixed_text(at.y - plan.font_size / 4, 2) + "\">" +
-                       escaped_markup(label.text) + "</text>\n";
+                out_ += "<text class=\"label\" x=\"" + fixed_text(at.x + plan_.font_size / 4, 2) +
+                        "\" y=\"" + fixed_text(at.y - plan_.font_size / 4, 2) + "\">" +
+                        escaped_markup(label.text) + "</text>\n";
             }
         double below = figure.cell.caption_top;
-        if (plan.options.scale_bar) {
+        if (plan_.options.scale_bar) {
             const double length = scale_bar_length(figure.cell.width / figure.cell.frame.scale);
-            const double x = figure.cell.left, y = below + 0.9 * plan.font_size,
-                         end = x + length * figure.cell.frame.scale, tick = plan.font_size / 4;
-            out += "<path class=\"scale-bar\" fill=\"none\" stroke=\"" +
-                   std::string(dark ? "#fff" : "#000") + "\" d=\"M" + fixed_text(x, 2) + " " +
-                   fixed_text(y - tick, 2) + "v" + fixed_text(2 * tick, 2) + "m0-" +
-                   fixed_text(tick, 2) + "H" + fixed_text(end, 2) + "m0-" + fixed_text(tick, 2) +
-                   "v" + fixed_text(2 * tick, 2) + "\"/>\n<text x=\"" +
-                   fixed_text(end + plan.font_size / 2, 2) + "\" y=\"" +
-                   fixed_text(y + 0.35 * plan.font_size, 2) + "\">" + rounded_decimal(length, 10) +
-                   "</text>\n";
-            below += 1.6 * plan.font_size;
+            const double x = figure.cell.left, y = below + 0.9 * plan_.font_size,
+                         end = x + length * figure.cell.frame.scale, tick = plan_.font_size / 4;
+            out_ += "<path class=\"scale-bar\" fill=\"none\" stroke=\"" +
+                    std::string(dark_ ? "#fff" : "#000") + "\" d=\"M" + fixed_text(x, 2) + " " +
+                    fixed_text(y - tick, 2) + "v" + fixed_text(2 * tick, 2) + "m0-" +
+                    fixed_text(tick, 2) + "H" + fixed_text(end, 2) + "m0-" + fixed_text(tick, 2) +
+                    "v" + fixed_text(2 * tick, 2) + "\"/>\n<text x=\"" +
+                    fixed_text(end + plan_.font_size / 2, 2) + "\" y=\"" +
+                    fixed_text(y + 0.35 * plan_.font_size, 2) + "\">" +
+                    rounded_decimal(length, 10) + "</text>\n";
+            below += 1.6 * plan_.font_size;
         }
         const std::string& caption = figure.source->plate.caption;
         if (!caption.empty()) {
-            const double size = fitting_size(caption, plan.font_size, figure.cell.width);
-            out += "<text class=\"caption\" text-anchor=\"middle\" x=\"" +
-                   fixed_text(figure.cell.left + figure.cell.width / 2, 2) + "\" y=\"" +
-                   fixed_text(below + 1.4 * plan.font_size, 2) + "\"" +
-                   (size < plan.font_size ? " style=\"font-size: " + fixed_text(size, 3) + "px\""
-                                          : "") +
-                   ">" + escaped_markup(caption) + "</text>\n";
+            const double size = fitting_size(caption, plan_.font_size, figure.cell.width);
+            out_ += "<text class=\"caption\" text-anchor=\"middle\" x=\"" +
+                    fixed_text(figure.cell.left + figure.cell.width / 2, 2) + "\" y=\"" +
+                    fixed_text(below + 1.4 * plan_.font_size, 2) + "\"" +
+                    (size < plan_.font_size ? " style=\"font-size: " + fixed_text(size, 3) + "px\""
+                                            : "") +
+                    ">" + escaped_markup(caption) + "</text>\n";
         }
-        out += "</g>\n";
+        out_ += "</g>\n";
+        flush();
     }
-    return out + "</svg>\n";
+    void end() {
+        out_ += "</svg>\n";
+        flush();
+    }
+
+private:
+    void flush() {
+        output_.write(out_.data(), out_.size());
+        out_.clear();
+    }
+
+    const FigureDocument& document_;
+    const Plan& plan_;
+    Output& output_;
+    std::string out_;
+    std::vector<Colour> colours_;
+    std::vector<double> widths_;
+    bool dark_ = false;  // the background
+    const PlacedFigure* figure_ = nullptr;
+    std::optional<ColourGroups> groups_;
+};
+
+}  // namespace
+
+void write_svg(const FigureDocument& document, Output& output,
+               const std::function<void(const SvgStream&)>& draw) {
+    SvgWriter writer(document, output);
+    std::size_t begun = 0;  // figures whose only run is on its way
+    if (draw)
+        draw({output, [&](std::uint32_t style) {
+                  writer.head();
+                  writer.begin_figure(0);
+                  writer.begin_run(style, false);
+                  begun = 1;
+              }});
+    if (begun == 0) writer.head();
+    for (std::size_t f = 0; f < document.figures.size(); ++f) {
+        if (begun == 0) writer.begin_figure(f);
+        for (const SvgRun& run : document.figures[f].runs) {
+            if (begun == 0) writer.begin_run(run.style, run.filled);
+            writer.end_run(run);
+        }
+        writer.paths();
+        writer.end_figure();
+    }
+    writer.end();
 }
 
 // --- A page ---

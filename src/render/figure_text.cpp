@@ -149,6 +149,11 @@ private:
 
 }  // namespace
 
+bool names_letters(const Figure& figure, FigureFormat format, bool plotter) {
+    return format != FigureFormat::svg || plotter || figure.is_layered() ||
+           figure.strokes().value_or(many_strokes) < many_strokes;
+}
+
 std::optional<FigureFormat> figure_format(std::string_view path) {
     if (const auto found = format_of(format_names, path)) return static_cast<FigureFormat>(*found);
     return std::nullopt;
@@ -416,6 +421,7 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
         drawn.width = decided.page.width;
         drawn.height = decided.page.height;
     }
+    std::function<void(const SvgStream&)> draw;  // of one figure of many strokes
     document.head = options.picture.title;
     if (document.head.empty()) document.head = plates.front().name;
     for (std::size_t i = 0; i < figures.size(); ++i) {
@@ -426,10 +432,19 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
         placed.width = decided.widths[i];
         if (figure.box().empty) drawn.blank.push_back(i);
         const std::vector<std::string> colours = colours_of(figure, options.picture);
-        const bool many = figure.strokes().value_or(many_strokes) >= many_strokes;
-        if (format == FigureFormat::svg && many && !options.plotter && !figure.is_layered()) {
-            placed.runs = svg_runs(figures[i], colours, placed.width, placed.cell.frame, budget,
-                                   placed.paths, drawn);
+        if (!names_letters(figure, format, options.plotter)) {
+            const auto runs = [&placed, colours, &decided, &budget,
+                               &drawn](const SvgStream* stream) {
+                svg_runs(placed, colours, std::max(decided.page.width, decided.page.height), budget,
+                         drawn, stream);
+            };
+            if (figures.size() == 1)
+                draw = [runs](const SvgStream& stream) { runs(&stream); };
+            else
+                runs(nullptr);
+            if (progress)
+                progress->report(0.7 * static_cast<double>(i + 1) /
+                                 static_cast<double>(figures.size()));
             continue;
         }
         placed.paths = paths_of(figures[i], colours, placed.width, placed.cell.frame.scale, budget);
@@ -445,6 +460,11 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
         if (progress)
             progress->report(0.7 * static_cast<double>(i + 1) /
                              static_cast<double>(figures.size()));
+    }
+    if (format == FigureFormat::svg) {
+        write_to(target, [&](Output& output) { write_svg(document, output, draw); });
+        if (progress) progress->report(1);
+        return drawn;
     }
     budget.check_memory(60 * (drawn.strokes + drawn.polygons), "the text of the figures");
     std::string text;
@@ -468,8 +488,7 @@ FigureTextDrawn draw_as_text(std::span<const FigureSource> figures, const Target
             text = page_text(document);
             break;
         case FigureFormat::svg:
-            text = svg_text(document);
-            break;
+            break;  // written above
     }
     write_to(target, [&](Output& output) { output.write(text.data(), text.size()); });
     if (progress) progress->report(1);

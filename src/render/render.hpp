@@ -231,6 +231,10 @@ struct FigureTextOptions {
     bool panels = false;  // several figures side by side, where the format has room for it
 };
 
+/// Whether a figure as text says which letters draw its strokes: where it does not, `letter` is never called. svg of 100,000 strokes and
+/// more does not, unless it is for a plotter.
+bool names_letters(const Figure& figure, FigureFormat format, bool plotter);
+
 /// What was written.
 struct FigureTextDrawn {
     double width = 0, height = 0;  // in points; 0 where the format has the units of the figure

@@ -25,6 +25,8 @@ namespace {
 /// How many letters a block may stand for: so many that the walk between them costs little, so few
 /// that the blocks of all headings stay in a fast cache.
 constexpr std::size_t most_letters = 400;
+/// The same where a canvas keeps blocks: of each, and of those of all letters together in one direction.
+constexpr std::size_t most_letters_kept = 4000, all_letters_kept = 64'000;
 
 /// A place on the lattice: coordinates over a root of unity.
 template <std::size_t degree>
@@ -43,6 +45,7 @@ struct Block {
     bool ends_with_stroke = false;
     Place<degree> move{};
     Compass::Heading turn = 0;
+    StrokeBlock kept = {};  // the same for a canvas that keeps it; then there are no strokes
 };
 
 template <std::size_t degree>
@@ -56,11 +59,15 @@ public:
           compass_(compass),
           settings_(settings),
           canvas_(canvas),
+          keeper_(dynamic_cast<BlockCanvas*>(&canvas)),
+          most_letters_(keeper_ ? std::clamp(all_letters_kept / rules.alphabet->size(),
+                                             most_letters, most_letters_kept)
+                                : most_letters),
           ring_(static_cast<long>(compass.order())),
           heading_(compass.start()) {
         for (std::size_t i = 0; i < degree; ++i)
             basis_[i] = compass.direction(static_cast<Compass::Heading>(i));
-        while (depth_ < steps && depth_ < 64 && longest(depth_ + 1) <= most_letters) ++depth_;
+        while (depth_ < steps && depth_ < 64 && longest(depth_ + 1) <= most_letters_) ++depth_;
         for (auto& blocks : blocks_)
             blocks.resize(rules.alphabet->size() * static_cast<std::size_t>(compass.order()));
     }
@@ -77,7 +84,10 @@ public:
         }
         auto& block = blocks_[left == 0 ? 0 : 1][a * static_cast<std::size_t>(compass_.order()) +
                                                  static_cast<std::size_t>(heading_)];
-        if (!block) block = std::make_unique<Block<degree>>(block_of(a, left));
+        if (!block) {
+            block = std::make_unique<Block<degree>>(block_of(a, left));
+            if (keeper_) keep(*block);
+        }
         draw(*block);
     }
 
@@ -95,7 +105,7 @@ private:
             for (const Symbol a : rules_.letters) {
                 next[a] = 0;
                 for (const Symbol b : rules_.successor(a))
-                    next[a] = std::min(next[a] + lengths[b], 2 * most_letters);
+                    next[a] = std::min(next[a] + lengths[b], 2 * most_letters_);
             }
             lengths = std::move(next);
         }
@@ -176,8 +186,24 @@ private:
         return {settings_.start.x + settings_.unit * x, settings_.start.y + settings_.unit * y};
     }
 
+    /// Makes of the strokes what a canvas that keeps blocks gets.
+    void keep(Block<degree>& block) {
+        block.kept.number = kept_++;
+        block.kept.strokes.reserve(block.strokes.size());
+        for (const auto& stroke : block.strokes) {
+            double x = 0, y = 0;
+            for (std::size_t i = 0; i < degree; ++i) {
+                x += stroke.to[i] * basis_[i].real();
+                y += stroke.to[i] * basis_[i].imag();
+            }
+            block.kept.strokes.push_back({{settings_.unit * x, settings_.unit * y}, stroke.lifted});
+        }
+        block.strokes = {};
+    }
+
     void draw(const Block<degree>& block) {
         if (block.begins_with_stroke && !at_pen_) canvas_.move_to(point(here_));
+        if (!block.kept.strokes.empty()) keeper_->block(block.kept, point(here_));
         for (const auto& stroke : block.strokes) {
             Place<degree> to = here_;
             for (std::size_t i = 0; i < degree; ++i) to[i] += stroke.to[i];
@@ -208,6 +234,9 @@ private:
     const Compass& compass_;
     const PenSettings& settings_;
     Canvas& canvas_;
+    BlockCanvas* keeper_;       // the canvas, if it keeps blocks
+    std::size_t most_letters_;  // that a block stands for
+    std::size_t kept_ = 0;      // blocks
     CyclotomicRing ring_;
     std::array<std::complex<double>, degree> basis_;
     std::uint64_t depth_ = 0;

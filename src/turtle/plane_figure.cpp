@@ -448,8 +448,9 @@ public:
     const Facts& facts() const override { return facts_; }
 
     std::optional<std::uint64_t> strokes() const override {
-        if (has_polygons() || !facts_.segments.fits_uint64()) return std::nullopt;
-        return facts_.segments.to_uint64();
+        const Integer all = facts_.segments + polygons_;
+        if (!all.fits_uint64()) return std::nullopt;
+        return all.to_uint64();
     }
 
     const FigureStyle& style() const override { return style_; }
@@ -500,11 +501,16 @@ private:
         // Even where brackets cannot be folded, segments can: they do not care where they are drawn.
         // Only where branches are cut this counts too much; then the walk counts what it draws.
         const auto count = [&](Symbol a) {
-            long drawn = 0;
-            for (const Command command : commands_.of(a)) drawn += draws(command) ? 1 : 0;
-            return std::vector<Integer>{Integer(drawn)};
+            long drawn = 0, closed = 0;
+            for (const Command command : commands_.of(a)) {
+                drawn += draws(command) ? 1 : 0;
+                closed += command == Command::close_polygon ? 1 : 0;
+            }
+            return std::vector<Integer>{Integer(drawn), Integer(closed)};
         };
-        facts_.segments = fold(rules_, steps_, Lift{Vectors{1}, count}, budget).front();
+        const auto counts = fold(rules_, steps_, Lift{Vectors{2}, count}, budget);
+        facts_.segments = counts[0];
+        polygons_ = counts[1];
     }
 
     void measure_by_folding(const Budget& budget) {
@@ -699,6 +705,7 @@ private:
     PenSettings pen_;
     std::optional<Rational> exact_unit_;
     Facts facts_;
+    Integer polygons_;  // at most
     Box box_;
 };
 

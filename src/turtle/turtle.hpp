@@ -262,6 +262,24 @@ public:
     virtual double line_width() const { return 0; }
 };
 
+/// Strokes that a figure draws again and again in the same direction, each time from another place.
+struct StrokeBlock {
+    struct Stroke {
+        Point to;             // seen from where the block begins, in the units of the figure
+        bool lifted = false;  // the pen is set down there: no stroke
+    };
+    std::size_t number = 0;  // among the blocks of a drawing, from 0 on
+    std::vector<Stroke> strokes;
+};
+
+/// A canvas that keeps what it makes of a block. A figure that has blocks may send them in place of their strokes; it
+/// changes neither width nor colour then.
+class BlockCanvas : public Canvas {
+public:
+    /// Draws the strokes of a block that begins at `from`, where the pen stands.
+    virtual void block(const StrokeBlock& block, Point from) = 0;
+};
+
 /// One coordinate of a point of a figure: an algebraic number, or a double where the system does not
 /// allow more. Prints correctly rounded decimals.
 class Coordinate {

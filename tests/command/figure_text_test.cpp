@@ -162,3 +162,50 @@ TEST_CASE("the page of a figure needs nothing but itself") {
     CHECK(!holds(page.out, "http"));
     CHECK(occurrences(page.out, "{name: ") == 4);
 }
+
+TEST_CASE("svg of a curve takes few bytes a stroke, and offers --raster beyond 2 MB") {
+    const Scratch scratch;
+    const std::string path = scratch.file("k.svg");
+    CHECK(!holds(run("draw koch -n 9 -o " + path).err, "--raster"));
+    CHECK(text_of(path).size() < 262'144 * 12);
+    CHECK(holds(run("draw koch -n 10 -o " + path).err,
+                "every stroke is in it; --raster puts an image in their place"));
+    CHECK(text_of(path).size() > 2'000'000);
+    const Run image = run("draw koch -n 10 --raster -o " + path);
+    CHECK(image.status == 0);
+    CHECK(!holds(image.err, "every stroke"));
+    CHECK(holds(text_of(path), "data:image/png;base64"));
+    CHECK(text_of(path).size() < 2'000'000);
+    CHECK(holds(run("draw koch -n 3 --raster -o " + scratch.file("k.png")).err,
+                "--raster: puts an image into svg, pdf, ps or eps"));
+}
+
+TEST_CASE("svg of too many strokes is refused at once, with the way out") {
+    const Scratch scratch;
+    const std::string path = scratch.file("d.svg");
+    const Run dragon = run("draw dragon -n 60 -o " + path);
+    CHECK(dragon.status == 2);
+    CHECK(
+        dragon.err ==
+        "algae: generation 60 of dragon has 1152921504606846976 strokes, about 5 EB: expected "
+        "at most 20000000 in svg; --raster puts an image in their place, a smaller -n has fewer\n");
+    CHECK(scratch.size() == 0);
+    CHECK(holds(run("draw dragon -n 24..25 --panels -o " + path).err,
+                "the 2 figures have 50331648 strokes"));
+}
+
+TEST_CASE("leaves of a figure are polygons in svg, not an image") {
+    const Run leaf = run("draw 'axiom F; F -> F[+{.F.-F.}]F' -n 1 --format svg -o -");
+    CHECK(holds(leaf.out, "<path class=\"area"));
+    CHECK(!holds(leaf.out, "<image"));
+}
+
+TEST_CASE("pdf says its title and author") {
+    const Scratch scratch;
+    const std::string path = scratch.file("k.pdf");
+    CHECK(run("draw koch -n 2 --author 'A. B.' -o " + path).status == 0);
+    CHECK(holds(text_of(path), "/Title (Koch curve)"));
+    CHECK(holds(text_of(path), "/Author (A. B.)"));
+    CHECK(run("draw koch -n 2 -o " + path).status == 0);
+    CHECK(!holds(text_of(path), "/Author"));
+}

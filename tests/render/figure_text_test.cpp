@@ -3,13 +3,20 @@
 
 #include <nlohmann/json.hpp>
 
+#include <array>
+#include <charconv>
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <random>
 #include <set>
 #include <sstream>
+#include <string_view>
 
 #include "exact/exact.hpp"
+#include "model/model.hpp"
+#include "oracle/turtle.hpp"
+#include "oracle/written_system.hpp"
 #include "render/detail/figure_text.hpp"
 #include "render/figures.hpp"
 #include "render/render.hpp"
@@ -28,6 +35,10 @@ std::string written(const Figure& figure, FigureFormat format, bool plotter = fa
     const FigureTextDrawn found = draw_as_text({&source, 1}, out, format, options, Budget{});
     if (drawn) *drawn = found;
     return out.str();
+}
+
+std::string written_svg(const Figure& figure, FigureTextDrawn& drawn) {
+    return written(figure, FigureFormat::svg, false, &drawn);
 }
 
 bool holds(const std::string& text, const std::string& part) {
@@ -126,12 +137,16 @@ double value_of(const std::string& text) {
     return sum;
 }
 
-/// The lines that an SVG path says, in the points of the page.
+/// The lines that SVG paths say, in the points of the page. A figure of many strokes is in units of its own.
 std::vector<std::vector<Point>> svg_lines(const std::string& svg) {
     std::vector<std::vector<Point>> lines;
+    double unit = 1;
+    if (const std::size_t scale = svg.find("transform=\"scale("); scale != std::string::npos)
+        unit = std::stod(svg.substr(scale + 17));
     for (std::size_t at = svg.find(" d=\""); at != std::string::npos;
          at = svg.find(" d=\"", at + 1)) {
-        const std::string path = svg.substr(at + 4, svg.find('"', at + 4) - at - 4);
+        const std::string_view path =
+            std::string_view(svg).substr(at + 4, svg.find('"', at + 4) - at - 4);
         Point here;
         char command = ' ';
         std::size_t i = 0;
@@ -139,7 +154,8 @@ std::vector<std::vector<Point>> svg_lines(const std::string& svg) {
             while (i < path.size() && path[i] == ' ') ++i;
             std::size_t end = i + 1;
             while (end < path.size() && (std::isdigit(path[end]) || path[end] == '.')) ++end;
-            const double value = std::stod(path.substr(i, end - i));
+            double value = 0;
+            std::from_chars(path.data() + i, path.data() + end, value);
             i = end;
             return value;
         };
@@ -148,10 +164,8 @@ std::vector<std::vector<Point>> svg_lines(const std::string& svg) {
             if (command == 'z') continue;
             if (command != 'v') here.x += number();
             if (command != 'h') here.y += number();
-            if (command == 'm')
-                lines.push_back({here});
-            else
-                lines.back().push_back(here);
+            if (command == 'm') lines.emplace_back();
+            lines.back().push_back({unit * here.x, unit * here.y});
             if (command == 'm') command = 'l';
         }
     }
@@ -257,6 +271,119 @@ TEST_CASE("points of svg do not drift, and are right to a hundredth of a point")
         ++compared;
     }));
     CHECK(compared >= 50);
+}
+
+TEST_CASE("units of svg are fine where strokes are short, and exact in single precision") {
+    CHECK(svg_units(600, 1) == 100);
+    CHECK(svg_units(600, 0.15) == 1000);
+    CHECK(svg_units(600, 0.001) == 10'000);
+    CHECK(svg_units(600, 0) == 10'000);
+    CHECK(svg_units(14'400, 0) == 1000);
+}
+
+TEST_CASE(
+    "curves on a lattice are in svg within a unit of their places, and no stroke is left out") {
+    std::mt19937 chance(21);
+    const auto any = [&](std::size_t bound) { return static_cast<std::size_t>(chance() % bound); };
+    std::size_t compared = 0, with_blocks = 0, broken = 0;
+    for (int attempt = 0; attempt < 400 && compared < 24; ++attempt) {
+        // Systems whose strokes become at least three times as many in a step.
+        constexpr std::string_view letters = "FFGX+-+-|f";
+        const auto word = [&](std::size_t length) {
+            std::string found;
+            while (found.size() < length) found += letters[any(letters.size())];
+            return found;
+        };
+        std::string successor = "F" + word(any(3)) + "F" + word(any(3));
+        if (any(2) == 0) successor += "[" + word(3) + "]";
+        successor += "F";
+        const oracle::WrittenSystem written{"F" + word(2),
+                                            {{'F', {successor}}, {'X', {"X" + word(2)}}}};
+        oracle::TurtleSettings settings;
+        constexpr std::array angles{90L, 60L, 45L, 36L, 120L, 25L};
+        settings.angle = {angles[any(angles.size())], 1};
+        settings.heading = {static_cast<long>(45 * any(4)), 1};
+        settings.x = {static_cast<long>(any(9)), 3};
+        const Model system{oracle::lsystem_of(written), oracle::settings_of(settings), {}, {}};
+        std::unique_ptr<Figure> figure;
+        for (unsigned n = 1; !figure || *figure->strokes() < 100'000; ++n)
+            figure = algae::figure(system, n, Budget{});
+        const Box& box = figure->box();
+        if (*figure->strokes() > 400'000 || box.breadth() * box.height() == 0) continue;
+        CAPTURE(successor);
+        CAPTURE(settings.angle.numerator);
+
+        struct Strokes : Canvas {  // keeps no blocks
+            void move_to(Point point) override { lines.push_back({point}); }
+            void line_to(Point point) override { lines.back().push_back(point); }
+            void polygon(std::span<const Point>) override {}
+            std::vector<std::vector<Point>> lines;
+        } slow;
+        figure->draw(slow, 0, Budget{});
+        struct Blocks : BlockCanvas {
+            void move_to(Point) override {}
+            void line_to(Point) override {}
+            void polygon(std::span<const Point>) override {}
+            void block(const StrokeBlock&, Point) override { ++blocks; }
+            std::size_t blocks = 0;
+        } fast;
+        figure->draw(fast, 0, Budget{});
+        with_blocks += fast.blocks > 0 ? 1 : 0;
+
+        FigureTextDrawn drawn;
+        const auto lines = svg_lines(written_svg(*figure, drawn));
+        CHECK(drawn.strokes == *figure->strokes());
+        REQUIRE(lines.size() == slow.lines.size());
+        const double scale = 580 / std::max(box.breadth(), box.height());
+        const double unit =
+            1.001 / svg_units(std::max(drawn.width, drawn.height), scale * figure->facts().step);
+        std::size_t wrong = 0;
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            REQUIRE(lines[i].size() == slow.lines[i].size());
+            for (std::size_t k = 0; k < lines[i].size(); ++k) {
+                const Point there = lines[i][k], point = slow.lines[i][k];
+                const bool near =
+                    std::fabs(there.x - (10 + scale * (point.x - box.low.x))) <= unit &&
+                    std::fabs(there.y - (10 + scale * (box.high.y - point.y))) <= unit;
+                wrong += near ? 0 : 1;
+            }
+        }
+        CHECK(wrong == 0);
+        broken += lines.size() > 1 ? 1 : 0;
+        ++compared;
+    }
+    CHECK(compared == 24);
+    CHECK(with_blocks >= 10);
+    CHECK(with_blocks < compared);  // an angle whose ring is too large
+    CHECK(broken >= 5);
+}
+
+TEST_CASE("each colour of a figure in svg has an id") {
+    const DrawnFigure figure([](Canvas& canvas, double) {
+        canvas.move_to({0, 0});
+        for (const std::uint32_t colour : {0U, 1U, 0U}) {
+            canvas.colour(colour);
+            canvas.line_to({1.0 + colour, 1});
+            canvas.line_to({2.0 + colour, 0});
+        }
+    });
+    DrawnFigure coloured = figure;
+    coloured.own.colours = {"red", "blue"};
+    const std::string svg = written(coloured, FigureFormat::svg);
+    std::size_t at = 0;
+    for (const char* id : {"<g id=\"figure-1\"", "<g id=\"figure-1-colour-1\">",
+                           "<g id=\"figure-1-colour-2\">", "<g id=\"figure-1-colour-1-2\">"}) {
+        at = svg.find(id, at);
+        CHECK_MESSAGE(at != std::string::npos, id);
+    }
+    const auto count = [&](const std::string& part) {
+        std::size_t found = 0;
+        for (std::size_t i = svg.find(part); i != std::string::npos; i = svg.find(part, i + 1))
+            ++found;
+        return found;
+    };
+    CHECK(count("<g ") == 4);
+    CHECK(count("</g>") == 4);
 }
 
 TEST_CASE("colours, widths and captions in figures as text") {

@@ -20,6 +20,35 @@ Recording drawn(const Model& system, std::uint64_t n, double resolution) {
     return canvas;
 }
 
+/// A canvas that keeps blocks, and records their strokes.
+class BlockRecording : public BlockCanvas {
+public:
+    void move_to(Point point) override { all.move_to(point); }
+    void line_to(Point point) override { all.line_to(point); }
+    void polygon(std::span<const Point> corners) override { all.polygon(corners); }
+    void block(const StrokeBlock& block, Point from) override {
+        kept.resize(std::max(kept.size(), block.number + 1));
+        auto& known = kept[block.number];
+        if (known.empty()) {
+            for (const auto& stroke : block.strokes) known.push_back(stroke.to);
+        } else {
+            changed = changed || known.size() != block.strokes.size();
+            ++repeated;
+        }
+        for (std::size_t i = 0; i < block.strokes.size(); ++i) {
+            const auto& stroke = block.strokes[i];
+            changed = changed || !(known[i].x == stroke.to.x && known[i].y == stroke.to.y);
+            const Point to{from.x + stroke.to.x, from.y + stroke.to.y};
+            stroke.lifted ? all.move_to(to) : all.line_to(to);
+        }
+    }
+
+    Recording all;
+    std::vector<std::vector<Point>> kept;  // by number
+    std::size_t repeated = 0;
+    bool changed = false;  // a block was not the one of its number
+};
+
 /// The distance of a point from the nearest stroke.
 Real distance(Spot point, const std::vector<oracle::Stroke>& strokes) {
     Real least = std::numeric_limits<Real>::infinity();
@@ -200,4 +229,42 @@ TEST_CASE("blocks draw what single letters draw, stroke for stroke and digit for
             RC_ASSERT((blocks.strokes[i].from == letters.strokes[i].from &&
                        blocks.strokes[i].to == letters.strokes[i].to));
     }));
+}
+
+TEST_CASE("a canvas that keeps blocks gets all strokes, each where it is") {
+    std::size_t compared = 0, repeated = 0;
+    CHECK(rc::check("kept blocks", [&] {
+        auto written = *oracle::any_bracketed();
+        written.axiom = "FXFX" + written.axiom;  // the same letters, often in the same direction
+        auto settings = *any_turtle();
+        settings.angle = {*rc::gen::element(90L, 60L, 120L), 1};
+        settings.heading = {*rc::gen::element(0L, 60L, 180L), 1};
+        settings.spin = {0, 1};
+        const unsigned n = oracle::last_generation_within(written, 20'000, 12);
+        const auto figure = algae::figure(drawn_system(written, settings), n, Budget());
+        BlockRecording blocks;
+        Recording letters;
+        letters.wanting = true;  // positions are told letter by letter
+        figure->draw(blocks, 0, Budget());
+        figure->draw(letters, 0, Budget());
+        RC_ASSERT(!blocks.changed);
+        RC_ASSERT(!blocks.all.lost);
+        RC_ASSERT(blocks.all.moves == letters.moves);
+        RC_ASSERT(blocks.all.strokes.size() == letters.strokes.size());
+        for (std::size_t i = 0; i < letters.strokes.size(); ++i)
+            RC_ASSERT((near(blocks.all.strokes[i].from, letters.strokes[i].from) &&
+                       near(blocks.all.strokes[i].to, letters.strokes[i].to)));
+        repeated += blocks.repeated > 0 ? 1 : 0;
+        ++compared;
+    }));
+    CHECK(compared == 100);
+    CHECK(repeated >= 10);
+}
+
+TEST_CASE("polygons of a figure are counted before they are drawn") {
+    const auto leaves = figure(drawn_system({"F", {{'F', {"F[+{.F.-F.}]F"}}}}, {}), 3, Budget());
+    Recording canvas;
+    leaves->draw(canvas, 0, Budget());
+    CHECK(!canvas.polygons.empty());
+    CHECK(leaves->strokes() == canvas.strokes.size() + canvas.polygons.size());
 }

@@ -136,12 +136,12 @@ private:
     bool many_seeds_ = false;
 };
 
-/// Figures with the letters of their words, and their exact points where `exact` asks for these and they are known. What would take more
-/// letters or memory than the budget has is left out. Everything must outlive the result.
+/// Figures with the letters of their words where this format names them, and their exact points where it has these and they are known.
+/// What would take more letters or memory than the budget has is left out. Everything must outlive the result.
 class FigureSources {
 public:
-    FigureSources(const std::vector<FigurePlate>& plates, const PlateChoices& choices, bool exact,
-                  const Budget& budget);
+    FigureSources(const std::vector<FigurePlate>& plates, const PlateChoices& choices,
+                  FigureFormat format, bool plotter, const Budget& budget);
     std::vector<FigureSource> all;
 
 private:

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <optional>
 #include <span>
@@ -81,25 +82,40 @@ std::string exact_part(const CyclotomicRing& ring, const CyclotomicInteger& valu
 struct SvgRun {
     std::uint32_t style = 0;
     bool filled = false;
-    std::string steps;
+    std::vector<std::string> steps;  // one text, in pieces
 };
 
-/// A figure of many strokes as SVG has it, without the letters that draw them: its styles and its runs, in the order of its word. Notes the
-/// numbers of strokes and paths in `drawn`.
-///
-/// Strokes go straight from the figure's own blocks into text; steps that occur again are copied. About 5 bytes a stroke.
-std::vector<SvgRun> svg_runs(const FigureSource& source, const std::vector<std::string>& colours,
-                             double width, const Frame& frame, const Budget& budget,
-                             FigurePaths& styles, FigureTextDrawn& drawn);
+/// Where the strokes of a figure go while it is drawn, so that they are never in memory together.
+struct SvgStream {
+    Output& output;
+    std::function<void(std::uint32_t)> begin;  // writes what stands before strokes of this style
+};
 
 /// A figure with its place on the page.
 struct PlacedFigure {
     const FigureSource* source = nullptr;
     FigurePaths paths;
     std::vector<SvgRun> runs = {};  // in place of paths where there are many strokes
+    bool in_units = false;          // then they are in whole units
+    double units = 100;             // in a point
     Cell cell;
     double width = 1;  // of its strokes, in points
 };
+
+/// In how many units a point of a page is divided whose longer side has so many points, for strokes of this length: a hundred, or more
+/// where strokes are shorter than 16 units, as long as the page has fewer than 2^24.
+///
+/// Example: svg_units(600, 1) == 100
+/// Example: svg_units(600, 0.03) == 1000
+double svg_units(double page, double step);
+
+/// Fills the runs of a figure of many strokes, without the letters that draw them, and the styles of its paths. Notes the numbers of strokes
+/// and paths in `drawn`. Each point is within a unit of its place; `page` is the longer side.
+///
+/// Strokes go straight from the figure's own blocks into text; what occurs again is copied. About 5 bytes a stroke. With a stream, a figure
+/// of blocks is in its one run only to the end of what has gone there.
+void svg_runs(PlacedFigure& placed, const std::vector<std::string>& colours, double page,
+              const Budget& budget, FigureTextDrawn& drawn, const SvgStream* stream = nullptr);
 
 /// All that a writer of a format needs.
 struct FigureDocument {
@@ -116,7 +132,9 @@ std::string csv_text(const FigureDocument& document, FigureTextDrawn& drawn);
 std::string geojson_text(const FigureDocument& document, FigureTextDrawn& drawn);
 std::string dxf_text(const FigureDocument& document);
 std::string page_text(const FigureDocument& document);
-std::string svg_text(const FigureDocument& document);
+/// `draw`, if there is one, calls svg_runs for the only figure.
+void write_svg(const FigureDocument& document, Output& output,
+               const std::function<void(const SvgStream&)>& draw = {});
 
 /// A number with at most so many digits behind the point, without zeros at the end.
 ///

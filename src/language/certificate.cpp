@@ -106,6 +106,19 @@ namespace {
 
 using Kind = LanguageTree::Kind;
 
+Json sections_certificate(const std::vector<std::pair<std::uint64_t, std::uint64_t>>& pairs,
+                          const std::vector<SectionMatch>& matches, const Alphabet& alphabet) {
+    Json words = Json::array(), sections = Json::array();
+    for (const auto& [left, right] : pairs) words.push_back({left, right});
+    for (const SectionMatch& match : matches)
+        sections.push_back({{"left", match.section.left},
+                            {"step", match.section.step},
+                            {"right", match.section.right},
+                            {"stride", match.section.stride},
+                            {"proof", balance_certificate(match.balance, alphabet)}});
+    return {{"by", "sections"}, {"words", std::move(words)}, {"sections", std::move(sections)}};
+}
+
 Json words_json(const std::vector<Word>& words, const Alphabet& alphabet) {
     Json result = Json::array();
     for (const Word& word : words) result.push_back(certificate_text(alphabet, word));
@@ -647,6 +660,24 @@ struct ProofWriter {
     Json operator()(const steps::SameDeterministic& said) const {
         return language_certificate(said.equality, alphabet);
     }
+    Json operator()(const steps::WithinDeterministic& said) const {
+        return sections_certificate(said.words, said.sections, alphabet);
+    }
+    Json operator()(const steps::SameProgressions& said) const {
+        return {{"by", "progressions"}, {"first", said.first}, {"period", said.period}};
+    }
+    Json operator()(const steps::RegularProgressions& said) const {
+        return {{"by", "progressions"}, {"first", said.first}, {"period", said.period}};
+    }
+    Json operator()(const steps::UnequalPowers& said) const {
+        Json parts = Json::array();
+        for (const SectionOfPowers::Part& part : said.section.parts)
+            parts.push_back(Json::array({text(part.left), text(part.word), text(part.right)}));
+        return {{"by", "unequal powers"},
+                {"first", said.section.first},
+                {"step", said.section.step},
+                {"parts", std::move(parts)}};
+    }
     Json operator()(const steps::ByInduction& said) const {
         Json json = {{"by", "induction"}, {"base", words_json(said.base, alphabet)}};
         if (!said.counted.empty()) {
@@ -878,15 +909,7 @@ Json difference_certificate(const SequenceDifference& difference) {
 
 Json language_certificate(const LanguageEquality& equality, const Alphabet& alphabet) {
     if (equality.finite) return {{"by", "values"}};
-    Json words = Json::array(), sections = Json::array();
-    for (const auto& [left, right] : equality.words) words.push_back({left, right});
-    for (const SectionMatch& match : equality.sections)
-        sections.push_back({{"left", match.section.left},
-                            {"step", match.section.step},
-                            {"right", match.section.right},
-                            {"stride", match.section.stride},
-                            {"proof", balance_certificate(match.balance, alphabet)}});
-    return {{"by", "sections"}, {"words", std::move(words)}, {"sections", std::move(sections)}};
+    return sections_certificate(equality.words, equality.sections, alphabet);
 }
 
 namespace {

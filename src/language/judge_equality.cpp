@@ -3,12 +3,16 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <variant>
 
 #include "growth/growth.hpp"
+#include "language/detail/equality.hpp"
 #include "language/detail/interactive.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/powers.hpp"
+#include "language/detail/progressions.hpp"
 #include "language/detail/proof.hpp"
+#include "system/system.hpp"
 #include "word/word.hpp"
 
 // Inclusion and equality of languages.
@@ -16,7 +20,8 @@
 // Theorems come first: identical expressions, finite languages word by word, regular ones by automata, a
 // language of a system within a regular one
 // (a meeting with its complement), a regular one within L(G) by induction on the length, two D0L languages by
-// sequence equivalence, linear systems, whose languages are regular. Where none applies a difference is looked for among short words and first generations;
+// sequence equivalence (of sections for an inclusion), linear systems, whose languages are regular, and D0L systems of linear growth where
+// theirs are. Where none applies a difference is looked for among short words and first generations;
 // if there is none the statement stays undecided. A few short words are tried before the expensive theorems.
 
 namespace algae {
@@ -90,6 +95,19 @@ std::optional<RegularLanguage> linear_value(const Language& language, const Budg
     return std::nullopt;
 }
 
+bool is_d0l(const Language& language) {
+    return language->kind == Kind::generated && !language->system->variable &&
+           has_form(*language->system, *system_form("D0L"));
+}
+
+/// What the words of a D0L system are whose lengths grow linearly, if its language is regular.
+std::optional<Progressions> progressions_of(const Language& language, const Budget& budget) {
+    if (!is_d0l(language)) return std::nullopt;
+    const auto found = regularity(as_d0l(*language->system), budget);
+    if (!found || !std::holds_alternative<Progressions>(*found)) return std::nullopt;
+    return std::get<Progressions>(*found);
+}
+
 class LanguageComparison {
 public:
     LanguageComparison(const Language& left, const Language& right, const Alphabet& alphabet,
@@ -98,8 +116,10 @@ public:
 
     /// Whether left <= right.
     Answer included() {
-        if (auto found = decided_inclusion()) return *found;
+        const auto decided = decided_inclusion();
+        if (decided && decided->truth != Truth::undecided) return *decided;
         if (auto found = difference(candidates(), true)) return *found;
+        if (decided) return *decided;
         if (const std::string reason = undecidable("Inclusion"); !reason.empty())
             return undecided(reason);
         return undecided("no word among the first ones is in " + text(left_) + " and not in " +
@@ -128,6 +148,7 @@ public:
         if (regular_right)
             if (auto found = generated_in_regular(*regular_right)) return found;
         if (auto found = linear(regular_left, regular_right, false)) return found;
+        if (auto found = deterministic_inclusion()) return found;
         if (regular_left) return regular_in_generated(*regular_left);
         return std::nullopt;
     }
@@ -158,6 +179,7 @@ public:
             return proved(steps::SameAutomata{regular_left->automaton().states()});
         }
         if (auto found = linear(regular_left, regular_right, true)) return *found;
+        if (auto found = equal_progressions(regular_left, regular_right)) return *found;
         if (auto found = deterministic_equality()) return *found;
         if (auto found = same_sequences()) return *found;
         if (auto found = difference(short_words(first_tried), false)) return *found;
@@ -200,16 +222,49 @@ private:
 
     /// Of the languages of two D0L systems.
     std::optional<Answer> deterministic_equality() const {
-        const auto is_d0l = [](const LanguageTree& tree) {
-            return tree.kind == Kind::generated && has_form(*tree.system, *system_form("D0L"));
-        };
-        if (!is_d0l(*left_) || !is_d0l(*right_)) return std::nullopt;
+        if (!is_d0l(left_) || !is_d0l(right_)) return std::nullopt;
         const LanguageEquality found =
             equal_languages(as_d0l(*left_->system), as_d0l(*right_->system), budget_);
         if (found.equal) return proved(steps::SameDeterministic{found});
         if (found.difference->word) return witness(*found.difference->word);
         return undecided("the word of generation " + std::to_string(found.difference->generation) +
                          " is in one language only, and too long to be written out");
+    }
+
+    /// Of the infinite languages of two D0L systems.
+    std::optional<Answer> deterministic_inclusion() const {
+        if (!is_d0l(left_) || !is_d0l(right_)) return std::nullopt;
+        const D0L left = as_d0l(*left_->system), right = as_d0l(*right_->system);
+        for (const D0L* each : {&left, &right})
+            if (finiteness(ol_of(*each)).finite) return std::nullopt;
+        LanguageInclusion found = included_language(left, right, budget_);
+        if (!found.included)
+            return undecided(
+                "the words of generations 0 to " + std::to_string(found.generations - 1) + " of " +
+                text(left_) + " were compared with those of " + text(right_) +
+                ", and neither a word outside nor sections that are the same were found. Inclusion "
+                "of D0L languages is decidable (Ruohonen 1979), but not by this method where the "
+                "lengths of the first grow faster");
+        if (*found.included)
+            return proved(steps::WithinDeterministic{left_, right_, std::move(found.words),
+                                                     std::move(found.sections)});
+        if (found.difference->word) return witness(*found.difference->word);
+        return undecided("the word of generation " + std::to_string(found.difference->generation) +
+                         " of " + text(left_) + " is not in " + text(right_) +
+                         ", and too long to be written out");
+    }
+
+    /// Where one side is regular, and the other one L(G) of a D0L system that is.
+    std::optional<Answer> equal_progressions(const std::optional<RegularLanguage>& left,
+                                             const std::optional<RegularLanguage>& right) const {
+        if (!left == !right) return std::nullopt;
+        const auto found = progressions_of(left ? right_ : left_, budget_);
+        if (!found) return std::nullopt;
+        const auto value = regular_value(as_expression(*found), alphabet_, budget_);
+        if (const auto word = first_difference(left ? *left : *right, *value, budget_))
+            return witness(*word);
+        return proved(steps::SameProgressions{left ? right_ : left_, left ? left_ : right_,
+                                              found->first, found->period});
     }
 
     /// Of languages whose words are a sequence with powers, or that of a D0L system.
@@ -499,35 +554,6 @@ Language expression_of(const RegularLanguage& language) {
     return whole == edges.end() ? words_language({}) : whole->second;
 }
 
-/// {w_0, ..., w_(n-1)} and, for each of the next `period` words, that word with a part of it again and again, where the
-/// first words look like that.
-Language periodic_form(const std::vector<Word>& words, std::size_t first, std::size_t period) {
-    std::vector<Word> beginning(words.begin(), words.begin() + static_cast<std::ptrdiff_t>(first));
-    Language all = beginning.empty() ? nullptr : words_language(std::move(beginning));
-    for (std::size_t n = first; n < first + period; ++n) {
-        const Word &word = words[n], &next = words[n + period];
-        if (next.size() <= word.size()) return nullptr;
-        const std::size_t more = next.size() - word.size();
-        const auto same = static_cast<std::size_t>(
-            std::mismatch(word.begin(), word.end(), next.begin(), next.end()).first - word.begin());
-        const auto place = static_cast<std::ptrdiff_t>(same);
-        const Word part(next.begin() + place,
-                        next.begin() + place + static_cast<std::ptrdiff_t>(more));
-        const auto with = [&](std::size_t times) {
-            Word made(word.begin(), word.begin() + place);
-            for (std::size_t i = 0; i < times; ++i)
-                made.insert(made.end(), part.begin(), part.end());
-            made.insert(made.end(), word.begin() + place, word.end());
-            return made;
-        };
-        if (with(1) != next || with(2) != words[n + 2 * period]) return nullptr;
-        all = either(all, after(after(words_language({Word(word.begin(), word.begin() + place)}),
-                                      repeated(words_language({part}))),
-                                words_language({Word(word.begin() + place, word.end())})));
-    }
-    return all;
-}
-
 /// Of a D0L system each letter of which stays, or stays between constant letters: x^n a y^n for each such a.
 Language powers_form(const D0L& system) {
     const auto is_constant = [&](Symbol a) { return system.rules[a] == Word{a}; };
@@ -577,15 +603,7 @@ std::vector<Language> likely_forms(const Language& generated, const Budget& budg
         add(powers);
         return forms;
     }
-    constexpr std::size_t most = 6;  // of words before the period, and in it
-    std::vector<Word> words{system.axiom};
-    for (std::size_t n = 0; n < 4 * most; ++n) words.push_back(system.rules(words.back()));
-    for (std::size_t period = 1; period <= most; ++period)
-        for (std::size_t first = 0; first <= most; ++first)
-            if (const Language form = periodic_form(words, first, period)) {
-                add(form);
-                return forms;
-            }
+    if (const auto found = progressions_of(generated, budget)) add(as_expression(*found));
     return forms;
 }
 

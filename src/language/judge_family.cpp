@@ -8,6 +8,7 @@
 #include "language/detail/finite_family.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/powers.hpp"
+#include "language/detail/progressions.hpp"
 #include "language/detail/proof.hpp"
 
 // Whether a language is of a family: REG, CF, or a family of L-systems.
@@ -83,6 +84,7 @@ private:
         if (question_.family == "CF" && is_context_free(language_))
             return proved(steps::ContextFree{language_});
         if (auto found = sparse()) return *found;
+        if (auto found = by_linear_growth()) return *found;
         if (language_->kind == Kind::powers)
             if (auto beyond = beyond_family(*language_->powers, question_.family))
                 return refuted(steps::PowersBeyond{language_, question_.family, *beyond});
@@ -156,6 +158,21 @@ private:
             (order.kind != GrowthKind::polynomial || order.degree < 2))
             return std::nullopt;
         return refuted(steps::Sparse{language_, question_.family, order});
+    }
+
+    /// D0L languages whose lengths grow linearly: whether they are regular is decided (deterministic_regularity.cpp).
+    std::optional<Answer> by_linear_growth() const {
+        if (language_->kind != Kind::generated || language_->system->variable ||
+            !has_form(*language_->system, *system_form("D0L")))
+            return std::nullopt;
+        const auto found = regularity(as_d0l(*language_->system), budget_);
+        if (!found) return std::nullopt;
+        if (const auto* regular = std::get_if<Progressions>(&*found))
+            return proved(steps::RegularProgressions{language_, question_.family, regular->first,
+                                                     regular->period});
+        if (question_.family != "REG") return std::nullopt;
+        return refuted(
+            steps::UnequalPowers{language_, question_.family, std::get<SectionOfPowers>(*found)});
     }
 
     Answer finite(const FiniteValue& known, const SystemForm& form) const {

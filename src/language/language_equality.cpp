@@ -30,6 +30,13 @@
 //
 // More and more generations are counted until the plan shows, or a word appears whose counts the other language
 // does not have: as soon as all later words of the other are longer.
+//
+// Inclusion. Whether L(H) <= L(G) is decidable (Ruohonen, The inclusion problem for D0L languages, 1979). If it is so, each word of H
+// has its counts in one generation m(n) of G, as above, m is injective, and a plan is one in which each word of H stands. If both
+// languages grow exponentially, or both like n^d, the ratio m(n)/n is bounded; the plan is looked for as above, without asking that
+// each generation of G stands in it. It does not show where H grows faster than every section of G, as {a^(n^2) b} within {a^n b}: then
+// the search ends after 512 generations of H without an answer. It is not needed where L(G) is regular
+// (deterministic_regularity.cpp). H cannot grow more slowly than G: then it has a word outside, found by the counts.
 
 namespace algae {
 
@@ -237,14 +244,15 @@ namespace {
 /// The plan that pairs words with the same letter counts, for all n, if there is one that shows in the
 /// generations worked out. That counts agree throughout a section is proved: both obey linear recurrences
 /// whose orders are the numbers of accessible letters, so as many first terms as both together decide.
-/// May work out further generations.
+/// `covers`: each generation of the right system must stand in it. May work out further generations.
 std::optional<SectionPlan> section_plan(GenerationCounts& left, GenerationCounts& right,
-                                        std::size_t letters, const Budget& budget) {
+                                        std::size_t letters, bool covers, const Budget& budget) {
     const Partners found = partners(left, right);
     for (std::size_t step = 1; 4 * step <= found.size(); ++step) {
         budget.check();
         auto plan = plan_with_step(found, step);
-        if (plan && covers_right(*plan) && counts_agree(*plan, left, right, letters)) return plan;
+        if (plan && (!covers || covers_right(*plan)) && counts_agree(*plan, left, right, letters))
+            return plan;
     }
     return std::nullopt;
 }
@@ -281,6 +289,38 @@ D0L section_of(const D0L& system, std::uint64_t first, std::uint64_t step, const
     return make_d0l(system.alphabet, derive(system, first, budget), std::move(images), system.name);
 }
 
+/// Whether these generations are the same word.
+bool is_same_word(const SequencePair& systems, std::uint64_t left, std::uint64_t right,
+                  const Budget& budget) {
+    return derive(systems.left, left, budget) == derive(systems.right, right, budget);
+}
+
+/// Compares all that is paired.
+LanguageEquality compared(const SequencePair& systems, const SectionPlan& plan,
+                          const Budget& budget) {
+    LanguageEquality found;
+    found.words = plan.words;
+    for (const auto& [left, right] : plan.words)
+        if (!is_same_word(systems, left, right, budget))
+            return not_equal(systems, true, left, right, budget);
+    std::optional<std::pair<std::uint64_t, std::uint64_t>> different;
+    for (const Section& section : plan.sections) {
+        SequenceEquality sequences = equal_sequences(
+            section_of(systems.left, section.left, section.step, budget),
+            section_of(systems.right, section.right, section.stride, budget), budget);
+        if (sequences.equal) {
+            found.sections.push_back({section, std::move(*sequences.balance)});
+            continue;
+        }
+        const std::uint64_t n = sequences.difference->generation;
+        const std::pair at{section.left + n * section.step, section.right + n * section.stride};
+        if (!different || at < *different) different = at;
+    }
+    if (different) return not_equal(systems, true, different->first, different->second, budget);
+    found.equal = true;
+    return found;
+}
+
 /// Both languages infinite.
 class InfiniteComparison {
 public:
@@ -296,8 +336,8 @@ public:
             left_.extend(size_);
             right_.extend(size_);
             if (auto found = short_difference()) return std::move(*found);
-            if (const auto plan = section_plan(left_, right_, letters, budget_))
-                return compared(*plan);
+            if (const auto plan = section_plan(left_, right_, letters, true, budget_))
+                return compared(systems_, *plan, budget_);
         }
     }
 
@@ -319,38 +359,11 @@ private:
                 return not_equal(systems_, true, n, std::nullopt, budget_);
             if (!left_.generation_of(right_[n]) && right_.length(n) < least_left)
                 return not_equal(systems_, false, n, std::nullopt, budget_);
-            if (partner && left_.length(n) <= Integer(longest_tried) && !same_word(n, *partner))
+            if (partner && left_.length(n) <= Integer(longest_tried) &&
+                !is_same_word(systems_, n, *partner, budget_))
                 return not_equal(systems_, true, n, partner, budget_);
         }
         return std::nullopt;
-    }
-
-    bool same_word(std::uint64_t left, std::uint64_t right) const {
-        return derive(systems_.left, left, budget_) == derive(systems_.right, right, budget_);
-    }
-
-    LanguageEquality compared(const SectionPlan& plan) const {
-        LanguageEquality found;
-        found.words = plan.words;
-        for (const auto& [left, right] : plan.words)
-            if (!same_word(left, right)) return not_equal(systems_, true, left, right, budget_);
-        std::optional<std::pair<std::uint64_t, std::uint64_t>> different;
-        for (const Section& section : plan.sections) {
-            SequenceEquality sequences = equal_sequences(
-                section_of(systems_.left, section.left, section.step, budget_),
-                section_of(systems_.right, section.right, section.stride, budget_), budget_);
-            if (sequences.equal) {
-                found.sections.push_back({section, std::move(*sequences.balance)});
-                continue;
-            }
-            const std::uint64_t n = sequences.difference->generation;
-            const std::pair at{section.left + n * section.step, section.right + n * section.stride};
-            if (!different || at < *different) different = at;
-        }
-        if (different)
-            return not_equal(systems_, true, different->first, different->second, budget_);
-        found.equal = true;
-        return found;
     }
 
     const SequencePair& systems_;
@@ -376,7 +389,50 @@ LanguageEquality finite_comparison(const SequencePair& systems, bool left_finite
     return {true, true, left.size(), {}, {}, std::nullopt};
 }
 
+constexpr std::uint64_t most_looked_at = 512;  // generations of the language that is to be within
+constexpr std::uint64_t most_of_other = 16;    // times as many of the other one
+
 }  // namespace
+
+LanguageInclusion included_language(const D0L& left, const D0L& right, const Budget& budget) {
+    const SequencePair systems = over_common_alphabet(left, right);
+    const std::size_t letters = systems.left.letters.size() + systems.right.letters.size();
+    GenerationCounts inner(systems.left, budget), outer(systems.right, budget);
+    LanguageInclusion found;
+    const auto outside = [&](LanguageEquality comparison) {
+        found.included = false;
+        found.difference = std::move(comparison.difference);
+    };
+    for (std::uint64_t size = first_size; !found.included && size <= most_looked_at; size *= 2) {
+        found.generations = size;
+        inner.extend(size);
+        outer.extend(size);
+        Integer longest;
+        for (std::uint64_t n = 0; n < size; ++n) longest = std::max(longest, inner.length(n));
+        while (outer.least_later_length() <= longest && outer.size() < most_of_other * size)
+            outer.extend(2 * outer.size());
+        const Integer least = outer.least_later_length();
+        for (std::uint64_t n = 0; n < size && !found.included; ++n) {
+            const auto partner = outer.generation_of(inner[n]);
+            if (partner ? inner.length(n) <= Integer(longest_tried) &&
+                              !is_same_word(systems, n, *partner, budget)
+                        : inner.length(n) < least)
+                outside(not_equal(systems, true, n, partner, budget));
+        }
+        if (found.included) break;
+        const auto plan = section_plan(inner, outer, letters, false, budget);
+        if (!plan) continue;
+        LanguageEquality paired = compared(systems, *plan, budget);
+        if (paired.equal) {
+            found.included = true;
+            found.words = std::move(paired.words);
+            found.sections = std::move(paired.sections);
+        } else {
+            outside(std::move(paired));
+        }
+    }
+    return found;
+}
 
 LanguageEquality equal_languages(const D0L& left, const D0L& right, const Budget& budget) {
     const SequencePair systems = over_common_alphabet(left, right);

@@ -431,6 +431,64 @@ public:
                 several(found.sections.size(), "section") +
                 " of the sequences, and all that is paired is equal.");
     }
+    void operator()(const steps::WithinDeterministic& said) {
+        const std::string left = marked(said.left->system->name),
+                          right = marked(said.right->system->name);
+        if (!said.words.empty())
+            say(joined(said.words, ", ",
+                       [&](const auto& pair) {
+                           return "Word " + number(pair.first) + " of " + left + " is word " +
+                                  number(pair.second) + " of " + right;
+                       }) +
+                ".");
+        for (const SectionMatch& match : said.sections)
+            say("Word " + term_of(match.section.left, match.section.step) + " of " + left +
+                " is word " + term_of(match.section.right, match.section.stride) + " of " + right +
+                " for all n: the overflows of the images by the powers of the rules stay within " +
+                several(match.balance.bound, "letter") + ".");
+    }
+    /// "3 + 2n".
+    std::string term_of(std::uint64_t first, std::uint64_t step) const {
+        const std::string multiple = (step == 1 ? "" : std::to_string(step)) + "n";
+        return marked(first == 0 ? multiple : std::to_string(first) + " + " + multiple);
+    }
+    void operator()(const steps::SameProgressions& said) {
+        say(progressions(said.language, said.first, said.period));
+        say("So it is regular, and its minimal automaton is that of " + language(said.other) + ".");
+    }
+    void operator()(const steps::RegularProgressions& said) {
+        say(progressions(said.language, said.first, said.period));
+        say("So it is regular" +
+            std::string(said.family == "REG" ? "." : ", and regular languages are context-free."));
+    }
+    std::string progressions(const Language& of, std::uint64_t first, std::uint64_t period) const {
+        return "From word " + number(first) + " of " + language(of) + " on, each word and those " +
+               number(period) + " and " + number(2 * period) +
+               " generations later are ux, uvx and uvvx for some u, v and x, and so the next ones "
+               "have v three times, four times, ... .";
+    }
+    void operator()(const steps::UnequalPowers& said) {
+        std::string power;
+        const auto add = [&](const Word& part, bool repeated) {
+            if (part.empty()) return;
+            power += (power.empty() ? "" : " ") +
+                     (repeated ? "(" + spell(alphabet_, part) + ")^n" : spell(alphabet_, part));
+        };
+        for (const SectionOfPowers::Part& part : said.section.parts) {
+            add(part.left, true);
+            add(part.word, false);
+            add(part.right, true);
+        }
+        const std::string name = language(said.language);
+        say("Word " + term_of(said.section.first, said.section.step) + " of " + name + " is " +
+            marked(power) + " for all n.");
+        say("A D0L language has at most a constant times N words of N letters or less. If it is "
+            "regular, it is a finite "
+            "union of languages xy*z (Paun and Salomaa 1995), and the powers in infinitely many "
+            "of these words lie in one power of y, so that one period goes through all of them, "
+            "from the first one to the last one (Fine and Wilf 1965).");
+        say("That is not so here, so " + name + " is not " + said.family + ".");
+    }
     void operator()(const steps::WithinRegular& said) {
         if (said.constructed) say(construction(*said.constructed));
         say("Every word of " + language(said.left) + " is in " + language(said.right) + ": " +

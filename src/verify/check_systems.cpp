@@ -393,8 +393,139 @@ void check_sections(const Obligation& task) {
         numbers_right.push_back(other);
     }
     if (!covers_all(numbers_left)) task.refuse("a generation of the left system is in no section");
-    if (!covers_all(numbers_right))
+    if (task.statement.kind == Statement::Kind::equal && !covers_all(numbers_right))
         task.refuse("a generation of the right system is in no section");
+}
+
+namespace {
+
+void append(Word& word, const Word& more) { word.insert(word.end(), more.begin(), more.end()); }
+
+/// The D0L system whose language a proof about linear growth is about.
+const System& linear_system(const Obligation& task, const Language& language) {
+    if (language->kind != Tree::Kind::generated || !language->system || !is_d0l(*language->system))
+        task.refuse("the language is not given by a D0L system");
+    return *language->system;
+}
+
+/// L(G) as a regular expression: single words, and u v* x where three words of a section are ux, uvx and uvvx.
+/// Lemma: if g(ux) = uvx and g(uvx) = uvvx, then g(u v^k x) = u v^(k+1) x for all k (deterministic_regularity.cpp; it is about words only).
+Language progressions(const Obligation& task, const System& system) {
+    const std::uint64_t first = task.proof.at("first").number(),
+                        period = task.proof.at("period").number();
+    if (period == 0) task.proof.at("period").fail("expected a number above 0");
+    if (first > furthest || period > furthest)
+        throw BoundReached(Bound::method,
+                           "the progressions begin or repeat too late to be checked");
+    std::vector<Word> words{system.axiom};
+    std::size_t letters = 0;
+    while (words.size() < first + 3 * period) {
+        words.push_back(next(system, words.back(), task.budget));
+        letters += words.back().size();
+        task.budget.check_memory(letters * sizeof(Symbol), "the words of a period");
+    }
+    Language all = words_of({words.begin(), words.begin() + static_cast<std::ptrdiff_t>(first)});
+    for (std::uint64_t n = first; n < first + period; ++n) {
+        const Word& one = words[static_cast<std::size_t>(n)];
+        const Word& two = words[static_cast<std::size_t>(n + period)];
+        const Word& three = words[static_cast<std::size_t>(n + 2 * period)];
+        if (two.size() <= one.size())
+            task.refuse("word " + std::to_string(n + period) + " is no longer than word " +
+                        std::to_string(n));
+        std::size_t place = 0;
+        while (place < one.size() && one[place] == two[place]) ++place;
+        const auto at = static_cast<std::ptrdiff_t>(place);
+        const auto more = static_cast<std::ptrdiff_t>(two.size() - one.size());
+        const Word before(one.begin(), one.begin() + at), behind(one.begin() + at, one.end()),
+            repeated(two.begin() + at, two.begin() + at + more);
+        Word once = before, twice = before;
+        append(once, repeated);
+        append(once, behind);
+        append(twice, repeated);
+        append(twice, repeated);
+        append(twice, behind);
+        if (once != two || twice != three)
+            task.refuse("words " + std::to_string(n) + ", " + std::to_string(n + period) + " and " +
+                        std::to_string(n + 2 * period) +
+                        " do not have one factor more and more often");
+        const Language star = combination(Tree::Kind::star, {words_of({repeated})});
+        all = combination(
+            Tree::Kind::united,
+            {all, combination(Tree::Kind::concatenation,
+                              {combination(Tree::Kind::concatenation, {words_of({before}), star}),
+                               words_of({behind})})});
+    }
+    return all;
+}
+
+}  // namespace
+
+void check_same_progressions(const Obligation& task) {
+    Statement regular = task.statement;
+    for (Language& language : regular.languages)
+        if (!is_regular(language)) language = progressions(task, linear_system(task, language));
+    check_derivatives(task.part(regular, true, task.proof));
+}
+
+void check_regular_progressions(const Obligation& task) {
+    if (task.statement.family != "REG" && task.statement.family != "CF")
+        task.refuse("this shows nothing of " + task.statement.family);
+    progressions(task, linear_system(task, task.language()));
+}
+
+/// The powers in the words of a section are not of one period; see CERTIFICATES.md for the theorem.
+void check_unequal_powers(const Obligation& task) {
+    if (task.statement.family != "REG")
+        task.refuse("this shows nothing of " + task.statement.family);
+    const System& system = linear_system(task, task.language());
+    const Growth growth = growth_of(system);
+    if (growth.name != "polynomial" || growth.degree != 1)
+        task.refuse("the lengths do not grow linearly");
+    const std::uint64_t first = task.proof.at("first").number(),
+                        step = task.proof.at("step").number();
+    if (step == 0) task.proof.at("step").fail("expected a number above 0");
+    if (step > furthest) throw BoundReached(Bound::method, "the section is too wide to be checked");
+    const Word begun = generation(system, system.axiom, first, task.budget);
+    // What stands in the section, the powers among it by their places, and what is on either side of them left out.
+    Word made, between;
+    std::size_t period = 0, end = 0;
+    bool has_period = true;
+    const auto add = [&](const Word& word, bool is_power) {
+        if (word.empty()) return;
+        if (is_power && period == 0)
+            for (period = 1; word.size() % period != 0 ||
+                             !std::equal(word.begin() + static_cast<std::ptrdiff_t>(period),
+                                         word.end(), word.begin());)
+                ++period;
+        if (period == 0) return;
+        append(between, word);
+        if (!is_power) return;
+        end = between.size();
+        if (word.size() % period != 0) has_period = false;
+    };
+    for (const Field& field : task.proof.at("parts").list()) {
+        const auto parts = field.list();
+        if (parts.size() != 3) field.fail("expected three words");
+        const Word left = task.reader.word(parts[0]), word = task.reader.word(parts[1]),
+                   right = task.reader.word(parts[2]);
+        Word longer = left;
+        append(longer, word);
+        append(longer, right);
+        if (generation(system, word, step, task.budget) != longer)
+            parts[1].refuse("in the steps of the section it becomes something else");
+        for (const std::size_t i : {0u, 2u})
+            if (const Word side = i == 0 ? left : right;
+                generation(system, side, step, task.budget) != side)
+                parts[i].refuse("it does not stay as it is");
+        append(made, word);
+        add(left, true);
+        add(word, false);
+        add(right, true);
+    }
+    if (made != begun) task.proof.at("parts").refuse("they are not the first word of the section");
+    for (std::size_t i = period; i < end && has_period; ++i)
+        has_period = between[i] == between[i - period];
+    if (has_period) task.refuse("one period goes through all powers");
 }
 
 namespace {

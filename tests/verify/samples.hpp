@@ -26,7 +26,8 @@ inline Json systems() {
       "Y": {"axiom": "a b", "tables": [{"a": ["a b b a a b b"], "b": ["a"]}]},
       "U": {"axiom": "a b", "tables": [{"a": ["a b"], "b": ["a b"]}]},
       "V": {"axiom": "a b", "tables": [{"a": ["a b a"], "b": ["b"]}]},
-      "W": {"axiom": "a", "tables": [{"a": ["a a"]}]}
+      "W": {"axiom": "a", "tables": [{"a": ["a a"]}]},
+      "K": {"axiom": "b", "tables": [{"b": ["a b a"]}]}
     })");
 }
 
@@ -57,6 +58,12 @@ inline const std::vector<Sample>& sound() {
          "proved", R"({"by": "membership", "preimage": "a a"})"},
         {R"({"member": "b b", "language": {"concatenation": [{"reversal": {"generated": "F"}}, {"star": {"words": ["a"]}}]}})",
          "refuted", R"({"by": "membership"})"},
+        {R"({"is": "REG", "language": {"generated": "P"}})", "proved",
+         R"({"by": "progressions", "first": 0, "period": 1})"},
+        {R"({"is": "REG", "language": {"generated": "K"}})", "refuted",
+         R"({"by": "unequal powers", "first": 0, "step": 1, "parts": [["a", "b", "a"]]})"},
+        {R"({"equal": [{"generated": "P"}, {"concatenation": [{"plus": {"words": ["a"]}}, {"words": ["b"]}]}]})",
+         "proved", R"({"by": "progressions", "first": 0, "period": 1})"},
         {R"({"is": "0L", "language": {"words": ["", "a", "a a"]}})", "proved",
          R"({"by": "system", "system": {"axiom": "a a", "tables": [{"a": ["", "a"]}]}})"},
         {R"({"is": "PD0L", "language": {"generated": "F"}})", "proved", R"({"by": "form"})"},

@@ -57,4 +57,22 @@ std::set<Word> words_of(const D0L& system, const Budget& budget = {});
 bool covers_all(const std::vector<std::uint64_t>& single,
                 const std::vector<std::pair<std::uint64_t, std::uint64_t>>& progressions);
 
+/// Whether the language of one D0L system is within that of another, both infinite.
+struct LanguageInclusion {
+    std::optional<bool> included;  // nothing: neither was found
+    /// Where it is: by generation, words and sections of the left sequence that are words and sections of the right one, all words of
+    /// the left language among them.
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> words;
+    std::vector<SectionMatch> sections;
+    std::optional<LanguageDifference> difference;  // where it is not; of the left language
+    std::uint64_t generations = 0;                 // of the left system that were looked at
+};
+
+/// D0L inclusion by sections (see language_equality.cpp), where the words of the left language come in arithmetic progressions of the
+/// generations of the right system. Nothing where they were not found to, nor a word outside, in the first 512 generations. Throws
+/// what equal_languages throws; neither language may be finite.
+///
+/// Example: *included_language(d0l("aa", {{'a', "aa"}}), d0l("a", {{'a', "aa"}})).included
+LanguageInclusion included_language(const D0L& left, const D0L& right, const Budget& budget = {});
+
 }  // namespace algae

@@ -21,6 +21,7 @@
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
 #include "language/detail/powers.hpp"
+#include "language/detail/progressions.hpp"
 #include "language/language.hpp"
 #include "system/system.hpp"
 
@@ -371,6 +372,20 @@ struct SameDeterministic {
     LanguageEquality equality;
 };
 
+/// Of two D0L systems: each word of the left language is one of the right one, by words and sections of the sequences.
+struct WithinDeterministic {
+    Language left, right;
+    std::vector<std::pair<std::uint64_t, std::uint64_t>> words;
+    std::vector<SectionMatch> sections;
+};
+
+/// L(G) of a D0L system is regular, and its minimal automaton that of `other`: from generation `first` on, what a word has more
+/// than that of `period` generations before is one factor, at one place, again and again.
+struct SameProgressions {
+    Language language, other;
+    std::uint64_t first = 0, period = 1;
+};
+
 /// No generation of a system for the left side leaves the regular right side.
 struct WithinRegular {
     static constexpr const char* rule = "relations";
@@ -578,6 +593,21 @@ struct Sparse {
     Language language;
     std::string family;
     GrowthOrder order;
+};
+
+/// L(G) of a D0L system is regular, as in SameProgressions.
+struct RegularProgressions {
+    Language language;
+    std::string family;
+    std::uint64_t first = 0, period = 1;
+};
+
+/// L(G) of a D0L system of linear growth is not regular: the powers in the words of a section (see `SectionOfPowers`) are not of one
+/// period.
+struct UnequalPowers {
+    Language language;
+    std::string family;
+    SectionOfPowers section;
 };
 
 /// A system that generates the finite language, or the cases by which there is none.
@@ -834,7 +864,8 @@ struct Proof {
         steps::OfReversal, steps::Constructed, steps::Code, steps::TwoFactorisations,
         steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
         steps::ByCases, steps::ByFamilyRules, steps::AllSparse, steps::AllLonger, steps::ByLetters,
-        steps::ByEach, steps::ByDerivations>
+        steps::ByEach, steps::ByDerivations, steps::WithinDeterministic, steps::SameProgressions,
+        steps::RegularProgressions, steps::UnequalPowers>
         step;
 };
 

@@ -3,13 +3,14 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "exact/exact.hpp"
 #include "word/word.hpp"
 
 // combinatorics: combinatorics on words, of one finite word: periods and borders, conjugates, Lyndon words, palindromes,
-// factors, runs and squares. Words are numbered from 0; the order of letters is that of their numbers, so whoever wants
+// factors, runs and squares; and of the infinite word of a morphism: how many factors of each length it has, for all lengths. Words are numbered from 0; the order of letters is that of their numbers, so whoever wants
 // another order numbers them otherwise (`Alphabet::ranks`). n is the length of the word.
 //
 // Terms are those of Lothaire, "Algebraic Combinatorics on Words" (2002): a period p of w has w[i] = w[i + p] wherever both are;
@@ -107,5 +108,46 @@ struct AbelianPeriod {
 ///
 /// Example: abelian_periods({0, 1, 0, 0, 1})[0] == AbelianPeriod{1, 2}
 std::vector<AbelianPeriod> abelian_periods(const Word& word, const Budget& budget = {});
+
+/// Bispecial factors of an infinite word whose lengths l(0), l(1), ... satisfy a linear recurrence.
+struct BispecialChain {
+    std::int64_t multiplicity = 0;  // of each: bilateral, not 0
+    std::vector<Integer> lengths;   // the first ones, increasing
+    /// l(k) = recurrence[0] l(k-1) + recurrence[1] l(k-2) + ... for all k >= recurrence.size(), which is at most lengths.size().
+    std::vector<Integer> recurrence;
+
+    /// The lengths up to `most`, in increasing order. O(the number of them, times that of the terms).
+    std::vector<Integer> lengths_to(const Integer& most) const;
+};
+
+/// How many factors of n letters an infinite word has, for all n: p(0) = 1, p(1) is the number of its letters, and p(n+2) - 2 p(n+1) + p(n)
+/// is the sum of the bilateral multiplicities of the bispecial factors of n letters (Cassaigne 1997). Those of multiplicity
+/// 0, and chains that cancel each other from some length on, are left out beyond it.
+struct ComplexityForAll {
+    std::size_t letters = 0;
+    /// By length, the sum of the multiplicities of the bispecial factors that no chain has; not 0.
+    std::vector<std::pair<Integer, std::int64_t>> single;
+    std::vector<BispecialChain> chains;
+    /// How many derived words there are before they repeat, and how many of them repeat.
+    std::size_t before = 0, period = 0;
+
+    /// p(n) for n >= from; where there are no chains, and only then.
+    struct Linear {
+        Integer slope, constant, from;
+    };
+    std::optional<Linear> linear() const;
+    /// p(n). O(the number of bispecial factors of fewer letters), which is O(log n).
+    Integer value(const Integer& n) const;
+};
+
+/// Of the infinite word h(h(h(...(a)...))), where h(a) begins with a and a comes back in it; letters that h may forget are allowed. The word is
+/// derived by the returns to its first letter, again and again, until a derived word comes back, which always happens if h
+/// is primitive (Durand 1998); the bispecial factors of one derived word give those of the word before.
+///
+/// Throws Error if h(a) does not begin with a or a does not come back, and BoundReached if the derived words get too many or too
+/// large, which happens to morphisms that are not primitive, or at the end of the time.
+///
+/// Example: complexity_for_all(Morphism({{0, {0, 1}}, {1, {0}}}), 0).value(1000) == 1001
+ComplexityForAll complexity_for_all(const Morphism& h, Symbol a, const Budget& budget = {});
 
 }  // namespace algae

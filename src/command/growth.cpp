@@ -275,6 +275,17 @@ int growth(const Options& options) {
                                 {"--bounds", options.bounds_wanted},
                                 {"--plot", !options.plot.empty()}});
     if (options.words) {
+        refuse_with("--words", {{"-n (`algae words --to N` has factors of N letters)",
+                                 options.generation.has_value()},
+                                {"--counts", options.counts},
+                                {"--b-file", options.b_file},
+                                {"--bounds", options.bounds_wanted},
+                                {"--plot", !options.plot.empty()}});
+        if (!system.coding.empty())
+            throw Error(options.file +
+                        ": expected a system without a coding for --words, found one with a "
+                        "coding; `algae words " +
+                        options.file + "` counts the factors after it");
         const FactorReport report = factor_report(*as_d0l(system), budget);
         print_report(report, options.json);
         return report.order.is_decided() ? success : undecided;

@@ -4,6 +4,7 @@
 // `--letters` say that it is a word.
 
 #include <algorithm>
+#include <exception>
 #include <filesystem>
 
 #include "automatic/automatic.hpp"
@@ -117,9 +118,27 @@ AutomaticWord word_of(const Model& model, const D0L& rules) {
     });
 }
 
-/// Adds what can be proved for all lengths, with automata that take little memory unless --prove says otherwise.
+/// The values up to a length; where there is a time limit, up to shorter ones first, which are kept at the end of the
+/// time. Then `late` is what was reached.
+FactorValues values_to(std::size_t to, const Model& model, const D0L& rules, const Budget& budget,
+                       std::exception_ptr& late) {
+    constexpr std::size_t few = 8;
+    if (!budget.deadline || to <= few) return factor_values(rules, model.coding, to, budget);
+    FactorValues report = factor_values(rules, model.coding, few, budget);
+    for (std::size_t next = 2 * few; report.to < to; next *= 2) try {
+            report = factor_values(rules, model.coding, std::min(next, to), budget);
+        } catch (const BoundReached& bound) {
+            if (bound.bound() != Bound::time) throw;
+            late = std::current_exception();
+            break;
+        }
+    return report;
+}
+
+/// Adds what can be proved for all lengths, with automata that take little memory unless --prove says otherwise. `late` is what
+/// was reached at the end of the time.
 void prove(FactorValues& report, const WordsOptions& options, const Model& model, const D0L& rules,
-           Budget budget) {
+           Budget budget, std::exception_ptr& late) {
     constexpr std::uint64_t little = std::uint64_t{96} << 20;
     if (!report.infinite_word) {
         report.not_proved =
@@ -128,9 +147,16 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
     }
     if (!options.prove) budget.memory = std::min(budget.memory, little);
     const auto each = [&](const char* what, auto decide) {
+        if (late) return;
         try {
             decide();
         } catch (const BoundReached& bound) {
+            if (bound.bound() == Bound::time) {
+                report.not_proved += (report.not_proved.empty() ? "" : "; ") + std::string(what) +
+                                     " and what comes after: the time is over";
+                late = std::current_exception();
+                return;
+            }
             if (bound.bound() == Bound::method) {
                 report.not_proved += (report.not_proved.empty() ? "" : "; ") + std::string(what) +
                                      ": " + bound.what();
@@ -145,7 +171,7 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
     };
     try {
         const AutomaticWord word = word_of(model, rules);
-        each("complexities", [&] { report.proofs = complexity_proofs(word, budget); });
+        each(report.for_all ? "palindromic complexity" : "complexities", [&] { report.proofs = complexity_proofs(word, budget); });
         if (!report.not_reversed)
             each("closed under reversal",
                  [&] { report.closed_under_reversal = is_closed_under_reversal(word, budget); });
@@ -183,9 +209,11 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
             std::string(as_dil(model) ? "contexts" : "choices") + "; --word " + options.what +
             " is the word");
     if (options.say) return decide(options, model, *rules, budget);
-    FactorValues report = factor_values(*rules, model.coding, options.to.value_or(24), budget);
-    prove(report, options, model, *rules, budget);
+    std::exception_ptr late;
+    FactorValues report = values_to(options.to.value_or(24), model, *rules, budget, late);
+    prove(report, options, model, *rules, budget, late);
     print(options.json ? to_json(report).text() : to_text(report));
+    if (late) std::rethrow_exception(late);
     return success;
 }
 

@@ -213,7 +213,10 @@ struct FactorValues {
     std::vector<Bispecial> bispecial;  // of the infinite word, up to `to` letters
     FactorRecurrence recurrence;       // of the infinite word
 
-    /// What is proved for all lengths, of the infinite word; otherwise why it is not.
+    /// The factor complexity for all lengths, by bispecial factors; nothing after a coding, and where the words derived by returns
+    /// do not repeat.
+    std::optional<ComplexityForAll> for_all;
+    /// What is proved for all lengths, of the infinite word, by automata; otherwise why it is not.
     std::optional<ComplexityProofs> proofs;
     std::optional<CriticalExponent> exponent;
     std::optional<bool> closed_under_reversal;

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "report/detail/page.hpp"
 #include "report/report.hpp"
@@ -205,16 +206,19 @@ Json to_json(const WordReport& report) {
 
 namespace {
 
+/// Whether the axiom is among the factors of the infinite word of a morphism that prolongs a letter.
+bool has_axiom(D0L system, Symbol a, const Budget& budget) {
+    constexpr std::size_t longest = 64;  // axiom that is looked for
+    const Word axiom = std::exchange(system.axiom, {a});
+    return axiom.size() <= longest &&
+           std::ranges::count(factors(system, axiom.size(), budget).words, axiom) > 0;
+}
+
 /// Whether the words of a system have the factors of its infinite word: they begin it, or the axiom is a factor of it and so are the others.
 bool has_factors_of_infinite_word(const D0L& system, const Budget& budget) {
-    constexpr std::size_t longest = 64;  // axiom that is looked for
     if (generates_infinite_word(system)) return true;
-    if (system.axiom.size() > longest) return false;
     try {
-        D0L limit = system;
-        limit.axiom = {Numeration(system).letters().front()};
-        return std::ranges::count(factors(limit, system.axiom.size(), budget).words, system.axiom) >
-               0;
+        return has_axiom(system, Numeration(system).letters().front(), budget);
     } catch (const Error&) {
         return false;  // there is none
     }
@@ -270,6 +274,34 @@ std::optional<bool> is_circular(const D0L& system, const Budget& budget) {
     return true;
 }
 
+/// The factor complexity of the words of a system for all lengths, if they have the factors of an infinite word: their own, or, if letters
+/// take turns at the beginning, one of a power of a primitive morphism.
+std::optional<ComplexityForAll> complexity_of(const D0L& system, const FactorValues& report,
+                                              const Budget& budget) {
+    try {
+        if (report.infinite_word)
+            return complexity_for_all(system.rules, Numeration(system).letters().front(), budget);
+        if (!report.primitivity.exponent || system.axiom.empty()) return std::nullopt;
+        Symbol a = system.axiom.front();
+        for (std::size_t i = 0; i < system.letters.size(); ++i) a = system.successor(a).front();
+        D0L power = system;
+        while (power.successor(a).front() != a || power.successor(a).size() < 2) {
+            budget.check();
+            std::vector<Word> images = power.rules.images();
+            for (const Symbol letter : system.letters)
+                images[letter] = system.rules(power.successor(letter));
+            power.rules = Morphism(std::move(images));
+        }
+        if (!has_axiom(power, a, budget)) return std::nullopt;
+        return complexity_for_all(power.rules, a, budget);
+    } catch (const Error&) {
+        return std::nullopt;  // there is no infinite word, or its first letter does not come back
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::time) throw;
+        return std::nullopt;
+    }
+}
+
 /// The frequencies of letters after a coding; none where they have no limit.
 template <class Coded>
 std::vector<std::optional<Frequency>> frequencies_of(const D0L& system, Coded coded,
@@ -322,6 +354,7 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
         if (part.rate) found.rate = std::max(found.rate, *part.rate);
     found.frequencies = frequencies_of(system, coded, letters, budget);
     if (!images) found.circular = is_circular(system, budget);
+    if (!images) found.for_all = complexity_of(system, found, budget);
     if (found.infinite_word)
         found.recurrence = recurrence_of(system, found.alphabet, coded, to, budget);
     found.factors.assign(to + 1, 0);
@@ -373,18 +406,57 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
 
 namespace {
 
-/// A formula for the values from some n on, and that n; nothing if none was found.
-std::optional<std::pair<std::string, Integer>> formula_of(const ComplexityProof* proof) {
-    if (!proof) return std::nullopt;
-    if (const auto& linear = proof->linear) {
-        const auto& [slope, constant, from] = *linear;
-        std::string text = slope.is_zero() ? "" : slope == 1 ? "n" : to_string(slope) + "n";
-        if (text.empty())
-            text = to_string(constant);
-        else if (!constant.is_zero())
-            text += (constant > 0 ? " + " : " - ") + to_string(constant > 0 ? constant : -constant);
-        return std::pair(text, from);
+/// "2n - 1".
+std::string linear_text(const Integer& slope, const Integer& constant) {
+    std::string text = slope.is_zero() ? "" : slope == 1 ? "n" : to_string(slope) + "n";
+    if (text.empty())
+        text = to_string(constant);
+    else if (!constant.is_zero())
+        text += (constant > 0 ? " + " : " - ") + to_string(constant > 0 ? constant : -constant);
+    return text;
+}
+
+std::string text_of(const Integer& number) { return to_string(number); }
+
+/// "l(k) = 2l(k-1) - l(k-2)".
+std::string recurrence_text(const BispecialChain& chain) {
+    std::string text;
+    for (std::size_t i = 0; i < chain.recurrence.size(); ++i) {
+        const Integer& factor = chain.recurrence[i];
+        if (factor.is_zero()) continue;
+        const Integer size = factor > 0 ? factor : -factor;
+        text += text.empty() ? (factor > 0 ? "" : "-") : (factor > 0 ? " + " : " - ");
+        text += (size == 1 ? "" : to_string(size)) + fmt::format("l(k-{})", i + 1);
     }
+    return "l(k) = " + (text.empty() ? "0" : text);
+}
+
+/// The second differences of a complexity, which are 0 but at some n.
+std::string second_differences(const ComplexityForAll& all) {
+    std::string text = fmt::format("p(0) = 1, p(1) = {}, and p(n+2) - 2p(n+1) + p(n) is 0 but for ",
+                                   all.letters);
+    std::map<std::int64_t, std::vector<Integer>> single;
+    for (const auto& [n, value] : all.single) single[value].push_back(n);
+    std::vector<std::string> parts;
+    for (const auto& [value, places] : single)
+        parts.push_back(fmt::format("{:+} at n = {}", value, joined(places, ", ", text_of)));
+    for (const BispecialChain& chain : all.chains)
+        parts.push_back(fmt::format("{:+} at n = {}, ... with {}", chain.multiplicity,
+                                    joined(chain.lengths, ", ", text_of), recurrence_text(chain)));
+    return text + joined(parts, "; ") + (all.chains.empty() ? "" : " (added where they meet)");
+}
+
+/// A formula for the values from some n on, and that n; nothing if none was found.
+std::optional<std::pair<std::string, Integer>> formula_of(const ComplexityProof* proof,
+                                                          const ComplexityForAll* all) {
+    if (all) {
+        if (const auto linear = all->linear())
+            return std::pair(linear_text(linear->slope, linear->constant), linear->from);
+        return std::pair(second_differences(*all), Integer(0));
+    }
+    if (!proof) return std::nullopt;
+    if (const auto& linear = proof->linear)
+        return std::pair(linear_text(linear->slope, linear->constant), linear->from);
     if (const auto& periodic = proof->periodic) {
         std::string text;
         for (const Integer& value : periodic->values)
@@ -396,20 +468,20 @@ std::optional<std::pair<std::string, Integer>> formula_of(const ComplexityProof*
     return std::nullopt;
 }
 
-/// The line below the values, if something is proved for all n.
-std::string for_all_line(const ComplexityProof* proof) {
-    if (!proof) return "";
-    if (const auto found = formula_of(proof))
-        return line(
-            "  for all n",
-            found->first +
-                (found->second.is_zero() ? "" : " from n = " + to_string(found->second) + " on") +
-                ": proved");
-    if (proof->differences.empty()) return "";
+/// The lines below the values, if something is proved for all n.
+std::string for_all_line(const ComplexityProof* proof, const ComplexityForAll* all) {
+    std::string page;
+    if (const auto found = formula_of(proof, all))
+        page = line("  for all n", found->first +
+                                       (found->second.is_zero()
+                                            ? ""
+                                            : " from n = " + to_string(found->second) + " on") +
+                                       ": proved");
+    const bool is_formula = all ? all->chains.empty() : !page.empty();
+    if (!proof || is_formula || proof->differences.empty()) return page;
     return line("  for all n", "the next one is greater by " +
-                                   joined(proof->differences, ", ",
-                                          [](const Integer& one) { return to_string(one); }) +
-                                   ": proved");
+                                   joined(proof->differences, ", ", text_of) + ": proved") +
+           page;
 }
 
 /// The letters in the order of their names.
@@ -463,6 +535,17 @@ Json exponent_of(const FactorValues& report) {
     return all;
 }
 
+/// p(n+2) - 2 p(n+1) + p(n): where it is not 0.
+Json to_json(const ComplexityForAll& all) {
+    Json single = Json::array(), chains = Json::array();
+    for (const auto& [n, value] : all.single) single.add(Json{{"n", n}, {"value", value}});
+    for (const BispecialChain& chain : all.chains)
+        chains.add(Json{{"value", chain.multiplicity},
+                        {"n", chain.lengths},
+                        {"recurrence", chain.recurrence}});
+    return {{"letters", all.letters}, {"single", std::move(single)}, {"chains", std::move(chains)}};
+}
+
 /// What is proved of the factors, and of the palindromes; none where nothing is.
 std::pair<const ComplexityProof*, const ComplexityProof*> proofs_of(const FactorValues& report) {
     if (!report.proofs) return {nullptr, nullptr};
@@ -476,15 +559,16 @@ std::string to_text(const FactorValues& report) {
         return joined(all, ", ", number);
     };
     const auto [factors, palindromes] = proofs_of(report);
+    const ComplexityForAll* for_all = report.for_all ? &*report.for_all : nullptr;
     std::string page =
         line("factors of", std::string(report.infinite_word ? "the infinite word of the system"
                                                             : "all words of the system") +
                                (report.coded ? ", after the coding" : "")) +
         line("of 0, 1, ... letters",
              fmt::format("up to {}{}", report.to,
-                         factors ? "" : "; nothing is said of longer ones"));
-    page += line("factor complexity", values(report.factors)) + for_all_line(factors);
-    page += line("palindromic complexity", values(report.palindromes)) + for_all_line(palindromes);
+                         factors || for_all ? "" : "; nothing is said of longer ones"));
+    page += line("factor complexity", values(report.factors)) + for_all_line(factors, for_all);
+    page += line("palindromic complexity", values(report.palindromes)) + for_all_line(palindromes, nullptr);
     page += line("Abelian complexity", values(report.abelian));
     page += line("imbalance", values(report.imbalance));
     page +=
@@ -525,9 +609,11 @@ std::string to_text(const FactorValues& report) {
 
 Json to_json(const FactorValues& report) {
     const auto [factors, palindromes] = proofs_of(report);
+    const ComplexityForAll* for_all = report.for_all ? &*report.for_all : nullptr;
     const auto values = [](const std::vector<std::uint64_t>& all,
-                           const ComplexityProof* proof = nullptr) {
-        const auto formula = formula_of(proof);
+                           const ComplexityProof* proof = nullptr,
+                           const ComplexityForAll* chains = nullptr) {
+        const auto formula = formula_of(proof, chains);
         return Json{{"values", all},
                     {"formula", formula ? Json(formula->first) : Json()},
                     {"from", formula ? Json(formula->second) : Json()},
@@ -553,7 +639,8 @@ Json to_json(const FactorValues& report) {
     return {{"language", report.infinite_word ? "infinite word" : "all words"},
             {"coded", report.coded},
             {"to", report.to},
-            {"factor_complexity", values(report.factors, factors)},
+            {"factor_complexity", values(report.factors, factors, for_all)},
+            {"second_differences", for_all ? to_json(*for_all) : Json()},
             {"palindromic_complexity", values(report.palindromes, palindromes)},
             {"not_proved", report.not_proved.empty() ? Json() : Json(report.not_proved)},
             {"abelian_complexity", values(report.abelian)},

@@ -136,7 +136,7 @@ TEST_CASE("a rule for all values passes only where its side condition holds") {
     CHECK(letters(swapped, R"({"A": "a", "B": "b"})") == Outcome::checked);
     CHECK(letters(swapped, R"({"A": "a", "B": "a"})") == Outcome::wrong);  // the same letter twice
     CHECK_THROWS_WITH(letters(swapped, R"({"A": "a"})"),
-                      "x.json:222: statements[0].proof.letters: the field 'B' is missing");
+                      "x.json:232: statements[0].proof.letters: the field 'B' is missing");
     // A letter that the statement has itself is no other one.
     CHECK(
         letters(

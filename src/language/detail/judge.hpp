@@ -105,7 +105,8 @@ Answer judge_membership(const Language& language, const Word& word, const Alphab
 
 // What languages have in common with others. Decided where both sides are finite or regular, where the left
 // side of an inclusion is a language of a system without context (or made of such by operations under which
-// these are closed) and the right side regular, where both are languages of D0L systems; otherwise a difference
+// these are closed) and the right side regular, where both are languages of D0L systems (of an
+// inclusion: where sections of the sequences show it); otherwise a difference
 // is looked for among short words and first generations, and a proof of a regular side within L(G) by induction
 // on the length. Both throw what budget.check throws, BoundReached where a table is too large.
 

@@ -37,7 +37,7 @@ struct SectionOfPowers {
 /// make a period so long that the words of one take more than budget.memory.
 ///
 /// Example: std::get<Progressions>(*regularity(d0l("a", {{'a', "ab"}}))).words.empty()
-/// Example: std::get<SectionOfPowers>(*regularity(d0l("a", {{'a', "bac"}}))).parts.size() == 1
+/// Example: std::get<SectionOfPowers>(*regularity(d0l("a", {{'a', "bac"}}))).parts.size() == 3
 std::optional<std::variant<Progressions, SectionOfPowers>> regularity(const D0L& system,
                                                                       const Budget& budget = {});
 

@@ -40,7 +40,7 @@ namespace {
 
 using Pairs = std::vector<std::pair<Symbol, Symbol>>;  // in order, each once
 using Counts = std::vector<Integer>;                   // of each letter of a word
-using Images = std::vector<Word>;                      // of letters 0, 1, ...; 0 is the first letter of the word
+using Images = std::vector<Word>;  // of letters 0, 1, ...; 0 is the first letter of the word
 
 constexpr std::size_t most_levels = 2'000;
 constexpr std::size_t most_letters = 4'000'000;  // of the images at one level, and of a return word
@@ -327,8 +327,7 @@ std::vector<Integer> shortest_recurrence(const std::vector<Integer>& sequence) {
         }
     }
     std::vector<Integer> found(length);
-    for (std::size_t i = 1; i <= length && i < now.size(); ++i)
-        found[i - 1] = -now[i].numerator();
+    for (std::size_t i = 1; i <= length && i < now.size(); ++i) found[i - 1] = -now[i].numerator();
     return found;
 }
 
@@ -490,8 +489,7 @@ private:
         for (std::size_t term = 0; term < terms; ++term) {
             budget_.check();
             std::vector<Ending> ends;
-            for (std::size_t round = 0; round < rounds_; round += states_[begin].circle)
-                do {
+            for (std::size_t round = 0; round < rounds_; round += states_[begin].circle) do {
                     end(at, counts, ends);
                     std::size_t next = none;
                     Counts after;

@@ -171,7 +171,8 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
     };
     try {
         const AutomaticWord word = word_of(model, rules);
-        each(report.for_all ? "palindromic complexity" : "complexities", [&] { report.proofs = complexity_proofs(word, budget); });
+        each(report.for_all ? "palindromic complexity" : "complexities",
+             [&] { report.proofs = complexity_proofs(word, budget); });
         if (!report.not_reversed)
             each("closed under reversal",
                  [&] { report.closed_under_reversal = is_closed_under_reversal(word, budget); });

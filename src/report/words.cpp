@@ -433,8 +433,8 @@ std::string recurrence_text(const BispecialChain& chain) {
 
 /// The second differences of a complexity, which are 0 but at some n.
 std::string second_differences(const ComplexityForAll& all) {
-    std::string text = fmt::format("p(0) = 1, p(1) = {}, and p(n+2) - 2p(n+1) + p(n) is 0 but for ",
-                                   all.letters);
+    std::string text =
+        fmt::format("p(0) = 1, p(1) = {}, and p(n+2) - 2p(n+1) + p(n) is 0 but for ", all.letters);
     std::map<std::int64_t, std::vector<Integer>> single;
     for (const auto& [n, value] : all.single) single[value].push_back(n);
     std::vector<std::string> parts;
@@ -472,11 +472,11 @@ std::optional<std::pair<std::string, Integer>> formula_of(const ComplexityProof*
 std::string for_all_line(const ComplexityProof* proof, const ComplexityForAll* all) {
     std::string page;
     if (const auto found = formula_of(proof, all))
-        page = line("  for all n", found->first +
-                                       (found->second.is_zero()
-                                            ? ""
-                                            : " from n = " + to_string(found->second) + " on") +
-                                       ": proved");
+        page = line(
+            "  for all n",
+            found->first +
+                (found->second.is_zero() ? "" : " from n = " + to_string(found->second) + " on") +
+                ": proved");
     const bool is_formula = all ? all->chains.empty() : !page.empty();
     if (!proof || is_formula || proof->differences.empty()) return page;
     return line("  for all n", "the next one is greater by " +
@@ -540,9 +540,8 @@ Json to_json(const ComplexityForAll& all) {
     Json single = Json::array(), chains = Json::array();
     for (const auto& [n, value] : all.single) single.add(Json{{"n", n}, {"value", value}});
     for (const BispecialChain& chain : all.chains)
-        chains.add(Json{{"value", chain.multiplicity},
-                        {"n", chain.lengths},
-                        {"recurrence", chain.recurrence}});
+        chains.add(Json{
+            {"value", chain.multiplicity}, {"n", chain.lengths}, {"recurrence", chain.recurrence}});
     return {{"letters", all.letters}, {"single", std::move(single)}, {"chains", std::move(chains)}};
 }
 
@@ -568,7 +567,8 @@ std::string to_text(const FactorValues& report) {
              fmt::format("up to {}{}", report.to,
                          factors || for_all ? "" : "; nothing is said of longer ones"));
     page += line("factor complexity", values(report.factors)) + for_all_line(factors, for_all);
-    page += line("palindromic complexity", values(report.palindromes)) + for_all_line(palindromes, nullptr);
+    page += line("palindromic complexity", values(report.palindromes)) +
+            for_all_line(palindromes, nullptr);
     page += line("Abelian complexity", values(report.abelian));
     page += line("imbalance", values(report.imbalance));
     page +=

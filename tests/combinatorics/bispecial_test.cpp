@@ -2,6 +2,7 @@
 
 #include <doctest/doctest.h>
 
+#include <chrono>
 #include <cstdlib>
 #include <random>
 #include <set>
@@ -173,7 +174,8 @@ TEST_CASE("complexity for all n is that of all windows of random primitive morph
             REQUIRE_MESSAGE(found.value(n) == Integer(values[n]), name_of(images), "n = ", n);
         }
     }
-    MESSAGE(proved, " of ", drawn, " random primitive morphisms proved, ", compared, " values compared");
+    MESSAGE(proved, " of ", drawn, " random primitive morphisms proved, ", compared,
+            " values compared");
     CHECK(proved * 100 >= drawn * 95);
     CHECK(compared == proved * (longest + 1));
 }

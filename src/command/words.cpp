@@ -3,8 +3,9 @@
 // What is written is a system if it is a file, a name from the gallery or has an arrow; otherwise it is a word. `--word` and
 // `--letters` say that it is a word.
 
+#include <fmt/format.h>
+
 #include <algorithm>
-#include <exception>
 #include <filesystem>
 
 #include "automatic/automatic.hpp"
@@ -119,9 +120,9 @@ AutomaticWord word_of(const Model& model, const D0L& rules) {
 }
 
 /// The values up to a length; where there is a time limit, up to shorter ones first, which are kept at the end of the
-/// time. Then `late` is what was reached.
+/// time; `late` says so then.
 FactorValues values_to(std::size_t to, const Model& model, const D0L& rules, const Budget& budget,
-                       std::exception_ptr& late) {
+                       bool& late) {
     constexpr std::size_t few = 8;
     if (!budget.deadline || to <= few) return factor_values(rules, model.coding, to, budget);
     FactorValues report = factor_values(rules, model.coding, few, budget);
@@ -129,16 +130,18 @@ FactorValues values_to(std::size_t to, const Model& model, const D0L& rules, con
             report = factor_values(rules, model.coding, std::min(next, to), budget);
         } catch (const BoundReached& bound) {
             if (bound.bound() != Bound::time) throw;
-            late = std::current_exception();
+            report.not_proved =
+                fmt::format("factors of more than {} letters: the time is over", report.to);
+            late = true;
             break;
         }
     return report;
 }
 
-/// Adds what can be proved for all lengths, with automata that take little memory unless --prove says otherwise. `late` is what
-/// was reached at the end of the time.
+/// Adds what can be proved for all lengths, with automata that take little memory unless --prove says otherwise. `late` says
+/// that the time is over.
 void prove(FactorValues& report, const WordsOptions& options, const Model& model, const D0L& rules,
-           Budget budget, std::exception_ptr& late) {
+           Budget budget, bool& late) {
     constexpr std::uint64_t little = std::uint64_t{96} << 20;
     if (!report.infinite_word) {
         report.not_proved =
@@ -154,7 +157,7 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
             if (bound.bound() == Bound::time) {
                 report.not_proved += (report.not_proved.empty() ? "" : "; ") + std::string(what) +
                                      " and what comes after: the time is over";
-                late = std::current_exception();
+                late = true;
                 return;
             }
             if (bound.bound() == Bound::method) {
@@ -210,12 +213,11 @@ int words_of_system(const WordsOptions& options, const Budget& budget) {
             std::string(as_dil(model) ? "contexts" : "choices") + "; --word " + options.what +
             " is the word");
     if (options.say) return decide(options, model, *rules, budget);
-    std::exception_ptr late;
+    bool late = false;
     FactorValues report = values_to(options.to.value_or(24), model, *rules, budget, late);
     prove(report, options, model, *rules, budget, late);
     print(options.json ? to_json(report).text() : to_text(report));
-    if (late) std::rethrow_exception(late);
-    return success;
+    return late ? undecided : success;
 }
 
 int words(const WordsOptions& options) {

@@ -42,3 +42,15 @@ TEST_CASE("growth --words needs a D0L system") {
     CHECK(refused.status == 2);
     CHECK(refused.err.find("a has 2 rules") != std::string::npos);
 }
+
+TEST_CASE("growth --words refuses what it does not heed") {
+    const Run generation = run("growth fibonacci --words -n 0..60");
+    CHECK(generation.status == 2);
+    CHECK(generation.err ==
+          "algae: --words does not go with -n (`algae words --to N` has factors of N letters)\n");
+    const Run coding = run("growth rudin-shapiro --words");
+    CHECK(coding.status == 2);
+    CHECK(coding.err ==
+          "algae: rudin-shapiro: expected a system without a coding for --words, found one with a "
+          "coding; `algae words rudin-shapiro` counts the factors after it\n");
+}

@@ -150,9 +150,29 @@ TEST_CASE("words proves complexities for all lengths") {
     CHECK(shapiro["factor_complexity"]["from"] == 8);
     CHECK(shapiro["factor_complexity"]["proved_for_all"] == true);
     const auto thue = json_of("thue-morse --to 2");
-    CHECK(thue["factor_complexity"]["proved_for_all"] == false);
+    CHECK(thue["factor_complexity"]["proved_for_all"] == true);
     CHECK(thue["factor_complexity"]["differences"] == nlohmann::json::parse("[1, 2, 4]"));
     CHECK(json_of("'a -> abbb, b -> a' --to 2")["not_proved"].get<std::string>().find(
               "addition is not known") == 0);
     CHECK(run("words 'a -> abbb, b -> a' --to 2 --prove").status == 2);
+}
+
+TEST_CASE(
+    "words proves the factor complexity where no polynomial gives it, by chains of bispecial "
+    "factors") {
+    const auto found = json_of("thue-morse --to 6");
+    const auto& chains = found["second_differences"]["chains"];
+    CHECK(chains.size() == 4);
+    CHECK(chains[0]["value"] == 2);
+    CHECK(chains[0]["recurrence"] == std::vector<int>{4});
+    CHECK(found["second_differences"]["letters"] == 2);
+    CHECK(found["factor_complexity"]["proved_for_all"] == true);
+}
+
+TEST_CASE("words keeps what it found at the end of the time") {
+    const Run late = run("words tribonacci --to 100000 --timeout 2 --json");
+    CHECK(late.status == 3);
+    const auto found = nlohmann::json::parse(late.out);
+    CHECK(found["to"] < 100'000);
+    CHECK(found["factor_complexity"]["values"][8] == 17);
 }

@@ -17,7 +17,8 @@
 // language of a system within a regular one
 // (a meeting with its complement), a regular one within L(G) by induction on the length, two D0L languages by
 // sequence equivalence, linear systems, whose languages are regular. Where none applies a difference is looked for among short words and first generations;
-// if there is none the statement stays undecided. A few short words are tried before the expensive theorems.
+// if there is none the statement stays undecided. A few short words are tried before the expensive theorems, and where a side is a
+// system with context, whose words are found by deriving only, its first words are tried before everything else.
 
 namespace algae {
 
@@ -26,6 +27,8 @@ namespace {
 using Kind = LanguageTree::Kind;
 
 constexpr std::size_t first_tried = 30;       // short words that are looked at before theorems are
+constexpr std::size_t first_derived = 40;     // words of a system with context that are, too
+constexpr std::size_t longest_first = 20;     // letters of these
 constexpr std::size_t most_tried = 600;       // short words that are looked at for a difference
 constexpr std::size_t longest_short = 30;     // letters of these
 constexpr std::size_t longest_witness = 200;  // letters of a word that shows a difference
@@ -98,6 +101,8 @@ public:
 
     /// Whether left <= right.
     Answer included() {
+        if (is_identical()) return proved(steps::Identical{});
+        if (auto found = first_difference_in_context(true)) return *found;
         if (auto found = decided_inclusion()) return *found;
         if (auto found = difference(candidates(), true)) return *found;
         if (const std::string reason = undecidable("Inclusion"); !reason.empty())
@@ -147,6 +152,7 @@ public:
 
     Answer equal() {
         if (is_identical()) return proved(steps::Identical{});
+        if (auto found = first_difference_in_context(false)) return *found;
         const auto left = finite_value(left_, alphabet_, budget_),
                    right = finite_value(right_, alphabet_, budget_);
         if (left && right) return finite_equality(*left, *right);
@@ -323,6 +329,16 @@ private:
         return std::nullopt;
     }
 
+    /// The same among the very first words, where a side is made of systems with context.
+    std::optional<Answer> first_difference_in_context(bool left_only) const {
+        if (!has_context(left_) && !has_context(right_)) return std::nullopt;
+        std::vector<Word> words = short_words(first_tried);
+        for (const Language& side : {left_, right_})
+            for (Word& word : derived_words(*side, {first_derived, 20 * first_derived, {}}))
+                if (word.size() <= longest_first) words.push_back(std::move(word));
+        return difference(words, left_only);
+    }
+
     /// The first words, shorter ones first.
     std::vector<Word> short_words(std::size_t most) const {
         std::set<Symbol> letters;
@@ -375,12 +391,13 @@ private:
     }
 
     /// First words of the systems with context in an expression.
-    std::vector<Word> derived_words(const LanguageTree& tree) const {
+    std::vector<Word> derived_words(const LanguageTree& tree,
+                                    const SearchOfWords& search = {200, 20'000, {}}) const {
         std::vector<Word> words;
         for (const Language& part : tree.parts)
-            for (Word& word : derived_words(*part)) words.push_back(std::move(word));
+            for (Word& word : derived_words(*part, search)) words.push_back(std::move(word));
         if (tree.kind == Kind::generated && tree.system->interactive)
-            words = found_words(*tree.system->interactive, {200, 20'000, {}}, budget_).words;
+            words = found_words(*tree.system->interactive, search, budget_).words;
         return words;
     }
 

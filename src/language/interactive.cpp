@@ -89,14 +89,24 @@ FoundWords found_words(const IL& system, const SearchOfWords& search, const Budg
         return found;
     }
     add(system.axiom, 0);
+    // A step writes the beginnings of its words once more for each letter that has a choice, also where all of these words are known.
+    constexpr std::uint64_t writings = 50, least_memory = 1 << 16;
+    std::uint64_t work = writings * search.letters;
+    const bool deterministic = is_deterministic(system);
     ContextStep step(system);
     Budget one_step = budget;  // its words are kept twice
-    one_step.memory = std::min<std::uint64_t>(
+    const std::uint64_t most_memory = std::min<std::uint64_t>(
         {budget.memory, search.letters * 16 + (1 << 20), std::uint64_t{search.words} * 400});
     for (std::size_t i = 0; i < found.words.size(); ++i) {
         budget.check();
         if (wanted && found.has(*wanted)) return found;
         if (found.words.size() > search.words || letters > search.letters) return found;
+        std::uint64_t choices = 0;
+        if (!deterministic)
+            for (const auto* successors : step.successors(found.words[i]))
+                choices += successors->size() > 1;
+        one_step.memory = std::min(
+            most_memory, std::max(least_memory, 8 * work / std::max<std::uint64_t>(choices, 1)));
         std::vector<Word> next;
         try {
             next = step.next(found.words[i], search.longest, one_step);
@@ -104,6 +114,11 @@ FoundWords found_words(const IL& system, const SearchOfWords& search, const Budg
             if (bound.bound() == Bound::time) throw;
             return found;
         }
+        std::uint64_t written = 1;
+        for (const Word& word : next) written += word.size() + 1;
+        written *= choices + 1;
+        if (written > work) return found;
+        work -= written;
         for (Word& word : next) add(std::move(word), i);
     }
     found.is_all = true;

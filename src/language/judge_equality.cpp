@@ -22,7 +22,8 @@
 // (a meeting with its complement), a regular one within L(G) by induction on the length, two D0L languages by
 // sequence equivalence (of sections for an inclusion), linear systems, whose languages are regular, and D0L systems of linear growth where
 // theirs are. Where none applies a difference is looked for among short words and first generations;
-// if there is none the statement stays undecided. A few short words are tried before the expensive theorems.
+// if there is none the statement stays undecided. A few short words are tried before the expensive theorems, and where a side is a
+// system with context, whose words are found by deriving only, its first words are tried before everything else.
 
 namespace algae {
 
@@ -31,6 +32,8 @@ namespace {
 using Kind = LanguageTree::Kind;
 
 constexpr std::size_t first_tried = 30;       // short words that are looked at before theorems are
+constexpr std::size_t first_derived = 40;     // words of a system with context that are, too
+constexpr std::size_t longest_first = 20;     // letters of these
 constexpr std::size_t most_tried = 600;       // short words that are looked at for a difference
 constexpr std::size_t longest_short = 30;     // letters of these
 constexpr std::size_t longest_witness = 200;  // letters of a word that shows a difference
@@ -116,6 +119,8 @@ public:
 
     /// Whether left <= right.
     Answer included() {
+        if (is_identical()) return proved(steps::Identical{});
+        if (auto found = first_difference_in_context(true)) return *found;
         const auto decided = decided_inclusion();
         if (decided && decided->truth != Truth::undecided) return *decided;
         if (auto found = difference(candidates(), true)) return *found;
@@ -168,6 +173,7 @@ public:
 
     Answer equal() {
         if (is_identical()) return proved(steps::Identical{});
+        if (auto found = first_difference_in_context(false)) return *found;
         const auto left = finite_value(left_, alphabet_, budget_),
                    right = finite_value(right_, alphabet_, budget_);
         if (left && right) return finite_equality(*left, *right);
@@ -378,6 +384,16 @@ private:
         return std::nullopt;
     }
 
+    /// The same among the very first words, where a side is made of systems with context.
+    std::optional<Answer> first_difference_in_context(bool left_only) const {
+        if (!has_context(left_) && !has_context(right_)) return std::nullopt;
+        std::vector<Word> words = short_words(first_tried);
+        for (const Language& side : {left_, right_})
+            for (Word& word : derived_words(*side, {first_derived, 20 * first_derived, {}}))
+                if (word.size() <= longest_first) words.push_back(std::move(word));
+        return difference(words, left_only);
+    }
+
     /// The first words, shorter ones first.
     std::vector<Word> short_words(std::size_t most) const {
         std::set<Symbol> letters;
@@ -430,12 +446,13 @@ private:
     }
 
     /// First words of the systems with context in an expression.
-    std::vector<Word> derived_words(const LanguageTree& tree) const {
+    std::vector<Word> derived_words(const LanguageTree& tree,
+                                    const SearchOfWords& search = {200, 20'000, {}}) const {
         std::vector<Word> words;
         for (const Language& part : tree.parts)
-            for (Word& word : derived_words(*part)) words.push_back(std::move(word));
+            for (Word& word : derived_words(*part, search)) words.push_back(std::move(word));
         if (tree.kind == Kind::generated && tree.system->interactive)
-            words = found_words(*tree.system->interactive, {200, 20'000, {}}, budget_).words;
+            words = found_words(*tree.system->interactive, search, budget_).words;
         return words;
     }
 

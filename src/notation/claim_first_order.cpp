@@ -66,14 +66,14 @@ namespace {
 
 /// The infinite word of a system: which system, and what its letters are called.
 struct InfiniteWord {
-    InfiniteWord(std::string_view name, ClaimReading& reading)
-        : name(name), system(reading.system(name)) {
-        const std::shared_ptr<const Model> model = reading.written(name);
+    InfiniteWord(std::string_view word, ClaimReading& reading)
+        : name(word), system(reading.system(word)) {
+        const std::shared_ptr<const Model> model = reading.written(word);
         if (!as_d0l(*model))
-            throw SyntaxError{name.data(),
+            throw SyntaxError{word.data(),
                               "expected a D0L system, whose words may begin one infinite "
                               "word, found " +
-                                  quoted(name)};
+                                  quoted(word)};
         const LetterCoding given(model->alphabet, model->coding);
         for (Symbol a = 0; a < model->alphabet.size(); ++a) {
             letters.push_back(given.alphabet.name(given.morphism[a].front()));

@@ -10,6 +10,7 @@
 #include "exchange/exchange.hpp"
 #include "model/model.hpp"
 #include "notation/notation.hpp"
+#include "places.hpp"
 #include "turtle/turtle.hpp"
 
 // What the original programs make of small files: the cases stand in files beside this one. Where algae says something else, the case is
@@ -26,7 +27,7 @@ struct Case {
 };
 
 std::vector<std::string> lines_of(const std::string& file) {
-    std::ifstream in(ALGAE_SOURCE_DIR "/tests/exchange/" + file);
+    std::ifstream in(source_folder() + "/tests/exchange/" + file);
     REQUIRE(in.good());
     std::vector<std::string> found;
     for (std::string line; std::getline(in, line);) found.push_back(line);

@@ -170,7 +170,7 @@ TEST_CASE(
 }
 
 TEST_CASE("words keeps what it found at the end of the time") {
-    const Run late = run("words tribonacci --to 100000 --timeout 2 --json");
+    const Run late = run("words tribonacci --to 100000 --timeout 8 --json");
     CHECK(late.status == 3);
     const auto found = nlohmann::json::parse(late.out);
     CHECK(found["to"] < 100'000);

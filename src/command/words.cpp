@@ -131,7 +131,7 @@ FactorValues values_to(std::size_t to, const Model& model, const D0L& rules, con
         } catch (const BoundReached& bound) {
             if (bound.bound() != Bound::time) throw;
             report.not_proved =
-                fmt::format("factors of more than {} letters: the time is over", report.to);
+                fmt::format("factors of more than {} letters: the time allowed by --timeout is over", report.to);
             late = true;
             break;
         }
@@ -156,7 +156,7 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
         } catch (const BoundReached& bound) {
             if (bound.bound() == Bound::time) {
                 report.not_proved += (report.not_proved.empty() ? "" : "; ") + std::string(what) +
-                                     " and what comes after: the time is over";
+                                     " and what comes after: the time allowed by --timeout is over";
                 late = true;
                 return;
             }

@@ -108,7 +108,7 @@ TEST_CASE("regularity of D0L languages of linear growth agrees with their first 
             // The words of the section, made of the parts and by the rules.
             ++other;
             oracle::WrittenSystem from = written;
-            from.axiom = oracle::rewritten(from, static_cast<std::size_t>(section->first));
+            from.axiom = oracle::rewritten(from, static_cast<unsigned>(section->first));
             const D0L system = oracle::d0l_of(written);
             for (std::size_t n = 0; n < 4; ++n) {
                 Word made;
@@ -120,7 +120,7 @@ TEST_CASE("regularity of D0L languages of linear growth agrees with their first 
                         made.insert(made.end(), part.right.begin(), part.right.end());
                 }
                 RC_ASSERT(oracle::text_of(*system.alphabet, made) == from.axiom);
-                from.axiom = oracle::rewritten(from, static_cast<std::size_t>(section->step));
+                from.axiom = oracle::rewritten(from, static_cast<unsigned>(section->step));
                 ++words;
             }
             return;
@@ -148,7 +148,7 @@ TEST_CASE("inclusion of D0L languages agrees with their first words") {
         const auto right =
             *rc::gen::arbitrary<bool>() ? *oracle::any_d0l() : *rc::gen::exec(any_linear);
         auto left = right;  // a tail, and perhaps every second word
-        left.axiom = oracle::rewritten(right, *rc::gen::inRange<std::size_t>(0, 3));
+        left.axiom = oracle::rewritten(right, *rc::gen::inRange(0U, 3U));
         if (*rc::gen::arbitrary<bool>())
             for (auto& [letter, successors] : left.successors) {
                 oracle::WrittenSystem from = right;

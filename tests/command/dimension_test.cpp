@@ -70,7 +70,7 @@ TEST_CASE("a search that takes long does not take the bound and the measurement 
     const Scratch scratch;
     const std::string plant =
         "'" + scratch.file("f.lsys", "axiom X\nX -> F-[[X]+X]+F[+FX]-X\nF -> FF\nangle 90\n") + "'";
-    const Run over = run("dimension " + plant + " --grids 1 --timeout 9");
+    const Run over = run("dimension " + plant + " --grids 1 --timeout 20");
     if (over.status == 3) {
         CHECK(over.out.find("upper bound: log 4 / log 2 = 2\n") != std::string::npos);
         CHECK(over.out.find("the search for parts that coincide goes on\n") != std::string::npos);

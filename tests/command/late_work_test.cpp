@@ -54,7 +54,7 @@ std::vector<std::string> long_work(const Scratch& files) {
     return {
         "show " + waits,
         "draw bush-3d -n 8 -o " + out + ".glb",
-        "draw bush-3d -n 8 -o " + out + ".stl",
+        "draw bush-3d -n 9 -o " + out + ".stl",
         "ifs fern --points 1000000000 -o " + out + ".png",
         "brownian --levels 24 -o " + out + ".svg",
         "tree " + letters + " --graph -o " + out + ".svg",

@@ -130,8 +130,9 @@ FactorValues values_to(std::size_t to, const Model& model, const D0L& rules, con
             report = factor_values(rules, model.coding, std::min(next, to), budget);
         } catch (const BoundReached& bound) {
             if (bound.bound() != Bound::time) throw;
-            report.not_proved =
-                fmt::format("factors of more than {} letters: the time allowed by --timeout is over", report.to);
+            report.not_proved = fmt::format(
+                "factors of more than {} letters: the time allowed by --timeout is over",
+                report.to);
             late = true;
             break;
         }

@@ -46,7 +46,7 @@ public:
 
     std::variant<Progressions, SectionOfPowers> decided() {
         find_period();
-        power_ = power_of_rules(period_);
+        power_ = power_of_rules(system_, period_, budget_);
         find_settled();
         const std::uint64_t first = system_.letters.size() + period_ * settled_;
         add_words(system_.letters.size() + period_);
@@ -77,22 +77,6 @@ private:
             period_ = std::lcm(period_, length);
             budget_.check_memory(period_ * sizeof(Word), "the words of a period");
         }
-    }
-
-    std::vector<Word> power_of_rules(std::uint64_t exponent) const {
-        std::vector<Word> images(letters());
-        for (const Symbol a : system_.letters) images[a] = {a};
-        for (std::uint64_t n = 0; n < exponent; ++n) {
-            std::uint64_t size = 0;
-            for (const Symbol a : system_.letters) {
-                images[a] = system_.rules(images[a]);
-                size += images[a].size();
-            }
-            budget_.check_memory(size * sizeof(Symbol),
-                                 "the images of the letters under a power of the rules");
-            budget_.check();
-        }
-        return images;
     }
 
     Word applied(Word word, std::uint64_t times) const {

@@ -274,19 +274,8 @@ LanguageEquality not_equal(const SequencePair& systems, bool in_left, std::uint6
 
 /// The system whose generation n is generation first + n step of this one.
 D0L section_of(const D0L& system, std::uint64_t first, std::uint64_t step, const Budget& budget) {
-    std::vector<Word> images(system.rules.images().size());
-    for (const Symbol a : system.letters) images[a] = {a};
-    for (std::uint64_t n = 0; n < step; ++n) {
-        std::uint64_t letters = 0;
-        for (const Symbol a : system.letters) {
-            images[a] = system.rules(images[a]);
-            letters += images[a].size();
-            budget.check_memory(letters * sizeof(Symbol),
-                                "the images of the letters under a power of the rules");
-        }
-        budget.check();
-    }
-    return make_d0l(system.alphabet, derive(system, first, budget), std::move(images), system.name);
+    return make_d0l(system.alphabet, derive(system, first, budget),
+                    power_of_rules(system, step, budget), system.name);
 }
 
 /// Whether these generations are the same word.
@@ -393,6 +382,22 @@ constexpr std::uint64_t most_looked_at = 512;  // generations of the language th
 constexpr std::uint64_t most_of_other = 16;    // times as many of the other one
 
 }  // namespace
+
+std::vector<Word> power_of_rules(const D0L& system, std::uint64_t exponent, const Budget& budget) {
+    std::vector<Word> images(system.rules.images().size());
+    for (const Symbol a : system.letters) images[a] = {a};
+    for (std::uint64_t n = 0; n < exponent; ++n) {
+        std::uint64_t letters = 0;
+        for (const Symbol a : system.letters) {
+            images[a] = system.rules(images[a]);
+            letters += images[a].size();
+            budget.check_memory(letters * sizeof(Symbol),
+                                "the images of the letters under a power of the rules");
+        }
+        budget.check();
+    }
+    return images;
+}
 
 LanguageInclusion included_language(const D0L& left, const D0L& right, const Budget& budget) {
     const SequencePair systems = over_common_alphabet(left, right);

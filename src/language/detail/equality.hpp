@@ -57,6 +57,13 @@ std::set<Word> words_of(const D0L& system, const Budget& budget = {});
 bool covers_all(const std::vector<std::uint64_t>& single,
                 const std::vector<std::pair<std::uint64_t, std::uint64_t>>& progressions);
 
+/// What each letter of the system becomes in so many steps, by symbol. Throws BoundReached where these words take more than
+/// budget.memory.
+///
+/// Example: power_of_rules(d0l("a", {{'a', "aa"}}), 3)[0].size() == 8
+std::vector<Word> power_of_rules(const D0L& system, std::uint64_t exponent,
+                                 const Budget& budget = {});
+
 /// Whether the language of one D0L system is within that of another, both infinite.
 struct LanguageInclusion {
     std::optional<bool> included;  // nothing: neither was found

@@ -3,8 +3,6 @@
 // What is written is a system if it is a file, a name from the gallery or has an arrow; otherwise it is a word. `--word` and
 // `--letters` say that it is a word.
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <filesystem>
 
@@ -119,6 +117,11 @@ AutomaticWord word_of(const Model& model, const D0L& rules) {
     });
 }
 
+/// Says why something was not proved, beside what was said of it before.
+void add_reason(FactorValues& report, const std::string& reason) {
+    report.not_proved += (report.not_proved.empty() ? "" : "; ") + reason;
+}
+
 /// The values up to a length; where there is a time limit, up to shorter ones first, which are kept at the end of the
 /// time; `late` says so then.
 FactorValues values_to(std::size_t to, const Model& model, const D0L& rules, const Budget& budget,
@@ -130,9 +133,8 @@ FactorValues values_to(std::size_t to, const Model& model, const D0L& rules, con
             report = factor_values(rules, model.coding, std::min(next, to), budget);
         } catch (const BoundReached& bound) {
             if (bound.bound() != Bound::time) throw;
-            report.not_proved = fmt::format(
-                "factors of more than {} letters: the time allowed by --timeout is over",
-                report.to);
+            add_reason(report, "factors of more than " + std::to_string(report.to) +
+                                   " letters: " + bound.what());
             late = true;
             break;
         }
@@ -145,8 +147,8 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
            Budget budget, bool& late) {
     constexpr std::uint64_t little = std::uint64_t{96} << 20;
     if (!report.infinite_word) {
-        report.not_proved =
-            "the factors are those of all words, and not those of one infinite word";
+        add_reason(report,
+                   "the factors are those of all words, and not those of one infinite word");
         return;
     }
     if (!options.prove) budget.memory = std::min(budget.memory, little);
@@ -155,15 +157,10 @@ void prove(FactorValues& report, const WordsOptions& options, const Model& model
         try {
             decide();
         } catch (const BoundReached& bound) {
-            if (bound.bound() == Bound::time) {
-                report.not_proved += (report.not_proved.empty() ? "" : "; ") + std::string(what) +
-                                     " and what comes after: the time allowed by --timeout is over";
-                late = true;
-                return;
-            }
-            if (bound.bound() == Bound::method) {
-                report.not_proved += (report.not_proved.empty() ? "" : "; ") + std::string(what) +
-                                     ": " + bound.what();
+            if (bound.bound() == Bound::time || bound.bound() == Bound::method) {
+                late = bound.bound() == Bound::time;
+                add_reason(report, std::string(what) + (late ? " and what comes after: " : ": ") +
+                                       bound.what());
                 return;
             }
             if (bound.bound() != Bound::memory || options.prove) throw;

@@ -53,7 +53,7 @@ std::vector<std::string> long_work(const Scratch& files) {
     mkfifo(waits.c_str(), 0600);  // nobody writes into it
     return {
         "show " + waits,
-        "draw bush-3d -n 8 -o " + out + ".glb",
+        "draw bush-3d -n 9 -o " + out + ".glb",
         "draw bush-3d -n 9 -o " + out + ".stl",
         "ifs fern --points 1000000000 -o " + out + ".png",
         "brownian --levels 24 -o " + out + ".svg",

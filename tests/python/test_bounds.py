@@ -93,7 +93,8 @@ ENDLESS = {
     "values": lambda path: LSystem("a -> ab, b -> a").growth().values(10**7),
     "figure in space": lambda path: PLANT.draw(30),
     "mesh": lambda path: PLANT.mesh(30),
-    "picture": lambda path: LSystem("axiom F; F -> F+F--F+F; angle 45.5").draw(12),
+    # hours of strokes one by one: those of a picture that is drawn by blocks are over too soon
+    "picture": lambda path: LSystem("axiom F(1); F(x) -> F(x/2)+F(x/2)--F(x/2); angle 45.5").draw(20),
 }
 
 

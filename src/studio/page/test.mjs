@@ -12,6 +12,7 @@ import { spawn, spawnSync } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readdirSync, readFileSync, rmSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
+import { inflateRawSync } from 'node:zlib';
 import { chromium } from 'playwright-core';
 
 const [algae, pictures, executable = '/usr/bin/chromium'] = process.argv.slice(2);
@@ -206,6 +207,60 @@ async function lessons() {
   check(answers.length === 10, `ten lessons: ${answers.length}`);
 }
 
+/** Copies the link, and returns what it holds of the look at the figure. */
+async function linkedTo(what) {
+  const old = await page.evaluate(() => location.hash);
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.waitForFunction((before) => location.hash !== before, old);
+  const hash = await page.evaluate(() => location.hash);
+  const bytes = Buffer.from(hash.slice(1).replaceAll('-', '+').replaceAll('_', '/'), 'base64');
+  const { look } = JSON.parse(inflateRawSync(bytes).toString());
+  check(look !== null && typeof look === 'object', `a link holds the look at ${what}`);
+  return { ...look, hash };
+}
+/** How wide the part of Koch's curve is that two steps of zooming show: its width fills 92 % of the canvas before. */
+const seenWidth = async () => {
+  const { width, height } = await page.locator('.stage canvas').first().boundingBox();
+  const [wide, high] = [81, 81 * Math.sqrt(3) / 6];
+  return width / (Math.min((0.92 * width) / wide, (0.92 * height) / high) * 1.5 * 1.5);
+};
+
+/** The page in other languages: what one sees, and what a number does to a word. */
+async function languages() {
+  const said = {
+    pt: { chooser: 'Língua da página', tabs: ['Figura', 'Linguagem', 'Lições'], counted: ['1 segmento', '4 segmentos', '256 segmentos'], member: 'F está na linguagem.' },
+    cs: { chooser: 'Jazyk stránky', tabs: ['Obrázek', 'Jazyk', 'Lekce'], counted: ['1 úsečka', '4 úsečky', '256 úseček'], member: 'F patří do jazyka.' },
+    ru: { chooser: 'Язык страницы', tabs: ['Рисунок', 'Язык', 'Уроки'], counted: ['1 отрезок', '4 отрезка', '256 отрезков'], member: 'F принадлежит языку.' },
+  };
+  let chooser = 'Language of the page';
+  const choose = async (wanted) => {
+    await Promise.all([page.waitForEvent('load'), page.getByLabel(chooser, { exact: true }).selectOption(wanted)]);
+    chooser = said[wanted]?.chooser ?? 'Language of the page';
+    await page.getByLabel(chooser, { exact: true }).waitFor();
+    await settled();
+  };
+  for (const [wanted, texts] of Object.entries(said)) {
+    await choose(wanted);
+    check((await page.evaluate(() => document.documentElement.lang)) === wanted, `the page says that it speaks ${wanted}`);
+    for (const [i, n] of [0, 1, 4].entries()) {
+      await type(systems.koch.text.replace('generation 4', `generation ${n}`));
+      includes(await tab(texts.tabs[0]), `n = ${n} · ${texts.counted[i]}`, `a number of segments in ${wanted}`);
+    }
+    await tab(texts.tabs[1]);
+    await page.getByPlaceholder('abaab').fill('F');
+    includes(await panel(), texts.member, `a word of the language in ${wanted}`);
+    await picture(`language-${wanted}`);
+    const title = sayJson(['lesson']).lessons.find((one) => one.lesson === 10).title;
+    includes(await tab(texts.tabs[2]), title, `the lesson that was read is there in ${wanted}`);
+    check((await page.getByRole('combobox', { name: texts.tabs[2] }).inputValue()) === '10', `the list of lessons stands at the one that is shown in ${wanted}`);
+    await picture(`lessons-${wanted}`);
+    await tab(texts.tabs[0]);
+    await picture(`figure-${wanted}`);
+    check(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `the page in ${wanted} is as wide as the window`);
+  }
+  await choose('en');
+  includes(await tab('Figure'), '256 segments', 'the page speaks English again, and shows what it showed');
+}
 /** What people with other senses meet, as axe sees it. */
 async function accessible() {
   const require = createRequire(import.meta.url);
@@ -313,6 +368,27 @@ try {
   await settled(second);
   check((await second.locator('.cm-content').innerText()).includes('F-[[X]+X]'), 'a link brings the system back');
   await second.close();
+
+  // So does the place one looks at, and the turtle's step.
+  await type(systems.koch.text);
+  await page.getByRole('button', { name: 'zoom in' }).click();
+  await page.getByRole('button', { name: 'zoom in' }).click();
+  const looked = await linkedTo('the zoomed figure');
+  check(Math.abs(looked.view[2] / (await seenWidth()) - 1) < 0.01, 'a link holds how near the figure is');
+  await page.getByRole('button', { name: /Turtle/ }).click();
+  await sees(/of 596/, 'the turtle stands in the word of generation 4');
+  await page.getByLabel('step of the turtle').fill('14');
+  const third = await context.newPage();
+  await page.getByRole('button', { name: 'Copy link' }).click();
+  await page.waitForFunction((old) => location.hash !== old, looked.hash);
+  await third.goto(page.url());
+  await third.getByText(/14 of 596/).waitFor();
+  await settled(third);
+  check((await third.getByLabel('step of the turtle').inputValue()) === '14', 'a link brings the turtle back to its step');
+  await third.close();
+  await page.getByRole('button', { name: /Turtle/ }).click();
+
+  await part('languages', languages);
 
   await page.getByRole('button', { name: 'Present' }).click();
   await page.keyboard.press('ArrowLeft');

@@ -2,6 +2,7 @@
 // says how it ended, and the bytes behind it are the answer itself. The part of the page that waits for it is busy meanwhile.
 
 import { busy } from './dom';
+import { texts } from './texts';
 
 export interface Head {
   status: number;
@@ -78,7 +79,7 @@ async function answerTo(question: Record<string, unknown>, options: AskOptions):
     }
     rest = joined.slice(from);
   }
-  if (!head) throw new Refusal('The studio has ended, or the connection broke.', 2);
+  if (!head) throw new Refusal(texts.ended, 2);
   const bytes = new Uint8Array(pieces.reduce((sum, piece) => sum + piece.length, rest.length));
   bytes.set(rest);
   let at = rest.length;
@@ -90,10 +91,10 @@ async function answerTo(question: Record<string, unknown>, options: AskOptions):
 }
 
 function explain(answer: Answer): string {
-  if (answer.end === 'time') return `This took longer than the ${answer.seconds} seconds a question may take.`;
-  if (answer.end === 'size') return 'The answer is larger than a page may get.';
-  if (answer.end === 'broken') return 'The work took more than its share of memory, or failed, and was ended.';
-  return answer.said.replace(/^algae: /gm, '').trim() || 'There was no answer.';
+  if (answer.end === 'time') return texts.tookLonger(answer.seconds);
+  if (answer.end === 'size') return texts.tooLarge;
+  if (answer.end === 'broken') return texts.broken;
+  return answer.said.replace(/^algae: /gm, '').trim() || texts.noAnswer;
 }
 
 /** The text of an answer; throws a Refusal where there is none. `fine` are the exit statuses that come with an answer. */

@@ -105,7 +105,7 @@ export class ClaimsTab {
       this.progress.textContent = '';
       const bound = error instanceof Refusal && error.isBound;
       this.body.replaceChildren(el('p', { class: bound ? 'wait' : 'bad' }, error instanceof Error ? error.message : String(error)));
-      if (bound && seconds !== null) this.body.append(el('p', { class: 'note' }, `This was looked at for ${seconds} seconds; “${texts.check}” takes longer.`));
+      if (bound && seconds !== null) this.body.append(el('p', { class: 'note' }, texts.lookedAt(seconds)));
       this.editor.judge([]);
     } finally {
       clearTimeout(wait);
@@ -129,7 +129,7 @@ export class ClaimsTab {
           el('span', { class: `verdict ${kind === 'proved' ? 'good' : kind === 'refuted' ? 'bad' : 'open'}` }, `${kind === 'proved' ? '✓' : kind === 'refuted' ? '✗' : '?'} ${texts.verdicts[statement.verdict] ?? statement.verdict}`),
           ' ',
           el('code', {}, statement.text),
-          statement.holds === false ? el('b', { class: 'bad' }, ' — the claim expects otherwise') : null,
+          statement.holds === false ? el('b', { class: 'bad' }, ` — ${texts.otherwise}`) : null,
           statement.citation ? el('div', { class: 'note' }, statement.citation) : null,
           statement.argument.length > 0 ? argument : null,
         ),
@@ -138,12 +138,12 @@ export class ClaimsTab {
     const theorem = claim.theorem;
     if (theorem) {
       const witness = (theorem['counterexample'] ?? theorem['example']) as Record<string, string> | undefined;
-      page.append(el('h3', {}, 'As a theorem'), el('p', {}, el('b', {}, theorem.verdict), ': ', el('code', {}, theorem.text)));
+      page.append(el('h3', {}, texts.asTheorem), el('p', {}, el('b', {}, theorem.verdict), ': ', el('code', {}, theorem.text)));
       if (witness) {
         page.append(el('p', {}, theorem['counterexample'] ? texts.counterexample : texts.example, ': ', Object.entries(witness).map(([name, value]) => `${name} = ${value}`).join(', ')));
       }
       if (theorem.searched)
-        page.append(el('p', { class: 'note' }, `Searched: ${Object.entries(theorem.searched).map(([name, value]) => `${name} ${value}`).join(', ')}.`));
+        page.append(el('p', { class: 'note' }, texts.searched(Object.entries(theorem.searched).map(([name, value]) => `${name} ${value}`).join(', '))));
     }
     this.body.replaceChildren(page);
     this.editor.judge(marks);

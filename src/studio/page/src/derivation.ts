@@ -76,8 +76,8 @@ export class DerivationTab {
         symbols.append(span);
       });
       if (word.symbols.length === 0) symbols.append('ε');
-      if (word.symbols.length > mostSpans) symbols.append(el('i', { class: 'note' }, ` … ${word.symbols.length - mostSpans} more`));
-      all.append(el('div', { class: 'generation' }, el('div', { class: 'number', title: word.table ? `table ${word.table}` : '' }, word.table ? `${n} ${word.table}` : String(n)), symbols));
+      if (word.symbols.length > mostSpans) symbols.append(el('i', { class: 'note' }, texts.more(word.symbols.length - mostSpans)));
+      all.append(el('div', { class: 'generation' }, el('div', { class: 'number', title: word.table ? texts.table(word.table) : '' }, word.table ? `${n} ${word.table}` : String(n)), symbols));
     });
     return all;
   }
@@ -111,7 +111,7 @@ export class DerivationTab {
     }
     const unit = 17;
     const step = 62;
-    const picture = svg('svg', { class: 'tree', width: wide * unit + 20, height: (last + 1) * step + 20, role: 'img', 'aria-label': `Tree of ${last} steps` });
+    const picture = svg('svg', { class: 'tree', width: wide * unit + 20, height: (last + 1) * step + 20, role: 'img', 'aria-label': texts.treeOf(last) });
     const x = (n: number, i: number): number => places[n]![i]! * unit + 10;
     const y = (n: number): number => n * step + 26;
     for (let n = 1; n <= last; ++n)
@@ -127,7 +127,7 @@ export class DerivationTab {
         picture.append(letter);
       });
     const all = el('div', {}, picture as unknown as HTMLElement);
-    if (last + 1 < found.words.length) all.append(el('p', { class: 'note' }, `The tree shows ${last} of ${found.words.length - 1} steps: words of more than ${mostLeaves} symbols do not fit.`));
+    if (last + 1 < found.words.length) all.append(el('p', { class: 'note' }, texts.treeStops(last, found.words.length - 1, mostLeaves)));
     return all;
   }
 
@@ -166,10 +166,10 @@ export class DerivationTab {
       const parent = found.words[n]!.parents[i]!;
       const made = found.words[n]!.symbols.filter((_, at) => found.words[n]!.parents[at] === parent).join('');
       const from = found.words[n - 1]!.symbols[parent]!;
-      said += ` · rule ${from} → ${made}`;
+      said += ` · ${texts.rule} ${from} → ${made}`;
       this.editor.point(ruleLine(state.system, from));
     } else {
-      said += ' · in the axiom';
+      said += ` · ${texts.inAxiom}`;
       this.editor.point(ruleLine(state.system, null));
     }
     this.said.textContent = said;

@@ -71,7 +71,7 @@ export class DimensionTab {
     const box = found.box;
     head.append(
       el('p', {}, `${texts.measured}: `, box.value === null ? el('span', { class: 'wait' }, box.because) : el('b', {}, `${box.value.toFixed(4)} (${box.low?.toFixed(4)} … ${box.high?.toFixed(4)})`)),
-      el('p', { class: 'note' }, found.input.replace('standard input', 'the system')),
+      el('p', { class: 'note' }, found.input.replace('standard input', texts.system)),
     );
     const scales = box.scales.filter((scale) => scale.cells > 0);
     if (scales.length < 2) return this.root.replaceChildren(head);
@@ -83,7 +83,7 @@ export class DimensionTab {
       x: Math.log10(first.cell / scale.cell),
       y: Math.log10(scale.cells),
       used: scale.used,
-      said: `boxes of side ${scale.cell.toPrecision(4)}: ${Number(scale.cells.toFixed(1))} of them meet the figure (${scale.least} to ${scale.most})${scale.used ? ', used' : ''}`,
+      said: texts.boxesSaid(scale.cell.toPrecision(4), Number(scale.cells.toFixed(1)), scale.least, scale.most, scale.used),
     }));
     const used = dots.filter((dot) => dot.used);
     const line: [number, number][] = [];
@@ -93,11 +93,11 @@ export class DimensionTab {
       for (const x of [dots[0]!.x, dots[dots.length - 1]!.x]) line.push([x, meanY + box.value * (x - meanX)]);
     }
     const said = el('p', { class: 'note', 'aria-live': 'polite' }, texts.touch);
-    const canvas = el('canvas', { class: 'boxes', role: 'img', 'aria-label': 'the figure with its boxes' });
+    const canvas = el('canvas', { class: 'boxes', role: 'img', 'aria-label': texts.figureWithBoxes });
     this.canvas = canvas;
     const picture = plot({
-      horizontal: 'coarsest side / side of a box',
-      vertical: 'boxes that meet the figure',
+      horizontal: texts.boxSides,
+      vertical: texts.boxesMet,
       logarithmic: true,
       logarithmicX: true,
       dots,
@@ -159,6 +159,6 @@ export class DimensionTab {
       }
     }
     paint(context, plane, view, wide, high, ratio);
-    canvas.setAttribute('aria-label', `generation ${plane.head.generation} of the figure, ${Math.round(this.side)} boxes side by side`);
+    canvas.setAttribute('aria-label', texts.boxesOf(plane.head.generation, Math.round(this.side)));
   }
 }

@@ -6,7 +6,7 @@
 import { askBytes, askFile, askJson, Latest, Refusal } from './ask';
 import { busy, colour, download, el, later, speak } from './dom';
 import type { Editor } from './editor';
-import { described, shownGeneration, state, change, withGeneration } from './state';
+import { described, shownGeneration, state, change, withGeneration, type Look as Watch } from './state';
 import { texts } from './texts';
 import type { SpaceStage } from './space';
 
@@ -127,9 +127,9 @@ export class FigureTab {
   private readonly seedLabel = el('label', {}, texts.seed, this.seed);
   private readonly playButton = el('button', { 'aria-pressed': 'false', onclick: () => void this.play() }, '▶ ' + texts.play);
   private readonly walkButton = el('button', { 'aria-pressed': 'false', title: texts.walkHelp, onclick: () => void this.toggleWalk() }, texts.walk);
-  private readonly step = el('input', { type: 'range', min: 0, value: 0, 'aria-label': 'step of the turtle' });
+  private readonly step = el('input', { type: 'range', min: 0, value: 0, 'aria-label': texts.stepOfTurtle });
   private readonly stepSaid = el('span', {});
-  private readonly stepBar = el('div', { class: 'bar', hidden: true }, el('label', {}, 'step', this.step), this.stepSaid);
+  private readonly stepBar = el('div', { class: 'bar', hidden: true }, el('label', {}, texts.step, this.step), this.stepSaid);
   private readonly exports = el('select', { 'aria-label': texts.export });
   private readonly latest = new Latest();
   private readonly finer = new Latest();
@@ -142,6 +142,7 @@ export class FigureTab {
   private union: number[] | null = null;
   private shownKey = '';
   private settle = 0;
+  private wanted: Watch | null = null; // how a link looks at the figure that is not there yet
   private waits: (() => void) | null = null;
   private space: SpaceStage | null = null;
   visible = false;
@@ -154,8 +155,8 @@ export class FigureTab {
       this.playButton,
       this.walkButton,
       el('button', { title: '0', onclick: () => this.fit() }, texts.fit),
-      el('button', { 'aria-label': 'zoom in', onclick: () => this.zoom(1.5) }, '+'),
-      el('button', { 'aria-label': 'zoom out', onclick: () => this.zoom(1 / 1.5) }, '−'),
+      el('button', { 'aria-label': texts.zoomIn, onclick: () => this.zoom(1.5) }, '+'),
+      el('button', { 'aria-label': texts.zoomOut, onclick: () => this.zoom(1 / 1.5) }, '−'),
       this.seedLabel,
       this.exports,
     );
@@ -169,6 +170,39 @@ export class FigureTab {
     new ResizeObserver(() => this.resize()).observe(this.stage);
     this.listenToPointers();
     this.canvas.addEventListener('keydown', (event) => this.key(event));
+  }
+
+  /** How the figure is looked at, for links. */
+  look(): Watch {
+    const look: Watch = {};
+    if (this.space) look.camera = this.space.place();
+    else if (this.view && this.canvas.clientWidth > 0) look.view = [this.view.x, this.view.y, this.canvas.clientWidth / this.view.scale];
+    if (this.walk) look.step = Number(this.step.value);
+    return look;
+  }
+
+  /** Looks so at the figure that comes next. */
+  lookAt(look: Watch): void {
+    this.wanted = look;
+    this.shownKey = '';
+  }
+
+  /** What a link wants of the figure that has come. */
+  private async obey(signal: AbortSignal): Promise<void> {
+    const wanted = this.wanted;
+    this.wanted = null;
+    if (wanted?.camera) this.space?.stand(wanted.camera);
+    if (wanted?.view && this.whole && this.canvas.clientWidth > 0) {
+      const [x, y, wide] = wanted.view as [number, number, number];
+      this.view = { x, y, scale: this.canvas.clientWidth / wide };
+      this.moved();
+      this.draw();
+    }
+    if (wanted?.step !== undefined && !this.space) {
+      await this.loadWalk(signal);
+      this.step.value = String(wanted.step);
+      this.showStep();
+    }
   }
 
   /** The system, the generation or the view changed. */
@@ -186,6 +220,7 @@ export class FigureTab {
         if (found.head.kind === 'space') await this.showSpace(found.head, found.bytes);
         else this.showPlane(planeOf(found as { head: PlaneHead; bytes: Uint8Array }));
         if (this.walk && !this.playing) await this.loadWalk(signal);
+        await this.obey(signal);
       });
     } catch (error) {
       this.fail(error);
@@ -288,10 +323,10 @@ export class FigureTab {
       this.canvas.setAttribute('aria-label', texts.noFigure);
       return this.say(texts.noFigure);
     }
-    let said = texts.segments(group(head.segments));
+    let said = segmentsOf(head);
     if (BigInt(head.segments) > BigInt(head.strokes) * 2n) said += ` · ${texts.coarse}`;
     this.say(`n = ${head.generation} · ${said}`);
-    this.canvas.setAttribute('aria-label', `Figure of generation ${head.generation}, ${said}`);
+    this.canvas.setAttribute('aria-label', texts.figureOf(head.generation, said));
   }
 
   private resize(): void {
@@ -581,7 +616,7 @@ export class FigureTab {
             step.symbol,
           ),
         ),
-        walk.steps.length > most ? ` … ${walk.steps.length - most} more` : '',
+        walk.steps.length > most ? texts.more(walk.steps.length - most) : '',
       );
       this.showStep();
     } catch (error) {
@@ -595,7 +630,7 @@ export class FigureTab {
     if (!walk) return;
     const k = Number(this.step.value);
     const now = walk.steps[k - 1];
-    this.stepSaid.textContent = now ? `${k} of ${walk.steps.length}: ${now.symbol}, ${now.meaning}` : `0 of ${walk.steps.length}`;
+    this.stepSaid.textContent = texts.stepSaid(now ? k : 0, walk.steps.length, now ? `: ${now.symbol}, ${now.meaning}` : '');
     this.stepSaid.setAttribute('aria-live', 'polite');
     const spans = this.strip.children;
     for (let i = 0; i < spans.length; ++i) spans[i]!.className = i === k - 1 ? 'now' : i < k - 1 ? 'past' : '';
@@ -681,12 +716,12 @@ export class FigureTab {
       try {
         this.space = new SpaceStage(this.stage);
       } catch {
-        return this.say('This browser shows no figures in space: it has no WebGL.', 'bad');
+        return this.say(texts.noWebGL, 'bad');
       }
       this.canvas.hidden = true;
     }
     this.space.show(head, bytes);
-    this.say(head.empty ? texts.noFigure : `n = ${head.generation} · ${texts.segments(group(head.segments))}`);
+    this.say(head.empty ? texts.noFigure : `n = ${head.generation} · ${segmentsOf(head)}`);
     this.seen();
   }
 
@@ -718,6 +753,10 @@ export class FigureTab {
       this.fail(error);
     }
   }
+}
+
+function segmentsOf(head: { segments: string }): string {
+  return texts.segments(group(head.segments), Number(head.segments));
 }
 
 export function group(digits: string): string {

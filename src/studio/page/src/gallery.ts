@@ -29,7 +29,7 @@ export class Gallery {
     private readonly claims: () => string[],
     private readonly files: () => string[],
   ) {
-    const kinds = el('select', { 'aria-label': 'kind' }, el('option', { value: 'systems' }, texts.documents.system + 's'), el('option', { value: 'claims' }, texts.theory), el('option', { value: 'folder' }, texts.folder));
+    const kinds = el('select', { 'aria-label': texts.kind }, el('option', { value: 'systems' }, texts.systems), el('option', { value: 'claims' }, texts.theory), el('option', { value: 'folder' }, texts.folder));
     kinds.addEventListener('change', () => this.show(kinds.value));
     this.search.addEventListener('input', () => this.show(kinds.value));
     this.dialog.append(el('div', { class: 'inside' }, el('div', { class: 'bar' }, this.search, kinds, el('button', { onclick: () => this.dialog.close() }, texts.close)), this.cards));
@@ -102,7 +102,7 @@ export class Gallery {
       ++this.running;
       void this.picture(name)
         .then((address) => into.replaceChildren(el('img', { src: address, alt: '' })))
-        .catch(() => into.replaceChildren('words only'))
+        .catch(() => into.replaceChildren(texts.wordsOnly))
         .finally(() => {
           --this.running;
           this.work();

@@ -90,7 +90,7 @@ export class GrowthTab {
     if (!this.visible || !about || this.shownKey === state.system) return;
     if (!about.d0l) {
       this.shownKey = state.system;
-      this.root.replaceChildren(el('p', { class: 'note' }, texts.onlyD0L), el('p', {}, `This system is ${about.class}.`));
+      this.root.replaceChildren(el('p', { class: 'note' }, texts.onlyD0L), el('p', {}, texts.classOfSystem(about.class)));
       return;
     }
     const key = state.system;
@@ -148,7 +148,7 @@ export function table(report: Record<string, unknown>): HTMLElement {
   const rows = el('tbody', {});
   const say = (value: unknown): string => {
     if (value === null) return '—';
-    if (typeof value === 'boolean') return value ? 'yes' : 'no';
+    if (typeof value === 'boolean') return value ? texts.yes : texts.no;
     if (Array.isArray(value)) return value.length === 0 ? '—' : value.map(say).join(typeof value[0] === 'object' ? '; ' : ', ');
     if (typeof value === 'object') return Object.entries(value as Record<string, unknown>).map(([key, one]) => `${key.replaceAll('_', ' ')}: ${say(one)}`).join(', ');
     return String(value);

@@ -5,6 +5,8 @@ import { el } from './dom';
 import { change, described, state, systemQuestion } from './state';
 import { texts } from './texts';
 
+const longest = 16; // letters of a word that is listed
+
 interface Member {
   member: boolean;
   step: number | null;
@@ -42,13 +44,13 @@ export class LanguageTab {
       this.words.replaceChildren(el('p', { class: 'wait' }, texts.working));
       try {
         const { finite, count } = await askJson<{ finite: boolean; count: number | string | null }>(systemQuestion('finite'), { signal }, [0, 1]);
-        this.finite.replaceChildren(finite ? `Yes: it has ${String(count)} ${String(count) === '1' ? 'word' : 'words'}.` : 'No, it is infinite.');
+        this.finite.replaceChildren(finite ? texts.isFinite(String(count), Number(count)) : texts.isInfinite);
       } catch (error) {
         if (!signal.aborted) this.finite.replaceChildren(fail(error));
       }
       try {
-        const { words } = await askJson<{ words: string[] }>(systemQuestion('list', { longest: 16, seconds: 6 }), { signal }, [0, 1]);
-        this.words.replaceChildren(el('p', { class: 'symbols' }, words.slice(0, 400).map((word) => word || 'ε').join('  ') + (words.length > 400 ? ' …' : '')), el('p', { class: 'note' }, 'All words of at most 16 letters, shortest first.'));
+        const { words } = await askJson<{ words: string[] }>(systemQuestion('list', { longest, seconds: 6 }), { signal }, [0, 1]);
+        this.words.replaceChildren(el('p', { class: 'symbols' }, words.slice(0, 400).map((word) => word || 'ε').join('  ') + (words.length > 400 ? ' …' : '')), el('p', { class: 'note' }, texts.listed(longest)));
       } catch (error) {
         if (!signal.aborted) this.words.replaceChildren(fail(error));
       }
@@ -66,7 +68,7 @@ export class LanguageTab {
     try {
       const found = await this.decides.run((signal) => askJson<Member>(systemQuestion('member', { word }), { signal }, [0, 1]));
       if (!found) return;
-      const page = el('div', {}, el('p', { class: found.member ? 'good' : 'bad' }, el('b', {}, found.member ? texts.inLanguage(word) : texts.notInLanguage(word)), found.reason ? ` Reason: ${found.reason}.` : ''));
+      const page = el('div', {}, el('p', { class: found.member ? 'good' : 'bad' }, el('b', {}, found.member ? texts.inLanguage(word) : texts.notInLanguage(word)), found.reason ? ` ${texts.reason}: ${found.reason}.` : ''));
       for (const [step, one] of (found.derivation ?? []).entries())
         page.append(el('div', { class: 'generation' }, el('div', { class: 'number' }, one.table ? `${step} ${one.table}` : String(step)), el('div', { class: 'symbols' }, one.word || 'ε')));
       this.verdict.replaceChildren(page);

@@ -48,7 +48,7 @@ export function markdown(text: string, use: (text: string, kind: 'system' | 'cla
       ++i;
       const code = block.join('\n');
       page.append(el('pre', {}, code));
-      if (kind === 'claim' || kind === 'lsys') page.append(el('button', { onclick: () => use(code + '\n', kind === 'claim' ? 'claim' : 'system') }, 'Try it'));
+      if (kind === 'claim' || kind === 'lsys') page.append(el('button', { onclick: () => use(code + '\n', kind === 'claim' ? 'claim' : 'system') }, texts.tryIt));
     } else if (line.startsWith('$$')) {
       const block: string[] = [line.slice(2)];
       while (!block[block.length - 1]!.includes('$$') && ++i < lines.length) block.push(lines[i]!);
@@ -84,7 +84,7 @@ export class LessonsTab {
   private readonly chooser = el('select', { 'aria-label': texts.tabs.lessons });
   private readonly body = el('div', { class: 'panel', tabindex: '0' });
   private shown = 0;
-  private asked = false;
+  private listed: Promise<void> | null = null;
   visible = false;
 
   constructor() {
@@ -95,11 +95,7 @@ export class LessonsTab {
   async update(): Promise<void> {
     if (!this.visible) return;
     try {
-      if (!this.asked) {
-        this.asked = true;
-        const { lessons } = await askJson<{ lessons: Entry[] }>({ question: 'lessons' });
-        this.chooser.replaceChildren(...lessons.map((one) => el('option', { value: one.lesson }, `${one.lesson}. ${one.title}`)));
-      }
+      await (this.listed ??= this.list());
       if (this.shown === state.lesson) return;
       this.shown = state.lesson;
       this.chooser.value = String(state.lesson);
@@ -123,6 +119,11 @@ export class LessonsTab {
     } catch (error) {
       this.body.replaceChildren(el('p', { class: 'bad' }, error instanceof Error ? error.message : String(error)));
     }
+  }
+
+  private async list(): Promise<void> {
+    const { lessons } = await askJson<{ lessons: Entry[] }>({ question: 'lessons' });
+    this.chooser.replaceChildren(...lessons.map((one) => el('option', { value: one.lesson }, `${one.lesson}. ${one.title}`)));
   }
 
   private async mark(lesson: number, exercise: number, into: HTMLElement): Promise<void> {

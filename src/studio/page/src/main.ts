@@ -12,7 +12,7 @@ import { GrowthTab } from './growth';
 import { LanguageTab } from './language';
 import { LessonsTab } from './lessons';
 import { change, describe, fromLink, listen, state, systemQuestion, tabs, toLink, type Description, type Kind, type State, type Tab } from './state';
-import { texts } from './texts';
+import { choose, language, languages, texts } from './texts';
 
 let documentShown: Kind = 'system';
 let folderFiles: string[] = [];
@@ -169,19 +169,31 @@ function save(): void {
   download(text, (state.file.replace(/\.\w+$/, '') || 'system') + end, 'text/plain');
 }
 
-async function copyLink(): Promise<void> {
-  const link = `${location.origin}${location.pathname}#${await toLink()}`;
+/** Puts all of the page into its address, which is returned. */
+async function putIntoAddress(): Promise<string> {
+  const link = `${location.origin}${location.pathname}#${await toLink(panels.figure.look())}`;
   history.replaceState(null, '', link);
+  return link;
+}
+
+async function copyLink(): Promise<void> {
+  const link = await putIntoAddress();
   try {
     await navigator.clipboard.writeText(link);
     speak(texts.copied);
     copyButton.textContent = `✓ ${texts.copied}`;
   } catch {
-    copyButton.textContent = '↑ in the address';
+    copyButton.textContent = texts.linkInAddress;
   }
   setTimeout(() => (copyButton.textContent = texts.copyLink), 1800);
 }
 const copyButton = el('button', { onclick: () => void copyLink() }, texts.copyLink);
+
+const languageChooser = el('select', { 'aria-label': texts.languageHelp, title: texts.languageHelp }, ...Object.entries(languages).map(([name, { language: said }]) => el('option', { value: name, lang: name, selected: name === language }, said)));
+languageChooser.addEventListener('change', () => {
+  // Every text of the page is another one, so it is loaded anew, with what it shows in its address.
+  if (choose(languageChooser.value)) void putIntoAddress().then(() => location.reload());
+});
 
 function setTheme(theme: string): void {
   document.documentElement.dataset['theme'] = theme;
@@ -207,11 +219,11 @@ function present(on: boolean): void {
   } else if (document.fullscreenElement) void document.exitFullscreen();
 }
 
-const divider = el('div', { id: 'divider', role: 'separator', 'aria-orientation': 'vertical', 'aria-label': 'width of the editor', 'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-valuenow': 36, tabindex: '0' });
+const divider = el('div', { id: 'divider', role: 'separator', 'aria-orientation': 'vertical', 'aria-label': texts.widthOfEditor, 'aria-valuemin': 0, 'aria-valuemax': 100, 'aria-valuenow': 36, tabindex: '0' });
 const left = el(
   'section',
-  { id: 'left', 'aria-label': 'Editor' },
-  el('div', { class: 'tabs', role: 'tablist', 'aria-label': 'Documents', onkeydown: tabKeys(kinds, kindButtons) }, ...kinds.map((kind) => kindButtons[kind])),
+  { id: 'left', 'aria-label': texts.editor },
+  el('div', { class: 'tabs', role: 'tablist', 'aria-label': texts.documentKinds, onkeydown: tabKeys(kinds, kindButtons) }, ...kinds.map((kind) => kindButtons[kind])),
   editorPlace,
   about,
 );
@@ -240,6 +252,7 @@ document.body.append(
     el('button', { onclick: save, title: 'Ctrl+S' }, texts.save),
     copyButton,
     el('span', { class: 'gap' }),
+    languageChooser,
     el('button', { onclick: () => setSize(size - 2), title: texts.smallerHelp }, texts.smaller),
     el('button', { onclick: () => setSize(size + 2), title: texts.largerHelp }, texts.larger),
     themeButton,
@@ -253,11 +266,11 @@ document.body.append(
     divider,
     el(
       'section',
-      { id: 'right', 'aria-label': 'Views' },
+      { id: 'right', 'aria-label': texts.views },
       el(
         'div',
         { class: 'tabs' },
-        el('div', { role: 'tablist', 'aria-label': 'Views', onkeydown: tabKeys(tabs, tabButtons) }, ...tabs.map((tab) => tabButtons[tab])),
+        el('div', { role: 'tablist', 'aria-label': texts.views, onkeydown: tabKeys(tabs, tabButtons) }, ...tabs.map((tab) => tabButtons[tab])),
         el('button', { id: 'leave', onclick: () => present(false) }, texts.leave),
       ),
       ...tabs.map((tab) => panels[tab].root),
@@ -283,9 +296,10 @@ addEventListener('fullscreenchange', () => {
 });
 
 async function begin(): Promise<void> {
+  document.documentElement.lang = language;
   setTheme(matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light');
-  if (location.hash.length > 1) await fromLink(location.hash.slice(1));
-  addEventListener('hashchange', () => void fromLink(location.hash.slice(1)).then(() => showDocument(documentShown)));
+  if (location.hash.length > 1) await fromLink(location.hash.slice(1), (look) => panels.figure.lookAt(look));
+  addEventListener('hashchange', () => void fromLink(location.hash.slice(1), (look) => panels.figure.lookAt(look)).then(() => showDocument(documentShown)));
   showDocument('system');
   showTab();
   void lookAtSystem();

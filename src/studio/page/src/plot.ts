@@ -1,6 +1,7 @@
 // Diagrams: dots, a line, axes with round numbers.
 
 import { svg } from './dom';
+import { texts } from './texts';
 
 export interface PlotChoices {
   horizontal: string;
@@ -59,7 +60,7 @@ export function plot(choices: PlotChoices): SVGElement {
   if (top2[1] === low[1]) top2[1] += 1;
   const x = (value: number): number => left + ((value - low[0]) / (top2[0] - low[0])) * (wide - left - right - 10) + 5;
   const y = (value: number): number => high - bottom - ((value - low[1]) / (top2[1] - low[1])) * (high - top - bottom - 10) - 5;
-  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${wide} ${high}`, width: wide, height: high, role: choices.chosen ? 'group' : 'img', 'aria-label': `${choices.vertical} against ${choices.horizontal}` });
+  const picture = svg('svg', { class: 'plot', viewBox: `0 0 ${wide} ${high}`, width: wide, height: high, role: choices.chosen ? 'group' : 'img', 'aria-label': texts.against(choices.vertical, choices.horizontal) });
   for (const tick of (choices.logarithmicX ? logarithmicTicks : ticks)(low[0], top2[0]))
     picture.append(svg('line', { class: 'grid', x1: x(tick), x2: x(tick), y1: top, y2: high - bottom }), svg('text', { x: x(tick), y: high - bottom + 18, 'text-anchor': 'middle' }, label(tick, choices.logarithmicX ?? false)));
   for (const tick of (choices.logarithmic ? logarithmicTicks : ticks)(low[1], top2[1]))

@@ -3,6 +3,7 @@
 import { AmbientLight, BufferAttribute, BufferGeometry, Color, DirectionalLight, DoubleSide, Group, Mesh, MeshLambertMaterial, PerspectiveCamera, Scene, Sphere, Vector3, WebGLRenderer } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { colour } from './dom';
+import { texts } from './texts';
 import type { SpaceHead } from './figure';
 
 export class SpaceStage {
@@ -23,7 +24,7 @@ export class SpaceStage {
     const canvas = this.renderer.domElement;
     canvas.tabIndex = 0;
     canvas.setAttribute('role', 'img');
-    canvas.setAttribute('aria-label', 'Figure in space; drag to turn it');
+    canvas.setAttribute('aria-label', texts.figureInSpace);
     parent.prepend(canvas);
     this.camera.up.set(0, 0, 1);
     this.scene.add(new AmbientLight(0xffffff, 1.1), this.light, this.camera);
@@ -102,6 +103,18 @@ export class SpaceStage {
     this.camera.position.copy(back.multiplyScalar(1.06 * distance));
     this.controls.target.set(0, 0, 0);
     this.camera.updateProjectionMatrix();
+    this.controls.update();
+    this.repaint();
+  }
+
+  /** Where the camera stands and what it looks at. */
+  place(): number[] {
+    return [...this.camera.position.toArray(), ...this.controls.target.toArray()];
+  }
+
+  stand([x, y, z, a, b, c]: number[]): void {
+    this.camera.position.set(x!, y!, z!);
+    this.controls.target.set(a!, b!, c!);
     this.controls.update();
     this.repaint();
   }

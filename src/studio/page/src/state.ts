@@ -110,16 +110,34 @@ async function through(bytes: Uint8Array, stream: CompressionStream | Decompress
   return new Uint8Array(await new Response(body as unknown as ReadableStream<Uint8Array>).arrayBuffer());
 }
 
+/** How a figure is looked at: the middle of the view and how wide it is, in the units of the figure; the turtle's step; the camera in space. */
+export interface Look {
+  view?: number[];
+  step?: number;
+  camera?: number[];
+}
+
+function lookOf(found: unknown): Look | null {
+  if (typeof found !== 'object' || found === null) return null;
+  const { view, step, camera } = found as Record<string, unknown>;
+  const numbers = (value: unknown, count: number): value is number[] => Array.isArray(value) && value.length === count && value.every(Number.isFinite);
+  const look: Look = {};
+  if (numbers(view, 3) && view[2]! > 0) look.view = view;
+  if (Number.isSafeInteger(step) && (step as number) >= 0) look.step = step as number;
+  if (numbers(camera, 6)) look.camera = camera;
+  return look;
+}
+
 /** The part of an address that holds all of it: the state as JSON, deflated, in letters that addresses may have. */
-export async function toLink(): Promise<string> {
-  const bytes = await through(new TextEncoder().encode(JSON.stringify(state)), new CompressionStream('deflate-raw'));
+export async function toLink(look: Look | null): Promise<string> {
+  const bytes = await through(new TextEncoder().encode(JSON.stringify({ ...state, look })), new CompressionStream('deflate-raw'));
   let text = '';
   for (const byte of bytes) text += String.fromCharCode(byte);
   return btoa(text).replaceAll('+', '-').replaceAll('/', '_').replace(/=+$/, '');
 }
 
-/** Takes over what a link holds; what is no link changes nothing. */
-export async function fromLink(link: string): Promise<boolean> {
+/** Takes over what a link holds, and says how its figure is looked at; what is no link changes nothing. */
+export async function fromLink(link: string, looks: (look: Look) => void): Promise<boolean> {
   try {
     const text = atob(link.replaceAll('-', '+').replaceAll('_', '/'));
     const bytes = Uint8Array.from(text, (letter) => letter.charCodeAt(0));
@@ -132,6 +150,8 @@ export async function fromLink(link: string): Promise<boolean> {
       if (isNumber ? given === null || (Number.isSafeInteger(given) && (given as number) >= 0) : typeof given === typeof value) values[key] = given;
     }
     if (!tabs.includes((values['tab'] ?? 'figure') as Tab)) delete values['tab'];
+    const look = lookOf(found['look']);
+    if (look) looks(look);
     change(values as Partial<State>);
     return true;
   } catch {

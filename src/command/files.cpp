@@ -79,6 +79,9 @@ std::function<std::size_t(char*, std::size_t)> file_source(const std::string& pa
 }
 
 std::string file_text(const std::string& path, const Budget& budget) {
+    // Standard input can be read once, and several parts of a verb may ask for what it says.
+    static std::optional<std::string> said;
+    if (path == "-" && said) return *said;
     const auto more = file_source(path, budget);
     const std::uint64_t largest = budget.memory / memory_of_a_byte;
     std::string text;
@@ -92,6 +95,7 @@ std::string file_text(const std::string& path, const Budget& budget) {
                     std::to_string(largest >> 20) + " MiB, as much as can be read within the " +
                     std::to_string(budget.memory >> 20) + " MiB allowed by --max-memory");
     }
+    if (path == "-") said = text;
     return text;
 }
 

@@ -110,3 +110,18 @@ TEST_CASE("a browser draws the pages") {
     CHECK(run("dimension '" + shot + "' --json").status != 2);
     CHECK(text_of(shot).size() > 5000);
 }
+
+TEST_CASE("standard input may be asked for more than once") {
+    // A page of a figure asked whether it is in space, and then for the system; a panel for each value opened it anew.
+    const Scratch files;
+    const std::string system =
+        files.file("koch.lsys", "let a = 60\naxiom F\nF -> F+F--F+F\nangle a\n");
+    const std::string page = files.file("koch.html"), panels = files.file("panels.svg");
+    const Run drawn = run("draw - -n 3 -o '" + page + "' <'" + system + "'");
+    CHECK(drawn.err == "");
+    CHECK(drawn.status == 0);
+    CHECK(text_of(page).find("<html") != std::string::npos);
+    CHECK(run("draw - -n 3 --let a=30..60:30 --panels -o '" + panels + "' <'" + system + "'").err ==
+          "");
+    CHECK(std::filesystem::exists(panels));
+}

@@ -106,6 +106,8 @@ const sees = async (text, what) => {
 };
 /** Puts a text into the editor, as one types it, and waits until the page has taken it in. */
 const type = async (text) => {
+  const there = () => page.evaluate(() => [...document.querySelectorAll('.cm-line')].map((line) => line.textContent).join('\n'));
+  if ((await there()) === text) return settled(); // to wait for it would not tell when it is typed
   await page.locator('.cm-content').click();
   await page.keyboard.press('Control+a');
   await page.keyboard.insertText(text);
@@ -224,6 +226,71 @@ const seenWidth = async () => {
   const [wide, high] = [81, 81 * Math.sqrt(3) / 6];
   return width / (Math.min((0.92 * width) / wide, (0.92 * height) / high) * 1.5 * 1.5);
 };
+
+/** What goes out of the page as a file: its name and its text. */
+async function downloaded(work) {
+  const [file] = await Promise.all([page.waitForEvent('download'), work()]);
+  await settled();
+  return { name: file.suggestedFilename(), text: readFileSync(await file.path(), 'latin1') };
+}
+
+/** What one does with a figure or a claim besides looking at it. */
+async function doings() {
+  await type(systems.koch.text);
+  await tab('Figure');
+  // Every format of a figure in the plane, by how such a file begins.
+  const begins = { svg: '<?xml', pdf: '%PDF', png: '\x89PNG', tex: '%', html: '<!DOCTYPE html>', gif: 'GIF8', dxf: '', geojson: '{', csv: '' };
+  for (const [format, begin] of Object.entries(begins)) {
+    const file = await downloaded(() => page.getByLabel('Export').selectOption(format));
+    check(file.name === `koch.${format}` || file.name.endsWith(`.${format}`), `the export of a figure is called ${file.name}`);
+    check(file.text.length > 100 && file.text.startsWith(begin), `the export ${format} is such a file: ${JSON.stringify(file.text.slice(0, 20))}`);
+  }
+  const saved = await downloaded(() => page.getByRole('button', { name: 'Save', exact: true }).click());
+  check(saved.name.endsWith('.lsys') && saved.text === systems.koch.text, 'Save gives the text of the editor');
+  await page.setInputFiles('input[type=file]', { name: 'mine.lsys', mimeType: 'text/plain', buffer: Buffer.from(systems.plant.text) });
+  await sees(/360 segments/, 'a file of one\'s own is opened');
+
+  // Growth as a film ends where it began, and can be stopped.
+  await page.getByRole('button', { name: /Play/ }).click();
+  await page.getByRole('button', { name: /Pause/ }).waitFor();
+  await sees(/n = 1 ·/, 'the film goes through the generations');
+  await page.getByRole('button', { name: /Play/ }).waitFor();
+  includes(await panel(), 'n = 4 · 360 segments', 'the film ends at the generation that was shown');
+
+  // Sliders write into the text, where everybody sees it.
+  await page.getByRole('slider', { name: 'angle' }).fill('30');
+  await settled();
+  check((await page.locator('.cm-content').innerText()).includes('angle 30'), 'the slider of the angle writes into the text');
+  await type(systems.parametric.text);
+  await page.getByRole('slider', { name: 'r', exact: true }).fill('0.5');
+  await settled();
+  check((await page.locator('.cm-content').innerText()).includes('let r = 0.5'), 'the slider of a constant writes into the text');
+
+  // The editor is as wide as one likes, by the keyboard too.
+  const before = (await page.locator('#left').boundingBox()).width;
+  await page.getByRole('separator').focus();
+  await page.keyboard.press('ArrowRight');
+  check((await page.locator('#left').boundingBox()).width > before, 'the key → widens the editor');
+
+  // A proof is saved as a certificate that verify accepts.
+  await tab('Claims');
+  await type('claim  Proved\nlet A = {a, aa}\nshow A is not 0L\n');
+  includes(await panel(), '✓ proved', 'a statement is proved');
+  const certificate = await downloaded(() => page.getByRole('button', { name: 'Save certificate' }).click());
+  const checked = spawnSync(algae, ['verify', '-'], { input: certificate.text, encoding: 'utf8' });
+  check(checked.status === 0, `verify accepts the certificate of the page: ${checked.stdout}${checked.stderr}`);
+
+  // A search says how far it is, and is stopped by the button.
+  await type('claim  Long\ntheorem for all 0L languages A, B: A B is EDT0L\n');
+  await page.getByLabel('instances').fill('100000000');
+  await page.getByRole('button', { name: 'Check', exact: true }).click();
+  await page.getByRole('button', { name: 'Stop', exact: true }).click();
+  await sees('Stopped.', 'a search is stopped by the button');
+
+  await tab('Figure');
+  await type(systems.dragon.text);
+  includes(await panel(), '128 segments', 'the figure is of what is written');
+}
 
 /** The page in other languages: what one sees, and what a number does to a word. */
 async function languages() {
@@ -388,6 +455,7 @@ try {
   await third.close();
   await page.getByRole('button', { name: /Turtle/ }).click();
 
+  await part('doings', doings);
   await part('languages', languages);
 
   await page.getByRole('button', { name: 'Present' }).click();

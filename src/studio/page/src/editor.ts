@@ -10,6 +10,7 @@ import { Decoration, drawSelection, EditorView, gutter, GutterMarker, highlightA
 import { tags } from '@lezer/highlight';
 import { ask, Latest } from './ask';
 import type { Kind } from './state';
+import { texts } from './texts';
 
 interface Position {
   line: number;
@@ -170,7 +171,7 @@ export class Editor {
         autocompletion({ override: [(context) => this.complete(context)] }),
         hoverTooltip((_view, at) => this.hover(at)),
         EditorView.lineWrapping,
-        this.label.of(EditorView.contentAttributes.of({ 'aria-label': `${kind}, editor` })),
+        this.label.of(EditorView.contentAttributes.of({ 'aria-label': `${texts.documents[kind]}, ${texts.editor}` })),
         keymap.of([...closeBracketsKeymap, ...defaultKeymap, ...searchKeymap, ...historyKeymap, ...completionKeymap, ...lintKeymap]),
         EditorView.updateListener.of((update) => {
           if (!update.docChanged) return;
@@ -244,7 +245,7 @@ export class Editor {
         });
       }
       this.view.dispatch(setDiagnostics(this.view.state, text.trim() ? all : []));
-      this.found(text.trim() ? all.length : 0, all[0] ? `line ${doc.lineAt(all[0].from).number}: ${all[0].message}` : '');
+      this.found(text.trim() ? all.length : 0, all[0] ? texts.lineSaid(doc.lineAt(all[0].from).number, all[0].message) : '');
     } catch (error) {
       this.found(1, error instanceof Error ? error.message : String(error));
     }

@@ -31,6 +31,7 @@ export const cs: Texts = {
   views: 'Pohledy',
   documentKinds: 'Dokumenty',
   widthOfEditor: 'šířka editoru',
+  lineSaid: (line, message) => `řádek ${line}: ${message}`,
   documents: { system: 'Systém', claim: 'Tvrzení', answer: 'Odpověď' },
   tabs: {
     figure: 'Obrázek',

@@ -29,6 +29,7 @@ export const en = {
   views: 'Views',
   documentKinds: 'Documents',
   widthOfEditor: 'width of the editor',
+  lineSaid: (line: number, message: string) => `line ${line}: ${message}`,
   documents: { system: 'System', claim: 'Claim', answer: 'Answer' },
   tabs: {
     figure: 'Figure',

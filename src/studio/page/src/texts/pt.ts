@@ -31,6 +31,7 @@ export const pt: Texts = {
   views: 'Vistas',
   documentKinds: 'Documentos',
   widthOfEditor: 'largura do editor',
+  lineSaid: (line, message) => `linha ${line}: ${message}`,
   documents: { system: 'Sistema', claim: 'Afirmação', answer: 'Resposta' },
   tabs: {
     figure: 'Figura',

@@ -32,6 +32,7 @@ export const ru: Texts = {
   views: 'Виды',
   documentKinds: 'Документы',
   widthOfEditor: 'ширина редактора',
+  lineSaid: (line, message) => `строка ${line}: ${message}`,
   documents: { system: 'Система', claim: 'Утверждение', answer: 'Ответ' },
   tabs: {
     figure: 'Рисунок',

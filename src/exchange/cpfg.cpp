@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cctype>
 #include <optional>
 #include <string>
 #include <utility>
@@ -78,8 +79,10 @@ public:
             if (state == homomorphism && behind(said, {"seed:"}))
                 refuse(place, "a homomorphism with choices", "has no meaning in the notation");
             if (state == header)
-                fail(place, "expected a line of the header or 'Axiom:', found '" +
-                                said.text.substr(0, 40) + "'");
+                fail(place,
+                     "expected 'Axiom:' or a line of the header, such as 'derivation length: 3' or "
+                     "'ignore: +-', found '" +
+                         said.text.substr(0, 40) + "'" + header_hint(said.text));
             (state == rules           ? system_.rules
              : state == decomposition ? system_.decomposition
                                       : system_.interpretation)
@@ -89,6 +92,17 @@ public:
     }
 
 private:
+    /// How a line that is none of the header is meant, if it begins as one does.
+    static std::string header_hint(const std::string& said) {
+        if (said.starts_with("angle"))
+            return "; angles stand in a view file, `angle increment: 30`, or behind symbols, +(30)";
+        std::string letters;
+        for (const char c : said)
+            if (std::isalpha(static_cast<unsigned char>(c)) || c == ' ') letters += c;
+        return did_you_mean(trimmed(letters), {"Axiom", "derivation length", "ignore", "consider",
+                                               "seed", "ring lsystem", "define"});
+    }
+
     static bool is_end(const Placed& said) {
         return said.text == "endlsystem" || said.text == "Endlsystem" || said.text == "EndLsystem";
     }

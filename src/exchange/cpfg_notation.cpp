@@ -34,7 +34,9 @@ public:
         : CpfgReader(source, dialect, std::move(system)) {}
 
     Model model() {
-        if (system_.axiom.text.empty()) fail(0, "expected an axiom, found none");
+        if (system_.axiom.text.empty())
+            fail(0, std::string("expected a line `Axiom: ") + (dialect_.plus ? "F(1);" : "F") +
+                        "`, found none");
         const std::string text = notation();
         try {
             return read_lsystem(text, source_.file());
@@ -60,8 +62,7 @@ private:
         }
         rewrites_cut_ = std::ranges::any_of(
             system_.rules, [](const CpfgRule& rule) { return rule.predecessor.symbol == "%"; });
-        split_predecessors();
-        if (!dialect_.python && !dialect_.plus) add_command_rules();
+        system_ = with_single_predecessors(source_, dialect_, std::move(system_));
         add_decompositions();
         std::string axiom = written(modules(system_.axiom), {});
         const std::string rules = rule_lines();
@@ -110,136 +111,6 @@ private:
         if (!system_.generation.empty()) text += "generation " + system_.generation + "\n";
         return text;
     }
-
-    // --- Predecessors of several modules ---
-
-    /// Whether the end of one predecessor is the beginning of another, less than all of both.
-    static bool overlaps(const std::vector<CpfgModule>& one, const std::vector<CpfgModule>& other) {
-        for (std::size_t size = 1; size < std::max(one.size(), other.size()); ++size) {
-            if (size > one.size() || size > other.size()) break;
-            if (size == one.size() && size == other.size()) break;
-            bool same = true;
-            for (std::size_t i = 0; i < size && same; ++i)
-                same = one[one.size() - size + i].kind() == other[i].kind();
-            if (same) return true;
-        }
-        return false;
-    }
-    static bool holds_part(const std::vector<CpfgModule>& word,
-                           const std::vector<CpfgModule>& part) {
-        for (std::size_t at = 0; at + part.size() <= word.size(); ++at) {
-            bool same = part.size() < word.size();
-            for (std::size_t i = 0; i < part.size() && same; ++i)
-                same = word[at + i].kind() == part[i].kind();
-            if (same) return true;
-        }
-        return false;
-    }
-
-    /// `AB --> C` as rules for its modules: A before B becomes C, B behind A nothing. That is the same where no two places of such
-    /// predecessors can share a module, contexts skip nothing and no earlier rule takes one of the modules.
-    void split_predecessors() {
-        const auto first = std::ranges::find_if(
-            system_.rules, [](const CpfgRule& rule) { return !rule.several.empty(); });
-        if (first == system_.rules.end()) return;
-        const char* const why =
-            "is one rule for all of them, which has a meaning in the notation only ";
-        const auto fail_for = [&](const CpfgRule& rule, const char* where) {
-            refuse(rule.several[1].place, "a predecessor of several modules",
-                   std::string(why) + where);
-        };
-        if (system_.stochastic) fail_for(*first, "without a seed");
-        if (system_.ignored || system_.considered)
-            fail_for(*first, "where contexts skip no symbols");
-        std::vector<std::vector<CpfgModule>> words{modules(system_.axiom)};
-        for (const auto* all : {&system_.rules, &system_.decomposition})
-            for (const CpfgRule& rule : *all) words.push_back(modules(rule.successor));
-        for (const std::vector<CpfgModule>& word : words)
-            for (const CpfgModule& module : word)
-                if (module.symbol == "[" || module.symbol == "]")
-                    fail_for(*first, "in words without branches, which contexts skip");
-        std::set<std::string> single;  // modules of the rules so far that have one
-        for (const CpfgRule& rule : system_.rules) {
-            if (rule.several.empty()) {
-                single.insert(rule.letter());
-                continue;
-            }
-            for (const CpfgModule& module : rule.several)
-                if (single.contains(module.kind()))
-                    fail_for(rule, "before all other rules for one of these modules");
-            for (const CpfgRule& other : system_.rules) {
-                if (other.several.empty()) continue;
-                if (overlaps(rule.several, other.several) ||
-                    overlaps(other.several, rule.several) ||
-                    holds_part(rule.several, other.several))
-                    fail_for(rule, "where two such predecessors cannot share modules of a word");
-            }
-        }
-        std::vector<CpfgRule> split;
-        for (const CpfgRule& rule : system_.rules) {
-            if (rule.several.empty()) {
-                split.push_back(rule);
-                continue;
-            }
-            for (std::size_t i = 0; i < rule.several.size(); ++i) {
-                CpfgRule one = rule;
-                one.several.clear();
-                one.predecessor = rule.several[i];
-                const auto at = rule.several.begin() + static_cast<std::ptrdiff_t>(i);
-                one.left.insert(one.left.end(), rule.several.begin(), at);
-                one.right.insert(one.right.begin(), at + 1, rule.several.end());
-                if (i > 0) one.successor = {};
-                split.push_back(std::move(one));
-            }
-        }
-        system_.rules = std::move(split);
-    }
-
-    // --- Rules for parts of commands ---
-
-    /// Where a rule rewrites the last symbol of a command, `F --> X` that of `~F`, the command has a rule of its own, `~F --> ~X`.
-    void add_command_rules() {
-        std::vector<CpfgModule> todo;
-        std::set<std::string> known;
-        const auto meet = [&](const Placed& word) {
-            for (const CpfgModule& module : modules(word))
-                if (module.symbol.size() > 1 && is_command(module.symbol) &&
-                    known.insert(module.kind()).second)
-                    todo.push_back(module);
-        };
-        meet(system_.axiom);
-        for (const auto* all : {&system_.rules, &system_.decomposition, &system_.interpretation})
-            for (const CpfgRule& rule : *all) meet(rule.successor);
-        while (!todo.empty()) {
-            const CpfgModule command = todo.back();
-            todo.pop_back();
-            const std::string prefix = command.symbol.substr(0, command.symbol.size() - 1),
-                              last = command.symbol.substr(command.symbol.size() - 1);
-            const std::vector<CpfgRule> rules = system_.rules;
-            for (const CpfgRule& rule : rules) {
-                if (rule.predecessor.symbol != last ||
-                    rule.predecessor.arguments.size() != command.arguments.size())
-                    continue;
-                const std::vector<CpfgModule> image = modules(rule.successor);
-                if (image.empty() || is_command(image[0].symbol) || system_.stochastic)
-                    refuse(rule.predecessor.place, "a rule for " + last,
-                           "rewrites a part of the command " + command.symbol +
-                               ", which is one symbol in the notation");
-                CpfgRule own = rule;
-                own.predecessor.symbol = command.symbol;
-                own.successor = {};
-                for (const char c : prefix) own.successor.add(c, rule.successor.place(0));
-                own.successor.append(rule.successor.trimmed());
-                meet(own.successor);
-                system_.rules.push_back(std::move(own));
-            }
-        }
-    }
-    static bool is_command(const std::string& symbol) {
-        return std::string_view("@~?").find(symbol[0]) != std::string_view::npos;
-    }
-
-    // --- The notation ---
 
     /// The symbol's name there.
     std::string name(const CpfgModule& module) const {
@@ -315,7 +186,7 @@ private:
     /// Symbols that begin commands may have no rules of their own here, and contexts see commands whole.
     void check_commands() const {
         for (const std::string& met : met_) {
-            if (met.size() < 2 || !is_command(met)) continue;
+            if (met.size() < 2 || !is_cpfg_command(met)) continue;
             const auto check = [&](const CpfgModule& module, const char* what, bool last_too) {
                 for (std::size_t i = 0; i + (last_too ? 0 : 1) < met.size(); ++i)
                     if (module.symbol == met.substr(i, 1))
@@ -438,41 +309,106 @@ private:
         if (++steps_ > most) refuse(module.place, what, "that takes more than 2000000 steps");
     }
 
-    /// What a decomposition makes of a word, as deep as it goes.
-    std::vector<CpfgModule> decomposed(const std::vector<CpfgModule>& word,
-                                       std::uint64_t depth) const {
-        constexpr std::size_t longest = 100'000;
-        std::vector<CpfgModule> found;
+    /// A word that a rule gives where a condition of the notation holds, always if it is empty.
+    struct Case {
+        std::string condition;
+        std::vector<CpfgModule> word;
+    };
+
+    /// What a decomposition makes of a word, as deep as it goes: a word for each outcome of the conditions that the names of a rule leave open.
+    std::vector<Case> decomposed(const std::vector<CpfgModule>& word, std::uint64_t depth,
+                                 const std::set<std::string>& names) const {
+        std::vector<Case> found(1);
         for (const CpfgModule& module : word) {
             count_step(module, "a decomposition");
-            const CpfgRule* const rule = depth == 0 ? nullptr : decomposition_of(module);
-            if (!rule) {
-                found.push_back(module);
-            } else {
-                std::map<std::string, Placed> values;
-                for (std::size_t i = 0; i < module.arguments.size(); ++i)
-                    values.emplace(
-                        rule->predecessor.arguments[i].text,
-                        is_integer(module, i) ? whole(module.arguments[i]) : module.arguments[i]);
-                std::vector<CpfgModule> image = modules(rule->successor);
-                for (CpfgModule& one : image) {
-                    one.place = module.place;
-                    for (Placed& argument : one.arguments) argument = with(argument, values);
+            const std::vector<Case> parts = cases_of(module, depth, names);
+            std::vector<Case> longer;
+            for (const Case& before : found)
+                for (const Case& part : parts) {
+                    longer.push_back({both(before.condition, part.condition), before.word});
+                    std::vector<CpfgModule>& all = longer.back().word;
+                    all.insert(all.end(), part.word.begin(), part.word.end());
                 }
-                for (CpfgModule& one : decomposed(image, depth - 1))
-                    found.push_back(std::move(one));
-            }
-            if (found.size() > longest)
-                refuse(module.place, "a decomposition", "that gives more than 100000 modules");
+            found = std::move(longer);
+            check_cases(module, found);
         }
         return found;
     }
-    const CpfgRule* decomposition_of(const CpfgModule& module) const {
-        const auto found = std::ranges::find_if(system_.decomposition, [&](const CpfgRule& rule) {
-            return rule.predecessor.symbol == module.symbol &&
-                   rule.predecessor.arguments.size() == module.arguments.size();
-        });
-        return found == system_.decomposition.end() ? nullptr : &*found;
+    void check_cases(const CpfgModule& module, const std::vector<Case>& cases) const {
+        constexpr std::size_t most = 64, longest = 100'000;
+        if (cases.size() > most)
+            refuse(module.place, "a decomposition",
+                   "whose conditions have more than 64 outcomes for one rule would take too many "
+                   "rules of the notation");
+        std::size_t size = 0;
+        for (const Case& one : cases) size += one.word.size() + one.condition.size();
+        if (size > longest)
+            refuse(module.place, "a decomposition", "that gives more than 100000 modules");
+    }
+    static std::string both(const std::string& one, const std::string& other) {
+        return one.empty() || other.empty() ? one + other : one + " & " + other;
+    }
+
+    /// What a decomposition makes of a module: of its rules the first whose condition holds is used.
+    std::vector<Case> cases_of(const CpfgModule& module, std::uint64_t depth,
+                               const std::set<std::string>& names) const {
+        std::vector<Case> found;
+        std::string open;  // no rule so far applies where this holds
+        for (const CpfgRule& rule : system_.decomposition) {
+            if (depth == 0 || rule.letter() != module.kind()) continue;
+            std::map<std::string, Placed> values;
+            for (std::size_t i = 0; i < module.arguments.size(); ++i)
+                values.emplace(rule.predecessor.arguments[i].text, is_integer(module, i)
+                                                                       ? whole(module.arguments[i])
+                                                                       : module.arguments[i]);
+            std::string condition;
+            if (rule.condition) {
+                condition = "(" + expression(with(*rule.condition, values), names) + ")";
+                const std::optional<bool> holds = known(condition);
+                if (holds && !*holds) continue;
+                if (holds) condition.clear();
+            }
+            for (Case& one :
+                 decomposed(image_of(module, rule, values, "a decomposition"), depth - 1, names)) {
+                one.condition = both(both(open, condition), one.condition);
+                found.push_back(std::move(one));
+            }
+            check_cases(module, found);
+            if (condition.empty()) return found;
+            open = both(open, "!" + condition);
+        }
+        found.push_back({open, {module}});
+        return found;
+    }
+
+    /// The successor of a rule with these values for its names.
+    std::vector<CpfgModule> image_of(const CpfgModule& module, const CpfgRule& rule,
+                                     const std::map<std::string, Placed>& values,
+                                     const char* what) const {
+        constexpr std::size_t longest = 10'000;
+        std::vector<CpfgModule> found = modules(rule.successor);
+        for (CpfgModule& one : found) {
+            one.place = module.place;
+            for (Placed& argument : one.arguments) {
+                argument = with(argument, values);
+                if (argument.text.size() > longest)
+                    refuse(module.place, what,
+                           "that gives an expression of more than 10000 characters");
+            }
+        }
+        return found;
+    }
+
+    /// Whether a condition of the notation that reads no name holds; nothing if it reads one.
+    static std::optional<bool> known(const std::string& condition) {
+        try {
+            const Quantity value =
+                evaluate(read_expression(condition),
+                         [](const std::string&) -> const Quantity* { return nullptr; });
+            return value.value != 0;
+        } catch (const Diagnostics&) {
+            return std::nullopt;
+        }
     }
 
     /// What a homomorphism makes of an image of it, as deep as it goes. What it would rewrite still deeper draws as the turtle takes it, so
@@ -506,12 +442,8 @@ private:
                 std::map<std::string, Placed> values;
                 for (std::size_t i = 0; i < module.arguments.size(); ++i)
                     values.emplace(rule->predecessor.arguments[i].text, module.arguments[i]);
-                std::vector<CpfgModule> deeper = modules(rule->successor);
-                for (CpfgModule& one : deeper) {
-                    one.place = module.place;
-                    for (Placed& argument : one.arguments) argument = with(argument, values);
-                }
-                for (CpfgModule& one : drawn(std::move(deeper), depth - 1, interpreted))
+                for (CpfgModule& one : drawn(image_of(module, *rule, values, "a homomorphism"),
+                                             depth - 1, interpreted))
                     found.push_back(std::move(one));
             } else if (module.symbol == "F" || module.symbol == "f") {
                 module.symbol += "_h";
@@ -533,23 +465,37 @@ private:
         return found;
     }
 
-    std::vector<CpfgModule> successor(const CpfgRule& rule) const {
-        return decomposed(modules(rule.successor), system_.depth);
+    std::vector<Case> successors(const CpfgRule& rule) const {
+        return decomposed(modules(rule.successor), system_.depth, formals(rule));
+    }
+
+    /// The lines of a rule where a condition holds, with an arrow of the notation: one for each outcome of the conditions of decompositions.
+    std::string lines(const CpfgRule& rule, const std::string& condition,
+                      const std::string& arrow = "->") {
+        std::string text;
+        for (const Case& one : successors(rule))
+            text += head(rule, both(condition, one.condition)) + " " + arrow + " " +
+                    written(one.word, formals(rule)) + "\n";
+        return text;
     }
 
     /// A rule for each module that no other rule rewrites and a decomposition does.
     void add_decompositions() {
         if (system_.decomposition.empty()) return;
+        std::set<std::string> seen;
         for (const CpfgRule& rule : system_.decomposition) {
-            if (rule.condition || rule.weight || !rule.left.empty() || !rule.right.empty())
-                refuse(rule.place, "a decomposition with contexts, conditions or weights",
+            if (rule.weight || !rule.left.empty() || !rule.right.empty())
+                refuse(rule.place, "a decomposition with contexts or weights",
                        "has no meaning in the notation");
-            if (decomposition_of(rule.predecessor) != &rule) continue;
+            if (!seen.insert(rule.letter()).second) continue;
             const auto same = [&](const CpfgRule& one) { return one.letter() == rule.letter(); };
             if (system_.stochastic && std::ranges::any_of(system_.rules, same)) {
-                if (!std::ranges::find_if(system_.rules, same)->reach())
+                if (std::ranges::any_of(system_.rules, [&](const CpfgRule& one) {
+                        return same(one) && one.reach() == 0 && !one.condition;
+                    }))
                     continue;  // some rule applies
-                refuse(rule.place, "a decomposition of what rules with contexts may leave",
+                refuse(rule.place,
+                       "a decomposition of what rules with contexts or conditions may leave",
                        "beside weights has no meaning in the notation");
             }
             CpfgRule last;
@@ -575,9 +521,10 @@ private:
     /// Letters behind which no letter but the end of their branch can stand.
     std::set<std::string> last_letters() const {
         std::vector<std::pair<std::string, std::vector<CpfgModule>>> words{
-            {"", decomposed(modules(system_.axiom), 0)}};
+            {"", modules(system_.axiom)}};
         for (const CpfgRule& rule : system_.rules)
-            words.emplace_back(rule.predecessor.symbol, successor(rule));
+            for (Case& one : successors(rule))
+                words.emplace_back(rule.predecessor.symbol, std::move(one.word));
         std::set<std::string> last;
         for (const auto& [owner, word] : words)
             for (const CpfgModule& module : word) last.insert(module.symbol);
@@ -669,7 +616,7 @@ private:
             }
             earlier.push_back(&rule);
             if (!reached) continue;
-            text += head(rule, condition) + " -> " + written(successor(rule), names) + "\n";
+            text += lines(rule, condition);
         }
         if (!system_.stochastic) return text;
         for (const CpfgRule& rule : system_.rules) {
@@ -679,13 +626,12 @@ private:
                     all, [](const CpfgRule* one) { return one->condition.has_value(); })) {
                 text += conditional_choice(all);
             } else if (all.size() == 1) {
-                text += head(rule, "") + " -> " + written(successor(rule), formals(rule)) + "\n";
+                text += lines(rule, "");
             } else {
                 Rational sum = 0;
                 for (const CpfgRule* one : all) sum += weight(*one);
                 for (const CpfgRule* one : all)
-                    text += head(*one, "") + " -(" + to_string(weight(*one) / sum) + ")-> " +
-                            written(successor(*one), formals(*one)) + "\n";
+                    text += lines(*one, "", "-(" + to_string(weight(*one) / sum) + ")->");
             }
             all.clear();
         }
@@ -717,9 +663,7 @@ private:
                                  std::string(taken(k) ? "" : "!") + "(" +
                                  condition_of(*all[k], *all[i]) + ")";
                 }
-                const std::set<std::string> names = formals(*all[i]);
-                text += head(*all[i], condition) + " -(" + to_string(weight(*all[i]) / sum) +
-                        ")-> " + written(successor(*all[i]), names) + "\n";
+                text += lines(*all[i], condition, "-(" + to_string(weight(*all[i]) / sum) + ")->");
             }
         }
         return text;

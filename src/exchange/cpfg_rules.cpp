@@ -16,9 +16,6 @@
 
 namespace algae {
 
-namespace {
-
-/// Names of L-Py's own modules, with the symbols that say the same.
 const std::vector<std::pair<std::string, std::string>>& lpy_names() {
     static const std::vector<std::pair<std::string, std::string>> all{
         {"Left", "+"},       {"Right", "-"},       {"Down", "&"},     {"Up", "^"},
@@ -27,10 +24,8 @@ const std::vector<std::pair<std::string, std::string>>& lpy_names() {
     return all;
 }
 
-}  // namespace
-
 void CpfgReader::fail(std::size_t place, const std::string& message) const {
-    throw Diagnostics({source_.finding(std::min(place, source_.text().size()), message)});
+    cpfg_fail(source_, place, message);
 }
 
 void CpfgReader::refuse(std::size_t place, const std::string& what, const std::string& why) const {

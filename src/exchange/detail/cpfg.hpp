@@ -68,7 +68,18 @@ inline bool is_name_start(char c) {
 }
 inline bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// The text without comments, with macros replaced; of L-Py without what its editor saves. Throws Diagnostics for directives other than #define, for
+/// A finding at a byte of the text, with its place in the file that a line `# 1 "NAME"` before it names.
+Diagnostic cpfg_finding(const Source& source, std::size_t place, const std::string& message);
+
+/// Throw Diagnostics with that finding; `what` has no meaning here, and `why` says why.
+[[noreturn]] void cpfg_fail(const Source& source, std::size_t place, const std::string& message);
+[[noreturn]] void cpfg_refuse(const Source& source, std::size_t place, const std::string& what,
+                              const std::string& why);
+
+/// Names of L-Py's own modules, with the symbols that say the same.
+const std::vector<std::pair<std::string, std::string>>& lpy_names();
+
+/// The text without comments, with macros replaced; of L-Py without what its editor saves. Throws Diagnostics for directives other than #define and #if, for
 /// macros that go round in circles and comments that are never closed.
 Placed preprocessed(const Source& source, const CpfgDialect& dialect);
 
@@ -195,6 +206,16 @@ private:
     std::size_t plus_name(const Placed& text, std::size_t at, CpfgModule& module) const;
     std::vector<CpfgModule> single_modules(const Placed& text) const;
 };
+
+/// Whether a symbol is a command of several characters, `@v`.
+inline bool is_cpfg_command(const std::string& symbol) {
+    return std::string_view("@~?").find(symbol[0]) != std::string_view::npos;
+}
+
+/// The same system with one module as predecessor of each rule, and with rules for commands where a rule rewrites a part of one. Throws
+/// Diagnostics where that cannot be said by rules of the notation.
+CpfgSystem with_single_predecessors(const Source& source, const CpfgDialect& dialect,
+                                    CpfgSystem system);
 
 /// The model that a system is in the notation. Throws Diagnostics with the place of what it cannot say.
 Model cpfg_model(const Source& source, const CpfgDialect& dialect, CpfgSystem system);

@@ -69,7 +69,8 @@ public:
                     add_text(open.back(), at_, end);
                 else if (!trimmed(text_.substr(at_, end - at_)).empty() &&
                          text_.substr(at_, end - at_) != "\xef\xbb\xbf")
-                    fail(at_, "expected an element of XML, such as <structure>");
+                    fail(at_, "expected an element of XML, such as <structure>, found " +
+                                  quoted(trimmed(text_.substr(at_, end - at_)).substr(0, 40)));
                 at_ = end;
             } else if (text_.substr(at_).starts_with("<!--")) {
                 skip("-->", "the comment is never closed");

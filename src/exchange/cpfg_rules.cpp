@@ -289,6 +289,13 @@ Placed CpfgReader::side(const Placed& condition, bool holds) const {
     return whole;
 }
 
+void CpfgReader::declare(const std::string& name, std::size_t place) {
+    if (name.starts_with("F_") || name.starts_with("f_"))
+        fail(place, "the turtle of the notation draws and moves with names such as " + name +
+                        ": expected another name");
+    system_.modules.push_back(name);
+}
+
 std::vector<CpfgModule> CpfgReader::modules(const Placed& text) const {
     std::vector<CpfgModule> found;
     for (CpfgModule& module : single_modules(text)) {

@@ -930,6 +930,8 @@ bool looks_like_fractint(std::string_view text) {
     });
 }
 
-std::string print_fractint(const Model& system) { return Writer(system).written(); }
+std::string print_fractint(const Model& system) {
+    return Writer(with_plain_angle(system)).written();
+}
 
 }  // namespace algae

@@ -30,7 +30,13 @@ public:
         if (!is_usual(drawing.spin, 0)) refuse("a spin");
         if (!drawing.stamps.empty()) refuse("stamps");
         if (!drawing.solids.empty()) refuse("solids");
-        for (Symbol a = 0; a < system_.alphabet.size(); ++a) name_token(a);
+        // Letters that only an interpretation gives stand in no word.
+        std::set<Symbol> met(system_.axiom.letters.begin(), system_.axiom.letters.end());
+        for (const Production& rule : system_.rules) {
+            met.insert(rule.predecessor.symbol);
+            met.insert(rule.successor.letters.begin(), rule.successor.letters.end());
+        }
+        for (const Symbol a : met) name_token(a);
         std::string out = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n";
         if (!system_.title.empty()) out += "<!-- " + without_dashes(system_.title) + " -->\n";
         out += "<structure>\n  <type>lsystem</type>\n  <axiom>" + word(system_.axiom.letters) +
@@ -157,6 +163,6 @@ private:
 
 }  // namespace
 
-std::string print_jflap(const Model& system) { return Writer(system).written(); }
+std::string print_jflap(const Model& system) { return Writer(with_plain_angle(system)).written(); }
 
 }  // namespace algae

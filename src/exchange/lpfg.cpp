@@ -123,10 +123,7 @@ private:
                 type.clear();
             }
         }
-        if (name.starts_with("F_") || name.starts_with("f_"))
-            fail(said.place(0), "the turtle of the notation draws and moves with names such as " +
-                                    name + ": expected another name");
-        system_.modules.push_back(name);
+        declare(name, said.place(0));
         system_.types[name] = types;
     }
 

@@ -75,7 +75,7 @@ public:
                     else if (c == '(')
                         break;
                     else if (!name.empty()) {
-                        system_.modules.push_back(name);
+                        declare(name, names->place(0));
                         name.clear();
                     }
                 }

@@ -520,12 +520,54 @@ TEST_CASE("parameters and conditions are written for cpfg") {
     };
     CHECK(holds(refused("axiom F_l"), "symbols are single characters of ASCII"));
     CHECK(holds(refused("axiom F\ntable a\nF -> FF\ntable b\nF -> F"), "tables"));
-    CHECK(holds(refused("axiom F; turn clockwise"), "turn clockwise"));
+    CHECK(holds(refused("axiom F+(2)F; turn clockwise"), "turn clockwise"));
     CHECK(holds(refused("axiom F; coding { F -> 0 }"), "a coding"));
     CHECK(holds(refused("axiom F'; F -> F"), "it means something else there"));
     // Of the rules that match, the longest context is used.
     const Model ordered = read_lsystem("axiom BA; A -> X; B < A -> Y", "s");
     CHECK(printed_word(read_cpfg(print_cpfg(ordered), "b"), 1) == "BY");
+}
+
+TEST_CASE(
+    "turns to the right, and names of several letters, are written where the program has them") {
+    // + turns to the right there: so it is -(60) in the homomorphism, and words keep their letters.
+    const Model right =
+        read_lsystem("axiom F; F -> F+F--F+F; angle 60; step 2; start 0 0 90; turn clockwise", "s");
+    CHECK(holds(print_cpfg(right), "F --> F(2)\n+ --> -(60)\n- --> +(60)\n"));
+    for (const bool python : {false, true}) {
+        const std::string text = python ? print_lpy(right) : print_cpfg(right);
+        CAPTURE(text);
+        const Model back = python ? read_lpy(text, "b") : read_cpfg(text, "b");
+        CHECK(printed_word(back, 2) == printed_word(right, 2));
+        CHECK(same_scene(scene_of(back, 2).scene, scene_of(right, 2).scene));
+    }
+    CHECK(holds(refusal([] {
+                    print_cpfg(read_lsystem("axiom F+(30)F; turn clockwise; start 0 0 90", "s"));
+                }),
+                "cpfg cannot say `turn clockwise` beside turns with numbers"));
+    // What interpretations give is said with the file's angle and step too.
+    const Model drawn =
+        read_lsystem("axiom g; g -> g+g; interpret g -> F+F; angle 30; step 3; start 0 0 90", "s");
+    for (const bool python : {false, true}) {
+        const std::string text = python ? print_lpy(drawn) : print_cpfg(drawn);
+        CAPTURE(text);
+        const Model back = python ? read_lpy(text, "b") : read_cpfg(text, "b");
+        CHECK(same_scene(scene_of(back, 2).scene, scene_of(drawn, 2).scene));
+    }
+    const Model names = read_lsystem(
+        "alphabet Apex; axiom Apex L; Apex -> F Apex L e; L -> L e f t; angle 60; start 0 0 90",
+        "s");
+    const std::string text = print_lpy(names);
+    CAPTURE(text);
+    CHECK(holds(text, "module Apex\n"));
+    const Model back = read_lpy(text, "b.lpy");
+    for (std::uint64_t n = 0; n < 4; ++n) CHECK(word_of(back, n) == word_of(names, n));
+    // Letters that together are a name that L-Py knows stand apart.
+    const Model left = read_lsystem("axiom Left; L -> LL; angle 60; start 0 0 90", "s");
+    CHECK(word_of(read_lpy(print_lpy(left), "b.lpy"), 1) == "L L e f t ");
+    CHECK(holds(lpy_fault("module F_a\nAxiom: F_a\nproduction:\nF_a --> F\n"),
+                "x.lpy:1:8: error: the turtle of the notation draws and moves with names such as "
+                "F_a: expected another name"));
 }
 
 TEST_CASE("files ending in .l are told apart by what stands in them") {

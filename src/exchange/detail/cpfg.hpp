@@ -193,6 +193,8 @@ protected:
                       const std::vector<Placed>& path, Placed successor, std::size_t place) const;
     /// The condition in brackets, or its negation.
     Placed side(const Placed& condition, bool holds) const;
+    /// A module of this name is declared there. Fails where the notation gives the name a meaning.
+    void declare(const std::string& name, std::size_t place);
     /// Modules, each command of several symbols being one: `@v`, `~l`, `?P`.
     std::vector<CpfgModule> modules(const Placed& text) const;
 

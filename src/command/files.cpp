@@ -138,12 +138,40 @@ struct Opener {
     }
 };
 
+/// Whether a file lies in a folder or below, where links lead.
+bool is_below(const std::filesystem::path& file, const std::string& folder) {
+    std::error_code failed;
+    const auto whole = std::filesystem::canonical(file, failed);
+    if (failed) return false;
+    const auto above = std::filesystem::canonical(folder, failed);
+    if (failed) return false;
+    return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first ==
+           above.end();
+}
+
+/// The text of a file with those that it includes, as files of cpfg do: files in its folder and below, wherever links lead.
+std::string with_included(const std::string& file, const Opener& open) {
+    std::string text = open.text(file);
+    const SystemFormat* const format = system_format(file);
+    if (!format || (format->name != "l" && format->name != "cpfg") ||
+        text.find("include") == std::string::npos)
+        return text;
+    return cpfg_with_included(
+        text, file, [&](const std::string& name) -> std::optional<std::string> {
+            std::error_code ignored;
+            if (name == "-" || !std::filesystem::is_regular_file(name, ignored) ||
+                !is_below(name, folder_of(file)))
+                return std::nullopt;
+            return open.text(name);
+        });
+}
+
 /// A text that is in a file, in standard input or in the gallery; nothing if there is none of this name.
 std::optional<SourceText> stored_text(const std::string& file, const Opener& open) {
     if (file == "-") return SourceText{"standard input", open.text(file)};
-    if (exists(file)) return SourceText{file, open.text(file)};
+    if (exists(file)) return SourceText{file, with_included(file, open)};
     if (const auto [path, entry] = file_and_entry(file); !entry.empty() && exists(path))
-        return SourceText{file, open.text(path)};
+        return SourceText{file, with_included(path, open)};
     if (const GalleryEntry* entry = find_system(file))
         return SourceText{std::string(entry->name), std::string(entry->text)};
     if (const GalleryEntry* entry = find_generator(file))
@@ -195,21 +223,26 @@ std::string foreign_format(std::string_view text) {
     };
     if (has_line("Lsystem:") || has_line("lsystem:") || has_line("derivation length:"))
         return "a file of cpfg or L-studio";
+    if (looks_like_b_file(text))
+        return "a b-file of the OEIS, which `algae growth --realise` and `algae equal --as growth` "
+               "read";
     return {};
 }
 
 /// The files of a model of cpfg that a name stands for: a system has the view beside it, a view or an animation its system. Nothing if it is
 /// none of them.
 std::optional<CpfgFiles> cpfg_model(const std::string& file, const Opener& open) {
-    if (!exists(file)) return std::nullopt;
-    const std::filesystem::path path(file);
+    // One of several systems in a file has the view beside that file.
+    const std::string whole = exists(file) ? file : file_and_entry(file).first;
+    if (!exists(whole)) return std::nullopt;
+    const std::filesystem::path path(whole);
     const auto beside = [&](const char* ending) {
         std::filesystem::path other = path;
         other.replace_extension(ending);
         return exists(other.string()) ? other.string() : std::string();
     };
     if (path.filename() == "specifications") {
-        CpfgFiles found = cpfg_files(open.text(file), file);
+        CpfgFiles found = cpfg_files(open.text(whole), whole);
         for (std::string* one : {&found.system, &found.view, &found.animation})
             if (!one->empty()) *one = (path.parent_path() / *one).string();
         return found;
@@ -230,7 +263,8 @@ std::optional<CpfgFiles> cpfg_model(const std::string& file, const Opener& open)
 
 /// The model of cpfg as its files say it; of a system of Fractint, which ends in `.l` too, the system alone.
 Model model_of(const CpfgFiles& files, const Opener& open) {
-    const std::string text = open.text(files.system);
+    const std::string& name = files.system;
+    const std::string text = with_included(exists(name) ? name : file_and_entry(name).first, open);
     const SystemFormat* const by_text = system_format_of(text);
     if (!by_text || by_text->name != "cpfg")
         return system_format(files.system)->read(text, files.system);
@@ -335,21 +369,6 @@ void make_folders(const std::filesystem::path& folder) {
     std::filesystem::create_directories(folder, failed);
     if (failed) throw Error("cannot make the folder " + folder.string() + ": " + failed.message());
 }
-
-namespace {
-
-/// Whether a file lies in a folder or below, where links lead.
-bool is_below(const std::filesystem::path& file, const std::string& folder) {
-    std::error_code failed;
-    const auto whole = std::filesystem::canonical(file, failed);
-    if (failed) return false;
-    const auto above = std::filesystem::canonical(folder, failed);
-    if (failed) return false;
-    return std::mismatch(above.begin(), above.end(), whole.begin(), whole.end()).first ==
-           above.end();
-}
-
-}  // namespace
 
 std::function<Model(const std::string&)> systems_from(const std::vector<std::string>& folders,
                                                       const Budget& budget, bool outside) {

@@ -12,13 +12,17 @@
 // decided like any other, so a certificate has the proof that the rooms of claims find, and `verify` checks it as such.
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
+#include "exchange/exchange.hpp"
 #include "growth/growth.hpp"
 #include "language/language.hpp"
 #include "model/model.hpp"
@@ -401,8 +405,91 @@ void certify_equal(const EqualOptions& options, const Model& left, const Model& 
     write_certificate(options.certificate, std::move(claim), std::move(said), text, budget);
 }
 
+/// The terms in a file, if it is a b-file of the OEIS.
+std::optional<BFile> b_file_of(const std::string& path, const Budget& budget) {
+    std::error_code ignored;
+    if (!std::filesystem::is_regular_file(path, ignored)) return std::nullopt;
+    const std::string text = file_text(path, budget);
+    if (!looks_like_b_file(text)) return std::nullopt;
+    return read_b_file(text, path);
+}
+
+/// How far the lengths are moved against the terms where that makes them the same, with at least five compared.
+std::optional<long> shift_between(const D0L& system, const BFile& file, const Budget& budget) {
+    constexpr long farthest = 10;
+    constexpr std::size_t fewest = 5;
+    const Integer count(file.terms.size());
+    for (long distance = 1; distance <= farthest; ++distance)
+        for (const long shift : {distance, -distance}) {
+            // The term of n + shift is the length of generation n.
+            std::size_t compared = 0;
+            bool same = true;
+            for (std::size_t i = 0; i < file.terms.size() && same; ++i) {
+                const Integer n = file.first + Integer(i) - Integer(shift);
+                if (sign(n) < 0) continue;
+                same = length(system, n.to_uint64(), budget) == file.terms[i];
+                ++compared;
+            }
+            if (same && compared >= fewest) return shift;
+        }
+    return std::nullopt;
+}
+
+/// Whether the lengths of a system are the terms of a b-file.
+int equal_to_terms(const EqualOptions& options, const std::string& system_file,
+                   const std::string& path, const BFile& file, const Budget& budget) {
+    if (!options.certificate.empty() || options.latex)
+        throw Error(path +
+                    " holds lengths, so there is no proof to write: expected two systems "
+                    "with --certificate and --latex");
+    if (sign(file.first) < 0)
+        throw Error(path +
+                    ": expected terms from n = 0 on, as generations begin with 0; found n = " +
+                    to_string(file.first));
+    const Model model = open_model(system_file, budget, options.let);
+    const View<D0L> system = as_d0l(model);
+    const std::string last = to_string(file.first + Integer(file.terms.size() - 1));
+    for (std::size_t i = 0; i < file.terms.size(); ++i) {
+        const Integer n = file.first + Integer(i);
+        const Integer letters = length(*system, n.to_uint64(), budget);
+        if (letters == file.terms[i]) continue;
+        const std::optional<long> shift = shift_between(*system, file, budget);
+        std::string text = "different: generation " + to_string(n) + " has " + to_string(letters) +
+                           (letters == 1 ? " letter" : " letters") + ", and a(" + to_string(n) +
+                           ") is " + to_string(file.terms[i]) + " in " + path + "\n";
+        if (shift)
+            text += std::string("  generation n has a(n") + (*shift < 0 ? "-" : "+") +
+                    std::to_string(std::abs(*shift)) + ") letters, as far as the file goes\n";
+        Json witness{{"by", "term"}, {"n", n}, {"lengths", Json::array({letters, file.terms[i]})}};
+        witness.set("shift", shift ? Json(*shift) : Json());
+        print(options.json ? Json{{"verdict", "different"}, {"witness", witness}}.text() : text);
+        return refuted;
+    }
+    print(options.json
+              ? Json{{"verdict", "equal"},
+                     {"witness", Json{{"by", "terms"},
+                                      {"from", file.first},
+                                      {"to", file.first + Integer(file.terms.size() - 1)}}}}
+                    .text()
+              : "equal: generations " + to_string(file.first) + " to " + last +
+                    " have the lengths that are in " + path + "; it says nothing of later ones\n");
+    return success;
+}
+
 int equal(const EqualOptions& options) {
     const Budget budget = options.bounds.budget();
+    const std::optional<BFile> left_terms = b_file_of(options.left, budget),
+                               right_terms = b_file_of(options.right, budget);
+    if (left_terms || right_terms) {
+        const std::string& path = right_terms ? options.right : options.left;
+        if (options.as != As::growth)
+            throw Error(path + " is a b-file, which holds lengths: expected --as growth with it");
+        if (left_terms && right_terms)
+            throw Error(options.left + " and " + options.right +
+                        " are b-files: expected a system and a b-file");
+        return equal_to_terms(options, right_terms ? options.left : options.right, path,
+                              right_terms ? *right_terms : *left_terms, budget);
+    }
     const Model left_model = open_model(options.left, budget, options.let),
                 right_model = open_model(options.right, budget, options.let);
     const bool with_context =
@@ -721,6 +808,7 @@ void add_equal(Verbs& verbs) {
         "equal",
         "Whether two systems have the same language, or D0L systems the same sequence or growth",
         {"algae equal koch my.lsys", "algae equal a.lsys b.lsys --as sequence --json",
+         "algae equal fibonacci b000045.txt --as growth",
          "algae equal koch my.lsys --certificate my.json"},
         equal);
     verb.option("A", options.left, file_type, file_help).required = true;
@@ -730,7 +818,7 @@ void add_equal(Verbs& verbs) {
                 {{"sequence", As::sequence}, {"language", As::language}, {"growth", As::growth}},
                 "language|sequence|growth",
                 "what is compared: language, the set of words; sequence, the word of every "
-                "generation; growth, its length");
+                "generation; growth, its length, which may stand in a b-file of the OEIS");
     add_certificate_option(verb, options.certificate);
     verb.json_flag(options.json);
     verb.latex_flag(options.latex, "print the argument as LaTeX, which needs amsmath");

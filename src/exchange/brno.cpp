@@ -693,7 +693,7 @@ Model read_brno(std::string_view text, const std::string& name) {
 }
 
 std::string print_brno(const Model& system) {
-    return brno_text(Writer(system).written(), system.title);
+    return brno_text(Writer(with_plain_angle(system)).written(), system.title);
 }
 
 }  // namespace algae

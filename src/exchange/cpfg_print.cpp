@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <cctype>
 #include <map>
 #include <set>
 #include <string>
 #include <vector>
 
+#include "exchange/detail/cpfg.hpp"
 #include "exchange/detail/formats.hpp"
 #include "exchange/detail/plain_rules.hpp"
 #include "exchange/exchange.hpp"
@@ -20,6 +22,14 @@ namespace algae {
 
 namespace {
 
+bool is_lpy_name(const std::string& said) {
+    return std::ranges::any_of(lpy_names(), [&](const auto& one) { return one.first == said; });
+}
+bool holds_lpy_name(const std::string& said) {
+    return std::ranges::any_of(
+        lpy_names(), [&](const auto& one) { return said.find(one.first) != std::string::npos; });
+}
+
 class FilePrinter final : public FormatWriter {
 public:
     FilePrinter(const Model& system, bool python)
@@ -31,7 +41,7 @@ public:
         for (const auto& [called, value] : system_.constants)
             out += (python_ ? called + " = " : "#define " + called + " ") +
                    expression(value.expression) + "\n";
-        if (!python_) out += "Lsystem: 1\n";
+        out += python_ ? declarations() : "Lsystem: 1\n";
         const auto& shown = system_.drawing.generations;
         const std::string generation = std::to_string(shown ? shown->second : 5);
         std::string header;
@@ -80,7 +90,8 @@ private:
         if (!drawing.solids.empty()) refuse("solids");
         if (drawing.scale) refuse("the setting scale");
         if (drawing.narrow) refuse("the setting narrow");
-        if (drawing.clockwise) refuse("`turn clockwise`");
+        if (drawing.clockwise && turns_by_numbers())
+            refuse("`turn clockwise` beside turns with numbers");
         if (!system_.coding.empty()) refuse("a coding");
         if (!system_.axiom.splices.empty()) refuse("the axiom's words");
         std::map<std::pair<Symbol, std::size_t>, const Production*> chosen;
@@ -100,8 +111,10 @@ private:
 
     std::string symbol(Symbol letter) const {
         const std::string& said = name(letter);
+        if (python_ && is_module_name(said)) return said;
         if (said.size() != 1 || static_cast<unsigned char>(said[0]) >= 0x80)
-            refuse("the letter " + said + ": symbols are single characters of ASCII");
+            refuse("the letter " + said + ": symbols are " + (python_ ? "names of ASCII or " : "") +
+                   "single characters of ASCII");
         if (std::string_view("*@~?$;,_#'%").find(said[0]) != std::string_view::npos)
             refuse("the letter " + said + ": it means something else there");
         if (!python_ && said == "/") return "\\";
@@ -109,20 +122,46 @@ private:
         return said;
     }
 
-    std::string word(const ModuleWord& written) const {
+    /// Names of several characters that a file of L-Py declares; the turtle of the notation draws and moves with those of F and f.
+    static bool is_module_name(const std::string& said) {
+        return said.size() > 1 && std::isalpha(static_cast<unsigned char>(said[0])) &&
+               !said.starts_with("F_") && !said.starts_with("f_") && !is_lpy_name(said) &&
+               std::ranges::all_of(said, [](char c) {
+                   return std::isalnum(static_cast<unsigned char>(c)) || c == '_';
+               });
+    }
+    std::string declarations() const {
+        std::vector<std::string> names;
+        for (Symbol letter = 0; letter < system_.alphabet.size(); ++letter)
+            if (python_ && is_module_name(name(letter))) names.push_back(name(letter));
+        return names.empty() ? "" : "module " + joined(names, ", ") + "\n";
+    }
+
+    /// With `as_drawn`, as the turtle takes symbols without numbers.
+    std::string word(const ModuleWord& written, bool as_drawn = false) const {
         if (written.letters.empty()) return python_ ? "" : "*";
-        std::string out;
+        std::vector<std::string> parts;
         for (std::size_t i = 0; i < written.letters.size(); ++i) {
-            const std::string letter = symbol(written.letters[i]);
-            // Two of them would begin a comment.
-            if (out.ends_with('/') && letter == "/") out += ' ';
-            out += letter;
+            const Symbol letter = written.letters[i];
             const auto arguments = written.arguments.find(i);
+            const std::string drawn =
+                as_drawn && arguments == written.arguments.end() ? turned(letter) : "";
+            parts.push_back(drawn.empty() ? symbol(letter) : drawn);
             if (arguments == written.arguments.end()) continue;
-            out +=
+            parts.back() +=
                 "(" +
                 joined(arguments->second, ",", [&](const Expression& e) { return expression(e); }) +
                 ")";
+        }
+        std::string out;
+        // Together they could be a name that L-Py knows or the file declares.
+        const bool apart =
+            python_ && (!declarations().empty() || holds_lpy_name(joined(parts, "")));
+        for (const std::string& part : parts) {
+            // Two of them would begin a comment.
+            if (!out.empty() && (apart || (out.ends_with('/') && part.starts_with('/'))))
+                out += ' ';
+            out += part;
         }
         return out;
     }
@@ -138,7 +177,7 @@ private:
         return out;
     }
 
-    std::string line(const Production& rule) const {
+    std::string line(const Production& rule, bool as_drawn = false) const {
         std::string out;
         if (!rule.left.empty()) out += context(rule.left) + " < ";
         out += module(rule.predecessor);
@@ -147,7 +186,7 @@ private:
             if (python_) refuse(rule, "its condition is a program there");
             out += " : " + expression(*rule.condition);
         }
-        out += " --> " + word(rule.successor);
+        out += " --> " + word(rule.successor, as_drawn);
         if (rule.probability) out += " : " + number(*rule.probability);
         return out;
     }
@@ -158,32 +197,15 @@ private:
         std::set<std::pair<Symbol, std::size_t>> interpreted;
         for (const Production& rule : system_.interpretation)
             interpreted.emplace(rule.predecessor.symbol, rule.predecessor.parameters.size());
-        const Drawing& drawing = system_.drawing;
-        const double angle = drawing.angle ? drawing.angle->value : 90;
-        const bool says_angle = angle != (python_ ? 60 : 45);
-        const bool says_step = drawing.step && drawing.step->value != 1;
         std::set<Symbol> bare = bare_symbols(system_.axiom);
         const auto add = [&](const ModuleWord& more) {
             for (const Symbol letter : bare_symbols(more)) bare.insert(letter);
         };
         for (const Production& rule : system_.rules) add(rule.successor);
-        const auto turned = [&](Symbol letter) -> std::string {
-            const std::string& said = name(letter);
-            const bool turns = said.size() == 1 &&
-                               std::string_view("+-&^\\/").find(said) != std::string_view::npos;
-            if (turns && says_angle)
-                return "(" +
-                       amount(*(drawing.angle ? drawing.angle
-                                              : std::optional(quantity(Rational(90))))) +
-                       ")";
-            if (says_step && (said == "F" || said == "f" || said == "G"))
-                return "(" + amount(*drawing.step) + ")";
-            return "";
-        };
         for (const Symbol letter : bare) {
             if (interpreted.contains({letter, 0})) continue;
-            if (const std::string parameter = turned(letter); !parameter.empty())
-                out += symbol(letter) + " --> " + symbol(letter) + parameter + "\n";
+            if (const std::string drawn = turned(letter); !drawn.empty())
+                out += symbol(letter) + " --> " + drawn + "\n";
         }
         for (const Production& rule : system_.interpretation) {
             if (rule.probability || !rule.left.empty() || !rule.right.empty())
@@ -194,14 +216,41 @@ private:
                     arguments == rule.successor.arguments.end() ? 0 : arguments->second.size();
                 if (interpreted.contains({rule.successor.letters[i], arity}))
                     refuse(rule, "it is an interpretation of what another one gives");
-                if (arity == 0 && !turned(rule.successor.letters[i]).empty())
-                    refuse(
-                        rule,
-                        "a homomorphism is applied once there, and the angle is said by another");
             }
-            out += line(rule) + "\n";
+            out += line(rule, true) + "\n";
         }
         return out;
+    }
+
+    /// What the turtle does with a symbol without a number where that is other than there: + by 60 degrees is +(60), and -(60) where turns are
+    /// clockwise. Otherwise nothing.
+    std::string turned(Symbol letter) const {
+        const std::string& said = name(letter);
+        const Drawing& drawing = system_.drawing;
+        const Quantity angle = drawing.angle.value_or(quantity(Rational(90)));
+        const bool says_step = drawing.step && drawing.step->value != 1;
+        const bool is_plane = said == "+" || said == "-";
+        if (is_plane && drawing.clockwise) return (said == "+" ? "-(" : "+(") + amount(angle) + ")";
+        const bool turns =
+            said.size() == 1 && std::string_view("+-&^\\/").find(said) != std::string_view::npos;
+        if (turns && angle.value != (python_ ? 60 : 45))
+            return symbol(letter) + "(" + amount(angle) + ")";
+        if (says_step && (said == "F" || said == "f" || said == "G"))
+            return said + "(" + amount(*drawing.step) + ")";
+        return "";
+    }
+    /// Whether + or - has a number somewhere.
+    bool turns_by_numbers() const {
+        const auto holds = [&](const ModuleWord& written) {
+            return std::ranges::any_of(written.arguments, [&](const auto& entry) {
+                const std::string& said = name(written.letters[entry.first]);
+                return said == "+" || said == "-";
+            });
+        };
+        bool found = holds(system_.axiom);
+        for (const auto* rules : {&system_.rules, &system_.interpretation})
+            for (const Production& rule : *rules) found = found || holds(rule.successor);
+        return found;
     }
 
     static std::set<Symbol> bare_symbols(const ModuleWord& written) {

@@ -1,25 +1,34 @@
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "exchange/detail/cpfg.hpp"
 #include "exchange/detail/scanner.hpp"
+#include "exchange/exchange.hpp"
 
-// Texts of cpfg and L-Py before their meaning: comments, macros, and expressions.
+// Texts of cpfg, L-Py and lpfg before their meaning: files that are included, comments and macros.
 //
-// The preprocessor replaces names by the texts of `#define`, again and again; what comes of a macro stands where the macro stood, so that errors
-// name a place of the file. In expressions of cpfg `^` groups from the left and a sign binds tighter than it; in Python a power groups from the
-// right and binds tighter than a sign. Each operator is written with brackets, so the notation groups it the same.
+// Files that a text includes are put in first, between lines `# 1 "NAME"` as preprocessors of C write them, by which errors name places of
+// these files. The preprocessor replaces names by the texts of `#define`, again and again; what comes of a macro stands where the macro stood,
+// so that errors name a place of the file.
 
 namespace algae {
 
 namespace {
 
-[[noreturn]] void cpfg_fail(const Source& source, std::size_t place, const std::string& message) {
-    throw Diagnostics({source.finding(std::min(place, source.text().size()), message)});
-}
-[[noreturn]] void cpfg_refuse(const Source& source, std::size_t place, const std::string& what,
-                              const std::string& why) {
-    cpfg_fail(source, place, what + " " + why);
+/// The file that a line `# 1 "NAME"` or `#line 1 "NAME"` names, and the number of the line behind it; nothing if it is no such line.
+std::optional<std::pair<std::size_t, std::string>> line_marker(std::string_view line) {
+    if (!line.starts_with('#')) return std::nullopt;
+    std::vector<std::string_view> words = blank_separated(line);
+    if (words[0] != "#" && words[0] != "#line") return std::nullopt;
+    const std::size_t open = line.find('"'), close = line.rfind('"');
+    constexpr std::size_t most_digits = 9;
+    if (words.size() < 3 || words[1].size() > most_digits ||
+        words[1].find_first_not_of("0123456789") != std::string_view::npos ||
+        open == std::string_view::npos || close == open)
+        return std::nullopt;
+    return std::pair{static_cast<std::size_t>(std::stoul(std::string(words[1]))),
+                     std::string(line.substr(open + 1, close - open - 1))};
 }
 
 class Preprocessor {
@@ -120,13 +129,20 @@ private:
             // The modules that it declares are known.
             if (line.find("<lpfgall.h>") != std::string::npos) return next;
         }
+        if (line_marker(text.substr(at, text.find('\n', at) - at))) return next;
+        if (kind == "include")
+            fail(at, line.find('"') == std::string::npos
+                         ? "the program's own files are not read: expected #include \"NAME\" with "
+                           "a file in the folder of this one or below"
+                         : "expected a file of this name in the folder of the one that includes "
+                           "it or below, found none: " +
+                               line);
         if (kind == "undef") {
             macros_.erase(word());
             return next;
         }
         if (kind != "define")
-            refuse(at, "#" + kind,
-                   "is not read: expected #define, #undef or #if, with the other files put in");
+            refuse(at, "#" + kind, "is not read: expected #define, #undef, #include or #if");
         const std::string name = word();
         if (name.empty()) fail(at, "expected a name behind #define");
         Macro macro;
@@ -295,308 +311,119 @@ private:
     std::vector<Condition> conditions_;
 };
 
-struct Expressions {
-    const Source& source;
-    const CpfgDialect& dialect;
-    const CpfgNames& known_names;
-    const Placed& text;
-    const std::set<std::string>& names;
-    const CpfgIntegers& integers;
-    std::size_t at = 0;
-    bool integral = false;  // in C, what was read last is a whole number by its type
+/// Puts the texts of files in for the lines that include them.
+class Inclusion {
+public:
+    explicit Inclusion(const IncludedText& text_of) : text_of_(text_of) {}
 
-    std::string all() {
-        std::string found = whole();
-        blanks();
-        if (at < text.text.size()) unexpected();
-        if (integers.wanted && !integral) found = whole_part(found);
-        return found;
-    }
-    [[noreturn]] void unexpected() const {
-        const std::string found =
-            at < text.text.size() ? "'" + text.text.substr(at, 1) + "'" : "its end";
-        std::string hint;
-        if (at < text.text.size() && text.text[at] == '=') hint = "; a comparison is ==";
-        if (at < text.text.size() && (text.text[at] == '&' || text.text[at] == '|'))
-            hint = "; 'and' is && and 'or' is ||";
-        cpfg_fail(source, text.place(at),
-                  "expected an operator or the end of the expression, found " + found + hint);
-    }
-    void blanks() {
-        while (at < text.text.size() &&
-               (text.text[at] == ' ' || text.text[at] == '\t' ||
-                (dialect.plus && (text.text[at] == '\n' || text.text[at] == '\r'))))
-            ++at;
-    }
-    bool takes(std::string_view sign) {
-        blanks();
-        if (!std::string_view(text.text).substr(at).starts_with(sign)) return false;
-        at += sign.size();
-        return true;
-    }
-    bool python() const { return dialect.python; }
-
-    /// A binary operator: how the program writes it, and how the notation says it of its two sides.
-    struct Operator {
-        std::string_view sign;
-        const char* said;  // `%` is made of others
-    };
-    using Levels = std::vector<std::vector<Operator>>;
-
-    /// From the loosest to the tightest, all of them grouped from the left.
-    const Levels& levels() const {
-        static const Levels cpfg{{{"||", "|"}},
-                                 {{"&&", "&"}},
-                                 {{"==", "="}, {"!=", "!="}, {"<>", "!="}},
-                                 {{"<=", "<="}, {">=", ">="}, {"<", "<"}, {">", ">"}},
-                                 {{"+", "+"}, {"-", "-"}},
-                                 {{"*", "*"}, {"/", "/"}, {"%", "%"}}};
-        static const Levels python{
-            {{"or ", "|"}},
-            {{"and ", "&"}},
-            {{"==", "="}, {"!=", "!="}, {"<=", "<="}, {">=", ">="}, {"<", "<"}, {">", ">"}},
-            {{"+", "+"}, {"-", "-"}},
-            {{"*", "*"}, {"/", "/"}, {"%", "%"}}};
-        return dialect.python ? python : cpfg;
-    }
-
-    /// The next operator, if it is one of this level; those of others that begin alike are left.
-    const Operator* taken(const std::vector<Operator>& level) {
-        blanks();
-        const std::string_view rest = std::string_view(text.text).substr(at);
-        for (const char* longer : {"**", "//"})
-            if (python() && rest.starts_with(longer)) {
-                if (rest[0] == '/')
-                    cpfg_refuse(source, text.place(at), "//",
-                                "in an expression has no meaning in the notation");
-                return nullptr;
+    std::string joined(std::string_view text, const std::string& name) {
+        constexpr std::size_t longest = 10'000'000;
+        const Source source(text, name);
+        std::string out;
+        bool in_comment = false;
+        std::size_t line = 1;
+        names_.push_back(name);
+        for (std::size_t begin = 0; begin < text.size(); ++line) {
+            const std::size_t end = std::min(text.find('\n', begin), text.size());
+            const std::string_view said = text.substr(begin, end - begin);
+            const std::string wanted = in_comment ? "" : included(said);
+            const std::string path = wanted.empty() ? "" : beside(name, wanted);
+            if (std::ranges::count(names_, path) > 0)
+                throw Diagnostics({source.finding(
+                    begin, "files that include each other in a circle: expected " +
+                               algae::quoted(wanted) + " not to be within itself")});
+            const std::optional<std::string> other = path.empty() ? std::nullopt : text_of_(path);
+            if (other) {
+                std::string inner = joined(*other, path);
+                if (!inner.ends_with('\n')) inner += '\n';
+                out += "# 1 \"" + path + "\"\n" + inner + "# " + std::to_string(line + 1) + " \"" +
+                       name + "\"\n";
+                if (out.size() > longest)
+                    throw Diagnostics(
+                        {source.finding(begin,
+                                        "with the files that are included the text has "
+                                        "more than 10000000 characters")});
+            } else {
+                out += text.substr(begin, end + (end < text.size() ? 1 : 0) - begin);
             }
-        for (const Operator& one : level)
-            if (takes(one.sign)) {
-                if (one.sign == "<" && rest.starts_with("<>")) {
-                    --at;
-                    continue;
-                }
-                return &one;
-            }
-        return nullptr;
+            in_comment = is_in_comment(said, in_comment);
+            begin = end + 1;
+        }
+        names_.pop_back();
+        return out;
     }
 
-    std::string binary(std::size_t level) {
-        if (level == levels().size()) return python() ? signed_power() : power();
-        std::string left = binary(level + 1);
-        bool compared = false;
-        while (const Operator* one = taken(levels()[level])) {
-            const std::size_t sign = at;
-            const bool left_integral = integral;
-            const std::string right = binary(level + 1);
-            const bool both = left_integral && integral;
-            integral = both || level < 4;  // relations are 0 or 1
-            const bool compares = python() && level == 2;
-            if (compares && compared)
-                cpfg_refuse(source, text.place(sign), "a chain of comparisons",
-                            "is not read: say `a < b and b < c`");
-            compared = compares;
-            if (dialect.plus && both && one->sign == "/") {
-                check_size(left + right);
-                left = whole_part("(" + left + "/" + right + ")");
-            } else if (one->sign != "%")
-                left = "(" + left + " " + one->said + " " + right + ")";
-            else if (python())
-                left = "(" + left + " - " + right + "*floor(" + left + "/" + right + "))";
-            else
-                left = remainder(left, right);
+private:
+    /// The name in a line `#include "NAME"`; empty if it is none.
+    static std::string included(std::string_view line) {
+        if (!line.starts_with('#')) return {};
+        const std::string_view said = trimmed(line.substr(1));
+        const std::size_t open = said.find('"');
+        if (open == std::string_view::npos || trimmed(said.substr(0, open)) != "include") return {};
+        const std::size_t close = said.find('"', open + 1);
+        return close == std::string_view::npos
+                   ? std::string()
+                   : std::string(said.substr(open + 1, close - open - 1));
+    }
+    /// The name of a file in the folder of another.
+    static std::string beside(const std::string& name, const std::string& other) {
+        const std::size_t slash = name.rfind('/');
+        return slash == std::string::npos || other.starts_with('/')
+                   ? other
+                   : name.substr(0, slash + 1) + other;
+    }
+    /// Whether a comment of C goes on behind a line.
+    static bool is_in_comment(std::string_view line, bool inside) {
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const std::string_view rest = line.substr(i);
+            if (!inside && rest.starts_with("//")) return false;
+            if (!rest.starts_with(inside ? "*/" : "/*")) continue;
+            inside = !inside;
+            ++i;
         }
-        return left;
+        return inside;
     }
 
-    /// The whole part, towards 0, of an expression.
-    static std::string whole_part(const std::string& x) {
-        return x.find_first_not_of("0123456789") == std::string::npos
-                   ? x
-                   : "(floor(abs(" + x + "))*((" + x + " >= 0) - (" + x + " < 0)))";
-    }
-    /// What is left of whole parts; its sign is that of the left side, as in C.
-    std::string remainder(const std::string& left, const std::string& right) const {
-        const std::string x = whole_part(left), y = whole_part(right);
-        check_size(x);
-        return "(" + x + " - " + y + "*" + whole_part("(" + x + "/" + y + ")") + ")";
-    }
-    /// Parts of expressions are repeated where the notation has no word for what is done with them.
-    void check_size(const std::string& said) const {
-        constexpr std::size_t longest = 10'000;
-        if (said.size() > longest)
-            cpfg_refuse(source, text.place(at), "an expression",
-                        "would be too long in the notation: it nests %, ?: or trunc too deep");
-    }
-
-    /// With `?:`, which the notation says by numbers that are 1 where a relation holds and 0 where it does not.
-    std::string whole() {
-        const std::string condition = binary(0);
-        check_size(condition);
-        if (python() || !takes("?")) return condition;
-        const std::string yes = whole();
-        const bool yes_integral = integral;
-        if (!takes(":")) unexpected();
-        const std::string no = whole();
-        integral = integral && yes_integral;
-        return "((" + condition + " != 0)*" + yes + " + (" + condition + " = 0)*" + no + ")";
-    }
-
-    /// Of cpfg: from the left, and a sign binds tighter.
-    std::string power() {
-        std::string left = signed_atom();
-        blanks();
-        if (dialect.plus && at < text.text.size() && text.text[at] == '^')
-            cpfg_refuse(source, text.place(at), "^", "is exclusive or in C: a power is pow(x,y)");
-        while (takes("^")) left = "((" + left + ")^(" + signed_atom() + "))";
-        return left;
-    }
-    std::string signed_atom() {
-        if (takes("-")) return "(-" + signed_atom() + ")";
-        blanks();
-        if (at + 1 < text.text.size() && text.text[at] == '!' && text.text[at + 1] != '=') {
-            ++at;
-            const std::string said = signed_atom();
-            integral = true;
-            return "(!(" + said + "))";
-        }
-        if (takes("&")) unexpected();
-        return atom();
-    }
-    /// Of Python: from the right, and a sign is looser.
-    std::string signed_power() {
-        if (takes("-")) return "(-" + signed_power() + ")";
-        if (takes("not ")) return "(!(" + signed_power() + "))";
-        const std::string base = atom();
-        if (!takes("**")) {
-            blanks();
-            if (at < text.text.size() && text.text[at] == '^')
-                cpfg_refuse(source, text.place(at), "^",
-                            "is exclusive or in Python: a power is **");
-            return base;
-        }
-        return "((" + base + ")^(" + signed_power() + "))";
-    }
-    std::string atom() {
-        blanks();
-        const std::size_t begin = at;
-        if (takes("(")) {
-            const std::string inside = whole();
-            if (!takes(")")) unexpected();
-            return "(" + inside + ")";
-        }
-        if (at < text.text.size() &&
-            (std::isdigit(static_cast<unsigned char>(text.text[at])) || text.text[at] == '.'))
-            return number();
-        std::string called;
-        while (at < text.text.size() && is_name_part(text.text[at])) called += text.text[at++];
-        if (python() && called == "math" && takes(".")) {
-            called.clear();
-            while (at < text.text.size() && is_name_part(text.text[at])) called += text.text[at++];
-        }
-        if (called.empty()) unexpected();
-        if (!takes("(")) {
-            integral = integers.names.contains(called);
-            if (names.contains(called)) return called;
-            const auto known = known_names.find(called);
-            if (known == known_names.end() && (python() || dialect.plus))
-                cpfg_fail(source, text.place(begin), "the name '" + called + "' has no value");
-            if (known == known_names.end()) return "0";  // with a warning there
-            if (known->second.empty())
-                cpfg_refuse(source, text.place(begin), called,
-                            "is the number of the step, which has no meaning in the notation");
-            return known->second;
-        }
-        std::vector<std::string> arguments{whole()};
-        while (takes(",")) arguments.push_back(whole());
-        if (!takes(")")) unexpected();
-        const bool was_integral = integral;
-        integral = called == "int" || (called == "abs" && was_integral && arguments.size() == 1);
-        if (called == "int" && was_integral && arguments.size() == 1) return arguments[0];
-        return call(called, arguments, begin);
-    }
-    std::string call(const std::string& called, const std::vector<std::string>& arguments,
-                     std::size_t begin) const {
-        static const std::map<std::string, std::string> functions{
-            {"sin", "sin"},   {"cos", "cos"},   {"tan", "tan"}, {"asin", "asin"},
-            {"acos", "acos"}, {"atan", "atan"}, {"exp", "exp"}, {"log", "log"},
-            {"sqrt", "sqrt"}, {"fabs", "abs"},  {"abs", "abs"}, {"floor", "floor"},
-            {"ceil", "ceil"}, {"min", "min"},   {"max", "max"}};
-        const auto known = functions.find(called);
-        const bool trigonometric =
-            called.ends_with("sin") || called.ends_with("cos") || called.ends_with("tan");
-        if ((python() || dialect.plus) && trigonometric)
-            cpfg_refuse(source, text.place(begin), "the function " + called,
-                        python() ? "takes radians in Python, degrees in the notation"
-                                 : "takes radians in C, degrees in the notation");
-        if (known != functions.end()) return known->second + "(" + joined(arguments, ",") + ")";
-        const auto takes_count = [&](std::size_t count) {
-            if (arguments.size() != count)
-                cpfg_fail(source, text.place(begin),
-                          called + " takes " + std::to_string(count) + " numbers, found " +
-                              std::to_string(arguments.size()));
-            for (const std::string& one : arguments) check_size(one);
-        };
-        const std::string& x = arguments[0];
-        if (dialect.plus && (called == "int" || called == "trunc")) {
-            takes_count(1);
-            return whole_part(x);
-        }
-        if (dialect.plus && (called == "float" || called == "double")) {
-            takes_count(1);
-            return x;
-        }
-        if (dialect.plus && called == "pow") {
-            takes_count(2);
-            return "((" + x + ")^(" + arguments[1] + "))";
-        }
-        if (dialect.plus)
-            cpfg_refuse(source, text.place(begin), "the function " + called,
-                        "has no meaning in the notation");
-        if (!python() && called == "trunc") {
-            takes_count(1);
-            return "floor(" + x + " + 1/2)";
-        }
-        if (!python() && called == "sign") {
-            takes_count(1);
-            return "((" + x + " > 0) - (" + x + " < 0))";
-        }
-        if (!python() && called == "atan2") {
-            takes_count(2);
-            return "(((" + x + " >= 0) - (" + x + " < 0))*acos(" + arguments[1] + "/sqrt((" + x +
-                   ")^2 + (" + arguments[1] + ")^2)))";
-        }
-        cpfg_refuse(source, text.place(begin), "the function " + called,
-                    "has no meaning in the notation");
-    }
-    std::string number() {
-        const std::size_t size = number_size(std::string_view(text.text).substr(at));
-        std::string digits = text.text.substr(at, size);
-        integral = digits.find_first_of(".eE") == std::string::npos;
-        if (!python() && !dialect.plus && digits.find_first_of("eE") != std::string::npos &&
-            digits.find('.') == std::string::npos)
-            cpfg_fail(source, text.place(at),
-                      "the exponent of a number needs a decimal point: 1.0e5");
-        at += size;
-        digits = plain_number(digits);
-        if (digits.starts_with('.')) digits = "0" + digits;
-        if (digits.find_first_of("eE") == std::string::npos) return digits;
-        const auto exact = exact_decimal(Rational(digits));
-        return exact ? *exact : digits;
-    }
+    const IncludedText& text_of_;
+    std::vector<std::string> names_;  // of the files that are open
 };
 
 }  // namespace
+
+Diagnostic cpfg_finding(const Source& source, std::size_t place, const std::string& message) {
+    Diagnostic found = source.finding(std::min(place, source.text().size()), message);
+    const std::string_view text = source.text();
+    std::size_t line = 1;
+    std::optional<std::pair<std::size_t, std::string>> marked;  // what is behind line 0 of the file
+    for (std::size_t begin = 0; line < found.place.line && begin < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        if (auto marker = line_marker(text.substr(begin, end - begin)))
+            marked = std::pair{line + 1 - marker->first, std::move(marker->second)};
+        begin = end + 1;
+    }
+    if (marked) {
+        found.place.line -= marked->first;
+        found.place.file = marked->second;
+    }
+    return found;
+}
+
+void cpfg_fail(const Source& source, std::size_t place, const std::string& message) {
+    throw Diagnostics({cpfg_finding(source, place, message)});
+}
+
+void cpfg_refuse(const Source& source, std::size_t place, const std::string& what,
+                 const std::string& why) {
+    cpfg_fail(source, place, what + " " + why);
+}
 
 Placed preprocessed(const Source& source, const CpfgDialect& dialect) {
     return Preprocessor(source, dialect).preprocessed();
 }
 
-std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
-                            const std::set<std::string>& names, const CpfgNames& known,
-                            const CpfgIntegers& integers) {
-    return Expressions{source, dialect, known, text, names, integers}.all();
+std::string cpfg_with_included(std::string_view text, const std::string& name,
+                               const IncludedText& text_of) {
+    return Inclusion(text_of).joined(text, name);
 }
 
 }  // namespace algae

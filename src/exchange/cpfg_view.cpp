@@ -52,6 +52,7 @@ public:
             std::string keyword;
             for (const std::string_view word : blank_separated(before))
                 keyword += (keyword.empty() ? "" : " ") + std::string(word);
+            check_spelling(keyword, said.place(0));
             values_[keyword] = said.part(colon + 1, said.text.size()).trimmed();
         };
         for (std::size_t i = 0; i < whole.text.size(); ++i)
@@ -63,7 +64,7 @@ public:
     }
 
     [[noreturn]] void fail(std::size_t place, const std::string& message) const {
-        throw Diagnostics({source_.finding(std::min(place, text_.size()), message)});
+        cpfg_fail(source_, place, message);
     }
 
     /// What stands behind a keyword; nullptr if it does not occur.
@@ -117,6 +118,42 @@ public:
     }
 
 private:
+    /// Keywords that say nothing here are passed over, but not one that is nearly a keyword with a meaning.
+    void check_spelling(const std::string& keyword, std::size_t place) const {
+        static const std::vector<std::string> meant{"angle increment",
+                                                    "angle factor",
+                                                    "initial line width",
+                                                    "viewpoint",
+                                                    "line width increment",
+                                                    "interpretation past %",
+                                                    "projection",
+                                                    "tropism",
+                                                    "torque",
+                                                    "initial elasticity",
+                                                    "first frame",
+                                                    "last frame",
+                                                    "step",
+                                                    "frame intervals"};
+        static const std::vector<std::string> others{"initial color",
+                                                     "color increment",
+                                                     "initial scale",
+                                                     "scale multiplier",
+                                                     "scale factor",
+                                                     "box",
+                                                     "line style",
+                                                     "contour",
+                                                     "surface",
+                                                     "function",
+                                                     "twist",
+                                                     "view reference point",
+                                                     "tropism direction",
+                                                     "elasticity increment"};
+        if (std::ranges::count(meant, keyword) > 0 || std::ranges::count(others, keyword) > 0)
+            return;
+        if (const std::string hint = did_you_mean(keyword, meant); !hint.empty())
+            fail(place, "expected a keyword of the program, found " + quoted(keyword) + hint);
+    }
+
     std::string text_;
     Source source_;
     std::map<std::string, Placed> values_;

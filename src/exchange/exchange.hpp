@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +69,17 @@ const SystemFormat* system_format(std::string_view file_name);
 /// Example: system_format_of("msd_2\n0 0\n0 -> 0\n1 -> 0\n")->name == "walnut"
 const SystemFormat* system_format_of(std::string_view text);
 
+/// The text of a file that another includes; nothing if there is none of this name that may be read.
+using IncludedText = std::function<std::optional<std::string>(const std::string& name)>;
+
+/// A text of cpfg or lpfg with the text of a file for each line `#include "NAME"`, and for those that it includes. Between the files stand
+/// lines `# 1 "NAME"`, by which errors of the readers name their places. Names are those of files in the folder of the file that includes
+/// them; a line stays where there is no such file. Throws Diagnostics where files include each other in a circle, and above 10 MB.
+///
+/// Example: cpfg_with_included("#include \"b\"\n", "a", [](const auto&) { return "A\n"; }) == "# 1 \"b\"\nA\n# 2 \"a\"\n"
+std::string cpfg_with_included(std::string_view text, const std::string& name,
+                               const IncludedText& text_of);
+
 /// The files of a model of cpfg: the system, and how it is shown. The latter are empty where there are none.
 struct CpfgFiles {
     std::string system, view, animation;
@@ -96,6 +109,11 @@ struct BFile {
 ///
 /// Example: read_b_file("0 1\n1 1\n2 2\n", "b000045.txt").terms.size() == 3
 BFile read_b_file(std::string_view text, const std::string& name);
+
+/// Whether the first line of a text that is not blank or a comment has two whole numbers, as in a b-file.
+///
+/// Example: looks_like_b_file("# A000045\n0 0\n") && !looks_like_b_file("axiom a")
+bool looks_like_b_file(std::string_view text);
 
 /// The lines.
 ///

@@ -262,12 +262,15 @@ private:
         if (first.size() > 1) {
             if (first.ends_with("}"))
                 fail(place + first.size() - 1, "expected '}' on a line of its own");
-            fail(place,
-                 "expected 'Axiom', 'Angle', '}' or a rule for one symbol, found " + quoted(first));
+            fail(place, "expected 'Axiom', 'Angle', '}' or a rule for one symbol, found " +
+                            quoted(first) + did_you_mean(first, {"axiom", "angle"}));
         }
         if (std::string_view(reserved_by_fractint).find(first[0]) != std::string_view::npos)
             fail(place, "the command " + quoted(first) + " cannot be rewritten");
         const std::size_t from = gap(text, end, true), to = word_end(text, from, true);
+        if (const std::string_view arrow = std::string_view(text).substr(from, to - from);
+            arrow == "->" || arrow == "-->")
+            fail(line.offset + from, "expected a rule such as F=F+F, found " + quoted(arrow));
         check_end(line, to, "the rule for " + quoted(first));
         PlacedWord& rule = rules_[first[0]];
         if (places_.emplace(first[0], place).second) order_.push_back(first[0]);
@@ -303,7 +306,11 @@ private:
             value = value * 10 + (text[digits++] - '0');
         if (value < 3 || value > 50)
             fail(line.offset + from,
-                 "expected an angle from 3 to 50, the parts of a full turn, found " + quoted(text));
+                 "expected an angle from 3 to 50, the parts of a full turn, found " + quoted(text) +
+                     (value > 50 && 360 % value == 0 && 360 / value >= 3
+                          ? "; " + std::to_string(value) + " degrees are 'Angle " +
+                                std::to_string(360 / value) + "'"
+                          : ""));
         angle_ = static_cast<unsigned>(value);
     }
 
@@ -923,6 +930,8 @@ bool looks_like_fractint(std::string_view text) {
     });
 }
 
-std::string print_fractint(const Model& system) { return Writer(system).written(); }
+std::string print_fractint(const Model& system) {
+    return Writer(with_plain_angle(system)).written();
+}
 
 }  // namespace algae

@@ -388,6 +388,6 @@ private:
 
 }  // namespace
 
-std::string print_maple(const Model& system) { return Worksheet(system).all(); }
+std::string print_maple(const Model& system) { return Worksheet(with_plain_angle(system)).all(); }
 
 }  // namespace algae

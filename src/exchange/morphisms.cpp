@@ -536,7 +536,18 @@ public:
                                        quoted(other + "->" + other) + " keeps it");
         written.axiom = axiom(after, known);
         if (written.axiom.empty()) written.axiom = written.rules.front().first;
-        return model_of(written, text_.file());
+        // Brackets that stay need no rule in the notation, which has none for them.
+        std::erase_if(written.rules, [](const auto& rule) {
+            return (rule.first == "[" || rule.first == "]") &&
+                   rule.second == std::vector<std::string>{rule.first};
+        });
+        try {
+            return model_of(written, text_.file());
+        } catch (const Diagnostics& error) {
+            // What the notation refuses of a text that is written here is refused as a whole.
+            text_.fail(offset(first), "the notation cannot say this morphism: " +
+                                          error.findings().front().message);
+        }
     }
 
 private:

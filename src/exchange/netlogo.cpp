@@ -767,6 +767,6 @@ Model read_netlogo(std::string_view text, const std::string& name) {
     return Reader(text, name).read();
 }
 
-std::string print_netlogo(const Model& system) { return Writer(system).text(); }
+std::string print_netlogo(const Model& system) { return Writer(with_plain_angle(system)).text(); }
 
 }  // namespace algae

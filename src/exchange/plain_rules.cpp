@@ -1,11 +1,12 @@
-#include <algorithm>
-#include <set>
-
-#include "model/model.hpp"
-
 #include "exchange/detail/plain_rules.hpp"
 
+#include <algorithm>
+#include <map>
 #include <set>
+#include <string>
+#include <vector>
+
+#include "model/model.hpp"
 
 namespace algae {
 
@@ -16,6 +17,49 @@ std::string beyond_plain(const Production& rule, bool parameters) {
     if (rule.shape) return "it is a shape rule";
     if (!parameters && !rule.predecessor.parameters.empty()) return "it has parameters";
     return "";
+}
+
+Model with_plain_angle(const Model& system) {
+    const auto is_turn = [&](Symbol letter) {
+        const std::string& said = system.alphabet.name(letter);
+        return said.size() == 1 && std::string_view("+-&^/\\").find(said) != std::string_view::npos;
+    };
+    // The angles of turns, by their letters.
+    std::map<Symbol, Rational> angles;
+    const auto is_angle = [&](const Production& rule) {
+        const Symbol turn = rule.predecessor.symbol;
+        const ModuleWord& image = rule.successor;
+        if (!is_turn(turn) || !beyond_plain(rule, false).empty() || rule.probability ||
+            image.letters != Word{turn} || !image.arguments.contains(0))
+            return false;
+        const std::vector<Expression>& numbers = image.arguments.at(0);
+        return numbers.size() == 1 && numbers[0].kind == Expression::Kind::number &&
+               angles.emplace(turn, numbers[0].value).second;
+    };
+    Model plain = system;
+    std::erase_if(plain.interpretation, is_angle);
+    if (angles.empty()) return system;
+    const Rational angle = angles.begin()->second;
+    for (const auto& [turn, other] : angles)
+        if (other != angle) return system;
+    // The other turns without a number would turn by another angle.
+    const auto has_other = [&](const ModuleWord& word) {
+        for (std::size_t i = 0; i < word.letters.size(); ++i)
+            if (is_turn(word.letters[i]) && !word.arguments.contains(i) &&
+                !angles.contains(word.letters[i]))
+                return true;
+        return false;
+    };
+    if (has_other(plain.axiom)) return system;
+    for (const auto* rules : {&plain.rules, &plain.interpretation})
+        for (const Production& rule : *rules)
+            if (has_other(rule.successor) ||
+                (rules == &plain.interpretation && angles.contains(rule.predecessor.symbol)))
+                return system;
+    // A number means its own sense, a turn without one that of the file.
+    if (plain.drawing.clockwise) return system;
+    plain.drawing.angle = quantity(angle);
+    return plain;
 }
 
 void FormatWriter::refuse(const std::string& what) const {

@@ -633,7 +633,9 @@ private:
 Model read_tikz(std::string_view text, const std::string& name) {
     return TikzReader(text, name).read();
 }
-std::string print_inkscape(const Model& system) { return InkscapeWriter(system).text(); }
-std::string print_tikz(const Model& system) { return TikzWriter(system).text(); }
+std::string print_inkscape(const Model& system) {
+    return InkscapeWriter(with_plain_angle(system)).text();
+}
+std::string print_tikz(const Model& system) { return TikzWriter(with_plain_angle(system)).text(); }
 
 }  // namespace algae

@@ -556,6 +556,22 @@ BFile read_b_file(std::string_view text, const std::string& name) {
     return file;
 }
 
+bool looks_like_b_file(std::string_view text) {
+    const auto is_integer = [](std::string_view cell) {
+        if (cell.starts_with('-')) cell.remove_prefix(1);
+        return !cell.empty() && cell.find_first_not_of("0123456789") == std::string_view::npos;
+    };
+    for (std::size_t begin = 0; begin < text.size();) {
+        const std::size_t end = std::min(text.find('\n', begin), text.size());
+        const std::string_view whole = text.substr(begin, end - begin);
+        const auto cells = blank_separated(whole.substr(0, whole.find('#')));
+        if (!cells.empty())
+            return cells.size() == 2 && is_integer(cells[0]) && is_integer(cells[1]);
+        begin = end + 1;
+    }
+    return false;
+}
+
 std::string print_b_file(const BFile& file) {
     std::string out;
     Integer n = file.first;

@@ -159,3 +159,57 @@ TEST_CASE("growth reads and writes b-files of the OEIS") {
                 "w.txt:2:3: error: expected a(n), a whole number, found 'x'"));
     CHECK(run("growth fibonacci --b-file").status == 2);
 }
+
+TEST_CASE("equal --as growth compares lengths with a b-file of the OEIS") {
+    const Scratch scratch;
+    const std::string terms =
+        scratch.file("b.txt", "# lengths\n" + run("growth fibonacci -n 0..40 --b-file").out);
+    const Run same = run("equal fibonacci '" + terms + "' --as growth");
+    CHECK(same.status == 0);
+    CHECK(same.out == "equal: generations 0 to 40 have the lengths that are in " + terms +
+                          "; it says nothing of later ones\n");
+    CHECK(run("equal '" + terms + "' fibonacci --as growth").status == 0);
+    const json witness =
+        json::parse(run("equal fibonacci '" + terms + "' --as growth --json").out)["witness"];
+    CHECK(witness["from"] == 0);
+    CHECK(witness["to"] == 40);
+    // The sequence itself, 0 1 1 2 3 5 ..., of which the lengths are those from the second on.
+    const std::string moved = scratch.file("m.txt", "0 0\n1 1\n2 1\n3 2\n4 3\n5 5\n6 8\n7 13\n");
+    const Run other = run("equal fibonacci '" + moved + "' --as growth");
+    CHECK(other.status == 1);
+    CHECK(holds(other.out, "different: generation 0 has 1 letter, and a(0) is 0 in "));
+    CHECK(holds(other.out, "generation n has a(n+1) letters, as far as the file goes"));
+    const json found = json::parse(run("equal fibonacci '" + moved + "' --as growth --json").out);
+    CHECK(found["verdict"] == "different");
+    CHECK(found["witness"]["shift"] == 1);
+    CHECK(found["witness"]["lengths"] == json{1, 0});
+    // From another n on, and one that is wrong at the end.
+    CHECK(run("equal fibonacci '" + scratch.file("k.txt", "3 3\n4 5\n") + "' --as growth").status ==
+          0);
+    const std::string wrong = scratch.file("w.txt", "0 1\n1 1\n2 2\n3 3\n4 5\n5 9\n");
+    CHECK(holds(run("equal fibonacci '" + wrong + "' --as growth").out,
+                "different: generation 5 has 8 letters, and a(5) is 9"));
+    const std::pair<std::string, std::string> malformed[] = {
+        {"0 1\n2 2\n", ":2:1: error: expected the term of n = 1, found n = 2"},
+        {"0 1\n1 1.5\n", ":2:3: error: expected a(n), a whole number, found '1.5'"},
+        {"0 1\n1\n", ":2:1: error: expected a line `n a(n)`, found 1 piece"},
+        {"0 1\n1 1 1\n", ":2:5: error: expected a line `n a(n)`, found 3 pieces"},
+        {"-1 1\n0 1\n",
+         ": expected terms from n = 0 on, as generations begin with 0; found n = -1"},
+    };
+    for (const auto& [text, message] : malformed) {
+        const std::string file = scratch.file("bad.txt", text);
+        const Run refused = run("equal fibonacci '" + file + "' --as growth");
+        INFO(refused.err);
+        CHECK(refused.status == 2);
+        CHECK(holds(refused.err, file + message));
+    }
+    CHECK(holds(run("equal fibonacci '" + terms + "'").err,
+                "is a b-file, which holds lengths: expected --as growth with it"));
+    CHECK(holds(run("equal '" + moved + "' '" + terms + "' --as growth").err,
+                "are b-files: expected a system and a b-file"));
+    CHECK(holds(run("show '" + terms + "'").err,
+                "looks like a b-file of the OEIS, which `algae growth --realise`"));
+    CHECK(holds(run("equal fibonacci '" + terms + "' --as growth --certificate x.json").err,
+                "there is no proof to write"));
+}

@@ -86,3 +86,51 @@ TEST_CASE("a model of cpfg is its system with the view and the animation beside 
         json::parse(run("draw '" + system + "' --json -o '" + scratch.file("p.svg") + "'").out);
     CHECK(drawn["segments"] == 27);
 }
+
+TEST_CASE("one of several systems of cpfg has the view beside its file") {
+    const Scratch scratch;
+    const std::string two =
+        scratch.file("two.l",
+                     "Lsystem: 1\nderivation length: 1\nAxiom: F\nF --> F+F\nendlsystem\n"
+                     "Lsystem: 2\nderivation length: 1\nAxiom: F\nF --> F-F-F\nendlsystem\n");
+    scratch.file("two.v", "angle increment: 30\n");
+    const std::string said = run("convert '" + two + ":2' --to lsys").out;
+    CHECK(said.find("F -> F-F-F\n") != std::string::npos);
+    CHECK(said.find("angle 30\n") != std::string::npos);
+    CHECK(run("convert '" + two + ":3' --to lsys").err.find("there is no system '3'") !=
+          std::string::npos);
+    // A file of Fractint has no view.
+    scratch.file("three.v", "angle increment: 30\n");
+    const std::string three = scratch.file("three.l", "Koch {\nAngle 6\nAxiom F\nF=F+F\n}\n");
+    CHECK(run("convert '" + three + ":Koch' --to lsys").out.find("angle 60\n") !=
+          std::string::npos);
+}
+
+TEST_CASE("a file of cpfg includes files of its folder and below, and no others") {
+    const Scratch outer;
+    std::filesystem::create_directories(outer.path() / "inside" / "deep");
+    outer.file("secret.l", "B --> C\n");
+    outer.file("inside/rules.l", "A --> AB\n#include \"deep/more.l\"\n");
+    outer.file("inside/deep/more.l", "B --> A\n");
+    const std::string head = "Lsystem: 1\nderivation length: 3\nAxiom: A\n", end = "endlsystem\n";
+    const std::string good = outer.file("inside/good.l", head + "#include \"rules.l\"\n" + end);
+    CHECK(run("derive '" + good + "' -n 3").out == "ABAAB\n");
+    // Also where a claim names the system, and where the text alone is converted.
+    outer.file("inside/x.claim", "claim x\nlet G = D0L good.l\nshow AB in L(G)\n");
+    CHECK(run("check '" + outer.file("inside/x.claim") + "'").status == 0);
+    CHECK(run("convert '" + good + "' --to sage").status == 0);
+    std::filesystem::create_symlink(outer.file("secret.l"), outer.file("inside/link.l"));
+    for (const std::string name :
+         {"../secret.l", "link.l", "deep/../../secret.l", "none.l", "-", "deep"}) {
+        const std::string bad =
+            outer.file("inside/bad.l", head + "#include \"" + name + "\"\n" + end);
+        const Run refused = run("derive '" + bad + "' -n 1 --json");
+        INFO(refused.err);
+        CHECK(refused.status == 2);
+        const json error = json::parse(refused.out)["error"];
+        CHECK(error["line"] == 4);
+        CHECK(error["column"] == 1);
+        CHECK(error["expected"] ==
+              "a file of this name in the folder of the one that includes it or below");
+    }
+}

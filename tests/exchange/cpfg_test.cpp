@@ -1,6 +1,8 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <map>
+
 #include "exchange/compared.hpp"
 #include "exchange/detail/formats.hpp"
 #include "exchange/exchange.hpp"
@@ -119,7 +121,17 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
         {file("A(x) : x>1 & x<5 --> B\n", "A(3)"), "found '&'; 'and' is &&"},
         {file("A(1) --> X\n", "A(1)A(2)"), "expected a name as parameter, found '1'"},
         {file("A --> B)C\n"), "unmatched ')'"},
-        {file("A --> B\ndecomposition\nB : 1 --> CB\n"), "a decomposition with contexts"},
+        {file("A --> B\ndecomposition\nC < B --> CB\n"), "a decomposition with contexts"},
+        {file("A --> B\ndecomposition\nB --> CB : 2\n"),
+         "a decomposition with contexts or weights"},
+        {file("A(x) --> B(x)\ndecomposition\nmaximum depth: 99\nB(x) --> B(x+x)\n"),
+         "x.l:4:10: error: a decomposition that gives an expression of more than 10000 characters"},
+        {file("A(x) --> B(x)B(x+1)B(x+2)B(x+3)B(x+4)B(x+5)B(x+6)\ndecomposition\n"
+              "B(x) : x > 9 --> C\n"),
+         "a decomposition whose conditions have more than 64 outcomes for one rule"},
+        {file("A(x) : x > 1 --> B : 1\nA(x) : x > 2 --> C : 1\ndecomposition\nA(x) --> D\n", "A(1)",
+              "seed: 1\n"),
+         "x.l:7:1: error: a decomposition of what rules with contexts or conditions may leave"},
         {file("A > [B]C --> Y\n", "A[BDE]C"),
          "x.l:4:7: error: a branch in a context that ends without ="},
         {"Lsystem: 1\nAxiom: A\nendlsystem\n",
@@ -139,7 +151,11 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
          "a rule with longer contexts behind one with shorter ones"},
         {file("A --> B\n", "A", "define: { array a[3]; }\n"), "arrays have no meaning"},
         {file("A --> B\n", "A", "Start: { x = 1; }\n"), "the block Start: holds statements"},
-        {"#include \"a.l\"\n" + file("A --> B\n"), "x.l:1:1: error: #include is not read"},
+        {"#include \"a.l\"\n" + file("A --> B\n"),
+         "x.l:1:1: error: expected a file of this name in the folder of the one that includes it "
+         "or below, found none: #include \"a.l\""},
+        {"#include <math.h>\n" + file("A --> B\n"),
+         "x.l:1:1: error: the program's own files are not read: expected #include \"NAME\""},
         {file("A(x) : {y = 1;} 1 --> B\n", "A(1)"), "a block of statements"},
         {file("AA --> C\n", "AABAB"),
          "x.l:4:2: error: a predecessor of several modules is one rule for all of them, which has "
@@ -158,6 +174,96 @@ TEST_CASE("what has no meaning here, or none in cpfg, is refused with its place"
         INFO(text);
         CHECK(holds(cpfg_fault(text), expected));
     }
+}
+
+TEST_CASE("a decomposition with conditions uses the first rule that holds, at each depth") {
+    const std::pair<std::string, const char*> all[] = {
+        // 2 + 1 is above 2; 1 + 1 is not.
+        {file("A(x) --> B(x+1)\ndecomposition\nB(y) : y > 2 --> CC\n", "A(2)A(1)"), "CCB(2)"},
+        {file("A(x) --> B(x)\ndecomposition\nB(y) : y > 2 --> C\nB(y) : y > 1 --> D\nB(y) --> E\n",
+              "A(1)A(2)A(3)"),
+         "EDC"},
+        // As long as the number is above 0, five times at most.
+        {file("A --> B(3)\ndecomposition\nmaximum depth: 5\nB(y) : y > 0 --> F B(y-1)\n"),
+         "FFFB(0)"},
+        {file("A(x) --> B(x)\ndecomposition\nmaximum depth: 2\nB(y) : y > 0 --> F B(y-1)\n",
+              "A(0)A(1)A(2)A(3)"),
+         "B(0)FB(0)FFB(0)FFB(1)"},
+        // What no rule rewrites is decomposed too, and a rule of its own comes first.
+        {file("A --> A\ndecomposition\nB(y) : y > 1 --> C\n", "B(1)B(2)"), "B(1)C"},
+        {file("B(x) : x > 5 --> D\ndecomposition\nB(y) : y > 1 --> C\n", "B(1)B(2)B(6)"), "B(1)CD"},
+        // Beside contexts and conditions of the rule itself.
+        {file("P < A(x) : x > 1 --> B(x)\nA(x) --> B(x+10)\ndecomposition\n"
+              "B(y) : y > 11 --> C\nB(y) : y > 2 --> D\n",
+              "PA(2)PA(3)PA(1)A(5)"),
+         "PB(2)PDPDC"},
+        // With weights of which only one rule has any.
+        {file("A(x) --> B(x) : 1\ndecomposition\nB(y) : y > 1 --> C\n", "A(1)A(2)",
+              "seed: 1\nderivation length: 1\n"),
+         "B(1)C"},
+    };
+    for (const auto& [text, expected] : all) {
+        INFO(text);
+        CHECK(cpfg_word(text) == expected);
+    }
+    CHECK(printed_word(
+              read_lpfg("module A(float);\nmodule B(float);\nderivation length: 1;\nAxiom: A(1) "
+                        "A(2);\nproduction:\nA(x) : { produce B(x*2); }\ndecomposition:\n"
+                        "B(x) : { if (x > 3) produce F(x); else produce f(x); }\n",
+                        "x.l")) == "f(2)F(4)");
+}
+
+TEST_CASE("files that a file of cpfg includes are read, and errors name their places") {
+    const std::map<std::string, std::string> files{
+        {"d/size.l",
+         "#define N 2 /* #include \"no.l\"\n#include \"no.l\" */\n#include \"more/rules.l\"\n"},
+        {"d/more/rules.l", "#define RULE A --> B\n#include \"last.l\""},
+        {"d/more/last.l", "#define WORD AA"},
+        {"d/round.l", "#include \"back.l\"\n"},
+        {"d/back.l", "\n#include \"round.l\"\n"},
+        {"d/rules.l", "A --> B\nA --> B)\n"},
+        {"d/many.l", "#include \"twice.l\"\n#include \"twice.l\"\n"},
+        {"d/twice.l", std::string(1000, ' ')},
+    };
+    std::vector<std::string> asked;
+    const IncludedText text_of = [&](const std::string& name) -> std::optional<std::string> {
+        asked.push_back(name);
+        const auto found = files.find(name);
+        return found == files.end() ? std::nullopt : std::optional(found->second);
+    };
+    const std::string text =
+        "#include \"size.l\"\n#if 0\n#include \"none.l\"\n#endif\nLsystem: 1\nderivation length: "
+        "N\n"
+        "Axiom: WORD\nRULE\nB --> BC\nendlsystem\n";
+    const std::string joined = cpfg_with_included(text, "d/x.l", text_of);
+    CHECK(printed_word(read_cpfg(joined, "d/x.l")) == "BCBC");
+    CHECK(asked ==
+          std::vector<std::string>{"d/size.l", "d/more/rules.l", "d/more/last.l", "d/none.l"});
+    const auto fault = [&](const std::string& said) {
+        return refusal([&] { read_cpfg(cpfg_with_included(said, "d/x.l", text_of), "d/x.l"); });
+    };
+    CHECK(holds(
+        fault("#include \"round.l\"\n"),
+        "d/back.l:2:1: error: files that include each other in a circle: expected 'round.l' not "
+        "to be within itself"));
+    CHECK(holds(fault("#include \"x.l\"\n"), "d/x.l:1:1: error: files that include each other"));
+    const std::string head = "Lsystem: 1\nAxiom: A\n";
+    CHECK(holds(fault(head + "#include \"rules.l\"\nendlsystem\n"),
+                "d/rules.l:2:8: error: unmatched ')'"));
+    CHECK(holds(fault("#include \"size.l\"\n" + head + "A --> B\nB --> C)\nendlsystem\n"),
+                "d/x.l:5:8: error: unmatched ')'"));
+    CHECK(holds(fault(head + "#include \"/etc/passwd\"\nendlsystem\n"),
+                "d/x.l:3:1: error: expected a file of this name in the folder of the one that "
+                "includes it or below, found none: #include \"/etc/passwd\""));
+    CHECK(asked.back() == "/etc/passwd");
+    // Files that include two others each, 40 deep, would be longer than any memory.
+    const IncludedText doubled = [&](const std::string& name) -> std::optional<std::string> {
+        const std::string next = name + "a";
+        return next.size() > 40 ? std::string(1000, 'x')
+                                : "#include \"" + next + "\"\n#include \"" + next + "\"\n";
+    };
+    CHECK(holds(refusal([&] { cpfg_with_included("#include \"a\"\n", "x.l", doubled); }),
+                "with the files that are included the text has more than 10000000 characters"));
 }
 
 TEST_CASE("several systems of a file of cpfg are told apart by their labels") {
@@ -414,12 +520,54 @@ TEST_CASE("parameters and conditions are written for cpfg") {
     };
     CHECK(holds(refused("axiom F_l"), "symbols are single characters of ASCII"));
     CHECK(holds(refused("axiom F\ntable a\nF -> FF\ntable b\nF -> F"), "tables"));
-    CHECK(holds(refused("axiom F; turn clockwise"), "turn clockwise"));
+    CHECK(holds(refused("axiom F+(2)F; turn clockwise"), "turn clockwise"));
     CHECK(holds(refused("axiom F; coding { F -> 0 }"), "a coding"));
     CHECK(holds(refused("axiom F'; F -> F"), "it means something else there"));
     // Of the rules that match, the longest context is used.
     const Model ordered = read_lsystem("axiom BA; A -> X; B < A -> Y", "s");
     CHECK(printed_word(read_cpfg(print_cpfg(ordered), "b"), 1) == "BY");
+}
+
+TEST_CASE(
+    "turns to the right, and names of several letters, are written where the program has them") {
+    // + turns to the right there: so it is -(60) in the homomorphism, and words keep their letters.
+    const Model right =
+        read_lsystem("axiom F; F -> F+F--F+F; angle 60; step 2; start 0 0 90; turn clockwise", "s");
+    CHECK(holds(print_cpfg(right), "F --> F(2)\n+ --> -(60)\n- --> +(60)\n"));
+    for (const bool python : {false, true}) {
+        const std::string text = python ? print_lpy(right) : print_cpfg(right);
+        CAPTURE(text);
+        const Model back = python ? read_lpy(text, "b") : read_cpfg(text, "b");
+        CHECK(printed_word(back, 2) == printed_word(right, 2));
+        CHECK(same_scene(scene_of(back, 2).scene, scene_of(right, 2).scene));
+    }
+    CHECK(holds(refusal([] {
+                    print_cpfg(read_lsystem("axiom F+(30)F; turn clockwise; start 0 0 90", "s"));
+                }),
+                "cpfg cannot say `turn clockwise` beside turns with numbers"));
+    // What interpretations give is said with the file's angle and step too.
+    const Model drawn =
+        read_lsystem("axiom g; g -> g+g; interpret g -> F+F; angle 30; step 3; start 0 0 90", "s");
+    for (const bool python : {false, true}) {
+        const std::string text = python ? print_lpy(drawn) : print_cpfg(drawn);
+        CAPTURE(text);
+        const Model back = python ? read_lpy(text, "b") : read_cpfg(text, "b");
+        CHECK(same_scene(scene_of(back, 2).scene, scene_of(drawn, 2).scene));
+    }
+    const Model names = read_lsystem(
+        "alphabet Apex; axiom Apex L; Apex -> F Apex L e; L -> L e f t; angle 60; start 0 0 90",
+        "s");
+    const std::string text = print_lpy(names);
+    CAPTURE(text);
+    CHECK(holds(text, "module Apex\n"));
+    const Model back = read_lpy(text, "b.lpy");
+    for (std::uint64_t n = 0; n < 4; ++n) CHECK(word_of(back, n) == word_of(names, n));
+    // Letters that together are a name that L-Py knows stand apart.
+    const Model left = read_lsystem("axiom Left; L -> LL; angle 60; start 0 0 90", "s");
+    CHECK(word_of(read_lpy(print_lpy(left), "b.lpy"), 1) == "L L e f t ");
+    CHECK(holds(lpy_fault("module F_a\nAxiom: F_a\nproduction:\nF_a --> F\n"),
+                "x.lpy:1:8: error: the turtle of the notation draws and moves with names such as "
+                "F_a: expected another name"));
 }
 
 TEST_CASE("files ending in .l are told apart by what stands in them") {

@@ -58,6 +58,9 @@ TEST_CASE("what a view file of cpfg says otherwise than the notation is refused 
         {"F", "angle increment 22\n", "plant.v:1:1: error: expected `keyword: values`"},
         {"F", "angle increment: x y\n", ""},
         {"F", "angle factor: 0\n", "plant.v:1:15: error: expected a number other than 0"},
+        {"F", "scale factor: 2\nangle incremnt: 30\n",
+         "plant.v:2:1: error: expected a keyword of the program, found 'angle incremnt'; did you "
+         "mean 'angle increment'?"},
         {"F!F", "line width increment: 0.5\n", "plant.v:1:23: error: widths that grow"},
         {"F", "line width increment: 0.5\n", ""},
         {"F%F", "interpretation past %: on\n", "plant.v:1:24: error: what stands past %"},

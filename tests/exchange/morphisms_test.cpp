@@ -143,6 +143,19 @@ TEST_CASE("a WordMorphism of Sage") {
     }
 }
 
+TEST_CASE("brackets that a morphism of Sage keeps are those of the notation") {
+    const std::string text = "m = WordMorphism('F->F[+F]F,[->[,+->+,]->]')\nm('F', 2)\n";
+    const Model plant = read_sage(text, "x.sage");
+    CHECK(word_of(plant, 1) == "F [ + F ] F ");
+    CHECK(read_sage(print_sage(plant), "x.sage") == plant);
+    const auto fault = [](const std::string& morphism) {
+        return refusal([&] { read_sage("m = WordMorphism('" + morphism + "')\n", "x.sage"); });
+    };
+    const std::string said = fault("a->[b,b->b,[->[");
+    INFO(said);
+    CHECK(said.starts_with("x.sage:1:19: error: the notation cannot say this morphism: "));
+}
+
 TEST_CASE("systems are written as morphisms, and what those cannot say is refused") {
     CHECK(print_walnut(of_gallery("thue-morse")) ==
           "# Thue-Morse word\nmsd_2\n\n0 0\n0 -> 0\n1 -> 1\n\n1 1\n0 -> 1\n1 -> 0\n");

@@ -2,17 +2,24 @@
 
 #include <cctype>
 #include <cstddef>
+#include <cstdint>
+#include <initializer_list>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "notation/notation.hpp"
 
 namespace algae {
 
-// What the readers of cpfg and L-Py share: texts whose characters know where they stood, the preprocessor, expressions.
+struct Model;
+
+// What the readers of cpfg, L-Py and lpfg share: texts whose characters know where they stood, the preprocessor, expressions, modules and
+// rules, and the notation that says what was read.
 
 /// Which of the three programs: cpfg, L-Py or lpfg, whose language is L+C.
 struct CpfgDialect {
@@ -61,7 +68,18 @@ inline bool is_name_start(char c) {
 }
 inline bool is_name_part(char c) { return std::isalnum(static_cast<unsigned char>(c)) || c == '_'; }
 
-/// The text without comments, with macros replaced; of L-Py without what its editor saves. Throws Diagnostics for directives other than #define, for
+/// A finding at a byte of the text, with its place in the file that a line `# 1 "NAME"` before it names.
+Diagnostic cpfg_finding(const Source& source, std::size_t place, const std::string& message);
+
+/// Throw Diagnostics with that finding; `what` has no meaning here, and `why` says why.
+[[noreturn]] void cpfg_fail(const Source& source, std::size_t place, const std::string& message);
+[[noreturn]] void cpfg_refuse(const Source& source, std::size_t place, const std::string& what,
+                              const std::string& why);
+
+/// Names of L-Py's own modules, with the symbols that say the same.
+const std::vector<std::pair<std::string, std::string>>& lpy_names();
+
+/// The text without comments, with macros replaced; of L-Py without what its editor saves. Throws Diagnostics for directives other than #define and #if, for
 /// macros that go round in circles and comments that are never closed.
 Placed preprocessed(const Source& source, const CpfgDialect& dialect);
 
@@ -79,5 +97,129 @@ struct CpfgIntegers {
 std::string cpfg_expression(const Source& source, const CpfgDialect& dialect, const Placed& text,
                             const std::set<std::string>& names, const CpfgNames& known,
                             const CpfgIntegers& integers = {});
+
+/// A module: its symbol and the texts of its arguments.
+struct CpfgModule {
+    std::string symbol;
+    std::size_t place = 0;
+    std::vector<Placed> arguments;
+    bool has_arguments = false;
+    bool open = false;  // in a context: `=` stands behind it
+
+    /// What tells it from others: the symbol and the number of arguments.
+    std::string kind() const { return symbol + "/" + std::to_string(arguments.size()); }
+};
+
+struct CpfgRule {
+    std::vector<CpfgModule> left, right;
+    CpfgModule predecessor;
+    std::vector<CpfgModule> several;  // a predecessor of more than one module
+    std::optional<Placed> condition, weight;
+    Placed successor;
+    std::size_t place = 0;
+
+    std::string letter() const { return predecessor.kind(); }
+    /// Modules of both contexts; brackets do not count where the longest context is chosen.
+    std::size_t reach() const {
+        std::size_t count = 0;
+        for (const auto* side : {&left, &right})
+            for (const CpfgModule& module : *side)
+                count += module.symbol == "[" || module.symbol == "]" ? 0 : 1;
+        return count;
+    }
+};
+
+/// What a file says, before the notation says it.
+struct CpfgSystem {
+    std::vector<std::pair<std::string, Placed>> constants;
+    std::set<std::string> integers;    // constants of lpfg that are whole numbers
+    std::vector<std::string> modules;  // declared names
+    std::map<std::string, std::vector<std::string>> types;  // of the parameters of lpfg's modules
+    Placed axiom;
+    std::vector<CpfgRule> rules, decomposition, interpretation;
+    std::uint64_t depth = 1;        // of the decomposition
+    std::uint64_t drawn_depth = 1;  // of the homomorphism
+    std::optional<Placed> ignored, considered;
+    std::string generation;  // empty where none is said
+    bool stochastic = false;
+};
+
+/// What the readers of the three kinds of files share.
+class CpfgReader {
+protected:
+    /// The source must outlive it.
+    CpfgReader(const Source& source, const CpfgDialect& dialect, CpfgSystem system = {})
+        : dialect_(dialect), source_(source), system_(std::move(system)) {}
+
+    [[noreturn]] void fail(std::size_t place, const std::string& message) const;
+    [[noreturn]] void refuse(std::size_t place, const std::string& what,
+                             const std::string& why) const;
+
+    // Lines and words.
+
+    /// Lines, joined where the next one begins with a tabulator, or of L-Py within brackets.
+    std::vector<Placed> statements(const Placed& whole) const;
+    /// The size of the first of these keywords with which a text begins; nothing if it begins with none. A blank in a keyword may be left out,
+    /// but in L+C, where lines may end there too, and before a colon.
+    std::optional<std::size_t> keyword_size(const Placed& text,
+                                            std::initializer_list<const char*> keywords) const;
+    /// What stands behind that keyword.
+    std::optional<Placed> behind(const Placed& line,
+                                 std::initializer_list<const char*> keywords) const;
+    /// Where something stands from here on that is no white space.
+    static std::size_t next(const Placed& text, std::size_t at);
+    /// Where the bracket closes that stands at this place.
+    std::size_t closing(const Placed& text, std::size_t at) const;
+    /// The name at this place; empty if there is none.
+    static std::string name_at(const Placed& text, std::size_t at);
+    /// How errors name what stands there.
+    static std::string shown(const Placed& text, std::size_t at);
+    /// The first of these characters outside brackets.
+    static std::size_t outside(const std::string& text, char wanted);
+    /// The whole number from 0 on that an expression of constants is.
+    std::uint64_t number(const Placed& text, const char* what) const;
+
+    // Statements.
+
+    /// Whether a line is one of the header of cpfg, or of the declarations of L-Py, which is then read.
+    bool read_header(const Placed& said);
+    /// `left < A(x) > right : condition --> successor : weight`
+    CpfgRule rule(const Placed& line) const;
+    /// The contexts and the predecessor of a rule.
+    CpfgRule head_of(Placed head) const;
+    /// A rule for each `produce`, with the conditions that lead to it; the first that applies is used there too, and where none
+    /// does the block falls through and the rule is not used.
+    void add_produced(std::vector<CpfgRule>& all, const CpfgRule& head,
+                      const std::vector<Placed>& path, Placed successor, std::size_t place) const;
+    /// The condition in brackets, or its negation.
+    Placed side(const Placed& condition, bool holds) const;
+    /// A module of this name is declared there. Fails where the notation gives the name a meaning.
+    void declare(const std::string& name, std::size_t place);
+    /// Modules, each command of several symbols being one: `@v`, `~l`, `?P`.
+    std::vector<CpfgModule> modules(const Placed& text) const;
+
+    CpfgDialect dialect_;
+    const Source& source_;
+    CpfgSystem system_;  // what was read so far
+
+private:
+    std::vector<CpfgModule> context(const Placed& text) const;
+    void check_formals(const CpfgModule& module) const;
+    std::size_t plus_name(const Placed& text, std::size_t at, CpfgModule& module) const;
+    std::vector<CpfgModule> single_modules(const Placed& text) const;
+};
+
+/// Whether a symbol is a command of several characters, `@v`.
+inline bool is_cpfg_command(const std::string& symbol) {
+    return std::string_view("@~?").find(symbol[0]) != std::string_view::npos;
+}
+
+/// The same system with one module as predecessor of each rule, and with rules for commands where a rule rewrites a part of one. Throws
+/// Diagnostics where that cannot be said by rules of the notation.
+CpfgSystem with_single_predecessors(const Source& source, const CpfgDialect& dialect,
+                                    CpfgSystem system);
+
+/// The model that a system is in the notation. Throws Diagnostics with the place of what it cannot say.
+Model cpfg_model(const Source& source, const CpfgDialect& dialect, CpfgSystem system);
 
 }  // namespace algae

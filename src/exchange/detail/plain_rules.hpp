@@ -21,6 +21,10 @@ struct TurtleModule {
 /// has a context"; empty if nothing.
 std::string beyond_plain(const Production& rule, bool parameters);
 
+/// The same system with its angle as a setting where an interpretation says it, `+ -> +(60)`, for all turns that words have without a number; as it
+/// is otherwise.
+Model with_plain_angle(const Model& system);
+
 /// What the printers of formats share: a system, and how they refuse what their format cannot say of it.
 class FormatWriter {
 protected:

@@ -1,0 +1,736 @@
+#include <algorithm>
+#include <cctype>
+#include <map>
+#include <optional>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "exchange/detail/cpfg.hpp"
+#include "exchange/detail/scanner.hpp"
+#include "model/model.hpp"
+
+// What a system of cpfg, L-Py or lpfg is in the notation: a text of it, with each expression in brackets as the program groups it.
+//
+// Meanings differ, and each difference is either said in the notation or refused. cpfg tries the rules of a module in the order of the file
+// and takes the first that applies; the notation takes the one with the longest contexts. So a rule behind another with the same contexts, or
+// with none, gets the negation of the earlier condition, one that can never be reached is left out, and other rules with longer contexts
+// behind shorter ones are refused. A decomposition, which rewrites what a rule gives within the same step, is put into the successors. A branch
+// in a right context, `A > [B]C`, is the whole branch there and the beginning of one in the notation: it is read where no other
+// letter can follow in it. `[B=]C` is the beginning. Commands of several symbols, `@v`, are one symbol each, by which a rule for a part of
+// the last of them is one for the command too. With `seed:` all rules that apply take part with their weights: those of one module must have the
+// same contexts here. A block of `produce`, `if` and `else` is a rule with conditions for each `produce`, in this order. The turtle looks up the page, `+` turns to the left, by 45 degrees where no view file says otherwise, in L-Py by 60.
+// cpfg's `/` rolls the other way than that of the notation, where it is `\`; that of L-Py is the same. In expressions of cpfg `^` groups
+// from the left and a sign binds tighter than it, so -2^2 is 4; parameters are numbers of 32 bits there, which nothing here imitates.
+
+namespace algae {
+
+namespace {
+
+class Notation : CpfgReader {
+public:
+    Notation(const Source& source, const CpfgDialect& dialect, CpfgSystem system)
+        : CpfgReader(source, dialect, std::move(system)) {}
+
+    Model model() {
+        if (system_.axiom.text.empty())
+            fail(0, std::string("expected a line `Axiom: ") + (dialect_.plus ? "F(1);" : "F") +
+                        "`, found none");
+        const std::string text = notation();
+        try {
+            return read_lsystem(text, source_.file());
+        } catch (const Diagnostics& error) {
+            // What the notation refuses of a text that is written here is refused as a whole.
+            fail(0, "the notation cannot say this system: " + error.findings().front().message);
+        }
+    }
+
+private:
+    std::string notation() {
+        std::string text;
+        std::set<std::string> names;
+        std::string constants;
+        for (const auto& [called, value] : system_.constants) {
+            constants += "let " + called + " = " +
+                         expression(value, {}, system_.integers.contains(called)) + "\n";
+            known_.emplace(called, called);
+        }
+        if (!dialect_.python && !dialect_.plus) {
+            known_.emplace("Q", "");
+            known_.emplace("Z", system_.generation.empty() ? "0" : system_.generation);
+        }
+        rewrites_cut_ = std::ranges::any_of(
+            system_.rules, [](const CpfgRule& rule) { return rule.predecessor.symbol == "%"; });
+        system_ = with_single_predecessors(source_, dialect_, std::move(system_));
+        add_decompositions();
+        std::string axiom = written(modules(system_.axiom), {});
+        const std::string rules = rule_lines();
+        std::string interpret;
+        std::set<std::string> interpreted;
+        const auto kind = [&](const CpfgModule& module) {
+            return name(module) + "/" + std::to_string(module.arguments.size());
+        };
+        for (const CpfgRule& rule : system_.interpretation)
+            interpreted.insert(kind(rule.predecessor));
+        for (const CpfgRule& rule : system_.interpretation) {
+            if (system_.drawn_depth == 0) continue;
+            if (!rule.left.empty() || !rule.right.empty() || rule.weight)
+                refuse(rule.place, "a homomorphism with contexts or weights",
+                       "has no meaning in the notation");
+            const std::set<std::string> own = formals(rule);
+            std::vector<CpfgModule> image =
+                drawn(modules(rule.successor), system_.drawn_depth, interpreted);
+            interpret += "interpret " +
+                         head(rule, rule.condition ? expression(*rule.condition, own) : "") +
+                         " -> " + written(image, own) + "\n";
+        }
+        check_branches();
+        check_cuts();
+        check_moves();
+        check_commands();
+        interpret += own_meanings(interpreted);
+        // Where @v asks for what is level, the turtle must look along z.
+        if (met_.contains("@v")) {
+            axiom = std::string(cpfg_upward) + " " + axiom;
+            interpret += std::string("interpret ") + cpfg_upward + " -> ^(90)\n";
+        } else if (!dialect_.python && std::ranges::any_of(met_, [](const std::string& symbol) {
+                       return symbol == "&" || symbol == "^" || symbol == "/" || symbol == "\\";
+                   })) {
+            interpret += "camera -90 90\n";  // the page, as the program shows it
+        }
+        std::vector<std::string> longer;
+        for (const std::string& symbol : met_)
+            if (undeclared_length(symbol) != symbol.size()) longer.push_back(symbol);
+        if (!longer.empty()) text += "alphabet " + joined(longer, " ") + "\n";
+        text += constants + "axiom " + axiom + "\n" + rules;
+        if (system_.ignored) text += ignored_line(modules(*system_.ignored));
+        if (system_.considered) text += considered_line();
+        text += interpret;
+        text += "angle " + std::to_string(static_cast<int>(dialect_.angle)) + "\nstart 0 0 90\n";
+        if (!system_.generation.empty()) text += "generation " + system_.generation + "\n";
+        return text;
+    }
+
+    /// The symbol's name there.
+    std::string name(const CpfgModule& module) const {
+        const std::string& symbol = module.symbol;
+        if (dialect_.plus && std::ranges::count(system_.modules, symbol) > 0) return symbol;
+        if (symbol.size() > 1)
+            return std::string_view("@~?").find(symbol[0]) == std::string_view::npos
+                       ? symbol
+                       : command(module);
+        const char c = symbol[0];
+        if (!dialect_.python && c == '/') return "\\";
+        if (!dialect_.python && c == '\\') return "/";
+        if (c == '_' || (c == '#' && dialect_.python))
+            refuse(module.place, "the symbol " + symbol,
+                   dialect_.python ? "makes lines wider by what its editor says"
+                                   : "goes by a tropism of the view file");
+        if (c == '@' || c == '?' || c == '~')
+            refuse(module.place, "the symbol " + symbol, "stands before no symbol");
+        if (c == '%' && (rewrites_cut_ || !module.arguments.empty())) return "X_37";
+        if (c == '%' && !cut_) cut_ = module.place;
+        if (c == 'g' && !move_) move_ = module.place;
+        if (c == '{' && !polygon_) polygon_ = module.place;
+        if (module.has_arguments && (c == '{' || c == '}' || c == '.'))
+            refuse(module.place, "the symbol " + symbol + " with a number",
+                   "belongs to generalized cylinders, which have no meaning in the notation");
+        if (c == '=' || c == ':' || c == '<' || c == '>')
+            fail(module.place, "expected a symbol, found '" + symbol + "'");
+        // What the notation has no symbols like, or others that look alike.
+        if (std::string_view(";,#$'\"").find(c) != std::string_view::npos)
+            return "X_" + std::to_string(static_cast<int>(c));
+        return symbol;
+    }
+
+    /// A command of several symbols, as the notation calls it.
+    std::string command(const CpfgModule& module) const {
+        const std::string& symbol = module.symbol;
+        if (symbol[0] == '~') return symbol;
+        if (symbol == "@v" || (symbol == "?P" && !module.arguments.empty())) return symbol;
+        if (symbol == "?H" && module.arguments.size() == 3) return symbol;
+        if ((symbol == "@c" || symbol == "@O") && module.has_arguments) return symbol;
+        if (symbol == "@c" || symbol == "@O")
+            refuse(module.place, symbol + " without a size", "goes by the view file");
+        // Generalized cylinders are drawn as their axes; what follows @G otherwise means nothing there.
+        if (symbol.size() == 3 && symbol.starts_with("@G") && symbol[2] != 't' && symbol[2] != 'r')
+            return symbol;
+        refuse(module.place, "the command " + symbol, "has no meaning in the notation");
+    }
+
+    /// What the turtle does with symbols of the file that the notation takes otherwise, for those that occur.
+    std::string own_meanings(const std::set<std::string>& interpreted) const {
+        // By the symbol and the number of parameters.
+        static const std::vector<std::pair<std::string, std::string>> all{
+            {"X_59/0", "'"}, {"X_59/1", "'(x)"}, {"X_44/1", "'(x)"}, {"X_35/1", "!(x)"},
+            {"@v/0", "$"},   {"g/0", "f"},       {"g/1", "f(x)"},    {"@O/1", "X_79(x/2)"},
+        };
+        std::string text;
+        for (const std::string& met : met_kinds_) {
+            if (interpreted.contains(met)) continue;
+            const auto known =
+                std::ranges::find(all, met, &std::pair<std::string, std::string>::first);
+            if (known == all.end()) continue;
+            const std::string symbol = met.substr(0, met.find('/'));
+            std::string image = known->second;
+            if (symbol == "@O" && dialect_.python) image = "X_79(x)";
+            text +=
+                "interpret " + symbol + (met.ends_with("/1") ? "(x)" : "") + " -> " + image + "\n";
+        }
+        if (met_.contains("@O")) text += "solid X_79 sphere radius\n";
+        if (met_.contains("@c")) text += "surface @c disc\n";
+        return text;
+    }
+
+    /// Symbols that begin commands may have no rules of their own here, and contexts see commands whole.
+    void check_commands() const {
+        for (const std::string& met : met_) {
+            if (met.size() < 2 || !is_cpfg_command(met)) continue;
+            const auto check = [&](const CpfgModule& module, const char* what, bool last_too) {
+                for (std::size_t i = 0; i + (last_too ? 0 : 1) < met.size(); ++i)
+                    if (module.symbol == met.substr(i, 1))
+                        refuse(module.place, std::string(what) + module.symbol,
+                               "sees a part of the command " + met +
+                                   ", which is one symbol in the notation");
+            };
+            for (const auto* rules :
+                 {&system_.rules, &system_.interpretation, &system_.decomposition})
+                for (const CpfgRule& rule : *rules) {
+                    check(rule.predecessor, "a rule for ", rules != &system_.rules);
+                    for (const auto* side : {&rule.left, &rule.right})
+                        for (const CpfgModule& module : *side) check(module, "the context ", true);
+                }
+        }
+    }
+
+    std::string written(const std::vector<CpfgModule>& word, const std::set<std::string>& names) {
+        std::vector<std::string> parts;
+        for (const CpfgModule& module : word) {
+            std::string text = name(module);
+            if (const auto types = system_.types.find(module.symbol);
+                types != system_.types.end() && types->second.size() != module.arguments.size())
+                fail(module.place, "the module " + module.symbol + " has " +
+                                       std::to_string(types->second.size()) +
+                                       " parameters, found " +
+                                       std::to_string(module.arguments.size()));
+            met_.insert(text);
+            met_kinds_.insert(text + "/" + std::to_string(module.arguments.size()));
+            if (!module.arguments.empty()) {
+                std::vector<std::string> arguments;
+                for (std::size_t i = 0; i < module.arguments.size(); ++i)
+                    arguments.push_back(
+                        expression(module.arguments[i], names, is_integer(module, i)));
+                text += "(" + joined(arguments, ",") + ")";
+            }
+            parts.push_back(text);
+        }
+        return parts.empty() ? "ε" : spaced_word(parts);
+    }
+
+    /// Whether a parameter of a module is a whole number: those of lpfg have types.
+    bool is_integer(const CpfgModule& module, std::size_t parameter) const {
+        const auto types = system_.types.find(module.symbol);
+        return types != system_.types.end() && parameter < types->second.size() &&
+               types->second[parameter] == "int";
+    }
+
+    std::set<std::string> formals(const CpfgRule& rule) const {
+        std::set<std::string> names;
+        integer_formals_.clear();
+        const auto add = [&](const CpfgModule& module) {
+            for (std::size_t i = 0; i < module.arguments.size(); ++i) {
+                names.insert(module.arguments[i].text);
+                if (is_integer(module, i)) integer_formals_.insert(module.arguments[i].text);
+            }
+        };
+        add(rule.predecessor);
+        for (const auto* side : {&rule.left, &rule.right})
+            for (const CpfgModule& module : *side) add(module);
+        return names;
+    }
+
+    /// What the contexts of a rule are, whatever their parameters are called.
+    std::string contexts(const CpfgRule& rule) const {
+        std::string text;
+        for (const auto* side : {&rule.left, &rule.right}) {
+            for (const CpfgModule& module : *side)
+                text += module.symbol + "/" + std::to_string(module.arguments.size()) + " ";
+            text += "|";
+        }
+        return text;
+    }
+
+    std::string head(const CpfgRule& rule, const std::string& condition) {
+        const std::set<std::string> names = formals(rule);
+        std::string text;
+        if (!rule.left.empty()) text += written(rule.left, names) + " < ";
+        text += written({rule.predecessor}, names);
+        if (!rule.right.empty()) text += " > " + written(rule.right, names);
+        if (!condition.empty()) text += " : " + condition;
+        return text;
+    }
+
+    /// A text in which names stand for others, those of the same places.
+    static Placed with(const Placed& text, const std::map<std::string, Placed>& values) {
+        Placed out;
+        for (std::size_t i = 0; i < text.text.size();) {
+            std::size_t stop = i;
+            if (is_name_start(text.text[i]) && (i == 0 || !is_name_part(text.text[i - 1])))
+                while (stop < text.text.size() && is_name_part(text.text[stop])) ++stop;
+            const auto value = values.find(text.text.substr(i, stop - i));
+            if (stop == i || value == values.end()) {
+                for (stop = std::max(stop, i + 1); i < stop; ++i)
+                    out.add(text.text[i], text.place(i));
+                continue;
+            }
+            const std::size_t place = text.place(i);
+            out.add('(', place);
+            for (std::size_t k = 0; k < value->second.text.size(); ++k)
+                out.add(value->second.text[k], value->second.place(k));
+            out.add(')', place);
+            i = stop;
+        }
+        return out;
+    }
+
+    /// What a value is that is given to a parameter that is a whole number.
+    static Placed whole(const Placed& value) {
+        Placed out;
+        for (const char c : std::string_view("int(")) out.add(c, value.place(0));
+        out.append(value);
+        out.add(')', value.place(0));
+        return out;
+    }
+
+    /// Bounds the work where letters that vanish are made of many.
+    void count_step(const CpfgModule& module, const char* what) const {
+        constexpr std::size_t most = 2'000'000;
+        if (++steps_ > most) refuse(module.place, what, "that takes more than 2000000 steps");
+    }
+
+    /// A word that a rule gives where a condition of the notation holds, always if it is empty.
+    struct Case {
+        std::string condition;
+        std::vector<CpfgModule> word;
+    };
+
+    /// What a decomposition makes of a word, as deep as it goes: a word for each outcome of the conditions that the names of a rule leave open.
+    std::vector<Case> decomposed(const std::vector<CpfgModule>& word, std::uint64_t depth,
+                                 const std::set<std::string>& names) const {
+        std::vector<Case> found(1);
+        for (const CpfgModule& module : word) {
+            count_step(module, "a decomposition");
+            const std::vector<Case> parts = cases_of(module, depth, names);
+            std::vector<Case> longer;
+            for (const Case& before : found)
+                for (const Case& part : parts) {
+                    longer.push_back({both(before.condition, part.condition), before.word});
+                    std::vector<CpfgModule>& all = longer.back().word;
+                    all.insert(all.end(), part.word.begin(), part.word.end());
+                }
+            found = std::move(longer);
+            check_cases(module, found);
+        }
+        return found;
+    }
+    void check_cases(const CpfgModule& module, const std::vector<Case>& cases) const {
+        constexpr std::size_t most = 64, longest = 100'000;
+        if (cases.size() > most)
+            refuse(module.place, "a decomposition",
+                   "whose conditions have more than 64 outcomes for one rule would take too many "
+                   "rules of the notation");
+        std::size_t size = 0;
+        for (const Case& one : cases) size += one.word.size() + one.condition.size();
+        if (size > longest)
+            refuse(module.place, "a decomposition", "that gives more than 100000 modules");
+    }
+    static std::string both(const std::string& one, const std::string& other) {
+        return one.empty() || other.empty() ? one + other : one + " & " + other;
+    }
+
+    /// What a decomposition makes of a module: of its rules the first whose condition holds is used.
+    std::vector<Case> cases_of(const CpfgModule& module, std::uint64_t depth,
+                               const std::set<std::string>& names) const {
+        std::vector<Case> found;
+        std::string open;  // no rule so far applies where this holds
+        for (const CpfgRule& rule : system_.decomposition) {
+            if (depth == 0 || rule.letter() != module.kind()) continue;
+            std::map<std::string, Placed> values;
+            for (std::size_t i = 0; i < module.arguments.size(); ++i)
+                values.emplace(rule.predecessor.arguments[i].text, is_integer(module, i)
+                                                                       ? whole(module.arguments[i])
+                                                                       : module.arguments[i]);
+            std::string condition;
+            if (rule.condition) {
+                condition = "(" + expression(with(*rule.condition, values), names) + ")";
+                const std::optional<bool> holds = known(condition);
+                if (holds && !*holds) continue;
+                if (holds) condition.clear();
+            }
+            for (Case& one :
+                 decomposed(image_of(module, rule, values, "a decomposition"), depth - 1, names)) {
+                one.condition = both(both(open, condition), one.condition);
+                found.push_back(std::move(one));
+            }
+            check_cases(module, found);
+            if (condition.empty()) return found;
+            open = both(open, "!" + condition);
+        }
+        found.push_back({open, {module}});
+        return found;
+    }
+
+    /// The successor of a rule with these values for its names.
+    std::vector<CpfgModule> image_of(const CpfgModule& module, const CpfgRule& rule,
+                                     const std::map<std::string, Placed>& values,
+                                     const char* what) const {
+        constexpr std::size_t longest = 10'000;
+        std::vector<CpfgModule> found = modules(rule.successor);
+        for (CpfgModule& one : found) {
+            one.place = module.place;
+            for (Placed& argument : one.arguments) {
+                argument = with(argument, values);
+                if (argument.text.size() > longest)
+                    refuse(module.place, what,
+                           "that gives an expression of more than 10000 characters");
+            }
+        }
+        return found;
+    }
+
+    /// Whether a condition of the notation that reads no name holds; nothing if it reads one.
+    static std::optional<bool> known(const std::string& condition) {
+        try {
+            const Quantity value =
+                evaluate(read_expression(condition),
+                         [](const std::string&) -> const Quantity* { return nullptr; });
+            return value.value != 0;
+        } catch (const Diagnostics&) {
+            return std::nullopt;
+        }
+    }
+
+    /// What a homomorphism makes of an image of it, as deep as it goes. What it would rewrite still deeper draws as the turtle takes it, so
+    /// such letters get other names or, where they do nothing, are left out; % means nothing in it.
+    std::vector<CpfgModule> drawn(std::vector<CpfgModule> image, std::uint64_t depth,
+                                  const std::set<std::string>& interpreted) const {
+        constexpr std::size_t longest = 100'000;
+        constexpr std::uint64_t deepest = 1000;
+        std::erase_if(image, [](const CpfgModule& module) { return module.symbol == "%"; });
+        const auto is_interpreted = [&](const CpfgModule& module) {
+            return interpreted.contains(name(module) + "/" +
+                                        std::to_string(module.arguments.size()));
+        };
+        std::vector<CpfgModule> found;
+        for (CpfgModule& module : image) {
+            count_step(module, "a homomorphism");
+            if (!is_interpreted(module)) {
+                found.push_back(std::move(module));
+                continue;
+            }
+            if (depth > 1) {
+                const auto rule = std::ranges::find_if(
+                    system_.interpretation,
+                    [&](const CpfgRule& one) { return one.predecessor.kind() == module.kind(); });
+                if (rule->condition)
+                    refuse(module.place,
+                           "a homomorphism with conditions of what a homomorphism gives",
+                           "has no meaning in the notation");
+                if (depth > deepest)
+                    refuse(module.place, "a homomorphism", "that is more than 1000 deep");
+                std::map<std::string, Placed> values;
+                for (std::size_t i = 0; i < module.arguments.size(); ++i)
+                    values.emplace(rule->predecessor.arguments[i].text, module.arguments[i]);
+                for (CpfgModule& one : drawn(image_of(module, *rule, values, "a homomorphism"),
+                                             depth - 1, interpreted))
+                    found.push_back(std::move(one));
+            } else if (module.symbol == "F" || module.symbol == "f") {
+                module.symbol += "_h";
+                found.push_back(std::move(module));
+            } else if (!std::isalpha(static_cast<unsigned char>(module.symbol[0])) ||
+                       module.symbol == "G" || module.symbol == "g") {
+                refuse(module.place, "a homomorphism of what a homomorphism gives",
+                       "is applied " +
+                           (system_.drawn_depth == 1
+                                ? std::string("once")
+                                : std::to_string(system_.drawn_depth) + " times") +
+                           " there, and until nothing is left in the notation, which has no other "
+                           "name for " +
+                           module.symbol);
+            }
+            if (found.size() > longest)
+                refuse(module.place, "a homomorphism", "that gives more than 100000 modules");
+        }
+        return found;
+    }
+
+    std::vector<Case> successors(const CpfgRule& rule) const {
+        return decomposed(modules(rule.successor), system_.depth, formals(rule));
+    }
+
+    /// The lines of a rule where a condition holds, with an arrow of the notation: one for each outcome of the conditions of decompositions.
+    std::string lines(const CpfgRule& rule, const std::string& condition,
+                      const std::string& arrow = "->") {
+        std::string text;
+        for (const Case& one : successors(rule))
+            text += head(rule, both(condition, one.condition)) + " " + arrow + " " +
+                    written(one.word, formals(rule)) + "\n";
+        return text;
+    }
+
+    /// A rule for each module that no other rule rewrites and a decomposition does.
+    void add_decompositions() {
+        if (system_.decomposition.empty()) return;
+        std::set<std::string> seen;
+        for (const CpfgRule& rule : system_.decomposition) {
+            if (rule.weight || !rule.left.empty() || !rule.right.empty())
+                refuse(rule.place, "a decomposition with contexts or weights",
+                       "has no meaning in the notation");
+            if (!seen.insert(rule.letter()).second) continue;
+            const auto same = [&](const CpfgRule& one) { return one.letter() == rule.letter(); };
+            if (system_.stochastic && std::ranges::any_of(system_.rules, same)) {
+                if (std::ranges::any_of(system_.rules, [&](const CpfgRule& one) {
+                        return same(one) && one.reach() == 0 && !one.condition;
+                    }))
+                    continue;  // some rule applies
+                refuse(rule.place,
+                       "a decomposition of what rules with contexts or conditions may leave",
+                       "beside weights has no meaning in the notation");
+            }
+            CpfgRule last;
+            last.predecessor = rule.predecessor;
+            last.place = rule.place;
+            for (const char c : rule.predecessor.symbol)
+                last.successor.add(c, rule.predecessor.place);
+            if (!rule.predecessor.arguments.empty()) {
+                char sign = '(';
+                for (const Placed& argument : rule.predecessor.arguments) {
+                    last.successor.add(sign, rule.place);
+                    for (std::size_t i = 0; i < argument.text.size(); ++i)
+                        last.successor.add(argument.text[i], argument.place(i));
+                    sign = ',';
+                }
+                last.successor.add(')', rule.place);
+            }
+            added_.push_back(std::move(last));
+        }
+        system_.rules.insert(system_.rules.end(), added_.begin(), added_.end());
+    }
+
+    /// Letters behind which no letter but the end of their branch can stand.
+    std::set<std::string> last_letters() const {
+        std::vector<std::pair<std::string, std::vector<CpfgModule>>> words{
+            {"", modules(system_.axiom)}};
+        for (const CpfgRule& rule : system_.rules)
+            for (Case& one : successors(rule))
+                words.emplace_back(rule.predecessor.symbol, std::move(one.word));
+        std::set<std::string> last;
+        for (const auto& [owner, word] : words)
+            for (const CpfgModule& module : word) last.insert(module.symbol);
+        for (const auto& [owner, word] : words)
+            if (owner == "[" || owner == "]") return {};
+        for (bool changed = true; changed;) {
+            changed = false;
+            for (const auto& [owner, word] : words)
+                for (std::size_t i = 0; i < word.size(); ++i) {
+                    const bool ends = i + 1 < word.size() ? word[i + 1].symbol == "]"
+                                                          : !owner.empty() && last.contains(owner);
+                    if (!ends && last.erase(word[i].symbol) > 0) changed = true;
+                }
+        }
+        return last;
+    }
+
+    /// `[B]` is a whole branch there and the beginning of one in the notation.
+    void check_branches() const {
+        if (dialect_.python) return;
+        const std::set<std::string> last = last_letters();
+        for (const CpfgRule& rule : system_.rules)
+            for (std::size_t i = 1; i < rule.right.size(); ++i) {
+                const CpfgModule &before = rule.right[i - 1], &end = rule.right[i];
+                if (end.symbol != "]" || before.open || last.contains(before.symbol)) continue;
+                refuse(end.place, "a branch in a context that ends without =",
+                       "is the whole branch there, and has no meaning in the notation: say [" +
+                           before.symbol + "=] for one that begins so");
+            }
+    }
+
+    /// What is cut stays in the words of the notation, where contexts would see it.
+    void check_cuts() const {
+        if (!cut_) return;
+        for (const CpfgRule& rule : system_.rules)
+            if (!rule.left.empty() || !rule.right.empty())
+                refuse(*cut_, "% beside contexts",
+                       "cuts words there and figures in the notation, so contexts see what is cut");
+    }
+
+    /// g leaves no corner; the notation has no move that does so.
+    void check_moves() const {
+        if (move_ && polygon_)
+            refuse(*move_, "g beside polygons",
+                   "leaves no corner, and a move of the notation does");
+    }
+
+    /// The condition of an earlier rule for the module of a rule, in the names of its parameters.
+    std::string condition_of(const CpfgRule& earlier, const CpfgRule& rule) {
+        const std::vector<std::string> theirs = formal_order(earlier), ours = formal_order(rule);
+        std::map<std::string, Placed> values;
+        for (std::size_t i = 0; i < std::min(theirs.size(), ours.size()); ++i) {
+            Placed name;
+            for (const char c : ours[i]) name.add(c, rule.place);
+            values.emplace(theirs[i], std::move(name));
+        }
+        return expression(with(*earlier.condition, values), formals(rule));
+    }
+
+    /// The rules in the notation, where the longest context comes first and not the first rule.
+    std::string rule_lines() {
+        std::string text;
+        std::map<std::string, std::vector<const CpfgRule*>> before;
+        for (const CpfgRule& rule : system_.rules) {
+            auto& earlier = before[rule.letter()];
+            const std::set<std::string> names = formals(rule);
+            if (system_.stochastic) {
+                if (!earlier.empty() && contexts(*earlier.front()) != contexts(rule))
+                    refuse(rule.place, "a choice between rules with different contexts",
+                           "has no meaning in the notation");
+                earlier.push_back(&rule);
+                continue;
+            }
+            std::string condition = rule.condition ? expression(*rule.condition, names) : "";
+            bool reached = true;
+            for (const CpfgRule* other : earlier) {
+                const bool anywhere = other->left.empty() && other->right.empty();
+                if (other->reach() < rule.reach() && !anywhere)
+                    refuse(rule.place, "a rule with longer contexts behind one with shorter ones",
+                           "is not used there if the first applies; the notation would use it: "
+                           "move it above, if that is meant");
+                if (!anywhere && contexts(*other) != contexts(rule)) continue;
+                if (!other->condition) {
+                    reached = false;
+                    break;
+                }
+                const std::string no = "!(" + condition_of(*other, rule) + ")";
+                condition = condition.empty() ? no : no + " & (" + condition + ")";
+            }
+            earlier.push_back(&rule);
+            if (!reached) continue;
+            text += lines(rule, condition);
+        }
+        if (!system_.stochastic) return text;
+        for (const CpfgRule& rule : system_.rules) {
+            auto& all = before[rule.letter()];
+            if (all.empty()) continue;
+            if (std::ranges::any_of(
+                    all, [](const CpfgRule* one) { return one->condition.has_value(); })) {
+                text += conditional_choice(all);
+            } else if (all.size() == 1) {
+                text += lines(rule, "");
+            } else {
+                Rational sum = 0;
+                for (const CpfgRule* one : all) sum += weight(*one);
+                for (const CpfgRule* one : all)
+                    text += lines(*one, "", "-(" + to_string(weight(*one) / sum) + ")->");
+            }
+            all.clear();
+        }
+        return text;
+    }
+
+    /// Rules of one module with weights and conditions: those whose conditions hold share the choice, so there is one for each set of them.
+    std::string conditional_choice(const std::vector<const CpfgRule*>& all) {
+        constexpr std::size_t most = 8;
+        if (all.size() > most)
+            refuse(all.back()->place, "a choice between more than 8 rules with conditions",
+                   "would take too many rules of the notation");
+        std::string text;
+        for (std::size_t set = 1; set < std::size_t{1} << all.size(); ++set) {
+            const auto taken = [&](std::size_t i) { return (set >> i & 1) != 0; };
+            bool possible = true;
+            Rational sum = 0;
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (taken(i)) sum += weight(*all[i]);
+                possible = possible && (taken(i) || all[i]->condition);
+            }
+            if (!possible) continue;  // one without a condition always takes part
+            for (std::size_t i = 0; i < all.size(); ++i) {
+                if (!taken(i)) continue;
+                std::string condition;
+                for (std::size_t k = 0; k < all.size(); ++k) {
+                    if (!all[k]->condition) continue;
+                    condition += (condition.empty() ? "" : " & ") +
+                                 std::string(taken(k) ? "" : "!") + "(" +
+                                 condition_of(*all[k], *all[i]) + ")";
+                }
+                text += lines(*all[i], condition, "-(" + to_string(weight(*all[i]) / sum) + ")->");
+            }
+        }
+        return text;
+    }
+
+    /// Names of the predecessor's parameters, then of those of the contexts.
+    static std::vector<std::string> formal_order(const CpfgRule& rule) {
+        std::vector<std::string> order;
+        for (const Placed& formal : rule.predecessor.arguments) order.push_back(formal.text);
+        for (const auto* side : {&rule.left, &rule.right})
+            for (const CpfgModule& module : *side)
+                for (const Placed& formal : module.arguments) order.push_back(formal.text);
+        return order;
+    }
+
+    Rational weight(const CpfgRule& rule) const {
+        if (!rule.weight) return 1;
+        const auto none = [](const std::string&) -> const Quantity* { return nullptr; };
+        try {
+            const Quantity value = evaluate(read_expression(expression(*rule.weight, {})), none);
+            if (value.exact && sign(*value.exact) > 0) return *value.exact;
+        } catch (const Diagnostics&) {
+        }
+        fail(rule.weight->place(0),
+             "expected a weight above 0 as a plain number, found '" + rule.weight->text + "'");
+    }
+
+    std::string ignored_line(const std::vector<CpfgModule>& all) const {
+        std::vector<std::string> names;
+        for (const CpfgModule& module : all)
+            if (const std::string symbol = name(module); met_.contains(symbol))
+                names.push_back(symbol);
+        return names.empty() ? "" : "ignore " + spaced_word(names) + "\n";
+    }
+    std::string considered_line() const {
+        std::set<std::string> seen{"[", "]"};
+        for (const CpfgModule& module : modules(*system_.considered)) seen.insert(name(module));
+        std::vector<std::string> names;
+        for (const std::string& symbol : met_)
+            if (!seen.contains(symbol)) names.push_back(symbol);
+        return names.empty() ? "" : "ignore " + spaced_word(names) + "\n";
+    }
+
+    std::string expression(const Placed& text, const std::set<std::string>& names,
+                           bool integer = false) const {
+        CpfgIntegers integers{system_.integers, integer};
+        for (const std::string& name : names)
+            if (integer_formals_.contains(name))
+                integers.names.insert(name);
+            else
+                integers.names.erase(name);
+        return cpfg_expression(source_, dialect_, text, names, known_, integers);
+    }
+
+    CpfgNames known_;
+    std::vector<CpfgRule> added_;
+    bool rewrites_cut_ = false;
+    mutable std::set<std::string> integer_formals_;  // of the rule whose names were asked for last
+    std::set<std::string> met_, met_kinds_;  // symbols, and with the number of their parameters
+    mutable std::size_t steps_ = 0;          // of decompositions and homomorphisms
+    mutable std::optional<std::size_t> cut_, move_, polygon_;  // where the first stands
+};
+
+}  // namespace
+
+Model cpfg_model(const Source& source, const CpfgDialect& dialect, CpfgSystem system) {
+    return Notation(source, dialect, std::move(system)).model();
+}
+
+}  // namespace algae

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "combinatorics/combinatorics.hpp"
+#include "watch/watch.hpp"
 
 namespace algae {
 
@@ -24,8 +25,10 @@ public:
         fewest_.assign(word.size() + 1, 0);
         last_.assign(word.size() + 1, 0);
         series_.assign(word.size() + 2, 0);
+        WorkCount letters("letter for palindromes", word.size());
         for (std::size_t i = 0; i < word.size(); ++i) {
             if (i % 65536 == 0) budget.check();
+            letters.at(i);
             append(i);
             shorten(i + 1);
         }

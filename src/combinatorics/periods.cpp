@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "combinatorics/detail/suffix_array.hpp"
+#include "watch/watch.hpp"
 
 namespace algae {
 
@@ -107,8 +108,10 @@ std::vector<AbelianPeriod> abelian_periods(const Word& word, const Budget& budge
         return true;
     };
     std::vector<AbelianPeriod> found;
+    WorkCount periods("abelian period", n);
     for (std::size_t period = 1; period <= n; ++period) {
         budget.check();
+        periods.at(period);
         for (std::size_t head = 0; head < period; ++head)
             if (is_period(head, period)) {
                 found.push_back({head, period});

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "combinatorics/detail/suffix_array.hpp"
+#include "watch/watch.hpp"
 
 namespace algae {
 
@@ -31,11 +32,13 @@ std::vector<Run> runs_of(const Word& word, const SuffixArray& suffixes, const Co
     const SuffixArray turned_suffixes(turned, budget);
     const CommonPrefixes alike_before(turned_suffixes);
     std::vector<Run> found;
+    WorkCount letters("letter for repetitions", 2 * n);
     for (const bool upwards : {true, false}) {
         budget.check();
         const std::vector<std::int32_t> ends = ends_of_lyndon_words(suffixes, upwards);
         for (std::size_t i = 0; i < n; ++i) {
             if (i % 65536 == 0) budget.check();
+            ++letters;
             const auto end = static_cast<std::size_t>(ends[i]);
             if (end == n && !upwards)
                 continue;  // downwards the end is the greatest letter, and belongs to this word

@@ -1,6 +1,7 @@
 // Suffix arrays by libdivsufsort (Mori), common prefixes by Kasai, Lee, Arimura, Arikawa and Park (2001).
 
 #include "combinatorics/detail/suffix_array.hpp"
+#include "watch/watch.hpp"
 
 #include <divsufsort.h>
 
@@ -60,8 +61,10 @@ SuffixArray::SuffixArray(const Word& word, const Budget& budget) {
     for (std::size_t rank = 0; rank < n; ++rank)
         ranks_[static_cast<std::size_t>(order_[rank])] = static_cast<std::int32_t>(rank);
     common_.assign(n, 0);
+    WorkCount suffixes("suffix", n);
     for (std::size_t i = 0, alike = 0; i < n; ++i) {
         if (i % 65536 == 0) budget.check();
+        suffixes.at(i);
         const auto at = static_cast<std::size_t>(ranks_[i]);
         if (at == 0) {
             alike = 0;

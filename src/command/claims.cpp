@@ -22,6 +22,7 @@
 #include "notation/notation.hpp"
 #include "render/render.hpp"
 #include "verify/verify.hpp"
+#include "watch/watch.hpp"
 
 namespace algae::command {
 
@@ -299,10 +300,12 @@ int check_claims(const CheckOptions& options) {
     std::map<ClaimVerdict, std::size_t> counts;
     Json all = Json::array();
     int worst = success;
+    WorkCount done("claim", claims.size());
     const auto worse = [](int a, int b) {  // refuted is worse than undecided
         return a == refuted || b == refuted ? static_cast<int>(refuted) : std::max(a, b);
     };
     for (std::size_t i = 0; i < claims.size(); ++i) {
+        done.at(i + 1, claims[i].name);
         CheckedClaim checked = check(std::move(claims[i]), budget, limits);
         proofs.settle(checked);
         ++counts[checked.verdict()];

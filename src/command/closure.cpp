@@ -18,6 +18,7 @@
 #include "language/language.hpp"
 #include "notation/notation.hpp"
 #include "render/render.hpp"
+#include "watch/watch.hpp"
 
 namespace algae::command {
 
@@ -85,6 +86,11 @@ public:
         return nullptr;
     }
     const FormalProofs& proofs() const { return proofs_; }
+    /// Cells are looked at one after the other; so many in all.
+    void begin(std::size_t cells) { cells_.emplace("cell", cells); }
+    void look_at(const std::string& family, const std::string& operation) {
+        if (cells_) cells_->at(++looked_at_, family + ", " + operation);
+    }
     const CheckedClaim& checked(std::size_t claim) {
         if (!checked_[claim]) checked_[claim] = check(claims_[claim], budget_);
         return *checked_[claim];
@@ -113,6 +119,8 @@ private:
     std::map<std::pair<std::string, std::string>, std::optional<CheckedClaim>> searched_;
     bool is_stopped_ = false;
     FormalProofs proofs_;
+    std::optional<WorkCount> cells_;
+    std::uint64_t looked_at_ = 0;
 };
 
 /// What is known of a cell: "refuted" by a counterexample, or what the claim comes to that is about it.
@@ -128,6 +136,7 @@ std::string status_of(Theory& theory, const ClosureTable::Cell& cell, const std:
 /// "+" and "-" where a formal statement decides it, with "e" where examples hold, in brackets where a source is cited, with
 /// "*" where a proof in Coq is there.
 std::string sign(Theory& theory, const std::string& family, const std::string& operation) {
+    theory.look_at(family, operation);
     const auto cell = theory.cell(family, operation);
     if (!cell) return "?";
     const std::string plain = cell->closed ? "+" : "-";
@@ -141,6 +150,7 @@ std::string sign(Theory& theory, const std::string& family, const std::string& o
 }
 
 Json as_json(Theory& theory, const std::string& family, const std::string& operation) {
+    theory.look_at(family, operation);
     const auto cell = theory.cell(family, operation);
     Json entry{{"family", family}, {"operation", operation}};
     if (!cell) return entry.set("closed", nullptr);
@@ -204,6 +214,7 @@ std::string wrapped_line(const std::string& sentence) {
 }
 
 std::string cell_text(Theory& theory, const std::string& family, const std::string& operation) {
+    theory.look_at(family, operation);
     const auto cell = theory.cell(family, operation);
     if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
     const CheckedClaim& checked = theory.checked(cell->claim);
@@ -247,6 +258,7 @@ std::string table_latex(Theory& theory, const std::vector<std::string>& families
 
 /// A cell with what stands behind it.
 std::string cell_latex(Theory& theory, const std::string& family, const std::string& operation) {
+    theory.look_at(family, operation);
     const auto cell = theory.cell(family, operation);
     if (!cell) throw Error("no claim settles whether " + family + " is closed under " + operation);
     std::string text;
@@ -277,6 +289,7 @@ int closure(const ClosureOptions& options) {
         operations = {known(joined(options.operation, " "), operations, "an operation")};
     }
     const bool one_cell = families.size() == 1 && operations.size() == 1;
+    theory.begin(families.size() * operations.size());
     if (options.latex) {
         print(one_cell ? cell_latex(theory, families[0], operations[0])
                        : table_latex(theory, families, operations));

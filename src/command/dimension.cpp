@@ -26,6 +26,7 @@
 #include "report/report.hpp"
 #include "system/system.hpp"
 #include "turtle/turtle.hpp"
+#include "watch/watch.hpp"
 
 namespace algae::command {
 
@@ -239,7 +240,9 @@ int print_table(const Options& options, const Budget& budget) {
     std::vector<DimensionRow> rows;  // of --latex
     if (!options.latex) print(options.json ? "[" : dimension_header(width, options.quick));
     ProgressBar bar("dimension");
+    WorkCount figures("figure", all.size());
     for (std::size_t i = 0; i < all.size(); ++i) {
+        figures.at(i + 1, all[i].name);
         const DimensionRow row = row_of(all[i], options, budget);
         complete = complete && !row.unfinished;
         if (options.latex)

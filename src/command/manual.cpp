@@ -143,6 +143,11 @@ Undecided, or a bound was reached.
 .TP
 .B 130
 Interrupted by Ctrl\-C.
+.SH ENVIRONMENT
+.TP
+.B ALGAE_PROGRESS
+Work of more than five seconds says on standard error where it is, every ten seconds, on a terminal every second. This variable
+has other seconds for both, from 0.1 on.
 .SH FILES
 Below the prefix of the installation, as
 .IR /usr :

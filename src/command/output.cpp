@@ -34,6 +34,7 @@
 #include "command/detail/verb.hpp"
 #include "exact/exact.hpp"
 #include "render/render.hpp"
+#include "watch/watch.hpp"
 
 namespace algae::command {
 
@@ -257,6 +258,30 @@ private:
 
 }  // namespace
 
+namespace {
+
+/// After how much time work is told of first, and then again and again.
+struct Intervals {
+    std::chrono::milliseconds first, next;
+};
+
+Intervals intervals_of(bool terminal) {
+    using namespace std::chrono_literals;
+    if (const char* const asked = std::getenv("ALGAE_PROGRESS")) {
+        char* end = nullptr;
+        const double seconds = std::strtod(asked, &end);
+        if (end == asked || *end != '\0' || !(seconds >= 0.1 && seconds <= 1e6))
+            throw Error(
+                std::string("ALGAE_PROGRESS: expected seconds, from 0.1 to 1000000, found ") +
+                quoted(asked));
+        const auto every = std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000));
+        return {every, every};
+    }
+    return {5s, terminal ? 1s : 10s};
+}
+
+}  // namespace
+
 void end_late_work() { ends_late_work = true; }
 
 void set_deadline(std::optional<std::chrono::steady_clock::time_point> time) {
@@ -266,22 +291,24 @@ void set_deadline(std::optional<std::chrono::steady_clock::time_point> time) {
 struct Heartbeat::Beat {
     std::string label;
     bool terminal = ::isatty(STDERR_FILENO) != 0;
+    Intervals intervals = intervals_of(terminal);
     std::chrono::steady_clock::time_point begin = std::chrono::steady_clock::now();
     std::mutex guard;
     std::condition_variable ended;
     bool is_over = false;
+    WorkWatch watch;
     std::thread thread;
 
     void run() {
         using namespace std::chrono_literals;
         std::unique_lock lock(guard);
-        auto next = begin + 5s;
+        auto next = begin + intervals.first;
         Overdue stopped, late;
         while (!ended.wait_for(lock, 100ms, [&] { return is_over; })) {
             const auto now = std::chrono::steady_clock::now();
             if (now >= next) {
                 tell();
-                next = now + (terminal ? 1s : 10s);
+                next = now + intervals.next;
             }
             if (!ends_late_work) continue;
             if (stopped(stop)) end_now("interrupted", interrupted);
@@ -297,6 +324,8 @@ struct Heartbeat::Beat {
                                  std::chrono::steady_clock::now() - begin)
                                  .count();
         std::string text = "algae: " + label + ": ";
+        if (const std::string where = printable(watch.where()); !where.empty())
+            text += where + ", ";
         if (shown().percent >= 0)
             text += (shown().bar == label ? "" : shown().bar + " ") +
                     std::to_string(shown().percent) + " %, ";

@@ -4,6 +4,7 @@
 #include <tuple>
 
 #include "dimension/detail/cells.hpp"
+#include "watch/watch.hpp"
 
 // Counting the cells that a figure touches, in one pass over its segments and some nanoseconds for
 // each.
@@ -257,6 +258,9 @@ BoxCounts box_counts(const Figure& figure, const BoxScales& scales, std::span<co
             grids.emplace_back(grid, reach(grid, box), share);
         }
     BoxCounter counter(std::move(grids));
+    WorkCount segments("segments being counted");
+    const Integer& all = figure.segments();
+    if (all < Integer(std::uint64_t{1} << 62)) segments.at(all.to_uint64());
     figure.draw(counter, 0, budget);
 
     BoxCounts result;

@@ -7,6 +7,7 @@
 
 #include "dimension/detail/recurrent_set.hpp"
 #include "model/model.hpp"
+#include "watch/watch.hpp"
 
 // Certified bounds of the dimension of a recurrent set, where it is not known whether parts meet in
 // finitely many ways.
@@ -100,8 +101,10 @@ public:
             const Placement here{piece, 0, set.displacement().zero()};
             add_pairs(here, here, starts_, true);
         }
+        WorkCount done("coinciding pairs");
         for (std::size_t k = 0; k < pairs_.size() && pairs_.size() < most_pairs; ++k) {
             if (k % 256 == 0) budget.check();
+            done.at(k);
             const auto [piece, other] = pairs_[k];
             std::vector<std::size_t> next;
             if (!is_one(pairs_[k]))
@@ -364,8 +367,10 @@ public:
             return true;
         };
         for (const auto& [kind, centre] : starts_) each_cell(kind, centre, 0, 1, reach);
+        WorkCount done("cells");
         for (std::size_t k = 0; k < all.size(); ++k) {
             if (k % 256 == 0) budget_.check();
+            done.at(k);
             if (targets.size() > most_targets) return std::nullopt;
             if (k > 0)
                 steps_.take(of_target * (targets.size() - begins.back()) +

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "dimension/detail/recurrent_set.hpp"
+#include "watch/watch.hpp"
 
 // The topological boundary of the whole recurrent set, by the cells of a tiling.
 //
@@ -353,8 +354,10 @@ private:
                     if (may_meet(part.to, seen)) starts_[{i, k}].push_back(number(part.to, seen));
                 }
         }
+        WorkCount done("pairs of cells");
         for (std::size_t k = 0; k < pairs_.size(); ++k) {
             if (k % 256 == 0) budget_.check();
+            done.at(k);
             const std::size_t turned = pairs_[k].turned;
             const Place at = lattice_.scaled(pairs_[k].at);
             std::vector<std::pair<std::size_t, std::size_t>> next;
@@ -410,8 +413,10 @@ private:
             state_of(own);
         }
         std::vector<std::vector<std::size_t>> parts(digits_.size());
+        WorkCount done("states of cells");
         for (std::size_t k = 0; k < states_.size(); ++k) {
             if (k % 64 == 0) budget_.check();
+            done.at(k);
             for (auto& own : parts) own.clear();
             for (const std::size_t pair : *sets_[k])
                 for (const auto& [digit, next] : pairs_[pair].next) parts[digit].push_back(next);

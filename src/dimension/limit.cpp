@@ -8,6 +8,7 @@
 
 #include "dimension/detail/measures.hpp"
 #include "dimension/detail/recurrent_set.hpp"
+#include "watch/watch.hpp"
 
 // Counting boxes of the limit itself, not of one of its generations.
 //
@@ -211,8 +212,10 @@ public:
             open.push_back({part.piece, place_ + unit_ * part.offset,
                             unit_ * descent_.turns[part.heading], scale_});
         std::uint64_t visits = 0;
+        WorkCount parts_seen("parts of the limit");
         while (!open.empty()) {
             if (++visits % 65'536 == 0) budget_.check();
+            parts_seen.at(visits);
             const Placed at = open.back();
             open.pop_back();
             if (is_settled(at) || (coinciding_ && was_here(at))) continue;

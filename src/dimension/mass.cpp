@@ -2,6 +2,7 @@
 
 #include "dimension/detail/cells.hpp"
 #include "dimension/detail/measures.hpp"
+#include "watch/watch.hpp"
 
 // Two measures by distance: the mass within discs around random places (Tel, Fueloep and Vicsek
 // 1989), and the correlation sum, the share of pairs of points within a radius (Grassberger and
@@ -133,8 +134,10 @@ Scaling mass(const PointSet& points, const Sandboxes& sandboxes, const Budget& b
     std::vector<double> radii = halved_sizes(whole / ScaleRange::parts_of_whole, points.detail);
     if (radii.empty()) radii = {whole / ScaleRange::parts_of_whole};
     Masses masses(radii);
+    WorkCount done("centre", centres.points.size());
     for (const auto& centre : centres.points) {
         budget.check();
+        ++done;
         for (const auto& point : points.points) masses.add_point(distance(point, centre));
     }
     std::vector<double> means = masses.means(static_cast<double>(centres.points.size()));
@@ -187,8 +190,10 @@ std::vector<std::uint64_t> near_pairs(const PointSet& set, double greatest, std:
             if (within > 0) ++pairs[within - 1];
         }
     };
+    WorkCount done("point", points.size());
     for (std::size_t i = 0; i < points.size(); ++i) {
         if (i % 256 == 0) budget.check();
+        done.at(i);
         // Three cells that follow each other are one stretch of the list. Every pair is seen from
         // the point that comes first.
         for (std::int64_t column = 0; column <= 1; ++column)

@@ -6,6 +6,7 @@
 #include <set>
 
 #include "dimension/detail/ratio_graph.hpp"
+#include "watch/watch.hpp"
 
 // Whether the parts of a figure lie so that all of them count, where its angle is any number and its
 // parts may shrink by different ratios: by neighbour maps whose numbers are formal.
@@ -107,8 +108,10 @@ public:
                         const Piece whole{s, s, one(), 0, {}};
                         visit(of_second(of_first(whole, parts_[s][i]), parts_[s][k]));
                     }
+        WorkCount done("neighbour maps");
         while (!open_.empty() && !coincide_) {
             budget_.check();
+            ++done;
             if (seen_.size() > most)
                 throw Unknown{"more than " + std::to_string(most) +
                               " ways in which two parts may meet"};

@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "dimension/detail/recurrent_set.hpp"
+#include "watch/watch.hpp"
 
 // Where do the parts of a recurrent set meet, and which of them coincide?
 //
@@ -147,8 +148,10 @@ Neighbours::Neighbours(const RecurrentSet& set, std::size_t component, const Bud
         for (std::size_t i = 0; i < own.size(); ++i)
             for (std::size_t j = i + 1; j < own.size(); ++j) pair_of(own[i], own[j], starts_);
     }
+    WorkCount done("pairs of neighbours");
     for (std::size_t k = 0; k < pairs_.size(); ++k) {
         if (k % 256 == 0) budget.check();
+        done.at(k);
         const std::size_t piece = pairs_[k].piece;
         const Placement other = pairs_[k].other;
         if (is_one_place(pairs_[k])) {  // its parts coincide too, and say nothing more

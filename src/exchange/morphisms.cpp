@@ -470,6 +470,7 @@ public:
         }
         std::string axiom;
         for (const Symbol a : system_.axiom.letters) axiom += character(name(a));
+        if (axiom.empty()) refuse("an empty axiom, for which Sage has its first letter");
         const std::uint64_t n =
             system_.drawing.generations ? system_.drawing.generations->second : 5;
         std::string out = system_.title.empty() ? "" : "# " + system_.title + "\n";

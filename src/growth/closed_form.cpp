@@ -3,6 +3,7 @@
 
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "watch/watch.hpp"
 
 // From the matrix to formulas: the shortest recurrence, the generating function and the closed form of lengths.
 //
@@ -25,8 +26,10 @@ bool is_zero(const std::vector<Integer>& numbers) {
 std::vector<Integer> image(const Polynomial& p, const std::vector<Integer>& row,
                            const GrowthMatrix& matrix, const Budget& budget) {
     std::vector<Integer> sum(row.size());
+    WorkCount coefficients("coefficient", p.coefficients().size());
     for (std::size_t k = p.coefficients().size(); k-- > 0;) {
         budget.check();
+        ++coefficients;
         sum = sum * matrix;
         const Integer& coefficient = p.coefficients()[k];
         if (coefficient.is_zero()) continue;
@@ -110,8 +113,10 @@ Polynomial annihilator(const std::vector<Integer>& row, const GrowthMatrix& matr
                        const std::vector<Integer>& column, const Budget& budget) {
     Reconstruction found;
     std::size_t order = 0;
+    WorkCount primes("prime modulus");
     for (Residue prime = prime_below(Residue{1} << 61);; prime = prime_below(prime)) {
         budget.check();
+        ++primes;
         const PrimeField field(prime);
         const std::vector<Residue> polynomial =
             shortest_recurrence_modulo(residues_of(row, matrix, column, field), field);
@@ -458,8 +463,10 @@ ClosedForm::ClosedForm(const Recurrence& recurrence, const Budget& budget)
                   recurrence.initial.begin() + static_cast<long>(recurrence.exceptions)) {
     if (recurrence.order() == 0) return;
     const Polynomial above = numerator(recurrence);
+    WorkCount factors("factor of the polynomial");
     for (const auto& part : factorise(recurrence.polynomial).powers) {
         budget.check();
+        ++factors;
         terms_.push_back(term(above, recurrence.polynomial, part, recurrence.exceptions));
     }
 }

@@ -7,6 +7,7 @@
 
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "watch/watch.hpp"
 
 // The factors of D0L languages, and formulas that build each generation from earlier ones.
 //
@@ -230,7 +231,8 @@ void add_image(Windows& windows, const Morphism& rules, const Word& word, bool e
 Windows closed(const Iterated& system, std::size_t length, const Budget& budget) {
     Windows windows(length, budget);
     windows.add(system.axiom, system.axiom.size() + 1, true);
-    for (std::size_t which = 0; windows.next(which);)
+    WorkCount done("window");
+    for (std::size_t which = 0; windows.next(which); ++done)
         add_image(windows, system.rules, windows.word(which), windows.ends(which));
     return windows;
 }

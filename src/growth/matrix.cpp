@@ -1,5 +1,6 @@
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <random>
@@ -7,6 +8,7 @@
 
 #include "exact/exact.hpp"
 #include "growth/growth.hpp"
+#include "watch/watch.hpp"
 
 // The growth matrix of a D0L system and what its graph says.
 //
@@ -111,8 +113,10 @@ std::vector<Integer> lengths(const D0L& system, std::uint64_t count, const Budge
     const GrowthMatrix matrix = growth_matrix(system);
     std::vector<Integer> counts = axiom_counts(system), found;
     std::uint64_t bits = 0;
+    WorkCount generations("generation", count);
     for (std::uint64_t n = 0; n < count; ++n) {
         budget.check();
+        generations.at(n);
         found.push_back(std::accumulate(counts.begin(), counts.end(), Integer()));
         budget.check_memory((bits += bit_length(found.back()) + 64) / 8, "the lengths");
         counts = counts * matrix;
@@ -183,7 +187,8 @@ struct ScaledMatrix {
 std::vector<Integer> iterate(const D0L& system, std::vector<Integer> counts, std::uint64_t n,
                              const Budget& budget) {
     const GrowthMatrix matrix = growth_matrix(system);
-    for (; n > 0; --n) {
+    WorkCount generations("generation", n);
+    for (; n > 0; --n, ++generations) {
         budget.check();
         std::vector<Integer> next = counts * matrix;
         if (next == counts) break;  // and so for ever
@@ -205,7 +210,8 @@ std::vector<Integer> parikh_vector(const D0L& system, std::uint64_t n, const Bud
         return iterate(system, std::move(counts), n, budget);
     check_estimate(system, n, size * size, budget);
     IntegerMatrix square = incidence_matrix(system);
-    for (;;) {
+    WorkCount squarings("squaring", static_cast<std::uint64_t>(std::bit_width(n)));
+    for (;; ++squarings) {
         if (n & 1) counts = counts * square;
         n >>= 1;
         if (n == 0) return counts;
@@ -332,8 +338,10 @@ Components components(const GrowthMatrix& matrix, const Budget& budget) {
         found.list.resize(std::max(found.list.size(), found.of_letter[i] + 1));
         found.list[found.of_letter[i]].letters.push_back(i);
     }
+    WorkCount parts("component", found.list.size());
     for (std::size_t c = 0; c < found.list.size(); ++c) {
         budget.check();
+        parts.at(c + 1);
         Component& component = found.list[c];
         for (const std::size_t letter : component.letters)
             for (const auto& entry : matrix.rows[letter])

@@ -6,6 +6,7 @@
 #include "exact/exact.hpp"
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
+#include "watch/watch.hpp"
 
 // From a claim to its verdicts: each statement goes to its judge, a bound that is reached
 // leaves it undecided, and an error gets the place of the statement. What is undecided is tried again with facts: languages
@@ -287,7 +288,9 @@ ClaimVerdict CheckedClaim::verdict() const {
 CheckedClaim check(Claim claim, const Budget& budget, const SearchLimits& limits) {
     CheckedClaim checked;
     Facts facts;
+    WorkCount statements("statement", claim.statements.size());
     for (const ClaimedStatement& claimed : claim.statements) {
+        ++statements;
         CheckedStatement found;
         try {
             found.answer = decide(claimed.statement, claim, facts, budget, limits);

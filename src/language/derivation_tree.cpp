@@ -7,6 +7,7 @@
 #include "growth/growth.hpp"
 #include "rewrite/rewrite.hpp"
 #include "system/system.hpp"
+#include "watch/watch.hpp"
 
 // Derivations as trees, of D0L systems generation by generation, of given derivations and of modules, whole, cut at a
 // depth, or with equal subtrees shared.
@@ -68,8 +69,10 @@ Integer shared_size(const D0L& system, std::uint64_t last, bool cut, const Budge
     std::map<Word, std::size_t> first;     // where the letters of a generation first came
     std::vector<std::uint64_t> before{0};  // nodes of all generations before, erased ones with them
     Word letters = distinct(system.axiom);
+    WorkCount generations("generation", last);
     for (std::size_t t = 0;; ++t) {
         budget.check();
+        generations.at(t);
         budget.check_memory((t + 1) * (letters.size() * sizeof(Symbol) + 100),
                             "letters of generations");
         if (t == last) return Integer(before[t] + letters.size() * (cut ? 2 : 1));
@@ -121,8 +124,11 @@ DerivationTree build(std::shared_ptr<const Alphabet> alphabet, const Word& axiom
     for (const Symbol a : axiom) tree.roots.push_back(place(letter, a, 0, none));
     if (axiom.empty()) tree.roots.push_back(place(erased, 0, 0, none));
     std::size_t begin = 0;
+    WorkCount generations("generation", last), nodes("nodes");
     for (std::uint64_t t = 0; begin < tree.nodes.size() && (t < last || cut); ++t) {
         budget.check();
+        generations.at(t + 1);
+        nodes.at(tree.nodes.size());
         known.clear();
         const std::size_t end = tree.nodes.size();
         for (std::size_t node = begin, i = 0; node < end; ++node) {
@@ -315,8 +321,11 @@ DerivationTree derivation_tree(const Rewriting& rewriting, const ModuleTrace& tr
     }
     if (row.empty()) add({erased, 0, 0, 0, {}});
     for (std::size_t i = 0; i < tree.nodes.size(); ++i) tree.roots.push_back(i);
+    WorkCount generations("generation", last), nodes("nodes");
     for (std::size_t t = 0; t < last && !row.empty(); ++t) {
         budget.check();
+        generations.at(t + 1);
+        nodes.at(tree.nodes.size());
         std::vector<std::size_t> next;
         values = 0;
         for (std::size_t i = 0; i < row.size(); ++i) {

@@ -8,6 +8,7 @@
 #include "language/detail/judge.hpp"
 #include "language/detail/proof.hpp"
 #include "search/search.hpp"
+#include "watch/watch.hpp"
 
 // Statements about all values of some names, or about some values.
 //
@@ -675,6 +676,7 @@ private:
             if (found[i].known) cases_.push_back(std::move(*found[i].known));
         }
         gathered_.clear();
+        looked_at_.at(visited_, "size " + std::to_string(searched_.size));
         constexpr std::size_t most = 1024;
         batch_ = std::min(2 * batch_, most);
         if (limits_.on_searched && !witness_)
@@ -864,6 +866,7 @@ private:
     mutable std::atomic<std::uint64_t> kept_ = 0;  // cases, and cases within their proofs
     std::size_t batch_ = 1;
     std::uint64_t visited_ = 0;
+    WorkCount looked_at_{"instance", limits_.instances};
     std::uint64_t known_ = 0;  // of these, by an earlier search
     bool is_over_ = false, is_stopped_by_limit_ = false;
     bool is_partial_ = false;  // some morphisms were not tried

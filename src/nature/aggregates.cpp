@@ -7,6 +7,7 @@
 
 #include "nature/detail/aggregates.hpp"
 #include "nature/detail/figures.hpp"
+#include "watch/watch.hpp"
 
 // Pictures of a growing cluster, and its dimension by the radius of gyration.
 //
@@ -88,9 +89,10 @@ const std::vector<Link>& Aggregates::links(std::uint64_t count, const Budget& bu
 std::vector<Link> Aggregates::grown(std::uint64_t count, const Budget& budget) const {
     check();
     budget.check_memory(count * (sizeof(Link) + 40), "an aggregate");
+    WorkCount joining("particle", count);
     if (off_lattice) {
         FreeAggregate cluster(seed, budget);
-        for (std::uint64_t i = 0; i < count; ++i) cluster.grow();
+        for (std::uint64_t i = 0; i < count; ++i, ++joining) cluster.grow();
         std::vector<Link> found;
         found.reserve(count + 1);
         for (std::size_t i = 0; i < cluster.centres().size(); ++i)
@@ -99,7 +101,7 @@ std::vector<Link> Aggregates::grown(std::uint64_t count, const Budget& budget) c
     }
     GridAggregate cluster(seed, region, budget);
     for (std::uint64_t i = 0; i < count && !(region && stop_at_border && cluster.fills_region());
-         ++i)
+         ++i, ++joining)
         by_steps ? cluster.grow_by_steps() : cluster.grow();
     return joined(cluster.cells());
 }

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "nature/detail/iterated_functions.hpp"
+#include "watch/watch.hpp"
 
 // The attractor of an iterated function system, to a given accuracy, without chance.
 //
@@ -195,9 +196,11 @@ void send_attractor(const IteratedFunctions& system, double accuracy, const Take
     };
     const std::vector<Point> begin = attractor_points(system);
     for (std::size_t state = 0; state < begin.size(); ++state) visit(state, begin[state], 0);
+    WorkCount points("points");
     for (std::uint64_t done = 0; !open.empty(); ++done) {
         if ((done & 0xffff) == 0) {
             budget.check();
+            points.at(done);
             budget.check_memory(open.size() * sizeof(Found), "the points of an attractor");
         }
         const Found next = open.back();

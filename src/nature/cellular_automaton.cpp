@@ -6,6 +6,7 @@
 
 #include "nature/detail/cells.hpp"
 #include "nature/detail/figures.hpp"
+#include "watch/watch.hpp"
 
 // Cellular automata on a line and in the plane: rules, development, pictures.
 //
@@ -342,8 +343,10 @@ CellDevelopment::CellDevelopment(CellDevelopment&&) noexcept = default;
 void CellDevelopment::step(std::uint64_t n, const Budget& budget) {
     constexpr std::uint64_t work_between_checks = 1 << 20;
     std::uint64_t work = 0;
+    WorkCount generations("generation", n);
     for (std::uint64_t i = 0; i < n; ++i) {
         engine_->step();
+        generations.at(i + 1);
         if ((work += engine_->work()) < work_between_checks) continue;
         budget.check();
         work = 0;

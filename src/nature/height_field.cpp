@@ -3,6 +3,7 @@
 
 #include "nature/detail/checks.hpp"
 #include "nature/detail/height_field.hpp"
+#include "watch/watch.hpp"
 
 // Random surfaces over a square, and the lines on which they have a height.
 //
@@ -77,7 +78,9 @@ HeightField diamond_square(const BrownianMotion& surface, const Gaussians& numbe
         return surface.sigma * std::sqrt(std::exp2(-surface.hurst * half_step) *
                                          (1 - std::exp2(2 * surface.hurst - 2)));
     };
+    WorkCount levels("level", static_cast<std::uint64_t>(surface.levels));
     for (int level = 1; level <= surface.levels; ++level) {
+        ++levels;
         const std::size_t half = squares >> level, edge = 2 * half;
         const double of_centres = deviation(2 * level - 1), of_edges = deviation(2 * level);
         for (std::size_t row = half; row < last; row += edge) {
@@ -123,8 +126,10 @@ HeightField exact_surface(const BrownianMotion& surface, const Gaussians& number
     const auto around = [&](std::size_t i) {
         return spacing * static_cast<double>(std::min(i, period - i));
     };
+    WorkCount rows("row of covariances", period);
     for (std::size_t row = 0; row < period; ++row) {
         budget.check();
+        rows.at(row);
         for (std::size_t column = 0; column < period; ++column)
             values[row * period + column] = covariance(std::hypot(around(column), around(row)));
     }

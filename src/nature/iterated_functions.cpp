@@ -6,6 +6,7 @@
 
 #include "nature/detail/iterated_functions.hpp"
 #include "rewrite/rewrite.hpp"
+#include "watch/watch.hpp"
 
 // Iterated function systems: the maps, what may be asked of them, and two of the ways to draw what
 // they define.
@@ -253,7 +254,9 @@ std::unique_ptr<PathFigure> copies(const IteratedFunctions& system, std::uint64_
         std::uint32_t colour;
     };
     std::vector<Copy> made{{{}, 0, 0}};
+    WorkCount rounds("iteration", generation);
     for (std::uint64_t round = 0; round < generation; ++round) {
+        rounds.at(round + 1);
         std::vector<Copy> next;
         for (const Copy& copy : made) {
             if ((next.size() & 0xfff) == 0) budget.check();
@@ -299,8 +302,10 @@ struct Game {
         const Draws draws(seed, 0);
         std::vector<Dot> dots(std::min<std::uint64_t>(count, at_a_time));
         Point here = begin;
+        WorkCount points("point", count);
         for (std::uint64_t t = 0; t < count;) {
             budget.check();
+            points.at(t);
             const auto some = std::min<std::uint64_t>(count - t, at_a_time);
             //> game
             for (std::size_t i = 0; i < some; ++i, ++t) {

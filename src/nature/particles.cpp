@@ -8,6 +8,7 @@
 #include "nature/detail/figures.hpp"
 #include "nature/detail/particles.hpp"
 #include "nature/detail/random.hpp"
+#include "watch/watch.hpp"
 
 // Systems of particles (Reeves 1983): their development frame by frame, and pictures of it.
 //
@@ -249,8 +250,12 @@ std::vector<GeneratorFigure> ParticleShow::drawn(const std::vector<std::uint64_t
     std::vector<std::vector<Particle>> states;
     ParticleRun run(system, budget);
     std::uint64_t bytes = 0;
+    WorkCount frames("frame", order.empty() ? 0 : order.back());
     for (const std::uint64_t frame : order) {
-        while (run.frame() < frame) run.advance();
+        while (run.frame() < frame) {
+            run.advance();
+            frames.at(run.frame());
+        }
         for (const Particle& particle : run.particles())
             bytes += sizeof(Particle) + particle.trail.size() * 100 + 500;
         budget.check_memory(bytes, "the frames of a particle system");

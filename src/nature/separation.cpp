@@ -4,6 +4,7 @@
 #include <unordered_set>
 
 #include "nature/detail/iterated_functions.hpp"
+#include "watch/watch.hpp"
 
 // Whether the parts of an attractor of similarities lie apart but for their edges: by neighbour maps.
 //
@@ -256,8 +257,10 @@ Separation separation(const IteratedFunctions& system, const std::vector<std::si
                     visit({steps[i].to, steps[k].to,
                            similarities.composed(steps[i].inverse, steps[k].map)});
     const Number one = field.rational(1);
+    WorkCount neighbours("neighbours");
     while (!open.empty() && !coincide) {
         budget.check();
+        neighbours.at(seen.size());
         if (seen.size() > most) return Separation::unknown;
         const Neighbour found = *open.front();
         open.pop_front();

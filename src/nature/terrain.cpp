@@ -6,6 +6,7 @@
 
 #include "nature/detail/figures.hpp"
 #include "nature/detail/height_field.hpp"
+#include "watch/watch.hpp"
 
 // Landscapes: a random surface with water up to some height, as a map, as contour lines, as a
 // coast, as a grid and as a solid.
@@ -92,8 +93,10 @@ std::vector<Path> relief_map(const HeightField& field, const Relief& relief, con
         return rounded(relief_colour(relief, mean), 0.55 + 0.6 * std::max(cosine, 0.0));
     };
     const double reach = static_cast<double>(squares);
+    WorkCount rows("row of the land", squares);
     for (std::size_t row = 0; row < squares; ++row) {
         budget.check();
+        rows.at(row);
         for (std::size_t column = 0; column < squares;) {
             const Colour shade = colour(column, row);
             std::size_t end = column + 1;

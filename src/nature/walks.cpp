@@ -15,6 +15,7 @@
 
 #include "nature/detail/figures.hpp"
 #include "nature/detail/random.hpp"
+#include "watch/watch.hpp"
 
 // Random walks and fractional Brownian motion, in one to three dimensions.
 //
@@ -91,8 +92,10 @@ std::vector<Vector> random_walk(const RandomWalk& walk, const Budget& budget) {
                                        walk.steps, budget.memory, budget.by(Bound::memory)));
     const Gaussians across(walk.seed, 0), along(walk.seed, 1), upward(walk.seed, 2);
     std::vector<Vector> places(walk.steps + 1);
+    WorkCount steps("step", walk.steps);
     for (std::uint64_t t = 0; t < walk.steps; ++t) {
         if (t % 4096 == 0) budget.check();
+        steps.at(t);
         const double y = walk.dimensions > 1 ? along.at(t) : 0;
         const double z = walk.dimensions > 2 ? upward.at(t) : 0;
         places[t + 1] = places[t] + walk.deviation * Vector{across.at(t), y, z};
@@ -225,8 +228,10 @@ std::vector<double> midpoint_path(const BrownianMotion& motion, const Gaussians&
     budget.check_memory((pieces + 1) * sizeof(double), "a path");
     std::vector<double> path(pieces + 1);
     path[pieces] = motion.sigma * numbers.at(0);
+    WorkCount levels("level", static_cast<std::uint64_t>(motion.levels));
     for (int level = 1; level <= motion.levels; ++level) {
         budget.check();
+        levels.at(static_cast<std::uint64_t>(level));
         const double deviation = std::sqrt(displacement_variance(motion, level));
         const std::size_t half = pieces >> level;  // from a midpoint to its neighbours
         std::uint64_t number = std::uint64_t{1} << (level - 1);
@@ -284,14 +289,18 @@ std::vector<double> exact_path(const BrownianMotion& motion, const Gaussians& nu
     const std::size_t steps = std::size_t{1} << motion.levels, around = 2 * steps;
     budget.check_memory(5 * around * sizeof(std::complex<double>), "a path");
     std::vector<std::complex<double>> values(around);
+    WorkCount lags("covariance", steps);
     for (std::size_t lag = 0; lag <= steps; ++lag) {
         if (lag % 4096 == 0) budget.check();
+        lags.at(lag);
         values[lag] = increment_covariance(motion.hurst, lag);
         if (lag > 0 && lag < steps) values[around - lag] = values[lag];
     }
+    WorkCount frequencies("frequency", around);
     values = fourier_transform(values);
     for (std::size_t k = 0; k < around; ++k) {
         if (k % 4096 == 0) budget.check();
+        frequencies.at(k);
         const double share = std::max(values[k].real(), 0.0) / static_cast<double>(around);
         values[k] = std::sqrt(share) * std::complex(numbers.at(2 * k), numbers.at(2 * k + 1));
     }
@@ -348,8 +357,11 @@ std::vector<Vector> BrownianPaths::places(double h, int level, const Budget& bud
 std::vector<GeneratorFigure> BrownianPaths::figures(const Budget& budget) const {
     check();
     std::vector<GeneratorFigure> made;
+    WorkCount paths("path",
+                    hurst.size() * static_cast<std::size_t>(levels.second - levels.first + 1));
     for (const double h : hurst)
         for (int level = levels.first; level <= levels.second; ++level) {
+            ++paths;
             std::string caption = fmt::format("H = {}", h);
             if (levels.first != levels.second)
                 caption = (hurst.size() > 1 ? caption + ", " : "") +

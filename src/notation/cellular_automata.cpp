@@ -200,11 +200,11 @@ private:
             columns = file_.natural(*said, said->words[0], 1, most_cells);
             if (dimensions_ == 2) height = file_.natural(*said, said->words[1], 1, most_cells);
         }
+        if (dimensions_ == 1 && rows.size() > 1)
+            file_.fail("has several `row` lines; a rule on a line starts from one");
         if (columns < widest || height < rows.size())
             file_.fail(*said, "the start has " + std::to_string(widest) + " x " +
                                   std::to_string(rows.size()) + " cells, more than there are");
-        if (dimensions_ == 1 && rows.size() > 1)
-            file_.fail("has several `row` lines; a rule on a line starts from one");
         CellGrid grid(columns, height, Budget());
         const bool random =
             file_.find("start") && file_.find("start")->words.front().text == "random";

@@ -303,22 +303,24 @@ void Findings::throw_if_any() const {
 }
 
 std::size_t edit_distance(std::string_view left, std::string_view right) {
-    std::vector<std::vector<std::size_t>> distance(left.size() + 1,
-                                                   std::vector<std::size_t>(right.size() + 1));
+    const std::size_t width = right.size() + 1;
+    std::vector<std::size_t> rows(3 * width);  // of a letter of `left`, and of the two before it
+    std::size_t *row = rows.data(), *before = row + width, *earlier = before + width;
     for (std::size_t i = 0; i <= left.size(); ++i) {
-        for (std::size_t j = 0; j <= right.size(); ++j) {
+        for (std::size_t j = 0; j < width; ++j) {
             if (i == 0 || j == 0) {
-                distance[i][j] = i + j;
+                row[j] = i + j;
                 continue;
             }
             const std::size_t replaced = left[i - 1] == right[j - 1] ? 0 : 1;
-            distance[i][j] = std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1,
-                                       distance[i - 1][j - 1] + replaced});
+            row[j] = std::min({before[j] + 1, row[j - 1] + 1, before[j - 1] + replaced});
             if (i > 1 && j > 1 && left[i - 1] == right[j - 2] && left[i - 2] == right[j - 1])
-                distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
+                row[j] = std::min(row[j], earlier[j - 2] + 1);
         }
+        std::swap(earlier, before);
+        std::swap(before, row);
     }
-    return distance[left.size()][right.size()];
+    return before[right.size()];
 }
 
 namespace {
@@ -350,8 +352,9 @@ std::string_view usual_word(std::string_view word) {
          {"colors", "colours"},
          {"start", "axiom"},
          {"omega", "axiom"}}};
+    const std::string plain = folded(word);
     for (const auto& [other, usual] : words)
-        if (folded(other) == folded(word)) return usual;
+        if (other.size() == plain.size() && folded(other) == plain) return usual;
     return word;
 }
 
@@ -362,14 +365,19 @@ std::string did_you_mean(std::string_view written, const std::vector<std::string
     if (written.empty() || written.size() > longest) return {};
     const std::string usual = folded(usual_word(written));
     for (const std::string& candidate : candidates)
-        if (folded(candidate) == usual) return "; did you mean '" + candidate + "'?";
+        if (candidate.size() == usual.size() && folded(candidate) == usual)
+            return "; did you mean '" + candidate + "'?";
     const std::string* best = nullptr;
     std::size_t least = (written.size() + 1) / 4;  // further than this is another word
     for (const std::string& candidate : candidates) {
         if (written.size() < shortest || candidate.size() < shortest || candidate.size() > longest)
             continue;
+        const std::size_t bound = least + (best ? 0 : 1);
+        if (written.size() >= candidate.size() + bound ||
+            candidate.size() >= written.size() + bound)
+            continue;
         const std::size_t distance = edit_distance(written, candidate);
-        if (distance >= least + (best ? 0 : 1)) continue;
+        if (distance >= bound) continue;
         best = &candidate;
         least = distance;
     }

@@ -10,6 +10,7 @@
 
 #include "exact/exact.hpp"
 #include "render/detail/graph.hpp"
+#include "watch/watch.hpp"
 
 // Where the nodes and edges of a graph go: by Graphviz's `dot` (Gansner, Koutsofios, North and Vo 1993), and for trees by a
 // layout of our own, because `dot` puts a letter with two children over one of them.
@@ -374,6 +375,8 @@ GraphLayout graph_layout(const Graph& graph, const Budget& budget) {
     if (!context) throw Error("Graphviz cannot begin: " + listening.said());
     const Handed handed(graph);
     budget.check();
+    WorkCount placing("nodes being placed by Graphviz");
+    placing.at(graph.nodes.size());
     if (gvLayout(context, handed.get(), "dot") != 0)
         throw Error("Graphviz cannot place the graph: " + listening.said());
     const std::unique_ptr<Agraph_t, void (*)(Agraph_t*)> placed(

@@ -19,6 +19,7 @@
 #include "render/detail/scene_graph.hpp"
 #include "render/render.hpp"
 #include "system/system.hpp"
+#include "watch/watch.hpp"
 
 // Figures in space as files that other programs open: meshes by Assimp (glb, obj, stl), a PLY of our own, and scene
 // graphs (scene_writers.cpp).
@@ -186,8 +187,10 @@ std::unique_ptr<aiScene> scene_of(const Mesh& mesh, const std::vector<Colour>& c
     scene->mRootNode->mMeshes = new unsigned[count];
     scene->mMeshes = new aiMesh*[count];
     scene->mMaterials = new aiMaterial*[count];
+    WorkCount colours_done("colour of the mesh", groups.size());
     for (const Group& group : groups) {
         budget.check();
+        ++colours_done;
         const unsigned i = scene->mNumMeshes;
         const Colour colour = materials ? colours[group.paint] : Colour{1, 1, 1};
         scene->mMaterials[i] = material(colour, group, format);
@@ -255,9 +258,11 @@ std::string ply(const Mesh& mesh, const std::vector<Colour>& colours, const Budg
         bytes.resize(bytes.size() + 4);
         put_word(bytes, bytes.size() - 4, word);
     };
+    WorkCount written("corner of the mesh", corners);
     for (const Group& group : groups) {
         budget.check();
         for (const std::uint32_t c : group.corners) {
+            ++written;
             const Mesh::Corner& corner = mesh.corners[c];
             for (const Vector& v : {mesh.points[corner.point], corner.normal})
                 for (const double part : {v.x, v.y, v.z})
@@ -311,6 +316,8 @@ MeshFiles mesh_files(const Mesh& mesh, const std::vector<Colour>& colours, MeshF
                      : format == MeshFormat::stl ? "stlb"
                      : name.empty()              ? "objnomtl"
                                                  : "obj";
+    WorkCount writing("triangles being written");
+    writing.at(mesh.triangles.size());
     Assimp::Exporter exporter;
     const aiExportDataBlob* blob = exporter.ExportToBlob(scene.get(), id);
     if (!blob) throw Error(std::string("cannot write the mesh: ") + exporter.GetErrorString());

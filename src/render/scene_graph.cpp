@@ -6,6 +6,7 @@
 
 #include "render/detail/scene_graph.hpp"
 #include "turtle/turtle.hpp"
+#include "watch/watch.hpp"
 
 // A scene as VRML and X3D describe one: solids that stay solids, surfaces, lines, viewpoints and a light.
 //
@@ -139,8 +140,10 @@ private:
         }
         // A point of two colours, at a joint where the paint changes, is in two surfaces.
         std::vector<std::uint32_t> known(mesh.points.size(), none), owner(mesh.points.size(), none);
+        WorkCount triangles("triangle", mesh.triangles.size());
         for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {
             if (i % 4096 == 0) budget_.check();
+            triangles.at(i);
             const auto which = static_cast<std::uint32_t>(mesh.corners[mesh.triangles[i][0]].paint +
                                                           (i < mesh.closed ? 0 : paints));
             SceneGraph::Surface& surface = surfaces[which];

@@ -11,6 +11,7 @@
 
 #include "report/detail/page.hpp"
 #include "report/report.hpp"
+#include "watch/watch.hpp"
 
 namespace algae {
 
@@ -360,8 +361,10 @@ FactorValues factor_values(const D0L& system, const Coding& coding, std::size_t 
     found.factors.assign(to + 1, 0);
     found.palindromes = found.abelian = found.imbalance = found.factors;
     std::vector<Word> words, longer, longer_still;  // of `length`, of one and of two letters more
+    WorkCount lengths("factors of length");
     for (std::size_t length = to + 3; length-- > 0;) {
         budget.check();
+        lengths.at(length);
         std::vector<Word> whole;
         for (const Word& word : longest.words)
             if (word.size() == length) whole.push_back(word);

@@ -6,6 +6,7 @@
 
 #include "exact/exact.hpp"
 #include "rewrite/rewrite.hpp"
+#include "watch/watch.hpp"
 
 // What chance does, exactly: the distribution of the words of a generation with rational probabilities, and all
 // words that a system with choices can give. Both enumerate words and are bounded by the budget's memory.
@@ -15,8 +16,10 @@ namespace algae {
 std::vector<Rational> expected_counts(const S0L& system, std::uint64_t n, const Budget& budget) {
     std::vector<Rational> counts(system.alternatives.size());
     for (const Symbol a : system.axiom) counts[a] += Rational(1);
+    WorkCount generations("generation", n);
     for (std::uint64_t k = 0; k < n; ++k) {
         budget.check();
+        generations.at(k + 1);
         std::vector<Rational> next(counts.size());
         for (Symbol a = 0; a < counts.size(); ++a) {
             if (counts[a].is_zero()) continue;

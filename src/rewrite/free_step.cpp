@@ -8,6 +8,7 @@
 
 #include "exact/exact.hpp"
 #include "rewrite/detail/free_step.hpp"
+#include "watch/watch.hpp"
 
 // One step of rules that do not look at other modules, by several threads.
 //
@@ -133,6 +134,8 @@ void FreeStep::all(void (FreeStep::*work)(Part&, Room&)) {
 }
 
 ModuleString FreeStep::next() {
+    WorkCount modules("modules");
+    modules.at(word_.kinds.size());
     chosen_.resize(word_.kinds.size());
     all(&FreeStep::choose);
     std::uint64_t letters = 0, values = 0;

@@ -7,6 +7,7 @@
 #include "rewrite/detail/free_step.hpp"
 #include "rewrite/detail/inner_systems.hpp"
 #include "rewrite/rewrite.hpp"
+#include "watch/watch.hpp"
 #include "word/word.hpp"
 
 // Derivation of words of modules, step by step: which engine a step takes, schedules of tables, and what rules see
@@ -392,8 +393,10 @@ ModuleString Rewriting::next_in_context(const RuleSet& set, const ModuleString& 
     std::vector<double> others;
     std::vector<std::size_t> seen;
     std::size_t offset = 0;
+    WorkCount modules("module", word.kinds.size());
     for (std::size_t i = 0; i < word.kinds.size(); ++i) {
         if (i % 4096 == 0) budget.check();
+        modules.at(i);
         const ModuleKind kind = word.kinds[i];
         const Alternatives* found =
             set.of[kind].empty() ? nullptr
@@ -454,8 +457,10 @@ std::size_t Rewriting::own_table(std::uint64_t generation) const {
 ModuleString derive(const Rewriting& rewriting, std::uint64_t n,
                     const std::vector<std::size_t>& tables, const Budget& budget) {
     ModuleString word = rewriting.axiom();
+    WorkCount generations("generation", n);
     for (std::uint64_t generation = 0; generation < n; ++generation) {
         budget.check();
+        generations.at(generation + 1);
         const std::size_t table = tables.empty() ? rewriting.own_table(generation)
                                                  : tables.at(static_cast<std::size_t>(generation));
         word = rewriting.next(word, generation, table, budget);
@@ -469,8 +474,10 @@ ModuleTrace traced(const Rewriting& rewriting, std::uint64_t n,
     ModuleTrace trace;
     trace.words.push_back(rewriting.axiom());
     std::uint64_t modules = rewriting.axiom().kinds.size();
+    WorkCount generations("generation", n);
     for (std::uint64_t generation = 0; generation < n; ++generation) {
         budget.check();
+        generations.at(generation + 1);
         const std::size_t table = tables.empty() ? rewriting.own_table(generation)
                                                  : tables.at(static_cast<std::size_t>(generation));
         Budget rest = budget;

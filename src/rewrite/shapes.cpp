@@ -10,6 +10,7 @@
 #include "rewrite/detail/shapes.hpp"
 #include "rewrite/rewrite.hpp"
 #include "system/system.hpp"
+#include "watch/watch.hpp"
 
 // Shape rules: boxes divided along an axis (div), filled by as many parts as fit (repeat), or replaced (I).
 //
@@ -408,8 +409,11 @@ std::vector<ShapeBox> parts_of(const ShapeSystem& system, const ShapeBox& box,
 std::vector<ShapeBox> boxes_after(const ShapeSystem& system, std::vector<ShapeBox> boxes,
                                   std::uint64_t n, const Budget& budget) {
     bool changes = true;
+    WorkCount generations("generation", n), of_boxes("boxes");
     for (std::uint64_t step = 0; step < n && changes; ++step) {
         changes = false;
+        generations.at(step + 1);
+        of_boxes.at(boxes.size());
         const NearestBoxes nearest(system, boxes);
         std::vector<ShapeBox> next;
         std::size_t unchecked = 0;

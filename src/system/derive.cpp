@@ -4,6 +4,7 @@
 #include <string>
 
 #include "system/system.hpp"
+#include "watch/watch.hpp"
 #include "word/word.hpp"
 
 // Derivation without writing out more than is asked for.
@@ -79,8 +80,10 @@ bool derive_text(const D0L& system, std::uint64_t n, TextSink& sink, const Budge
     bool begun = false;
     Symbol last = 0;
     std::uint64_t visits = 0;
+    WorkCount pieces("piece of the word");
     walk(system, fates, n, [&](Symbol a, std::uint64_t steps) {
         if (++visits % 1024 == 0) budget.check();
+        pieces.at(visits);
         if (steps > ready.steps) return true;
         // Below the blocks' level (constants, and axioms of young generations) nothing is tabulated
         // but the letter itself and the blocks; a constant is its own block.

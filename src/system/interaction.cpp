@@ -8,6 +8,7 @@
 #include "exact/exact.hpp"
 #include "system/detail/interaction.hpp"
 #include "system/system.hpp"
+#include "watch/watch.hpp"
 
 // Systems with interactions (IL): generations by derivation, one step in time linear in the word.
 //
@@ -330,7 +331,12 @@ Development::~Development() = default;
 void Development::step() { engines_->step(generation_++); }
 
 void Development::steps(std::uint64_t n) {
-    while (n-- > 0) step();
+    WorkCount generations("generation", generation_ + n), letters("letters");
+    while (n-- > 0) {
+        step();
+        generations.at(generation_);
+        letters.at(length());
+    }
 }
 
 std::uint64_t Development::length() const { return engines_->length(); }

@@ -1,4 +1,5 @@
 #include "turtle/detail/mesh.hpp"
+#include "watch/watch.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -151,8 +152,10 @@ Limbs limbs_of(const Scene& scene, const Thickness& thickness, const Budget& bud
     const Joints joints(scene, thickness, budget);
     Limbs limbs;
     std::vector<Limbs::Node> chain;
+    WorkCount rods("rod", scene.rods.size());
     for (std::uint32_t i = 0; i < scene.rods.size(); ++i) {
         if (i % 4096 == 0) budget.check();
+        rods.at(i);
         if (!joints.begins(i)) continue;
         chain.clear();
         std::uint32_t end = i;

@@ -1,4 +1,5 @@
 #include "turtle/detail/mesh.hpp"
+#include "watch/watch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -486,8 +487,10 @@ public:
         Meetings meetings(points_, owners_, first_point, builder_.mesh.points.size() - first_point);
         std::vector<Vector> places;
         std::vector<std::uint32_t> corners;
+        WorkCount faces("polygon of the mesh", scene_.faces.size());
         for (std::uint32_t f = 0; f < scene_.faces.size(); ++f) {
             if (f % 4096 == 0) budget_.check();
+            faces.at(f);
             const std::uint32_t first = starts_[f], count = starts_[f + 1] - first;
             if (areas_[f] == Vector{}) continue;
             places.clear();
@@ -627,13 +630,16 @@ Mesh mesh_of(const Scene& scene, const MeshOptions& options, const Budget& budge
     const double crease = std::cos(options.crease * std::numbers::pi / 180);
     const Circle circle(options.facets), finer(2 * options.facets);
     std::size_t steps = 0;
+    WorkCount parts("part of the mesh", limbs.limbs.size() + scene.solids.size());
     for (const Limb& limb : limbs.limbs) {
         if (steps++ % 1024 == 0) budget.check();
+        parts.at(steps);
         if (!options.cylinders && is_cylinder(limbs, limb)) continue;
         add_tube(builder, limbs.nodes_of(limb), limb, scene, circle, crease);
     }
     for (const Solid& solid : scene.solids) {
         if (steps++ % 1024 == 0) budget.check();
+        parts.at(steps);
         if (!options.solids) break;
         add_solid(builder, solid, finer, thick);
     }

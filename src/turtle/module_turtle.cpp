@@ -8,6 +8,7 @@
 #include <span>
 
 #include "model/model.hpp"
+#include "watch/watch.hpp"
 
 // The turtle for words of modules: its attitude in space, what it does at each command, and its walk.
 //
@@ -486,8 +487,10 @@ public:
     TurtleState all(const ModuleString& word, const Budget& budget) {
         const bool wanted = events_.wants_modules();
         const double* values = word.values.data();
+        WorkCount modules("module of the walk", word.kinds.size());
         for (position_ = 0; position_ < word.kinds.size(); ++position_) {
             if (position_ % 65536 == 0) budget.check();
+            modules.at(position_);
             if (wanted) events_.before(position_, obedient_.state());
             const ModuleKind kind = turtle_.own_kinds_[word.kinds[position_]];
             if (turtle_.interpreted_[kind]) {

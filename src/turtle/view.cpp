@@ -1,4 +1,5 @@
 #include "turtle/detail/view.hpp"
+#include "watch/watch.hpp"
 
 #include <algorithm>
 #include <array>
@@ -640,9 +641,11 @@ void SpaceView::draw(Canvas& canvas, double resolution, const Budget& budget) co
 
     ScenePainter painter(canvas, lit);
     std::size_t done = 0;
+    WorkCount painted("part of the view", painting.order.size());
     for (const std::uint32_t i : painting.order) {
         if ((done++ & 0xff) == 0) {
             budget.check();
+            painted.at(done);
             if (canvas.wants_position())
                 canvas.position(static_cast<double>(done) / static_cast<double>(things.size()));
         }

@@ -7,6 +7,7 @@
 #include "model/model.hpp"
 #include "turtle/detail/module_turtle.hpp"
 #include "turtle/detail/plane_figure.hpp"
+#include "watch/watch.hpp"
 
 // The words that a turtle walks over: derived with the choices that somebody made, and filled by the
 // environment where the system is open.
@@ -141,8 +142,10 @@ OpenDevelopment::OpenDevelopment(const Model& system, const RewritingChoices& ch
 
 void OpenDevelopment::go_to(std::uint64_t n, const std::vector<std::size_t>& tables,
                             const Budget& budget) {
+    WorkCount generations("generation", n);
     while (generation_ < n) {
         budget.check();
+        generations.at(generation_ + 1);
         const std::size_t table =
             tables.empty() ? rewriting_.own_table(generation_) : tables.at(generation_);
         word_ = rewriting_.next(word_, generation_, table, budget);

@@ -8,6 +8,7 @@
 #include "verify/detail/checking.hpp"
 #include "verify/detail/languages.hpp"
 #include "verify/verify.hpp"
+#include "watch/watch.hpp"
 
 // Which kinds of proof show which statements, and the result for each statement of a certificate. If a bound is reached, the
 // statement is not checked; only a flaw makes it wrong.
@@ -259,12 +260,14 @@ void check_certificate(const TextSource& text, const std::string& file, const Bu
     certificate.file = file;
     bool has_begun = false;
     std::size_t index = 0;
+    WorkCount statements("statement");
     const auto begin = [&](JsonValue header) {
         has_begun = true;
         read_header(certificate, std::move(header));
         if (events.on_start) events.on_start(certificate);
     };
     const auto each = [&](const JsonValue& value) {
+        ++statements;
         const Field field(value, "statements[" + std::to_string(index++) + "]", certificate.file);
         Finding found;
         if (field.kind() == JsonValue::Kind::too_large) {

@@ -9,6 +9,7 @@
 #include "verify/detail/checking.hpp"
 #include "verify/detail/languages.hpp"
 #include "verify/verify.hpp"
+#include "watch/watch.hpp"
 
 // Systems with context: automata that accept all words of a system, and measures by which its language is infinite.
 //
@@ -370,8 +371,10 @@ void check_context_induction(const Obligation& task, const std::vector<Word>& ba
     std::set<Read> known{{0, places, words}};
     std::vector<const Read*> open{&*known.begin()};
     std::uint64_t bytes = 0;
+    WorkCount places_seen("places");
     for (std::size_t i = 0; i < open.size(); ++i) {
         task.budget.check();
+        places_seen.at(i);
         const auto& [state, at, begun] = *open[i];
         const bool is_made = std::any_of(at.begin(), at.end(), [&](const Place& place) {
             const auto& [number, read, longer] = place;

@@ -5,6 +5,7 @@
 #include "exact/exact.hpp"
 #include "verify/detail/checking.hpp"
 #include "verify/detail/languages.hpp"
+#include "watch/watch.hpp"
 
 // Languages of the checker, by the definition of each operation: membership, all words of a finite language, and derivatives of
 // regular expressions (Brzozowski 1964).
@@ -243,7 +244,9 @@ Derivatives::Term Derivatives::derivative(Term term, const Word& word) {
 bool Derivatives::included(Term left, Term right) {
     std::set<std::pair<Term, Term>> known{{left, right}};
     std::vector<std::pair<Term, Term>> open{{left, right}};
+    WorkCount done("pairs of terms");
     for (std::size_t i = 0; i < open.size(); ++i) {
+        done.at(i);
         const auto [one, other] = open[i];
         if (one == none_ || one == other) continue;
         if (nullable(one) && !nullable(other)) return false;
@@ -265,8 +268,10 @@ Derivatives::Automaton Derivatives::automaton(Term term) {
     Automaton found;
     std::map<Term, std::size_t> numbers{{term, 0}};
     std::vector<Term> states{term};
+    WorkCount done("states");
     for (std::size_t i = 0; i < states.size(); ++i) {
         budget_.check();
+        done.at(i);
         budget_.check_memory(states.size() * (100 + 8 * alphabet_.size()), "the automaton");
         found.accepting.push_back(nullable(states[i]));
         auto& next = found.next.emplace_back();
@@ -325,8 +330,10 @@ bool some_word(const System& system, const Word& from, std::size_t most, const B
     std::set<Word> known{from};
     std::vector<const Word*> open{&*known.begin()};
     std::uint64_t letters = 0;
+    WorkCount done("words");
     for (std::size_t i = 0; i < open.size(); ++i) {
         budget.check();
+        done.at(i);
         if (wanted(*open[i])) return true;
         letters += open[i]->size() + 16;
         if (letters > longest_sequence)

@@ -181,6 +181,8 @@ TEST_CASE("systems are written as morphisms, and what those cannot say is refuse
           std::string::npos);
     CHECK(unsaid("axiom F_l; F_l -> F_lF_l", print_sage)
               .find("the letter F_l: its letters are single characters") != std::string::npos);
+    // Sage begins with the first letter then.
+    CHECK(unsaid("axiom ε; a -> ab", print_sage).find("an empty axiom") != std::string::npos);
 }
 
 TEST_CASE("morphisms come back from Walnut and Sage with the same words") {

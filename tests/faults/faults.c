@@ -8,10 +8,15 @@
 //   ALGAE_FAULT=kill:N        before call number N that opens, writes, renames or removes a file the program is killed
 //   ALGAE_FAULT=memory:0      (or another kind) nothing fails; at the end the number of such calls is written to ALGAE_FAULT_COUNT
 //
+// Where an allocation fails, the file ALGAE_FAULT_FAILED has a line for each frame of the stack, from the inside outwards: the name of the
+// program or library, a blank, and the name of the function where it is known. Where the program crashes, ALGAE_FAULT_CRASH has the same.
+//
 // glibc's own names of its functions are called, so no call is needed to find them.
 
 #define _GNU_SOURCE
+#include <dlfcn.h>
 #include <errno.h>
+#include <execinfo.h>
 #include <fcntl.h>
 #include <signal.h>
 #include <stdarg.h>
@@ -37,8 +42,36 @@ static int in_main = 0;
 
 static int is_due(void) { return __atomic_add_fetch(&count, 1, __ATOMIC_RELAXED) == wanted; }
 
+/// Writes the frames of the stack into the file that a variable names.
+static void write_frames(const char* variable) {
+    const int was_in_main = in_main;
+    in_main = 0;
+    const char* const path = getenv(variable);
+    const int file =
+        path ? (int)syscall(SYS_openat, AT_FDCWD, path, O_WRONLY | O_CREAT | O_TRUNC, 0666) : -1;
+    if (file >= 0) {
+        void* frames[64];
+        const int number = backtrace(frames, 64);
+        for (int i = 1; i < number; ++i) {
+            Dl_info found;
+            char line[512];
+            if (!dladdr(frames[i], &found) || !found.dli_fname) continue;
+            const char* const name = strrchr(found.dli_fname, '/');
+            const int length =
+                snprintf(line, sizeof line, "%s %s\n", name ? name + 1 : found.dli_fname,
+                         found.dli_sname ? found.dli_sname : "");
+            if (length > 0)
+                syscall(SYS_write, file, line,
+                        (size_t)length < sizeof line ? (size_t)length : sizeof line - 1);
+        }
+        close(file);
+    }
+    in_main = was_in_main;
+}
+
 static int no_memory(void) {
     if (!in_main || kind != memory || !is_due()) return 0;
+    write_frames("ALGAE_FAULT_FAILED");
     errno = ENOMEM;
     return 1;
 }
@@ -114,6 +147,27 @@ static void write_count(void) {
     }
 }
 
+/// What happens at a crash; the first frames are this function's, and what the system puts before the frame that crashed.
+static void write_crash(int crash, siginfo_t* about, void* context) {
+    (void)about;
+    (void)context;
+    write_frames("ALGAE_FAULT_CRASH");
+    signal(crash, SIG_DFL);
+    raise(crash);
+}
+
+static void watch_crashes(void) {
+    void* frame;
+    backtrace(&frame, 1);  // loads what it needs while there is memory
+    struct sigaction action;
+    memset(&action, 0, sizeof action);
+    action.sa_sigaction = write_crash;
+    action.sa_flags = SA_SIGINFO | SA_RESETHAND | SA_NODEFER;
+    const int crashes[] = {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL, SIGTRAP};
+    for (size_t i = 0; i < sizeof crashes / sizeof *crashes; ++i)
+        sigaction(crashes[i], &action, NULL);
+}
+
 static int (*real_main)(int, char**, char**);
 static int counted_main(int number, char** arguments, char** environment) {
     in_main = 1;
@@ -132,10 +186,10 @@ int __libc_start_main(int (*main)(int, char**, char**), int number, char** argum
             kind = (enum Kind)i;
             wanted = atol(said + strlen(names[i]));
         }
+    if (said) watch_crashes();
     real_main = main;
     int (*next)(int (*)(int, char**, char**), int, char**, void (*)(void), void (*)(void),
                 void (*)(void), void*);
-    extern void* dlsym(void*, const char*);
-    *(void**)&next = dlsym((void*)-1L, "__libc_start_main");  // RTLD_NEXT
+    *(void**)&next = dlsym(RTLD_NEXT, "__libc_start_main");
     return next(counted_main, number, arguments, begin, end, loader_end, stack);
 }

@@ -1,9 +1,15 @@
 // Runs ten verbs again and again, each time with one fault of the machine (see faults.c), and looks at what is left: the exit status, the
-// output of before, parts of files. Prints a line for each verb and kind of fault, and what went wrong; ends with 1 if anything did.
+// output of before, parts of files. Prints a line for each verb and kind of fault, what went wrong, and a line for each kind; ends with 1
+// if anything went wrong.
 //
-//   inject ALGAE FAULTS.so FOLDER [EVERY]   EVERY 7: each seventh place only, beginning anywhere
+//   inject ALGAE FAULTS.so FOLDER [EVERY [VERB...]]   EVERY 7: each seventh allocation only
+//   inject --self-test
 //
-// Crashes inside of Cairo, fontconfig and Graphviz, which say nothing when memory ends, are told apart: they are listed, and fail nothing.
+// Crashes inside of Cairo, Pango, fontconfig and Graphviz, which do not look whether there is memory, are told apart: they are listed with
+// the library's name, and fail nothing. The frame that crashed decides, with those of the C and C++ libraries passed over, as a null
+// pointer is given to strlen, and abort is called: a crash of our own code is ours, also where a library called it and where the
+// allocation that failed was the library's. Where one of these libraries goes on without the memory, and a picture has another font, the
+// frame that allocated decides in the same way.
 
 #include <dirent.h>
 #include <fcntl.h>
@@ -12,11 +18,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <sstream>
 #include <string>
@@ -27,7 +35,6 @@ namespace {
 /// A verb: its arguments, where @ is a file with the text and % the file that it writes, if it writes one.
 struct Work {
     std::string name, arguments, text, ends;
-    bool draws = false;  // by Cairo or Graphviz
 };
 
 const std::vector<Work> works{
@@ -40,8 +47,8 @@ const std::vector<Work> works{
      "claim x\nlet G = D0L { axiom a; a -> ab; b -> a }\nshow abaab in L(G)\n", ".claim"},
     {"list", "list '/(a|bb)*/' --length 4", "", ".txt"},
     {"dimension", "dimension koch -n 7", "", ".txt"},
-    {"draw", "draw koch -n 2 -o %.svg", "", ".svg", true},
-    {"tree", "tree @ -n 2 -o %.svg", "axiom a\na -> ab\nb -> a\n", ".lsys", true},
+    {"draw", "draw koch -n 2 -o %.svg", "", ".svg"},
+    {"tree", "tree @ -n 2 -o %.svg", "axiom a\na -> ab\nb -> a\n", ".lsys"},
 };
 const std::array<std::string, 5> kinds{"memory", "full", "broken", "short", "kill"};
 
@@ -100,11 +107,15 @@ public:
     int run(const std::string& fault) {
         if (!output_.empty()) std::ofstream(output_) << old;
         unlink((folder_ + "/count").c_str());
+        unlink((folder_ + "/crash").c_str());
+        unlink((folder_ + "/failed").c_str());
         const pid_t child = fork();
         if (child == 0) {
             setenv("LD_PRELOAD", library_.c_str(), 1);
             setenv("ALGAE_FAULT", fault.c_str(), 1);
             setenv("ALGAE_FAULT_COUNT", (folder_ + "/count").c_str(), 1);
+            setenv("ALGAE_FAULT_CRASH", (folder_ + "/crash").c_str(), 1);
+            setenv("ALGAE_FAULT_FAILED", (folder_ + "/failed").c_str(), 1);
             const int out = open((folder_ + "/out").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
             const int err = open((folder_ + "/err").c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666);
             dup2(out, 1);
@@ -124,6 +135,8 @@ public:
 
     std::string out() const { return text_of(folder_ + "/out"); }
     std::string err() const { return text_of(folder_ + "/err"); }
+    std::string crash() const { return text_of(folder_ + "/crash"); }
+    std::string failed() const { return text_of(folder_ + "/failed"); }
     std::string made() const { return output_.empty() ? "" : text_of(output_); }
     long count() const { return std::atol(text_of(folder_ + "/count").c_str()); }
     bool has_output() const { return !output_.empty(); }
@@ -151,6 +164,65 @@ private:
     std::vector<std::string> arguments_;
 };
 
+/// Where frames say that something happened: the program or library of the first one outside of the C and C++ libraries.
+std::string place_of(const std::string& frames) {
+    std::istringstream lines(frames);
+    for (std::string line; std::getline(lines, line);) {
+        const std::string name = line.substr(0, line.find(' '));
+        bool is_passed = false;
+        for (const char* const passed : {"libc.so", "libm.so", "ld-linux", "libstdc++", "libgcc_s",
+                                         "libpthread", "faults.so", "linux-vdso"})
+            is_passed = is_passed || name.starts_with(passed);
+        if (!is_passed) return name;
+    }
+    return "an unknown place";
+}
+
+/// Whether a library is one of those that crash where memory ends, and that algae cannot change. GMP and FLINT are not among them: their
+/// allocations are algae's.
+bool is_foreign(const std::string& library) {
+    for (const char* const known :
+         {"libcairo",    "libpango",   "libfontconfig", "libfreetype", "libpixman",   "libpng",
+          "libharfbuzz", "libfribidi", "libthai",       "libdatrie",   "libglib",     "libgobject",
+          "libgio",      "libgvc",     "libcgraph",     "libcdt",      "libpathplan", "libxdot",
+          "libgvplugin", "libexpat",   "libltdl"})
+        if (library.starts_with(known)) return true;
+    return false;
+}
+
+/// What a crash in these frames is called, and whether it is a library's.
+int self_test() {
+    struct Case {
+        const char *frames, *place;
+        bool foreign;
+    };
+    const Case cases[] = {
+        {"libcairo.so.2 cairo_set_font\nalgae \nlibc.so.6 __libc_start_main\n", "libcairo.so.2",
+         true},
+        {"libc.so.6 strlen\nlibcgraph.so.6 agstrdup\nalgae \n", "libcgraph.so.6", true},
+        {"libc.so.6 raise\nlibc.so.6 abort\nlibglib-2.0.so.0 g_malloc\nlibpango-1.0.so.0 x\nalgae "
+         "\n",
+         "libglib-2.0.so.0", true},
+        // A library called our code, or allocated in vain and told us: what crashed is ours.
+        {"algae \nlibcairo.so.2 write\nalgae \n", "algae", false},
+        {"libc.so.6 raise\nlibc.so.6 abort\nlibstdc++.so.6 std::terminate\nalgae \nlibcairo.so.2 "
+         "x\n",
+         "algae", false},
+        {"libc.so.6 memcpy\nalgae \nlibgvc.so.6 gvLayout\n", "algae", false},
+        {"libc.so.6 abort\nlibgmp.so.10 __gmp_default_allocate\nalgae \n", "libgmp.so.10", false},
+        {"", "an unknown place", false},
+    };
+    int wrong = 0;
+    for (const Case& each : cases) {
+        const std::string place = place_of(each.frames);
+        if (place == each.place && is_foreign(place) == each.foreign) continue;
+        ++wrong;
+        std::printf("expected %s, found %s for\n%s\n", each.place, place.c_str(), each.frames);
+    }
+    std::printf("%d of %zu crashes are placed wrongly\n", wrong, std::size(cases));
+    return wrong == 0 ? 0 : 1;
+}
+
 struct Normal {
     int status = 0;
     std::string out, made;
@@ -162,9 +234,13 @@ std::string flaw(Runner& runner, const Normal& normal, const std::string& kind, 
     const std::string made = runner.made();
     const bool is_old = made == Runner::old, is_new = made == normal.made;
     if (status == -1) return "hangs";
-    if (runner.has_output() && !is_old && !is_new) return "a damaged output";
+    if (runner.has_output() && !is_old && !is_new)
+        return status == normal.status
+                   ? "success with another output, in " + place_of(runner.failed())
+                   : "a damaged output";
     if (kind == "kill" && status == 128 + SIGKILL) return "";
-    if (status > 128) return "signal " + std::to_string(status - 128);
+    if (status > 128)
+        return "signal " + std::to_string(status - 128) + " in " + place_of(runner.crash());
     if (has_parts) return "a part of a file stays";
     if (status == normal.status) {
         if (runner.has_output() && !is_new) return "success without output";
@@ -180,14 +256,29 @@ std::string flaw(Runner& runner, const Normal& normal, const std::string& kind, 
 }  // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 2 && std::string(argv[1]) == "--self-test") return self_test();
     if (argc < 4) {
-        std::fprintf(stderr, "inject ALGAE FAULTS.so FOLDER [EVERY]\n");
+        std::fprintf(stderr, "inject ALGAE FAULTS.so FOLDER [EVERY [VERB...]]\n");
         return 2;
     }
     const std::string command = argv[1], library = argv[2], folder = argv[3];
     const long every = argc > 4 ? std::atol(argv[4]) : 1;
-    long all = 0, wrong = 0, foreign = 0;
+    if (every < 1) {
+        std::fprintf(stderr, "inject: expected a number from 1 on, found '%s'\n", argv[4]);
+        return 2;
+    }
+    const std::vector<std::string> chosen(argv + std::min(argc, 5), argv + argc);
+    for (const std::string& name : chosen)
+        if (std::ranges::find(works, name, &Work::name) == works.end()) {
+            std::fprintf(stderr, "inject: no verb '%s'\n", name.c_str());
+            return 2;
+        }
+    struct Counts {
+        long tried = 0, wrong = 0, foreign = 0;
+    };
+    std::map<std::string, Counts> counts;  // by kind
     for (const Work& work : works) {
+        if (!chosen.empty() && std::ranges::find(chosen, work.name) == chosen.end()) continue;
         for (const std::string& kind : kinds) {
             Runner first(command, library, folder + "/0", work);
             Normal normal;
@@ -209,7 +300,8 @@ int main(int argc, char** argv) {
                     own.status = runner.run(kind + ":0");
                     own.out = runner.out();  // with the names of this folder
                     own.made = runner.made();
-                    for (long n = 1 + part * every; n <= count; n += 2 * every) {
+                    const long step = kind == "memory" ? every : 1;
+                    for (long n = 1 + part * step; n <= count; n += 2 * step) {
                         const std::string found =
                             flaw(runner, own, kind, runner.run(kind + ":" + std::to_string(n)));
                         std::fprintf(report, "%ld\t%s\n", n, found.c_str());
@@ -237,14 +329,15 @@ int main(int argc, char** argv) {
                 std::fclose(report);
             }
             while (wait(nullptr) > 0) continue;
-            all += tried;
+            Counts& of_kind = counts[kind];
+            of_kind.tried += tried;
             std::string said;
             for (const auto& [what, found] : flaws) {
-                const bool is_foreign =
-                    work.draws && kind == "memory" && what.starts_with("signal");
-                (is_foreign ? foreign : wrong) += found.first;
+                const std::size_t in = what.find(" in ");
+                const bool foreign = in != std::string::npos && is_foreign(what.substr(in + 4));
+                (foreign ? of_kind.foreign : of_kind.wrong) += found.first;
                 said += "; " + std::to_string(found.first) + " " + what +
-                        (is_foreign ? " (library)" : "") + ", first at " +
+                        (foreign ? " (not ours)" : "") + ", first at " +
                         std::to_string(found.second);
             }
             std::printf("%-10s %-7s %6ld of %ld%s\n", work.name.c_str(), kind.c_str(), tried, count,
@@ -252,7 +345,24 @@ int main(int argc, char** argv) {
             std::fflush(stdout);
         }
     }
-    std::printf("\n%ld faults tried, %ld went wrong, %ld crashed in a library\n", all, wrong,
-                foreign);
-    return wrong == 0 ? 0 : 1;
+    const auto print = [](const char* name, const Counts& of) {
+        std::printf("%-18s %7ld tried, %ld went wrong, %ld crashed in a library\n", name, of.tried,
+                    of.wrong, of.foreign);
+    };
+    std::printf("\n");
+    const std::map<std::string, const char*> names{{"memory", "failed allocations"},
+                                                   {"full", "full disks"},
+                                                   {"broken", "broken disks"},
+                                                   {"short", "short writes"},
+                                                   {"kill", "kills"}};
+    Counts all;
+    for (const std::string& kind : kinds) {
+        const Counts& of = counts[kind];
+        print(names.at(kind), of);
+        all.tried += of.tried;
+        all.wrong += of.wrong;
+        all.foreign += of.foreign;
+    }
+    print("all", all);
+    return all.wrong == 0 ? 0 : 1;
 }

@@ -44,7 +44,11 @@ class Room:
         put(self.folder / 'mutants.hpp', '#pragma once\nnamespace mutants { bool is_on(unsigned number); }\n')
 
     def choose(self, only, sample, seed):
-        chosen = [mutant.number for mutant in self.mutants if only is None or mutant.file.endswith(only)]
+        for name in only or []:
+            if not any(mutant.file.endswith('/' + name.lstrip('/')) for mutant in self.mutants):
+                sys.exit(f'--only {name}: no file of {self.name} that has mutants is called so')
+        chosen = [mutant.number for mutant in self.mutants
+                  if not only or any(mutant.file.endswith('/' + name.lstrip('/')) for name in only)]
         if sample is not None and sample < len(chosen):
             chosen = random.Random(seed).sample(chosen, sample)
         self.wanted = set(chosen)
@@ -232,16 +236,23 @@ class Tests:
         return 'timed out' if run.returncode in (-24, -9) else 'killed'
 
 
+def key_of(mutant, lines):
+    """What equivalent.txt knows a mutant by: its file, line, column in the line, and what is changed into what."""
+    return mutant.file, lines[mutant.line - 1].strip(), str(mutant.column), mutant.original, mutant.changed
+
+
 def known_equivalents(room):
-    """The mutants of a room that no test can notice: (file, line, original, changed) with the reason."""
+    """The mutants of a room that no test can notice, each with the reason."""
     known = {}
     for line in (HERE / 'equivalent.txt').read_text().splitlines():
         if line.startswith('#') or not line.strip():
             continue
         parts = [part.strip() for part in line.split(' ## ')]
-        if len(parts) != 5:
-            sys.exit('equivalent.txt: expected FILE ## LINE ## ORIGINAL ## CHANGED ## REASON, found ' + line)
-        known[tuple(parts[:4])] = parts[4]
+        if len(parts) != 6 or not parts[2].isdigit():
+            sys.exit('equivalent.txt: expected FILE ## LINE ## COLUMN ## ORIGINAL ## CHANGED ## REASON, found ' + line)
+        if tuple(parts[:5]) in known:
+            sys.exit('equivalent.txt: two lines for one mutant: ' + line)
+        known[tuple(parts[:5])] = parts[5]
     return {key: reason for key, reason in known.items() if key[0].startswith(f'src/{room}/')}
 
 
@@ -250,7 +261,8 @@ def main():
     parser.add_argument('room')
     parser.add_argument('--sample', type=int, help='so many mutants, chosen at random')
     parser.add_argument('--seed', type=int, default=1)
-    parser.add_argument('--only', help='the mutants of this file only')
+    parser.add_argument('--only', nargs='+', action='extend', metavar='FILE', help='the mutants of these files only')
+    parser.add_argument('--list', action='store_true', help='only print the mutants, as equivalent.txt writes them')
     parser.add_argument('--longest', type=float, default=float('inf'),
                         help='leave out test cases that take more seconds')
     parser.add_argument('--jobs', type=int, default=os.cpu_count())
@@ -261,6 +273,16 @@ def main():
 
     room = Room(asked.room, asked.build, asked.jobs)
     room.choose(asked.only, asked.sample, asked.seed)
+    text = {source.file: source.text.splitlines() for source in room.sources}
+    found = {key_of(mutant, text[mutant.file]) for mutant in room.mutants}
+    for key in known_equivalents(asked.room):
+        if key not in found:
+            sys.exit('equivalent.txt names a mutant that is not there: ' + ' ## '.join(key))
+    if asked.list:
+        for mutant in room.mutants:
+            if mutant.number in room.wanted:
+                say(' ## '.join(key_of(mutant, text[mutant.file])))
+        return
     say(f'{len(room.wanted)} mutants of {asked.room}')
     dropped = room.drop_what_fails()
     tests = Tests(room.link(room.compile()), room.folder)
@@ -287,14 +309,14 @@ def report(room, wanted, found, dropped):
         outcome = found[mutant.number]
         if outcome in ('killed', 'timed out'):
             continue
-        reason = known.get((mutant.file, text[mutant.file][mutant.line - 1].strip(), mutant.original, mutant.changed))
+        reason = known.get(key_of(mutant, text[mutant.file]))
         explained += reason is not None
         open_ones += reason is None
         counts = by_file.setdefault(mutant.file, [0, 0])
         counts[0] += 1
         counts[1] += reason is not None
         if reason is None:
-            say(f'{mutant.file}:{mutant.line}: {outcome}: {mutant.original}  ->  {mutant.changed}')
+            say(f'{mutant.file}:{mutant.line}: {outcome}, at {mutant.column}: {mutant.original}  ->  {mutant.changed}')
     say('')
     for file, (survivors, equivalent) in sorted(by_file.items()):
         say(f'{file}: {survivors} survivors, {equivalent} of them equivalent')

@@ -50,6 +50,7 @@ class Mutant:
     original: str
     changed: str
     code: str  # of what is changed, with the brackets it needs
+    column: int = 1  # of the operator in its line, counted without the indentation
     is_kept: bool = False  # what is evaluated there once is used again later
     number: int = 0
 
@@ -220,6 +221,11 @@ class Source:
     def line(self, at):
         return self.text.count('\n', 0, self.tokens[at].start) + 1
 
+    def column(self, at):
+        start = self.tokens[at].start
+        line = self.text[self.text.rfind('\n', 0, start) + 1:start]
+        return len(line.lstrip()) + 1
+
     def span(self, first, last):
         return self.text[self.tokens[first].start:self.tokens[last].end]
 
@@ -229,7 +235,8 @@ class Source:
         start, end = self.tokens[first].start, self.tokens[last].end
         if self.text[start:end] != changed:
             self.mutants.append(Mutant(self.file, self.line(at), start, end, flat(self.text[start:end]), flat(changed),
-                                       code or changed, any(first <= start < after for first, after in self.kept)))
+                                       code or changed, self.column(at),
+                                       any(first <= start < after for first, after in self.kept)))
 
     def look_at(self, at):
         token = self.tokens[at]

@@ -223,6 +223,9 @@ TEST_CASE("what is wrong with a file of cells") {
     CHECK(message("rule 30\nstart 012") ==
           "cells.ca:2:7: error: expected states from 0 to 1, or . and O for 0 and 1, found '2'\n"
           "  start 012\n        ^");
+    // It crashed once: no `cells` line is to blame.
+    CHECK(message("rule 110\nrow ..O\nrow OOO") ==
+          "cells.ca: has several `row` lines; a rule on a line starts from one");
     CHECK_THROWS_WITH_AS(
         system_of_cells(automaton("rule 30")),
         "cells.ca: its edges are joined, and no context of a word reaches from its "

@@ -61,6 +61,12 @@ TEST_CASE("suggestions") {
     CHECK(edit_distance("angel", "angle") == 1);
     CHECK(edit_distance("", "abc") == 3);
     CHECK(edit_distance("kitten", "sitting") == 3);
+    CHECK(edit_distance("abc", "") == 3);
+    CHECK(edit_distance("ab", "ba") == 1);
+    CHECK(edit_distance("xabcd", "xbacd") == 1);
+    CHECK(edit_distance("abcdef", "badcfe") == 3);
+    CHECK(did_you_mean("colouring", {"angle", "colour"}) == "");
+    CHECK(did_you_mean("colou", {"angle", "colours", "colour"}) == "; did you mean 'colour'?");
     CHECK(did_you_mean("colur", {"angle", "colour"}) == "; did you mean 'colour'?");
     CHECK(did_you_mean("wood", {"angle", "colour"}) == "");
     CHECK(did_you_mean("x", {"y"}) == "");

@@ -66,8 +66,9 @@ private:
     std::string escaped_;
 };
 
-/// Says on standard error, while it lives, what works and for how long: after five seconds, then every ten, a line each; on a terminal
-/// one line that changes. Where a ProgressBar lives it says how far that is.
+/// Says on standard error, while it lives, what works, where in its work it is (see watch/watch.hpp) and for how long: after five seconds,
+/// then every ten, a line each; on a terminal one line that changes. Where a ProgressBar lives it says how far that is. The environment
+/// variable ALGAE_PROGRESS has other seconds for both.
 class Heartbeat {
 public:
     explicit Heartbeat(std::string label);

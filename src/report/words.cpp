@@ -282,7 +282,9 @@ std::optional<ComplexityForAll> complexity_of(const D0L& system, const FactorVal
     try {
         if (report.infinite_word)
             return complexity_for_all(system.rules, Numeration(system).letters().front(), budget);
-        if (!report.primitivity.exponent || system.axiom.empty()) return std::nullopt;
+        const auto grows = [&](Symbol letter) { return system.successor(letter).size() > 1; };
+        if (!report.primitivity.exponent || std::ranges::none_of(system.letters, grows))
+            return std::nullopt;  // a letter that stays as it is has a primitive matrix too
         Symbol a = system.axiom.front();
         for (std::size_t i = 0; i < system.letters.size(); ++i) a = system.successor(a).front();
         D0L power = system;

@@ -70,6 +70,13 @@ TEST_CASE("words of a system: complexities up to a length") {
           std::string::npos);
 }
 
+TEST_CASE("words of a system whose only letter stays as it is do not go on for ever") {
+    const auto found = json_of("'axiom bb; b -> b' --to 3 --timeout 20");
+    CHECK(found["factor_complexity"]["values"] == std::vector<int>{1, 1, 1, 0});
+    CHECK(found["factor_complexity"]["proved_for_all"] == false);
+    CHECK(found["primitive"] == true);
+}
+
 TEST_CASE("words: what is asked wrongly is told") {
     const auto told = [](const std::string& arguments) {
         const Run answer = run("words " + arguments);

@@ -19,7 +19,7 @@
 //
 // Theorems come first: identical expressions, finite languages word by word, regular ones by automata, a
 // language of a system within a regular one
-// (a meeting with its complement), a regular one within L(G) by induction on the length, two D0L languages by
+// (a meeting with its complement), one within that of a system with all its rules, a regular one within L(G) by induction on the length, two D0L languages by
 // sequence equivalence (of sections for an inclusion), linear systems, whose languages are regular, and D0L systems of linear growth where
 // theirs are. Where none applies a difference is looked for among short words and first generations;
 // if there is none the statement stays undecided. A few short words are tried before the expensive theorems, and where a side is a
@@ -147,6 +147,7 @@ public:
                 return witness(*word);
             return proved(steps::NothingOutside{left_, right_});
         }
+        if (auto found = by_rules()) return found;
         if (regular_right && with_context)
             if (auto found = by_invariants(left_, right_, {}, alphabet_, budget_))
                 return proved(*std::move(found));
@@ -211,10 +212,11 @@ public:
 private:
     std::string text(const Language& language) const { return to_string(language, alphabet_); }
 
-    /// The same expressions, or languages of systems with context that have the same axiom and rules.
+    /// The same expressions, or languages of systems that have the same axiom and rules.
     bool is_identical() const {
         const auto has_rules = [](const LanguageTree& tree) {
-            return tree.kind == Kind::generated && tree.system->interactive;
+            return tree.kind == Kind::generated &&
+                   (tree.system->tables || tree.system->interactive);
         };
         if (has_rules(*left_) && has_rules(*right_))
             return to_json(*left_->system, alphabet_) == to_json(*right_->system, alphabet_);
@@ -289,16 +291,102 @@ private:
         return proved(steps::SamePowers{left_, right_, sequence, other.system->name});
     }
 
-    /// What is known of all context-free languages, where both sides are such and one is given by a grammar.
+    /// Where the right system has all rules of the left one, and derives its axiom.
+    std::optional<Answer> by_rules() const {
+        if (left_->kind != Kind::generated || right_->kind != Kind::generated) return std::nullopt;
+        const SourceSystem &left = *left_->system, &right = *right_->system;
+        SourceSystem any = right;  // in which every letter is a terminal
+        Word axiom;
+        if (left.tables && right.tables) {
+            if (!has_rules_of(*right.tables, *left.tables)) return std::nullopt;
+            axiom = left.tables->axiom;
+            for (char& is_terminal : any.tables->terminal) is_terminal = 1;
+        } else if (left.interactive && right.interactive) {
+            if (!has_rules_of(*right.interactive, *left.interactive)) return std::nullopt;
+            axiom = left.interactive->axiom;
+        } else {
+            return std::nullopt;
+        }
+        const bool is_derived =
+            axiom == (right.tables ? right.tables->axiom : right.interactive->axiom) ||
+            judge_membership(generated_language(std::make_shared<const SourceSystem>(any)), axiom,
+                             alphabet_, budget_, false)
+                    .truth == Truth::proved;
+        if (!is_derived) return std::nullopt;
+        return proved(steps::ByRules{left_, right_});
+    }
+
+    /// Whether each table of `inner` is a part of a table of `outer`, of letters that are accessible in it, and a terminal is one there.
+    static bool has_rules_of(const ET0L& outer, const ET0L& inner) {
+        const auto letters = accessible_letters(inner);
+        return std::all_of(letters.begin(), letters.end(),
+                           [&](Symbol a) { return !inner.terminal[a] || outer.terminal[a]; }) &&
+               std::all_of(inner.tables.begin(), inner.tables.end(), [&](const Table& table) {
+                   return std::any_of(
+                       outer.tables.begin(), outer.tables.end(), [&](const Table& other) {
+                           return std::all_of(letters.begin(), letters.end(), [&](Symbol a) {
+                               return are_among(table[a], other[a]);
+                           });
+                       });
+               });
+    }
+
+    /// The same with contexts. A rule with other contexts would take the place of one that is tried later, so contexts are the same.
+    static bool has_rules_of(const IL& outer, const IL& inner) {
+        if (outer.ignored != inner.ignored || outer.brackets || inner.brackets) return false;
+        for (Symbol a = 0; a < inner.rules.size(); ++a) {
+            std::vector<std::pair<Word, Word>> contexts[2];
+            std::vector<Word> rules[2];  // a rule as one word
+            const auto read = [&](const IL& system, std::size_t to) {
+                for (const IL::Rule& rule : system.rules[a]) {
+                    if (contexts[to].empty() ||
+                        contexts[to].back() != std::pair(rule.left, rule.right))
+                        contexts[to].emplace_back(rule.left, rule.right);
+                    rules[to].push_back(rule.successor);
+                    rules[to].back().push_back(static_cast<Symbol>(contexts[to].size()));
+                }
+            };
+            read(inner, 0), read(outer, 1);
+            if (contexts[0] != contexts[1] || !are_among(rules[0], rules[1])) return false;
+        }
+        return true;
+    }
+
+    static bool are_among(const std::vector<Word>& words, const std::vector<Word>& others) {
+        return std::all_of(words.begin(), words.end(), [&](const Word& word) {
+            return std::find(others.begin(), others.end(), word) != others.end();
+        });
+    }
+
+    /// The theorem that no method decides it for all languages that are given so; empty where none is known.
     std::string undecidable(const std::string& what) const {
         const auto has_grammar = [](const LanguageTree& tree) {
             return tree.kind == Kind::generated && !tree.system->grammar.empty();
         };
-        if (!has_grammar(*left_) && !has_grammar(*right_)) return {};
+        const auto is_system = [](const Language& side) {
+            return side->kind == Kind::generated && !side->system->variable;
+        };
+        const auto is_regular = [&](const Language& side) { return !has_system(side); };
+        const auto is_extended = [&](const Language& side) {
+            return is_system(side) && side->system->tables &&
+                   !has_only_terminals(*side->system->tables);
+        };
+        std::string theorem;
+        if (has_grammar(*left_) || has_grammar(*right_))
+            theorem =
+                " of context-free languages is undecidable (Bar-Hillel, Perles and Shamir 1961)";
+        else if (is_system(left_) && is_system(right_) && (!is_d0l(left_) || !is_d0l(right_)))
+            theorem = what == "Equality" ? " of 0L languages is undecidable (Blattner 1973)"
+                                         : " of 0L languages is undecidable, as their equality is "
+                                           "(Blattner 1973)";
+        else if (is_extended(right_) && is_regular(left_))  // all words, for one
+            theorem =
+                " of a regular language and an E0L language is undecidable (Bar-Hillel, Perles "
+                "and Shamir 1961, for context-free languages)";
+        if (theorem.empty()) return {};
         return "no word among the first ones tells " + text(left_) + " and " + text(right_) +
-               " apart. " + what +
-               " of context-free languages is undecidable (Bar-Hillel, Perles and Shamir 1961), so "
-               "no method decides it for all grammars";
+               " apart. " + what + theorem + ", so no method decides it for all " +
+               (has_grammar(*left_) || has_grammar(*right_) ? "grammars" : "systems");
     }
 
     Answer finite_equality(const FiniteValue& left, const FiniteValue& right) const {

@@ -45,9 +45,13 @@ public:
         if (!form) throw Error(question_.family + " is no family of languages");
         if (language_->kind == Kind::generated && has_form(*language_->system, *form))
             return proved(steps::HasForm{language_, question_.family});
+        const bool is_among_eight = !form->interactive && !form->extended;
+        const bool is_never_empty = form->propagating && !question_.empty_axiom;
+        if (is_never_empty && !is_among_eight)
+            if (auto found = has_empty_word()) return *found;
         if (const auto known = finite_value(language_, alphabet_, budget_))
             return finite(*known, *form);
-        if (form->propagating && !question_.empty_axiom && !form->interactive && !form->extended)
+        if (is_never_empty && is_among_eight)
             if (auto found = has_empty_word()) return *found;
         if (auto found = by_system(*form)) return *found;
         if (!form->interactive && !form->extended)
@@ -91,8 +95,8 @@ private:
         if (question_.family == "CF")
             return undecided("no context-free grammar for " + name_ + " is at hand");
         return undecided("no regular expression for " + name_ +
-                         " is at hand, and whether the language of a grammar or system is regular "
-                         "is not decided");
+                         " is at hand, and whether a context-free language, and so one of an E0L "
+                         "system, is regular is undecidable (Bar-Hillel, Perles and Shamir 1961)");
     }
 
     /// Whether the language is made of context-free ones by operations under which these are closed.
@@ -196,9 +200,14 @@ private:
     }
 
     Answer all_finite(const FiniteValue& known, const SystemForm& form) const {
-        const bool every =
-            (form.extended && !form.propagating && (!form.deterministic || form.tables)) ||
-            (form.interactive && !form.one_sided && !form.context && !form.propagating);
+        const bool has_empty = std::any_of(known.words.begin(), known.words.end(),
+                                           [](const Word& word) { return word.empty(); });
+        const bool is_rewritten =
+            known.words.size() <= 1 || !form.deterministic || form.tables;  // to each of them
+        const bool every = (form.extended && !form.interactive && is_rewritten &&
+                            !(form.propagating && has_empty)) ||
+                           (form.interactive && !form.extended && !form.one_sided &&
+                            !form.context && !form.propagating);
         if (!every)
             return undecided(name_ + " is finite, and whether it is " + question_.family +
                              " is not decided");

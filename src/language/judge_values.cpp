@@ -144,6 +144,18 @@ std::optional<Answer> disjoint(const Language& language, const Alphabet& alphabe
     return std::nullopt;
 }
 
+/// First words of the systems with context in an expression, shorter than some length.
+std::vector<Word> first_words(const LanguageTree& tree, const Budget& budget) {
+    constexpr std::size_t first = 40, longest = 20;
+    std::vector<Word> words;
+    for (const Language& part : tree.parts)
+        for (Word& word : first_words(*part, budget)) words.push_back(std::move(word));
+    if (tree.kind != Kind::generated || !tree.system->interactive) return words;
+    for (Word& word : found_words(*tree.system->interactive, {first, 20 * first, {}}, budget).words)
+        if (word.size() <= longest) words.push_back(std::move(word));
+    return words;
+}
+
 }  // namespace
 
 Answer judge_finite(const Language& language, const Alphabet& alphabet, const Budget& budget) {
@@ -162,6 +174,13 @@ Answer judge_finite(const Language& language, const Alphabet& alphabet, const Bu
 Answer judge_empty(const Language& language, const Alphabet& alphabet, const Budget& budget) {
     const auto has = [&](const Word& word) { return refuted(steps::FoundWord{language, word}); };
     if (auto found = disjoint(language, alphabet, budget)) return *found;
+    if (has_context(language))  // a word is found sooner than whether there are finitely many
+        for (const Word& word : first_words(*language, budget))
+            if (Answer found = judge_membership(language, word, alphabet, budget);
+                found.truth == Truth::proved)
+                return refuted(steps::Distinguished{
+                    word, std::move(found),
+                    judge_membership(words_language({}), word, alphabet, budget)});
     if (language->kind == Kind::powers) {
         std::vector<std::uint64_t> least;
         for (const Powers::Number& number : language->powers->numbers)

@@ -545,6 +545,23 @@ public:
         else
             say(words + (is_empty ? "." : " outside " + language(said.right) + "."));
     }
+    void operator()(const steps::ByRules& said) {
+        const std::string left = marked(said.left->system->name),
+                          right = marked(said.right->system->name);
+        const auto axiom = [](const SourceSystem& system) -> const Word& {
+            return system.tables ? system.tables->axiom : system.interactive->axiom;
+        };
+        const Word& axiom_word = axiom(*said.left->system);
+        const bool has_tables =
+            said.left->system->tables && said.left->system->tables->tables.size() > 1;
+        say((has_tables ? "All rules of each table of " + left + " are rules of one table of "
+                        : "All rules of " + left + " are rules of ") +
+            right +
+            (axiom_word == axiom(*said.right->system)
+                 ? ", and both systems have the same axiom."
+                 : ", which derives " + this->word(axiom_word) + ", the axiom of " + left + ".") +
+            " So " + right + " derives all that " + left + " does.");
+    }
     void operator()(const steps::LinearSystems& said) {
         for (const Language& side : {said.left, said.right})
             if (side->kind == Kind::generated)

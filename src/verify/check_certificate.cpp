@@ -94,6 +94,7 @@ const std::vector<Method>& methods() {
         {"powers", equal, holds, {}, check_same_powers},
         {"both", equal, holds, {"proofs"}, check_both},
         {"induction", included, holds, {"base", "counted"}, check_induction},
+        {"rules", included, holds, {}, check_rules},
         {"relations", included, holds, {}, check_relations},
         {"invariant",
          {Kind::included, Kind::empty, Kind::member, Kind::derives},

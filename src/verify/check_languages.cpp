@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "exact/exact.hpp"
 #include "verify/detail/checking.hpp"
@@ -415,6 +417,55 @@ Language longer_words(const System::Successors& table, const std::vector<char>& 
 }
 
 }  // namespace
+
+/// That whatever the left system does in a step the right one may do, and that it comes to where the left one begins.
+void check_rules(const Obligation& task) {
+    const Language &left = task.language(0), &right = task.language(1);
+    for (const Language& each : {left, right})
+        if (each->kind != Tree::Kind::generated || !each->system)
+            task.refuse("a language is not given by a system");
+    const System &inner = *left->system, &outer = *right->system;
+    if (inner.context != outer.context) task.refuse("one system only has contexts");
+    const auto letters = accessible_letters(inner, inner.axiom);
+    if (inner.context) {
+        if (inner.ignored != outer.ignored) task.refuse("contexts see other letters");
+        for (Symbol a = 0; a < task.alphabet().size(); ++a) {
+            using Sides = std::pair<Word, Word>;
+            std::array<std::vector<Sides>, 2> sides;
+            std::array<std::set<std::pair<Sides, Word>>, 2> rules;
+            for (const std::size_t i : {0u, 1u})
+                for (const System::Rule& rule : (i == 0 ? inner : outer).rules) {
+                    if (rule.letter != a) continue;
+                    const Sides both{rule.left, rule.right};
+                    if (std::find(sides[i].begin(), sides[i].end(), both) == sides[i].end())
+                        sides[i].push_back(both);
+                    rules[i].emplace(both, rule.successor);
+                }
+            if (sides[0] != sides[1])
+                task.refuse("the rules for a letter have other contexts, or another order");
+            if (!std::includes(rules[1].begin(), rules[1].end(), rules[0].begin(), rules[0].end()))
+                task.refuse("a rule of the left system is not one of the right system");
+        }
+    } else {
+        for (const System::Successors& table : inner.tables)
+            if (std::none_of(
+                    outer.tables.begin(), outer.tables.end(), [&](const System::Successors& other) {
+                        return std::all_of(letters.begin(), letters.end(), [&](Symbol a) {
+                            return std::all_of(
+                                table[a].begin(), table[a].end(), [&](const Word& word) {
+                                    return std::count(other[a].begin(), other[a].end(), word) > 0;
+                                });
+                        });
+                    }))
+                task.refuse("a rule of the left system is not one of the right system");
+        for (const Symbol a : letters)
+            if (inner.terminal[a] && !outer.terminal[a])
+                task.refuse("a terminal of the left system is not one of the right system");
+    }
+    if (inner.axiom != outer.axiom &&
+        !derives(outer, outer.axiom, inner.axiom, std::nullopt, task.budget))
+        task.refuse("the right system does not derive the axiom of the left one");
+}
 
 void check_induction(const Obligation& task) {
     const Language &left = task.language(0), &right = task.language(1);

@@ -3,6 +3,7 @@
 #include <doctest/doctest.h>
 #include <rapidcheck.h>
 
+#include <functional>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -172,4 +173,85 @@ TEST_CASE("a false fact is found wrong, and so is one of a system that is not li
     other = written;
     other["statements"][0]["verdict"] = "refuted";
     CHECK(outcome(other).outcome == Outcome::wrong);
+}
+
+TEST_CASE(
+    "a system with all rules of another one, from whose axiom it comes to the other's, derives all "
+    "that the other does") {
+    const std::string some =
+        "let X = 0L { axiom b; a -> bb; b -> ε | a }\n"
+        "let Y = 0L { axiom b; a -> bb; b -> ε | a }\n"
+        "let Z = 0L { axiom a; a -> bb | b; b -> ε | a | ba }\n"
+        "let T = PDT0L { axiom aab; table t; a -> b; b -> a; table u; a -> aa; b -> a }\n"
+        "let U = PDT0L { axiom bba; table t; a -> b; b -> a; table u; a -> aa; b -> a }\n"
+        "let V = PT0L { axiom aab; table u; a -> aa | b; b -> a; table t; a -> b; b -> a; table w; "
+        "a -> a; b -> ab }\n"
+        "let M = E0L { axiom aa; terminals a b; S -> aS | aa; a -> bS; b -> ε | SS }\n"
+        "let N = E0L { axiom aa; terminals a b; S -> aS | aa; a -> ε | bS; b -> ε | SS }\n"
+        "let I = PIL { axiom ab; a -> bb; b -> b; a > a -> ab; b < b -> ab; ba < b -> b | bb }\n"
+        "let J = PIL { axiom ab; a -> bb; b -> a | b; a > a -> ab; b < b -> ab; ba < b -> b | bb "
+        "}\n"
+        "let K = 1L { axiom ab; a > b -> aa }\n"
+        "let L = 1L { axiom ab; a > b -> aa; a -> b }\n";
+    CHECK(verdicts(some + "show L(X) <= L(Y); show L(X) == L(Y); show L(X) <= L(Z)") ==
+          "pc pc pc ");
+    CHECK(verdicts(some + "show L(U) <= L(T); show L(T) == L(U); show L(T) <= L(V)") ==
+          "pc pc pc ");
+    CHECK(verdicts(some + "show L(M) <= L(N); show L(I) <= L(J)") == "pc pc ");
+    CHECK(verdicts(some + "show L(K) <= L(L)") ==
+          "rc ");  // a new context takes the place of another one
+    const CheckedClaim claim =
+        checked(some + "show L(U) <= L(T); show L(X) <= L(Z); show L(M) <= L(N)");
+    const auto said = [&](std::size_t i) {
+        std::string text;
+        for (const std::string& each : sentences(claim.statements[i].answer, *claim.claim.alphabet))
+            text += (text.empty() ? "" : " ") + each;
+        return text;
+    };
+    CHECK(said(0) ==
+          "All rules of each table of U are rules of one table of T, which derives bba, the axiom "
+          "of U. So T derives all that U does.");
+    CHECK(said(1) ==
+          "All rules of X are rules of Z, which derives b, the axiom of X. So Z derives all that X "
+          "does.");
+    CHECK(said(2) ==
+          "All rules of M are rules of N, and both systems have the same axiom. So N derives all "
+          "that M does.");
+}
+
+TEST_CASE(
+    "a language with the empty word is of no propagating family, with terminals or contexts too") {
+    const std::string some =
+        "let X = T0L { axiom ab; table t; a -> ab | b; b -> ε | ba; table u; a -> b; b -> ε }\n"
+        "let Y = DT0L { axiom baa; table t; a -> b; b -> b; table u; a -> ε; b -> ε }\n"
+        "let Z = PD1L { axiom bba; a -> b; b -> a; a > a -> b; b > b -> ab }\n";
+    CHECK(
+        verdicts(some +
+                 "show L(X) is PIL; show L(X) is PD1L; show L(X) is EPT0L; show L(Y) is EPDT0L") ==
+        "rn rn rn rn ");
+    CHECK(verdicts(
+              some +
+              "show L(Z) is EPT0L; show L(Z) is EP0L; show L(Z) is EPDT0L; show {ab} is EPD0L") ==
+          "pn pn pn pn ");
+    CHECK(verdicts(some + "show L(Y) is EPD0L; show L(Z) is EPD0L; show {a, ε} is ED0L") ==
+          "rn uu uu ");
+}
+
+TEST_CASE(
+    "the first words of a system with context tell that a language is not empty, before all of its "
+    "words are looked for") {
+    const CheckedClaim claim = [] {
+        std::size_t checks = 0;
+        const std::function<void()> count = [&checks] { ++checks; };
+        Budget budget;
+        budget.at_check = &count;
+        CheckedClaim found = check(read_claim("claim T\nlet X = P1L { axiom aaa; a -> ab; b -> aa "
+                                              "| ba; a > b -> b | bb; b > b -> a | aa; "
+                                              "b > a -> bb }\nshow a in factors(X)",
+                                              "x", {}),
+                                   budget);
+        CHECK(checks < 1'000);
+        return found;
+    }();
+    CHECK(claim.statements[0].answer.truth == Truth::proved);
 }

@@ -125,7 +125,7 @@ TEST_CASE("changed proofs by cases that a finite language is not of a family") {
 }
 
 TEST_CASE("changed proofs about languages: families, finiteness, equality and inclusion") {
-    check_all("languages", 400);
+    check_all("languages", 600);
 }
 
 TEST_CASE("changed proofs about numbers, words that depend on them, and modules") {

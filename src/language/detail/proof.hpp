@@ -404,6 +404,12 @@ struct ByInduction {
     std::vector<Symbol> counted;  // none: all letters
 };
 
+/// All rules of the system of the left side are rules of that of the right one, which derives the axiom of the left one, perhaps in no step.
+struct ByRules {
+    static constexpr const char* rule = "rules";
+    Language left, right;
+};
+
 /// Both are the same sequence of words, which is written with powers that depend on n; `system`: one side is L(G) of this
 /// D0L system, whose word number n is that of the sequence by induction.
 struct SamePowers {
@@ -865,7 +871,7 @@ struct Proof {
         steps::Beginning, steps::Palindrome, steps::FromStatements, steps::ByInstance,
         steps::ByCases, steps::ByFamilyRules, steps::AllSparse, steps::AllLonger, steps::ByLetters,
         steps::ByEach, steps::ByDerivations, steps::WithinDeterministic, steps::SameProgressions,
-        steps::RegularProgressions, steps::UnequalPowers>
+        steps::RegularProgressions, steps::UnequalPowers, steps::ByRules>
         step;
 };
 

@@ -206,6 +206,7 @@ void check_same_sequences(const Obligation& task);
 void check_sections(const Obligation& task);
 void check_same_progressions(const Obligation& task);
 void check_induction(const Obligation& task);
+void check_rules(const Obligation& task);
 void check_relations(const Obligation& task);
 void check_invariant(const Obligation& task);
 /// Induction on the length, where the right language is that of a system with context; the words of the base are in it.

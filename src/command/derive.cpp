@@ -494,9 +494,10 @@ int letter(const LetterOptions& options) {
     const Model system = open_model(options.file, budget, options.let);
     const View<D0L> rules = as_d0l(system);
     const View<IL> interactive = as_dil(system);
-    const Word letters = !rules && interactive ? derived_letters(*interactive, options, budget)
-                                               : letters_at(*rules, options.generation, options.at,
-                                                            options.count, budget);
+    const bool with_context = !rules && !as_ol(system) && as_il(system);
+    const Word letters =
+        with_context ? derived_letters(*interactive, options, budget)
+                     : letters_at(*rules, options.generation, options.at, options.count, budget);
     std::string text = spell(system.alphabet, letters);
     if (!system.coding.empty()) {
         const LetterCoding coding(system.alphabet, system.coding);

@@ -16,6 +16,7 @@
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
+#include "command/detail/pictures.hpp"
 #include "command/detail/verb.hpp"
 #include "dimension/dimension.hpp"
 #include "exact/exact.hpp"
@@ -344,6 +345,7 @@ struct NamedFigure {
 NamedFigure drawn(const Model& system, const Options& options, const Budget& budget) {
     auto [n, figure] = chosen_figure(system, options, budget);
     const std::string name = system.title.empty() ? system.name : system.title;
+    note_rounding(system, n, figure->facts().rounded);
     if (figure->box().empty)
         throw Error(name + ", n = " + std::to_string(n) +
                     ": nothing is drawn, expected something to measure");
@@ -599,6 +601,7 @@ int print_rauzy(const Options& options, const Budget& budget) {
 }
 
 int dimension(const Options& options) {
+    if (options.table) end_questions(false);  // it prints row by row
     const Budget budget = options.bounds.budget();
     if (options.rauzy) return print_rauzy(options, budget);
     if (options.quick && !options.table) throw Error("--quick is for --table");

@@ -180,6 +180,11 @@ std::uint64_t one_generation(const Options& options, const std::string& who) {
     return wished.first;
 }
 
+/// Why parameters of a figure are doubles: null where they are exact.
+Json rounding_json(const std::string& reason) {
+    return reason.empty() ? Json(nullptr) : Json(reason);
+}
+
 // --explain
 
 /// The word of a generation, if it is short enough to be explained.
@@ -293,6 +298,7 @@ int draw_explained(const Options& options) {
                     (shorter ? ", such as -n " + std::to_string(*shorter) : "") +
                     "; --progressive draws longer ones step by step");
     }
+    note_rounding(system, n, derived->rounded);
     const Explanation explained =
         explanation(system, derived->kinds, derived->word, n, derived->seed, budget);
     if (!options.output.empty()) {
@@ -304,7 +310,7 @@ int draw_explained(const Options& options) {
         draw_explanation(explained, title, target_of(options.output), format, picture, budget);
     }
     if (options.json)
-        print(as_json(explained, n).text());
+        print(as_json(explained, n).set("rounded", rounding_json(derived->rounded)).text());
     else if (options.output.empty())
         print(explained.word + "\n" + as_text(explained));
     return success;
@@ -357,6 +363,7 @@ int draw_progressive(const Options& options) {
                                 ? shown_generations(system).second
                                 : one_generation(options, "--progressive shows");
     const DerivedModules derived = word_to_walk(system, n, choices, budget);
+    note_rounding(system, n, derived.rounded);
     const std::size_t length = derived.word.kinds.size();
     if (length == 0)
         throw Error("generation " + std::to_string(n) + " of " + system.name +
@@ -405,6 +412,7 @@ int draw_progressive(const Options& options) {
                    {"symbols", length},
                    {"frames", figures.size()},
                    {"symbols_a_frame", stride},
+                   {"rounded", rounding_json(derived.rounded)},
                    {"output", options.output},
                    {"width", drawn.width},
                    {"height", drawn.height}}
@@ -414,9 +422,9 @@ int draw_progressive(const Options& options) {
 
 // A file of a figure in space.
 
-/// The scene of one word of a system.
+/// The scene of one word of a system. `rounded` becomes the reason why its parameters are doubles.
 Scene scene_of_word(const Options& options, const Model& system, std::uint64_t generation,
-                    const Budget& budget) {
+                    const Budget& budget, std::string& rounded) {
     const auto seeds = system.drawing.seeds;
     FigureChoices choices;
     if (!options.seed.empty())
@@ -428,10 +436,13 @@ Scene scene_of_word(const Options& options, const Model& system, std::uint64_t g
         choices.seed = seeds->first;
     }
     if (!options.tables.empty()) choices.tables = table_sequence(system.tables, options.tables);
-    Scene found = scene(system, generation, budget, choices).scene;
+    SpaceDerivation derived = scene(system, generation, budget, choices);
+    Scene& found = derived.scene;
     if (found.name.empty())
         found.name = "generation " + std::to_string(generation) + " of " + system.name;
-    return found;
+    rounded = derived.facts.rounded;
+    note_rounding(system, generation, rounded);
+    return std::move(found);
 }
 
 /// A file of a figure in space, which has nothing of a page.
@@ -473,8 +484,10 @@ int draw_to_mesh(const Options& options, MeshFormat format) {
                 ? shown_generations(system).second
                 : one_generation(options, mesh_format_name(format) + std::string(" holds"));
         choices.camera = view_choices(options.space, system, choices.background).camera;
-        scene = scene_of_word(options, system, generation, budget);
+        std::string rounded;
+        scene = scene_of_word(options, system, generation, budget, rounded);
         json.set("generation", generation);
+        json.set("rounded", rounding_json(rounded));
     }
     json.update(write_mesh(scene, options.output, format, choices, budget));
     if (options.json) print(json.text());
@@ -610,6 +623,7 @@ Json figures_json(const VariedPlates& plates) {
         one.set("bounding_box", {{"min", numbers(facts.low)}, {"max", numbers(facts.high)}});
         one.set("end", numbers(facts.end));
         one.set("exact", facts.exact);
+        one.set("rounded", rounding_json(facts.rounded));
         all.push_back(std::move(one));
     }
     return all.size() == 1 ? all.front() : Json{{"figures", all}};
@@ -673,6 +687,7 @@ int draw_to_scene_page(const Options& options, const PictureOptions& picture,
     if (!options.background.empty()) choices.background = options.background;
     PictureOptions said = picture;
     std::deque<Scene> scenes;
+    std::string rounded;  // of the last one
     if (is_generator(options.file)) {
         const auto generator = open_generator(options.file, budget, options.statements());
         said.title = generator->title;
@@ -685,7 +700,7 @@ int draw_to_scene_page(const Options& options, const PictureOptions& picture,
             choices.camera = view_choices(options.space, system, choices.background).camera;
             const auto [first, last] = generations_of(options, system, false);
             for (std::uint64_t n = first; n <= last; ++n)
-                scenes.push_back(scene_of_word(options, system, n, budget));
+                scenes.push_back(scene_of_word(options, system, n, budget, rounded));
         }
     }
     std::vector<NamedScene> all;
@@ -699,6 +714,7 @@ int draw_to_scene_page(const Options& options, const PictureOptions& picture,
                   {"max", Json::array({drawn.box.high.x, drawn.box.high.y, drawn.box.high.z})}});
         json.set("output", options.output);
         json.set("format", "html");
+        json.set("rounded", rounding_json(rounded));
         print(json.text());
     }
     return success;
@@ -821,6 +837,7 @@ int draw_as(const Options& options) {
                     "an animation");
     const Target target = target_of(options.output);
     const std::vector<Plate> all = plates.plates();
+    note_rounding(rounded_figures(plates.figures));
     suggest_start(options, plates.system());
     if (panels) {
         if (!picture.columns) picture.columns = plates.system().drawing.columns;

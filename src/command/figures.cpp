@@ -45,6 +45,7 @@ struct Outcome {
     fs::path file, group;  // the group is its folder within that of all, empty if it is the same
     std::string stem;      // of its pictures' names
     std::vector<std::string> pictures, problems;
+    std::vector<Rounded> rounded;  // those of its figures whose parameters are doubles
     int status = success;
     std::string title, source, text, preview;  // for the page
 };
@@ -174,6 +175,7 @@ void draw_one(const Options& options, Outcome& outcome, const Budget& budget) {
     if (is_other_picture(system.drawing))
         return draw_other_formats(options, outcome, system, budget);
     FigurePlates plates(system, shown_generations(system), {}, budget);
+    outcome.rounded = rounded_figures(plates.figures);
     if (options.captions) plates.caption_with_facts();
     draw_formats(options, outcome, plates.plates(), system.drawing, budget);
 }
@@ -218,12 +220,18 @@ int draw_folder(const Options& options) {
                                         : outcome.file.string() + ": ") +
                                    problem)
                       << '\n';
+        if (!outcome.rounded.empty())
+            note(outcome.file.string() + ": " + rounding_text(outcome.rounded));
+        Json rounded = Json::array();
+        for (const auto& [name, reason] : outcome.rounded)
+            rounded.add({{"figure", name}, {"reason", reason}});
         wrong += outcome.problems.empty() ? 0 : 1;
         pictures += outcome.pictures.size();
         status = std::max(status, outcome.status);
         all.add({{"file", outcome.file.string()},
                  {"pictures", outcome.pictures},
-                 {"problems", outcome.problems}});
+                 {"problems", outcome.problems},
+                 {"rounded", std::move(rounded)}});
     }
     if (options.json)
         print(Json{{"figures", all}}.text());

@@ -9,7 +9,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <set>
 
 #include "command/detail/files.hpp"
 #include "command/detail/output.hpp"
@@ -96,6 +98,97 @@ int growth_interaction(const IL& system, const Range& generations, bool json,
                         generations.first, generations.last, fmt::join(lengths, ", "),
                         beyond.empty() ? ", and nothing is claimed beyond them" : "", beyond));
     }
+    return success;
+}
+
+/// Lengths of the words of one generation.
+struct WordsOfGeneration {
+    std::uint64_t generation = 0, least = 0, greatest = 0, words = 0;
+};
+
+/// A system with context and choices has many words of each generation: all of them are derived, as long as they are few. Whether
+/// their lengths have a bound is whether the language is finite, which is decided as a claim.
+int growth_of_choices(const Model& model, const IL& system, const Range& generations, bool is_asked,
+                      bool json, const Budget& budget) {
+    constexpr std::uint64_t most_letters = 2'000'000;  // of the words of one generation
+    ContextStep step(system);
+    std::set<Word> words{system.axiom};
+    std::vector<WordsOfGeneration> found;
+    bool is_cut = false;
+    for (std::uint64_t n = 0; n <= generations.last; ++n) {
+        if (n > 0) {
+            std::set<Word> next;
+            std::uint64_t letters = 0;
+            for (const Word& word : words) {
+                Budget rest = budget;
+                rest.memory = std::min<std::uint64_t>(budget.memory, std::uint64_t{1} << 28);
+                try {
+                    for (Word& one : step.next(word, std::nullopt, rest))
+                        if (const std::size_t size = one.size(); next.insert(std::move(one)).second)
+                            letters += size + 1;
+                } catch (const BoundReached& bound) {
+                    if (bound.bound() != Bound::memory) throw;
+                    letters = most_letters + 1;
+                }
+                if (letters > most_letters) break;
+            }
+            if (letters > most_letters) {
+                if (is_asked)
+                    throw BoundReached(Bound::letters,
+                                       "the words of generation " + std::to_string(n) +
+                                           " have more than " + std::to_string(most_letters) +
+                                           " letters together: -n 0.." + std::to_string(n - 1) +
+                                           " has those before");
+                is_cut = true;
+                break;
+            }
+            words = std::move(next);
+        }
+        if (n < generations.first) continue;
+        WordsOfGeneration& one = found.emplace_back();
+        one.generation = n;
+        one.words = words.size();
+        one.least = words.empty() ? 0 : words.begin()->size();
+        for (const Word& word : words) {
+            one.least = std::min<std::uint64_t>(one.least, word.size());
+            one.greatest = std::max<std::uint64_t>(one.greatest, word.size());
+        }
+    }
+    const Claim claim =
+        read_claim("claim T\nlet A = IL A\n", "growth", [&](const std::string&) { return model; });
+    const Statement is_finite{IsFinite{generated_language(claim.systems.front())}};
+    const Answer answer = decide(is_finite, claim, budget);
+    const std::vector<std::string> argument = sentences(answer, *claim.alphabet);
+    const std::string kind = answer.truth == Truth::proved    ? "bounded"
+                             : answer.truth == Truth::refuted ? "unbounded"
+                                                              : "unknown";
+    if (json) {
+        Json rows = Json::array();
+        for (const WordsOfGeneration& one : found)
+            rows.add({{"generation", one.generation},
+                      {"least", one.least},
+                      {"greatest", one.greatest},
+                      {"words", one.words}});
+        print(Json{{"class", kind},
+                   {"generations", std::move(rows)},
+                   {"complete", !is_cut},
+                   {"argument", argument}}
+                  .text());
+        return success;
+    }
+    std::string text = "least and greatest lengths, and how many words:\n";
+    for (const WordsOfGeneration& one : found)
+        text += fmt::format("n = {}: {}..{}, {}\n", one.generation, one.least, one.greatest,
+                            counted(one.words, "word"));
+    if (is_cut) text += "The words of the next generation are too many to derive them all.\n";
+    text +=
+        "Letters look at their neighbours and choose, so there is no growth matrix: these words "
+        "are derived.\n";
+    text += kind == "bounded"     ? "Lengths are bounded: "
+            : kind == "unbounded" ? "Lengths have no bound: "
+                                  : "Whether lengths are bounded is not decided: ";
+    for (std::size_t i = 0; i < argument.size(); ++i) text += argument[i] + '\n';
+    print(text);
     return success;
 }
 
@@ -263,7 +356,18 @@ D0L with_growth_function(const LSystem& system) {
 
 int growth(const Options& options) {
     const Budget budget = options.bounds.budget();
-    if (!options.sequence.empty()) return growth_realise(options.sequence, options.json, budget);
+    if (!options.sequence.empty()) {
+        if (!options.file.empty())
+            throw Error("--realise stands instead of FILE, found both: \"" + options.file + '"');
+        refuse_with("--realise", {{"--let", !options.let.empty()},
+                                  {"-n", options.generation.has_value()},
+                                  {"--counts", options.counts},
+                                  {"--bounds", options.bounds_wanted},
+                                  {"--words", options.words},
+                                  {"--plot", !options.plot.empty()},
+                                  {"--latex", options.latex}});
+        return growth_realise(options.sequence, options.json, budget);
+    }
     if (options.file.empty())
         throw Error(
             "expected FILE, or --realise with a sequence; `algae growth --help` shows examples");
@@ -293,6 +397,11 @@ int growth(const Options& options) {
     if (options.bounds_wanted) return print_bounds(system, options, budget);
     if (const View<IL> context = as_dil(system); context && !as_ol(system) && options.plot.empty())
         return growth_interaction(*context, options.generations("0..100"), options.json, budget);
+    if (const View<IL> choices = as_il(system); choices && !as_ol(system) && options.plot.empty() &&
+                                                !options.counts && !options.b_file &&
+                                                !options.latex)
+        return growth_of_choices(system, *choices, options.generations("0..10"),
+                                 options.generation.has_value(), options.json, budget);
     const D0L rules = with_growth_function(system);
     if (!options.plot.empty()) {
         const auto [first, last, written] = options.generations("0..20");

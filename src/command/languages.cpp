@@ -132,7 +132,8 @@ void check_usage(const MemberOptions& options) {
 
 /// The derivations of the word by their numbers of steps: those of -n, otherwise all, or the first ones where they are
 /// infinitely many.
-DerivationCounts asked_counts(const MemberOptions& options, const ET0L& system, const Word& word,
+template <class System>
+DerivationCounts asked_counts(const MemberOptions& options, const System& system, const Word& word,
                               const Budget& budget) {
     if (!options.steps) return derivation_counts(system, word, 10, budget);
     DerivationCounts found;
@@ -145,16 +146,19 @@ DerivationCounts asked_counts(const MemberOptions& options, const ET0L& system, 
     return found;
 }
 
-/// Prints the numbers of derivations of a member, and with --all the derivations.
-void print_derivations(const MemberOptions& options, const Membership& found, const ET0L& system,
-                       const Word& word, const Budget& budget) {
+/// Prints the numbers of derivations of a member, and with --all the derivations. `first` is its first generation, where that
+/// is known.
+template <class System>
+void print_derivations(const MemberOptions& options, std::optional<std::uint64_t> first,
+                       const System& system, const Word& word, const Budget& budget) {
     constexpr std::uint64_t usual_most = 20;
     const std::uint64_t most = options.most.value_or(usual_most);
     const DerivationCounts counts = asked_counts(options, system, word, budget);
-    std::string text = "yes: " + spell(*system.alphabet, word) +
-                       " is in the language, first in generation " + std::to_string(found.step) +
-                       '\n' + to_text(counts);
-    Json out{{"member", true}, {"step", found.step}};
+    if (!first && !options.steps && !counts.by_steps.empty()) first = counts.by_steps.front().steps;
+    std::string text = "yes: " + spell(*system.alphabet, word) + " is in the language" +
+                       (first ? ", first in generation " + std::to_string(*first) : "") + '\n' +
+                       to_text(counts);
+    Json out{{"member", true}, {"step", first}};
     out.update(to_json(counts));
     if (options.all) {
         Json list = Json::array();
@@ -206,11 +210,26 @@ int member_with_context(const MemberOptions& options, const Model& system, const
     if (!read.arguments.empty())
         throw Error("WORD has parameters, and the words of a system without parameters have none");
     auto [claim, said] = claim_of_member(system, read.letters, alphabet);
+    std::string text = spell(alphabet, read.letters) + " in L(A)";
+    if (options.count || options.all) {
+        Answer found = decide(said, claim, budget);
+        if (found.truth == Truth::proved) {
+            const View<IL> rules = as_il(system);
+            const auto own = std::make_shared<const Alphabet>(alphabet);
+            print_derivations(options, std::nullopt, over(*rules, own), read.letters, budget);
+            write_certificate(options.certificate, std::move(claim), std::move(said),
+                              std::move(text), budget, std::move(found));
+            return success;
+        }
+    }
     return answer_as_claim(
-        std::move(claim), std::move(said), spell(alphabet, read.letters) + " in L(A)",
-        options.certificate, form_of(options.json, options.latex),
-        [](Truth truth) {
-            return Json{{"member", known(truth)}};
+        std::move(claim), std::move(said), std::move(text), options.certificate,
+        form_of(options.json, options.latex),
+        [&](Truth truth) {
+            Json out{{"member", known(truth)}};
+            if (truth == Truth::refuted && options.count)
+                out.update(to_json(DerivationCounts{{}, Integer(0)}));
+            return out;
         },
         budget);
 }
@@ -229,7 +248,7 @@ int member(const MemberOptions& options) {
     const Membership found = membership(*system, word, budget);
     if (found.member && (options.count || options.all)) {
         certify_member(options, written, word, alphabet, budget);
-        print_derivations(options, found, *system, word, budget);
+        print_derivations(options, found.step, *system, word, budget);
         return success;
     }
     std::optional<Derivation> witness;

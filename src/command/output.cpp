@@ -204,6 +204,7 @@ namespace {
 std::atomic<bool> ends_late_work = false;
 constexpr std::int64_t no_deadline = std::numeric_limits<std::int64_t>::max();
 std::atomic<std::int64_t> deadline = no_deadline;  // of steady_clock, in its ticks
+std::atomic<const char*> deadline_option = "--timeout";
 
 /// How long the first thread has waited for a processor that others had. Nothing is allocated, as there may be no memory.
 std::chrono::nanoseconds kept_off() {
@@ -250,9 +251,9 @@ private:
 };
 
 /// Ends the program in the middle of its work, which has no lasting state but files without a name yet.
-[[noreturn]] void end_now(const char* message, int status) {
+[[noreturn]] void end_now(const std::string& message, int status) {
     remove_unfinished_files();
-    std::fprintf(stderr, "algae: %s\n", message);
+    std::fprintf(stderr, "algae: %s\n", message.c_str());
     std::_Exit(status);
 }
 
@@ -284,7 +285,8 @@ Intervals intervals_of(bool terminal) {
 
 void end_late_work() { ends_late_work = true; }
 
-void set_deadline(std::optional<std::chrono::steady_clock::time_point> time) {
+void set_deadline(std::optional<std::chrono::steady_clock::time_point> time, const char* option) {
+    deadline_option = option;
     deadline = time ? time->time_since_epoch().count() : no_deadline;
 }
 
@@ -313,7 +315,8 @@ struct Heartbeat::Beat {
             if (!ends_late_work) continue;
             if (stopped(stop)) end_now("interrupted", interrupted);
             if (late(now.time_since_epoch().count() > deadline))
-                end_now("the time allowed by --timeout is over", undecided);
+                end_now(std::string("the time allowed by ") + deadline_option.load() + " is over",
+                        undecided);
         }
     }
 

@@ -228,6 +228,7 @@ void draw_other(const Model& system, std::pair<std::uint64_t, std::uint64_t> gen
     FigureChoices choices;
     if (system.drawing.seeds) choices.seed = system.drawing.seeds->first;
     const DerivedModules derived = open_modules(system, last, choices, nullptr, budget);
+    note_rounding(system, last, derived.rounded);
     const Explanation explained =
         explanation(system, derived.kinds, derived.word, last, derived.seed, budget);
     PictureOptions options = picture;
@@ -313,9 +314,9 @@ FigurePlates::FigurePlates(const Model& system, std::pair<std::uint64_t, std::ui
         SpaceDerivation found =
             scene(painted, n, budget, {seed, choices.tables, choices.seeds.has_value()},
                   external_environment(choices.environment, system));
-        return std::make_unique<SpaceView>(std::move(found.scene), style_of(painted.drawing),
-                                           SceneFacts{found.end.position, found.facts.step},
-                                           view_of, budget);
+        return std::make_unique<SpaceView>(
+            std::move(found.scene), style_of(painted.drawing),
+            SceneFacts{found.end.position, found.facts.step, found.facts.rounded}, view_of, budget);
     };
     const auto add = [&](std::uint64_t n, std::optional<std::uint64_t> seed) {
         FigurePlate& plate = figures.emplace_back();
@@ -355,6 +356,33 @@ std::vector<Plate> FigurePlates::plates() const {
     for (const FigurePlate& plate : figures)
         found.push_back({plate.figure.get(), plate.name, plate.caption});
     return found;
+}
+
+std::vector<Rounded> rounded_figures(const std::vector<FigurePlate>& figures) {
+    std::vector<Rounded> found;
+    for (const FigurePlate& plate : figures)
+        if (const std::string& reason = plate.figure->facts().rounded; !reason.empty())
+            found.emplace_back(plate.name, reason);
+    return found;
+}
+
+std::string rounding_text(const std::vector<Rounded>& figures) {
+    if (figures.empty()) return "";
+    const auto& [name, reason] = figures.front();
+    return "the parameters of " + name +
+           (figures.size() == 1 ? "" : " and of " + counted(figures.size() - 1, "other figure")) +
+           " are doubles, rounded in each step: " + reason;
+}
+
+void note_rounding(const std::vector<Rounded>& figures) {
+    if (!figures.empty()) note(rounding_text(figures));
+}
+
+void note_rounding(const Model& system, std::uint64_t n, const std::string& reason) {
+    if (reason.empty()) return;
+    note_rounding(
+        {{"generation " + std::to_string(n) + (system.name.empty() ? "" : " of " + system.name),
+          reason}});
 }
 
 /// The letters of a word by their positions.

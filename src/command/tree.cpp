@@ -168,9 +168,31 @@ Drawing generation_tree(const Options& options, const TreeShape& shape, const Bu
     return drawing_of(derivation_tree(*system, n, shape, budget), n);
 }
 
+/// The tree of a derivation of the word of --word by rules with contexts.
+Drawing member_tree(const Options& options, const LSystem& written, const IL& system,
+                    const TreeShape& shape, const Budget& budget) {
+    Alphabet alphabet = *system.alphabet;
+    const ModuleWord read = read_word(options.word, alphabet);
+    if (!read.arguments.empty())
+        throw Error("--word: WORD has parameters, and the words of such a system have none");
+    const IL rules = over(system, std::make_shared<const Alphabet>(alphabet));
+    const auto steps = shortest_derivation(rules, read.letters, budget);
+    if (!steps)
+        throw Error("--word: " + spell(alphabet, read.letters) +
+                    " is not in the language, `algae member` says why");
+    const Rewriting rewriting(written, {.evenly = true}, budget);
+    const ModuleTrace trace = traced(rewriting, rules, *steps, budget);
+    const std::uint64_t n = trace.lengths.size();
+    check_size(options, n, shape,
+               [&](const TreeShape& asked) { return tree_size(rewriting, trace, asked, budget); });
+    return drawing_of(derivation_tree(rewriting, trace, shape, budget), n);
+}
+
 Drawing member_tree(const Options& options, const TreeShape& shape, const Budget& budget) {
     const LSystem written = open_system(options.file, budget, options.let);
     const View<ET0L> system = as_et0l(written);
+    if (const View<IL> interactive = as_il(written); !system && interactive)
+        return member_tree(options, written, *interactive, shape, budget);
     if (!system) throw Error("--word: " + system.reason() + "; -n draws the tree of a generation");
     Alphabet alphabet = *system->alphabet;
     const ModuleWord read = read_word(options.word, alphabet);

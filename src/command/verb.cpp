@@ -17,6 +17,7 @@
 #include <cstring>
 #include <iostream>
 #include <optional>
+#include <set>
 #include <sstream>
 
 #include "command/detail/memory.hpp"
@@ -118,6 +119,13 @@ std::vector<std::string> list(const std::string& option, const std::string& text
     return parts;
 }
 
+double seconds(const std::string& option, const std::string& text) {
+    const auto found = text == "none" ? std::optional(0.0) : number(text);
+    if (!found || !(*found >= 0))
+        refuse(option, "a positive number of seconds, or none for no end", text);
+    return *found == 0 ? endless_seconds : std::min(*found, endless_seconds);
+}
+
 std::vector<std::string> letters(const std::string& option, const std::string& text) {
     std::vector<std::string> found{{}};
     for (const char c : text) {
@@ -150,8 +158,21 @@ namespace {
 
 /// The names of this command's bounds in messages of the library.
 constexpr BoundNames option_names{"--max-letters", "--max-memory", "--timeout"};
+/// The same where the time is the usual one of questions.
+constexpr BoundNames usual_names{"--max-letters", "--max-memory",
+                                 "--timeout (default 300 seconds, none for no end)"};
+
+std::atomic<bool> questions_end = false;
 
 }  // namespace
+
+bool is_long_by_intent(const std::string& verb) {
+    static const std::set<std::string> all{"derive", "draw",  "figures", "census", "lesson",
+                                           "mark",   "latex", "lsp",     "studio"};
+    return all.contains(verb) || generator_kind("file." + verb) != nullptr;
+}
+
+void end_questions(bool do_end) { questions_end = do_end; }
 
 Budget Bounds::budget() const {
     Budget budget;
@@ -161,11 +182,14 @@ Budget Bounds::budget() const {
     if (letters) budget.letters = *letters;
     if (memory) budget.memory = *memory;
     bound_memory(budget.memory);
-    if (timeout)
+    const bool is_usual = !timeout && questions_end;
+    if (is_usual) budget.names = &usual_names;
+    const double time = is_usual ? usual_seconds_of_questions : timeout.value_or(endless_seconds);
+    if (time < endless_seconds)
         budget.deadline = std::chrono::steady_clock::now() +
                           std::chrono::duration_cast<std::chrono::steady_clock::duration>(
-                              std::chrono::duration<double>(std::min(*timeout, 1e9)));
-    set_deadline(budget.deadline);
+                              std::chrono::duration<double>(time));
+    set_deadline(budget.deadline, budget.names->time);
     return budget;
 }
 
@@ -225,8 +249,9 @@ void Verb::bounded_by(Bounds& bounds) {
     option("--max-memory", bounds.memory, bytes, "BYTES",
            "memory that the work may take (default 4G)")
         .bounds = true;
-    option("--timeout", bounds.timeout, positive, "SECONDS",
-           "stop after so many seconds (default: never)")
+    option("--timeout", bounds.timeout, seconds, "SECONDS",
+           is_long_by_intent(name) ? "stop after so many seconds (default none: never)"
+                                   : "stop after so many seconds, never for none (default 300)")
         .bounds = true;
 }
 
@@ -416,6 +441,7 @@ int Verbs::run(int argc, char** argv) {
     // Verbs that wait for an editor or a page are not at work.
     std::optional<Heartbeat> heartbeat;
     if (word != "lsp" && word != "studio") heartbeat.emplace(parser.chosen->name);
+    end_questions(!is_long_by_intent(parser.chosen->name));
     return parser.chosen->run();
 }
 

@@ -288,6 +288,34 @@ Integer tree_size(const Rewriting& rewriting, const ModuleTrace& trace, const Tr
     return Integer(cut ? nodes + trace.words[static_cast<std::size_t>(last)].kinds.size() : nodes);
 }
 
+ModuleTrace traced(const Rewriting& rewriting, const IL& system, const Derivation& derivation,
+                   const Budget& budget) {
+    const ModuleKinds& kinds = rewriting.rules().kinds;
+    std::map<std::string, ModuleKind> of_name;
+    for (std::size_t kind = 0; kind < kinds.size(); ++kind)
+        if (kinds.arity(static_cast<ModuleKind>(kind)) == 0)
+            of_name.emplace(rewriting.rules().system->alphabet.name(
+                                kinds.letter(static_cast<ModuleKind>(kind))),
+                            static_cast<ModuleKind>(kind));
+    ContextStep step(system);
+    ModuleTrace trace;
+    for (std::size_t t = 0; t < derivation.words.size(); ++t) {
+        const Word& word = derivation.words[t];
+        ModuleString& modules = trace.words.emplace_back();
+        for (const Symbol a : word) modules.kinds.push_back(of_name.at(system.alphabet->name(a)));
+        if (t == derivation.choices.size()) break;
+        // Which rule is picked of those with the same contexts does not matter for what is looked at.
+        trace.seen.push_back(rewriting.traced(modules, t, 0, budget).seen);
+        trace.tables.push_back(0);
+        const auto successors = step.successors(word);
+        std::vector<std::uint32_t>& lengths = trace.lengths.emplace_back();
+        for (std::size_t i = 0; i < word.size(); ++i)
+            lengths.push_back(
+                static_cast<std::uint32_t>((*successors[i])[derivation.choices[t][i]].size()));
+    }
+    return trace;
+}
+
 DerivationTree derivation_tree(const Rewriting& rewriting, const ModuleTrace& trace,
                                const TreeShape& shape, const Budget& budget) {
     using enum Node::Kind;

@@ -675,6 +675,26 @@ DerivationCounts derivation_counts(const ET0L& system, const Word& word, std::si
 std::vector<Derivation> derivations(const ET0L& system, const Word& word, std::uint64_t n,
                                     std::size_t most, const Budget& budget = {});
 
+/// The same of systems with context, by the graph of the words that lead to this one. Exact, and always to the end where no rule is
+/// erasing, as words do not get shorter then; with erasing rules they may be infinitely many, and BoundReached is thrown where
+/// they take more than the budget's memory. A choice is the number of a successor among those that ContextStep::successors gives.
+///
+/// Example: number_of_derivations(il("ab", {"a > b -> aa", "a > b -> b"}), {0, 0, 1}, 1) == 1
+Integer number_of_derivations(const IL& system, const Word& word, std::uint64_t n,
+                              const Budget& budget = {});
+DerivationCounts derivation_counts(const IL& system, const Word& word, std::size_t listed = 10,
+                                   const Budget& budget = {});
+std::vector<Derivation> derivations(const IL& system, const Word& word, std::uint64_t n,
+                                    std::size_t most, const Budget& budget = {});
+
+/// A derivation of the word in as few steps as possible; nothing if it is not in the language.
+std::optional<Derivation> shortest_derivation(const IL& system, const Word& word,
+                                              const Budget& budget = {});
+
+/// The trace of a derivation, for its tree. `rewriting` is of the same system with choices that are all equally likely.
+ModuleTrace traced(const Rewriting& rewriting, const IL& system, const Derivation& derivation,
+                   const Budget& budget = {});
+
 // --- Claims ---
 
 /// How two numbers are compared.

@@ -124,18 +124,13 @@ private:
     bool interacts() const { return !ol_ && il_; }
     /// And so are those of systems with parameters, probabilities or tables.
     bool rewrites() const { return !d0l_ && !il_ && (choices_.seed || !ol_); }
-    const OpenDevelopment& developed(std::uint64_t n) {
-        if (!development_ || development_->generation() > n) {
-            if (leaves_tables_open(system_) && !choices_.seed)
-                throw Error(
-                    "it has tables, and no schedule says and no seed picks one for each step");
-            RewritingChoices choices;
-            choices.seed = choices_.seed.value_or(choices.seed);
-            choices.evenly = choices_.seed && !class_of(system_).stochastic;
-            development_.emplace(system_, choices, nullptr, budget_);
-        }
-        development_->go_to(n, {}, budget_);
-        return *development_;
+    const DerivedModules& developed(std::uint64_t n) {
+        const auto known = developed_.find(n);
+        if (known != developed_.end()) return known->second;
+        if (leaves_tables_open(system_) && !choices_.seed)
+            throw Error("it has tables, and no schedule says and no seed picks one for each step");
+        return developed_.emplace(n, open_modules(system_, n, choices_, nullptr, budget_))
+            .first->second;
     }
     bool divides() const { return class_of(system_).shape; }
     std::string mean(std::uint64_t n) {
@@ -151,16 +146,15 @@ private:
     std::string length_of(std::uint64_t n) {
         if (divides()) return std::to_string(symbols(n).size());
         if (interacts()) return std::to_string(derived_lengths(*il_, n, budget_).back());
-        if (rewrites()) return std::to_string(developed(n).word().kinds.size());
+        if (rewrites()) return std::to_string(developed(n).word.kinds.size());
         return to_string(length(*d0l_, n, budget_));
     }
     std::string word(std::uint64_t n) {
         if (divides()) return spell(system_.alphabet, symbols(n));
         if (interacts()) return spell(system_.alphabet, derive(*il_, n, budget_));
         if (rewrites()) {
-            const OpenDevelopment& development = developed(n);
-            const CompiledRules& rules = development.rules();
-            return ModuleText(rules.system->alphabet, rules.kinds).text(development.word());
+            const DerivedModules& derived = developed(n);
+            return ModuleText(system_.alphabet, derived.kinds).text(derived.word);
         }
         const std::string text = derived_text(*d0l_, n, budget_);
         return text.empty() ? "ε" : text;
@@ -189,7 +183,7 @@ private:
     View<IL> il_;
     bool is_in_space_;
     FigureChoices choices_;
-    std::optional<OpenDevelopment> development_;
+    std::map<std::uint64_t, DerivedModules> developed_;
     std::map<std::uint64_t, std::unique_ptr<Figure>> figures_;
     std::map<std::uint64_t, SpaceDerivation> scenes_;
     std::map<std::uint64_t, Trace> traces_;

@@ -50,9 +50,9 @@ std::unique_ptr<Figure> figure_of(const Model& model, std::uint64_t n, const Fig
                                   const ViewChoices& view, const Budget& budget) {
     if (!leaves_plane(model)) return open_figure(model, n, budget, choices);
     SpaceDerivation found = scene(model, n, budget, choices);
-    return std::make_unique<SpaceView>(std::move(found.scene), style_of(model.drawing),
-                                       SceneFacts{found.end.position, found.facts.step}, view,
-                                       budget);
+    return std::make_unique<SpaceView>(
+        std::move(found.scene), style_of(model.drawing),
+        SceneFacts{found.end.position, found.facts.step, found.facts.rounded}, view, budget);
 }
 
 // Points and segments

@@ -103,6 +103,52 @@ std::string to_text(const Derivation& found, const ET0L& system) {
     return text;
 }
 
+std::string to_text(const Derivation& found, const IL& system) {
+    ContextStep step(system);
+    std::string text;
+    for (std::size_t t = 0; t < found.words.size(); ++t) {
+        const std::string number = std::to_string(t);
+        text += std::string(number.size() < 6 ? 6 - number.size() : 0, ' ') + number + "  " +
+                spell(*system.alphabet, found.words[t]) + '\n';
+        if (t == found.choices.size()) break;
+        const Word& word = found.words[t];
+        const auto successors = step.successors(word);
+        std::string rules;
+        for (std::size_t i = 0; i < word.size();) {
+            const Word& successor = (*successors[i])[found.choices[t][i]];
+            std::size_t same = i + 1;
+            while (same < word.size() && word[same] == word[i] &&
+                   (*successors[same])[found.choices[t][same]] == successor)
+                ++same;
+            if (successor != Word{word[i]} || successors[i]->size() > 1) {
+                rules += (rules.empty() ? "" : ", ") + system.alphabet->name(word[i]) + " -> " +
+                         spell(*system.alphabet, successor);
+                if (same - i > 1) rules += " (" + std::to_string(same - i) + " times)";
+            }
+            i = same;
+        }
+        text += "        " + (rules.empty() ? "every letter stays" : rules) + '\n';
+    }
+    return text;
+}
+
+Json to_json(const Derivation& found, const IL& system) {
+    ContextStep step(system);
+    Json steps = Json::array();
+    for (std::size_t t = 0; t < found.words.size(); ++t) {
+        Json one{{"word", spell(*system.alphabet, found.words[t])}};
+        if (t < found.choices.size()) {
+            const auto successors = step.successors(found.words[t]);
+            std::vector<std::string> chosen;
+            for (std::size_t i = 0; i < found.words[t].size(); ++i)
+                chosen.push_back(spell(*system.alphabet, (*successors[i])[found.choices[t][i]]));
+            one.set("successors", chosen);
+        }
+        steps.add(std::move(one));
+    }
+    return steps;
+}
+
 Json to_json(const Derivation& found, const ET0L& system) {
     Json steps = Json::array();
     for (std::size_t t = 0; t < found.words.size(); ++t) {

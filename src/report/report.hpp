@@ -323,7 +323,9 @@ std::string reason(const Membership& found, const Alphabet& alphabet, const Word
 
 /// A derivation, step by step with the rules used.
 std::string to_text(const Derivation& found, const ET0L& system);
+std::string to_text(const Derivation& found, const IL& system);
 Json to_json(const Derivation& found, const ET0L& system);
+Json to_json(const Derivation& found, const IL& system);
 
 /// The derivations of a word by their numbers of steps.
 std::string to_text(const DerivationCounts& counts);

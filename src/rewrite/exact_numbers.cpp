@@ -2,8 +2,11 @@
 #include <cmath>
 #include <cstring>
 #include <initializer_list>
+#include <limits>
+#include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "exact/exact.hpp"
@@ -142,8 +145,10 @@ private:
         throw Undefined{&at_, reason(operation_, near(x_), near(y_), at_)};
     }
     [[noreturn]] void unknown() const {
-        throw Undefined{&at_, "the enclosures of " + std::to_string(precision) +
-                                  " bits do not say which value '" + to_text(at_) + "' has"};
+        throw Undefined{&at_,
+                        "the enclosures of " + std::to_string(precision) +
+                            " bits do not say which value '" + to_text(at_) + "' has",
+                        true};
     }
     static double near(const Known& value) {
         return rational(value) ? rational(value)->to_double() : ball(value).midpoint();
@@ -343,6 +348,10 @@ std::optional<double> quickly(Operation operation, double x, double y) {
     }
 }
 
+/// The value of an operation, where doubles do not quickly give it.
+double worked_out(Operation operation, double x, double y, WordValues& numbers,
+                  const Expression& at);
+
 }  // namespace
 
 double apply_exactly(Program::Operation operation, double x, double y, WordValues& numbers,
@@ -350,6 +359,20 @@ double apply_exactly(Program::Operation operation, double x, double y, WordValue
     const bool are_doubles = !WordValues::is_held(x) && !WordValues::is_held(y);
     if (are_doubles)
         if (const auto value = quickly(operation, x, y)) return *value;
+    const auto kind = static_cast<unsigned>(operation);
+    if (const auto value = numbers.remembered(kind, x, y)) return *value;
+    const bool is_enclosed = numbers.is_enclosure(x) || numbers.is_enclosure(y);
+    numbers.spend_work(is_enclosed ? 10 : 1);
+    const double value = worked_out(operation, x, y, numbers, at);
+    if (!is_enclosed && numbers.is_enclosure(value)) numbers.spend_work(9);
+    numbers.remember(kind, x, y, value);
+    return value;
+}
+
+namespace {
+
+double worked_out(Operation operation, double x, double y, WordValues& numbers,
+                  const Expression& at) {
     // The arguments of min and max go through unchanged: an enclosure keeps its place.
     const bool is_same = same_value(x, y);
     const Known left = numbers.known(x), right = numbers.known(y);
@@ -363,8 +386,6 @@ double apply_exactly(Program::Operation operation, double x, double y, WordValue
     if (bits(*value.exact) > longest) too_long(at);
     return numbers.number(*value.exact);
 }
-
-namespace {
 
 /// Not a number, with the place of a value in a list in its bits.
 double held_at(std::size_t place, std::uint64_t mark) {
@@ -398,6 +419,34 @@ void WordValues::spend(std::uint64_t bytes) {
     if (bytes_ > memory_)
         throw BoundReached(Bound::memory, "the exact numbers of parameters take more than " +
                                               std::to_string(memory_ >> 20) + " MiB");
+}
+
+std::size_t WordValues::slot(unsigned operation, double left, double right) {
+    constexpr std::size_t slots = 1 << 12;
+    std::uint64_t hash = bits_of(left) * 0x9E37'79B9'7F4A'7C15 + bits_of(right) + operation;
+    hash *= 0xBF58'476D'1CE4'E5B9;
+    return static_cast<std::size_t>(hash >> 40) % slots;
+}
+
+std::optional<double> WordValues::remembered(unsigned operation, double left, double right) const {
+    if (done_.empty()) return std::nullopt;
+    const Done& known = done_[slot(operation, left, right)];
+    if (known.operation != operation || known.left != bits_of(left) ||
+        known.right != bits_of(right))
+        return std::nullopt;
+    return known.value;
+}
+
+void WordValues::remember(unsigned operation, double left, double right, double value) {
+    if (done_.empty()) done_.resize(1 << 12);
+    done_[slot(operation, left, right)] = {bits_of(left), bits_of(right), value, operation};
+}
+
+void WordValues::spend_work(std::uint64_t amount) {
+    work_ += amount;
+    if (work_ > most_work_)
+        throw BoundReached(Bound::method, "exact parameters take more than " +
+                                              std::to_string(most_work_) + " operations");
 }
 
 double WordValues::number(const QuadraticNumber& value) {
@@ -462,6 +511,67 @@ std::optional<bool> WordValues::equal(double left, double right) const {
         default:
             return false;
     }
+}
+
+namespace {
+
+/// The nearest double, not 0 for what is not; infinite where it is too large.
+double rounded(const Known& value) {
+    const double near = rational(value) ? rational(value)->to_double() : ball(value).midpoint();
+    const bool is_zero = rational(value) && rational(value)->is_zero();
+    if (near != 0 || is_zero) return near == 0 ? 0 : near;
+    const double least = std::numeric_limits<double>::denorm_min();
+    const int is = value.exact ? sign(*value.exact) : sign(*value.within).value_or(0);
+    return is * least;
+}
+
+/// Rounds values of a list into another one; false where one is too large.
+class Rounding {
+public:
+    Rounding(const WordValues& from, WordValues& to) : from_(from), to_(to) {}
+
+    bool round(ModuleString& word) {
+        for (double& value : word.values)
+            if (WordValues::is_held(value)) {
+                const auto made = rounded_value(value);
+                if (!made) return false;
+                value = *made;
+            }
+        return true;
+    }
+
+private:
+    std::optional<double> rounded_value(double value) {
+        if (!WordValues::is_word(value)) {
+            const double made = rounded(from_.known(value));
+            return std::isfinite(made) ? std::optional(made) : std::nullopt;
+        }
+        const auto known = words_.find(bits_of(value));
+        if (known != words_.end()) return known->second;
+        ModuleString word = from_.word(value);
+        if (!round(word)) return std::nullopt;
+        const double made = to_.value(std::move(word), Budget());
+        words_.emplace(bits_of(value), made);
+        return made;
+    }
+
+    const WordValues& from_;
+    WordValues& to_;
+    std::unordered_map<std::uint64_t, double> words_;
+};
+
+}  // namespace
+
+bool round_numbers(ModuleKinds& kinds, ModuleString& word) {
+    const std::shared_ptr<WordValues> from = kinds.held();
+    if (!from || !from->is_exact()) return true;
+    auto to = std::make_shared<WordValues>();
+    ModuleString made = word;
+    if (!Rounding(*from, *to).round(made)) return false;
+    const bool has_words = std::any_of(made.values.begin(), made.values.end(), WordValues::is_word);
+    kinds.hold(has_words ? std::move(to) : nullptr);
+    word = std::move(made);
+    return true;
 }
 
 }  // namespace algae

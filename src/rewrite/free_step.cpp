@@ -126,7 +126,8 @@ void FreeStep::gather(const Program& program, const std::vector<Row>& rows, Room
 }
 
 void FreeStep::all(void (FreeStep::*work)(Part&, Room&)) {
-    each_part(parts_.size(), rewriting_.choices_.threads, budget_, [this, work] {
+    const unsigned threads = rules_.kinds.words() ? 1 : rewriting_.choices_.threads;  // one list
+    each_part(parts_.size(), threads, budget_, [this, work] {
         return [this, work, room = std::make_shared<Room>()](std::size_t part) {
             (this->*work)(parts_[part], *room);
         };
@@ -173,7 +174,7 @@ void FreeStep::look_at(ModuleKind kind, const Row& row) {
         try {
             if (next.condition && next.condition->run(values) == 0) continue;
         } catch (const Undefined& undefined) {
-            rewriting_.refuse(undefined.reason, rule, kind, values, row.position, generation_);
+            rewriting_.refuse(undefined, rule, kind, values, row.position, generation_);
         }
         if (found) rewriting_.refuse_both(*found, next, kind, values, row.position, generation_);
         found = &next;
@@ -271,8 +272,8 @@ void FreeStep::compute(const OutcomeTable::Outcome& outcome, const std::vector<R
             try {
                 out[row.out] = slot.value.run(values);
             } catch (const Undefined& undefined) {
-                rewriting_.refuse(undefined.reason, *successor.rule, word_.kinds[row.position],
-                                  values, row.position, generation_);
+                rewriting_.refuse(undefined, *successor.rule, word_.kinds[row.position], values,
+                                  row.position, generation_);
             }
         }
     }

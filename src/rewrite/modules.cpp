@@ -257,8 +257,10 @@ void InnerSystems::derive_next(std::size_t system) {
         try {
             append(axioms_[system], nullptr, words_.get(), word);
         } catch (const Undefined& undefined) {
-            throw Error(to_string(undefined.at->place) + ": the axiom of " + names_[system] + ": " +
-                        undefined.reason);
+            const std::string text = to_string(undefined.at->place) + ": the axiom of " +
+                                     names_[system] + ": " + undefined.reason;
+            if (undefined.is_undecided) throw UndecidedValue(text);
+            throw Error(text);
         }
     }
     known.push_back(value(std::move(word)));

@@ -373,7 +373,14 @@ double Program::run(const double* parameters) const {
 }
 
 double Program::run_with_held(const double* parameters) const {
-    std::vector<double> stack;
+    std::array<double, 16> few;
+    std::vector<double> many;
+    double* stack = few.data();
+    if (depth_ > few.size()) {
+        many.resize(depth_);
+        stack = many.data();
+    }
+    double* top = stack;  // one past the topmost number
     for (std::size_t i = 0; i < instructions_.size(); ++i) {
         const Instruction& next = instructions_[i];
         const auto text_of = [&](double value) {
@@ -386,49 +393,48 @@ double Program::run_with_held(const double* parameters) const {
         };
         switch (next.operation) {
             case Operation::number:
-                stack.push_back(next.number);
+                *top++ = next.number;
                 break;
             case Operation::parameter:
-                stack.push_back(parameters[next.index]);
+                *top++ = parameters[next.index];
                 break;
             case Operation::length:
-                if (!WordValues::is_word(stack.back()))
+                if (!WordValues::is_word(top[-1]))
                     throw Undefined{next.at, "expected a word in '" + to_text(*next.at) +
-                                                 "', found " + text_of(stack.back())};
-                stack.back() =
-                    static_cast<double>(systems_->words().word(stack.back()).kinds.size());
+                                                 "', found " + text_of(top[-1])};
+                top[-1] = static_cast<double>(systems_->words().word(top[-1]).kinds.size());
                 break;
             case Operation::generation:
-                check_number(stack.back());
-                stack.back() = systems_->word(next.index, stack.back(), *next.at);
+                check_number(top[-1]);
+                top[-1] = systems_->word(next.index, top[-1], *next.at);
                 break;
             case Operation::skip_if_false:
             case Operation::skip_if_true:
-                check_number(stack.back());
-                if ((stack.back() != 0) == (next.operation == Operation::skip_if_true)) {
-                    stack.back() = stack.back() != 0 ? 1 : 0;
+                check_number(top[-1]);
+                if ((top[-1] != 0) == (next.operation == Operation::skip_if_true)) {
+                    top[-1] = top[-1] != 0 ? 1 : 0;
                     i = next.index - 1;
                 }
                 break;
             default: {
                 const bool one = is_unary(next.operation);
-                const double right = stack.back(), left = one ? right : stack[stack.size() - 2];
+                const double right = top[-1], left = one ? right : top[-2];
                 check_number(right);
                 check_number(left);
                 double value = 0;
                 if (exact_) {
                     value = apply_exactly(next.operation, left, right, *exact_, *next.at);
                 } else {
-                    value = dispatch(next.operation, OneValue{stack.data() + stack.size()});
+                    value = dispatch(next.operation, OneValue{top});
                     if (!std::isfinite(value))
                         throw Undefined{next.at, reason(next.operation, left, right, *next.at)};
                 }
-                if (!one) stack.pop_back();
-                stack.back() = value;
+                if (!one) --top;
+                top[-1] = value;
             }
         }
     }
-    return stack.back();
+    return top[-1];
 }
 
 namespace {

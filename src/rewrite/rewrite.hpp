@@ -155,6 +155,17 @@ public:
     double number(const Ball& value);
     void set_memory(std::uint64_t bytes) { memory_ = bytes; }
 
+    /// What an operation made of these operands not long ago. An enclosure that is made again is the same entry, and so known
+    /// to be equal. Constant time.
+    std::optional<double> remembered(unsigned operation, double left, double right) const;
+    void remember(unsigned operation, double left, double right, double value);
+
+    /// The work of the operations so far that doubles do not do exactly: 1 for one on exact numbers, 10 for one on enclosures.
+    std::uint64_t work() const { return work_; }
+    /// Adds to the work. Throws BoundReached where it is more than `set_most_work` allows.
+    void spend_work(std::uint64_t amount);
+    void set_most_work(std::uint64_t most) { most_work_ = most; }
+
     /// What a number is; exactly one of both is there.
     struct Known {
         std::optional<QuadraticNumber> exact;
@@ -187,6 +198,16 @@ private:
     std::uint64_t bytes_ = 0, memory_ = Budget::default_memory;
     std::deque<Known> numbers_;
     std::unordered_multimap<std::uint64_t, std::size_t> number_places_;  // by hash
+
+    /// An operation that was done: its operands and its value. A later one may take its place.
+    struct Done {
+        std::uint64_t left = 0, right = 0;
+        double value = 0;
+        unsigned operation = UINT32_MAX;
+    };
+    static std::size_t slot(unsigned operation, double left, double right);
+    std::vector<Done> done_;
+    std::uint64_t work_ = 0, most_work_ = UINT64_MAX;
 };
 
 /// A parameter as it is printed: whole numbers below 10^21 as integers, others as the shortest
@@ -196,6 +217,10 @@ private:
 /// Example: number_text(0.1 + 0.2) == "0.30000000000000004"
 /// Example: number_text(1e-7) == "1e-7"
 std::string number_text(double value);
+
+/// Puts the nearest doubles in the places of exact numbers and of enclosures, also in words that are parameters; what is not 0 stays so. Nothing is
+/// changed, and false is returned, where a number is too large for a double.
+bool round_numbers(ModuleKinds& kinds, ModuleString& word);
 
 /// Words of modules as text: `CB(1)A(8,7)`, with a blank only where two names written together would
 /// be read otherwise; parameters that are words in quotes, `B("FF[+F]")`.
@@ -225,7 +250,14 @@ private:
 /// An expression that has no value for the parameters at hand: where and why.
 struct Undefined {
     const Expression* at;
-    std::string reason;  // "division by 0 in 'x/y'"
+    std::string reason;         // "division by 0 in 'x/y'"
+    bool is_undecided = false;  // it has a value, which enclosures do not tell
+};
+
+/// Parameters whose enclosures do not tell which rule applies, or which value a function has.
+class UndecidedValue : public Error {
+public:
+    using Error::Error;
 };
 
 class InnerSystems;
@@ -546,7 +578,12 @@ public:
 private:
     /// The word of a generation: `name` is how messages call it.
     std::string name_of(std::uint64_t generation) const;
+    std::string refusal(const std::string& what, const Production& rule, ModuleKind kind,
+                        const double* values, std::size_t position, std::uint64_t generation) const;
     [[noreturn]] void refuse(const std::string& what, const Production& rule, ModuleKind kind,
+                             const double* values, std::size_t position,
+                             std::uint64_t generation) const;
+    [[noreturn]] void refuse(const Undefined& undefined, const Production& rule, ModuleKind kind,
                              const double* values, std::size_t position,
                              std::uint64_t generation) const;
     [[noreturn]] void refuse_both(const Alternatives& first, const Alternatives& second,

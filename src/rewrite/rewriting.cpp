@@ -266,12 +266,25 @@ std::string Rewriting::name_of(std::uint64_t generation) const {
     return "the word of generation " + std::to_string(generation) + rules_.of;
 }
 
+std::string Rewriting::refusal(const std::string& what, const Production& rule, ModuleKind kind,
+                               const double* values, std::size_t position,
+                               std::uint64_t generation) const {
+    return at(rule) + ": the rule for " +
+           ModuleText(rules_.system->alphabet, rules_.kinds).text(kind, values) + " at position " +
+           std::to_string(position) + " of generation " + std::to_string(generation) + rules_.of +
+           ": " + what;
+}
+
 void Rewriting::refuse(const std::string& what, const Production& rule, ModuleKind kind,
                        const double* values, std::size_t position, std::uint64_t generation) const {
-    throw Error(at(rule) + ": the rule for " +
-                ModuleText(rules_.system->alphabet, rules_.kinds).text(kind, values) +
-                " at position " + std::to_string(position) + " of generation " +
-                std::to_string(generation) + rules_.of + ": " + what);
+    throw Error(refusal(what, rule, kind, values, position, generation));
+}
+
+void Rewriting::refuse(const Undefined& undefined, const Production& rule, ModuleKind kind,
+                       const double* values, std::size_t position, std::uint64_t generation) const {
+    const std::string text = refusal(undefined.reason, rule, kind, values, position, generation);
+    if (undefined.is_undecided) throw UndecidedValue(text);
+    throw Error(text);
 }
 
 void Rewriting::refuse_both(const Alternatives& first, const Alternatives& second, ModuleKind kind,
@@ -323,7 +336,7 @@ const Alternatives* Rewriting::matching(const RuleSet& set, const Surroundings& 
             if (!around.match(next, position, found ? others : parameters, found ? nullptr : seen))
                 continue;
         } catch (const Undefined& undefined) {
-            refuse(undefined.reason, rule_of(next), kind, around.values_at(position), position,
+            refuse(undefined, rule_of(next), kind, around.values_at(position), position,
                    generation);
         }
         if (found)
@@ -347,8 +360,7 @@ void Rewriting::append(const Outcome& outcome, const ModuleString& from, std::si
     try {
         algae::append(successor, outcome.parameters.data(), rules_.kinds.words(), to);
     } catch (const Undefined& undefined) {
-        refuse(undefined.reason, *successor.rule, kind, from.values.data() + offset, position,
-               generation);
+        refuse(undefined, *successor.rule, kind, from.values.data() + offset, position, generation);
     }
 }
 
@@ -430,8 +442,7 @@ ModuleString Rewriting::next(const ModuleString& word, std::uint64_t generation,
     const RuleSet& set = rules_.tables.at(table);
     if (rules_.inner) rules_.inner->set_budget(budget);
     if (rules_.kinds.words()) rules_.kinds.held()->set_memory(budget.memory);
-    if (set.has_contexts || rules_.kinds.words())
-        return next_in_context(set, word, generation, budget);
+    if (set.has_contexts || rules_.inner) return next_in_context(set, word, generation, budget);
     return FreeStep(*this, set, word, generation, budget).next();
 }
 

@@ -333,7 +333,10 @@ CompiledRules compiled_rules(const LSystem& system, const Budget& budget, const 
     try {
         append(axiom, nullptr, rules.kinds.words(), rules.axiom);
     } catch (const Undefined& undefined) {
-        throw Error(to_string(undefined.at->place) + ": the axiom: " + undefined.reason);
+        const std::string text =
+            to_string(undefined.at->place) + ": the axiom: " + undefined.reason;
+        if (undefined.is_undecided) throw UndecidedValue(text);
+        throw Error(text);
     }
     return rules;
 }

@@ -336,8 +336,30 @@ std::string derivation_view(const Model& system, std::uint64_t n, std::optional<
     choices.seed = picked.seed.value_or(1);
     choices.evenly = picked.seed.has_value() && !class_of(system).stochastic;
     choices.random_tables = picked.random_tables;
-    const Rewriting rewriting(system, choices, budget);
-    const ModuleTrace trace = traced(rewriting, n, {}, most, budget);
+    choices.arithmetic = class_of(system).open ? Arithmetic::doubles : Arithmetic::exact;
+    std::string rounded;  // why parameters are doubles
+    std::optional<Rewriting> made;
+    ModuleTrace trace;
+    const auto derive_all = [&] {
+        made.emplace(system, choices, budget);
+        if (made->rules().kinds.held()) made->rules().kinds.held()->set_most_work(100'000);
+        trace = traced(*made, n, {}, most, budget);
+    };
+    const auto derive_with_doubles = [&](const char* reason) {
+        if (choices.arithmetic == Arithmetic::doubles) throw;
+        rounded = reason;
+        choices.arithmetic = Arithmetic::doubles;
+    };
+    try {
+        derive_all();
+    } catch (const UndecidedValue& undecided) {
+        derive_with_doubles(undecided.what());
+    } catch (const BoundReached& bound) {
+        if (bound.bound() != Bound::method && bound.bound() != Bound::memory) throw;
+        derive_with_doubles(bound.what());
+    }
+    if (!rounded.empty()) derive_all();
+    const Rewriting& rewriting = *made;
     const ModuleText printer(system.alphabet, rewriting.rules().kinds);
     json words = json::array();
     for (std::size_t step = 0; step < trace.words.size(); ++step) {
@@ -357,7 +379,10 @@ std::string derivation_view(const Model& system, std::uint64_t n, std::optional<
             one["table"] = system.tables[trace.tables[step - 1]];
         words.push_back(std::move(one));
     }
-    const json out{{"words", std::move(words)}, {"asked", n}, {"full", trace.goes_on}};
+    const json out{{"words", std::move(words)},
+                   {"asked", n},
+                   {"full", trace.goes_on},
+                   {"rounded", rounded.empty() ? json() : json(rounded)}};
     return out.dump(-1, ' ', false, json::error_handler_t::replace);
 }
 

@@ -71,7 +71,8 @@ public:
     /// Walks the word once. Throws Error if a symbol or a tropism leaves the plane, and as
     /// ModuleTurtle does. `seed` is for interpretations with probabilities.
     ModuleFigure(const Model& system, const ModuleKinds& kinds, ModuleString word,
-                 std::uint64_t generation, std::uint64_t seed, const Budget& budget);
+                 std::uint64_t generation, std::uint64_t seed, const Budget& budget,
+                 const std::string& rounded);
 
     const Box& box() const override { return box_; }
     const Integer& segments() const override { return facts_.segments; }
@@ -106,7 +107,8 @@ bool is_plain(const Model& system) {
 }  // namespace
 
 ModuleFigure::ModuleFigure(const Model& system, const ModuleKinds& kinds, ModuleString word,
-                           std::uint64_t generation, std::uint64_t seed, const Budget& budget)
+                           std::uint64_t generation, std::uint64_t seed, const Budget& budget,
+                           const std::string& rounded)
     : style_(style_of(system.drawing)),
       turtle_(system, kinds, generation, seed),
       word_(std::move(word)) {
@@ -120,6 +122,7 @@ ModuleFigure::ModuleFigure(const Model& system, const ModuleKinds& kinds, Module
     facts_.segments = Integer(surveyor.lines);
     facts_.end = {Coordinate(end.position.x), Coordinate(end.position.y)};
     facts_.widest = surveyor.widest_length;
+    facts_.rounded = rounded;
     strokes_ = surveyor.lines + surveyor.polygons;
     box_ = surveyor.box;
     facts_.step = std::fabs(turtle_.start().step);
@@ -138,9 +141,33 @@ void ModuleFigure::draw(Canvas& canvas, double /*resolution*/, const Budget& bud
 
 std::unique_ptr<Figure> module_figure(const Model& system, const ModuleKinds& kinds,
                                       ModuleString word, std::uint64_t generation,
-                                      std::uint64_t seed, const Budget& budget) {
-    return std::make_unique<ModuleFigure>(system, kinds, std::move(word), generation, seed, budget);
+                                      std::uint64_t seed, const Budget& budget,
+                                      const std::string& rounded) {
+    return std::make_unique<ModuleFigure>(system, kinds, std::move(word), generation, seed, budget,
+                                          rounded);
 }
+
+namespace {
+
+std::unique_ptr<Figure> letters_figure(const Model& system, const Word& word, std::uint64_t n,
+                                       const Budget& budget, const std::string& rounded) {
+    std::vector<Word> images;
+    for (Symbol a = 0; a < system.alphabet.size(); ++a) images.push_back(Word{a});
+    D0L rules = make_d0l(std::make_shared<const Alphabet>(system.alphabet), word, std::move(images),
+                         system.name);
+    return plane_figure(system, std::move(rules), 0, n, budget, rounded);
+}
+
+std::unique_ptr<Figure> derived_figure(const Model& system, DerivedModules derived, std::uint64_t n,
+                                       const Budget& budget) {
+    if (is_plain(system) && derived.word.values.empty())
+        return letters_figure(system, letters(derived.kinds, derived.word), n, budget,
+                              derived.rounded);
+    return module_figure(system, derived.kinds, std::move(derived.word), n, derived.seed, budget,
+                         derived.rounded);
+}
+
+}  // namespace
 
 std::unique_ptr<Figure> figure(const Model& system, std::uint64_t n, const Budget& budget,
                                const FigureChoices& choices) {
@@ -152,32 +179,25 @@ std::unique_ptr<Figure> figure(const Model& system, std::uint64_t n, const Budge
         check_choices(system, n, choices);
         return figure(system, derive(*rules, n, budget), n, budget);
     }
-    DerivedModules derived = derived_modules(system, n, choices, budget);
-    return figure(system, derived.kinds, std::move(derived.word), n, derived.seed, budget);
+    return derived_figure(system, derived_modules(system, n, choices, budget), n, budget);
 }
 
 std::unique_ptr<Figure> figure(const Model& system, const Word& word, std::uint64_t n,
                                const Budget& budget) {
-    std::vector<Word> images;
-    for (Symbol a = 0; a < system.alphabet.size(); ++a) images.push_back(Word{a});
-    D0L rules = make_d0l(std::make_shared<const Alphabet>(system.alphabet), word, std::move(images),
-                         system.name);
-    return plane_figure(system, std::move(rules), 0, n, budget);
+    return letters_figure(system, word, n, budget, {});
 }
 
 std::unique_ptr<Figure> figure(const Model& system, const ModuleKinds& kinds, ModuleString word,
                                std::uint64_t n, std::uint64_t seed, const Budget& budget) {
-    if (is_plain(system) && word.values.empty())
-        return figure(system, letters(kinds, word), n, budget);
-    return module_figure(system, kinds, std::move(word), n, seed, budget);
+    return derived_figure(system, {kinds, std::move(word), seed, {}}, n, budget);
 }
 
 std::unique_ptr<Figure> open_figure(const Model& system, std::uint64_t n, const Budget& budget,
                                     const FigureChoices& choices,
                                     std::shared_ptr<Environment> external) {
     if (!class_of(system).open) return figure(system, n, budget, choices);
-    DerivedModules derived = open_modules(system, n, choices, std::move(external), budget);
-    return figure(system, derived.kinds, std::move(derived.word), n, derived.seed, budget);
+    return derived_figure(system, open_modules(system, n, choices, std::move(external), budget), n,
+                          budget);
 }
 
 }  // namespace algae

@@ -275,9 +275,9 @@ std::vector<std::unique_ptr<Figure>> partial_views(const Model& system,
     room.add(high);
     stage->choices.sight = room;
     if (!stage->choices.gap) stage->choices.gap = branches ? 0 : 1;
-    stage->whole = std::make_unique<SpaceView>(std::move(all.scene), style_of(system.drawing),
-                                               SceneFacts{all.end.position, all.facts.step},
-                                               stage->choices, budget);
+    stage->whole = std::make_unique<SpaceView>(
+        std::move(all.scene), style_of(system.drawing),
+        SceneFacts{all.end.position, all.facts.step, all.facts.rounded}, stage->choices, budget);
     stage->room = stage->whole->box();
     for (TurtleState state : watched.states)
         for (int upright = 0; upright < 2; ++upright) {

@@ -420,7 +420,7 @@ class PlaneFigure : public Figure {
 public:
     /// `steps` of `rules` from its axiom, drawn as generation `generation` of `system`.
     PlaneFigure(const Model& system, D0L rules, std::uint64_t steps, std::uint64_t generation,
-                const Budget& budget)
+                const Budget& budget, const std::string& rounded)
         : style_(style_of(system.drawing)),
           start_(system.drawing.start),
           rules_(std::move(rules)),
@@ -435,6 +435,7 @@ public:
             exact_unit_ = *step * power(*shrink, static_cast<long>(generation));
         pen_.letters = letters_for_drawing(rules_, steps_, pen_.figure, budget);
         facts_.step = std::abs(pen_.unit);
+        facts_.rounded = rounded;
         count_segments(budget);
         if (is_lattice()) {
             measure_by_folding(budget);
@@ -712,8 +713,10 @@ private:
 }  // namespace
 
 std::unique_ptr<Figure> plane_figure(const Model& system, D0L rules, std::uint64_t steps,
-                                     std::uint64_t generation, const Budget& budget) {
-    return std::make_unique<PlaneFigure>(system, std::move(rules), steps, generation, budget);
+                                     std::uint64_t generation, const Budget& budget,
+                                     const std::string& rounded) {
+    return std::make_unique<PlaneFigure>(system, std::move(rules), steps, generation, budget,
+                                         rounded);
 }
 
 }  // namespace algae

@@ -288,7 +288,9 @@ SpaceDerivation scene(const Model& system, std::uint64_t n, const Budget& budget
         return out;
     }
     const DerivedModules derived = open_modules(system, n, choices, std::move(external), budget);
-    return scene(system, derived.kinds, derived.word, n, derived.seed, budget);
+    SpaceDerivation out = scene(system, derived.kinds, derived.word, n, derived.seed, budget);
+    out.facts.rounded = derived.rounded;
+    return out;
 }
 
 SpaceDerivation scene(const Model& system, const ModuleKinds& kinds, const ModuleString& word,

@@ -320,6 +320,8 @@ struct Facts {
     double step = 1;                    // length of a segment, before any change of scale; of the
                                         // shortest where lengths are parameters
     double widest = 0;  // of the strokes whose width is a length, that of the widest
+    std::string
+        rounded;  // why parameters were rounded while the word was derived; empty if they were exact
 };
 
 /// How the lines of a figure want to be drawn. Whatever nobody says is absent here and has the value given in the
@@ -412,9 +414,15 @@ struct DerivedModules {
     ModuleKinds kinds;
     ModuleString word;
     std::uint64_t seed = 1;  // for interpretations with probabilities
+    std::string rounded;     // why parameters were rounded on the way; empty if they were exact
 };
 
 /// The word of generation `n` with its parameters, derived as Rewriting says.
+///
+/// Its numbers are exact on the way, and the nearest doubles at the end, as long as exactness costs little: while all words
+/// together have at most 20,000 modules, the operations that doubles do not do exactly are at most 2,000 (those of enclosures
+/// count tenfold), no number has more than 10,000 digits, and enclosures decide every comparison. Otherwise they are doubles all
+/// the way from the axiom, and `rounded` says why. So they are where an environment answers with measures of a figure.
 ///
 /// Throws what Rewriting throws, and Error if a turtle cannot draw the word, or a choice is left that
 /// nobody made: shape rules, communication modules, tables or several rules for a letter.
@@ -832,6 +840,7 @@ struct SpaceFacts {
     double length = 0;           // of all of them
     SpaceBox box;                // around what is drawn
     double step = 1;             // of the turtle at its start, or the shortest segment
+    std::string rounded;         // see Facts
 };
 
 /// A turtle's walk through space: what it left, and where it stopped.
@@ -956,8 +965,9 @@ ViewChoices view_choices(const Drawing& drawing);
 
 /// What is known of a scene that its rods do not tell.
 struct SceneFacts {
-    Vector end;       // where the turtle stopped
-    double step = 1;  // the turtle's, at its start
+    Vector end;           // where the turtle stopped
+    double step = 1;      // the turtle's, at its start
+    std::string rounded;  // see Facts
 };
 
 /// A picture of a scene: what a camera sees of it, in the light, in the plane's units. What is in

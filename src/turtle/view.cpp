@@ -503,6 +503,7 @@ SpaceView::SpaceView(Scene scene, const FigureStyle& style, const SceneFacts& fa
     check_size(scene_, budget);
     if (!choices_.light) choices_.light = usual_light(choices_.camera);
     const Lighting checked(*choices_.light, choices_.fog, choices_.background, 0, 0);
+    facts_.rounded = facts.rounded;
     style_.narrow.reset();  // widths are those of the rods
     next_.assign(scene_.rods.size(), Rod::none);
     for (std::uint32_t i = 0; i < scene_.rods.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "turtle/detail/environments.hpp"
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,11 @@
 // turtle walks the word, and each communication module gets its parameters from what is around the turtle
 // there. So a step is: walk (traversal_of writes down segments and queries), ask (Environments), fill the
 // parameters, rewrite. Kinds of modules are those of the rules, so filling changes values in place.
+//
+// Parameters are exact while a word is short, for a condition such as x = 0 must not hold of what is only nearly 0: a figure
+// would show modules that no derivation has. Long words keep doubles, which derive ten times as fast, and the result says so.
+// Which of both is found by trying: exact first, and from the axiom again with doubles where a bound of work is reached, which
+// is so small that nobody waits for it.
 
 namespace algae {
 
@@ -57,13 +63,65 @@ void check_choices(const LSystem& system, std::uint64_t n, const FigureChoices& 
     if (as_ol(system) && !as_d0l(system)) refuse(as_d0l(system).reason());
 }
 
+namespace {
+
+// Of exact parameters in figures. Both bounds are reached in a few milliseconds.
+constexpr std::uint64_t most_modules = 20'000, most_work = 2'000;
+
+/// The word with exact parameters, rounded at its end; nothing where that costs too much or an enclosure decides nothing, and
+/// `reason` says which.
+std::optional<DerivedModules> exact_modules(const LSystem& system, std::uint64_t n,
+                                            RewritingChoices chosen,
+                                            const std::vector<std::size_t>& tables,
+                                            const Budget& budget, std::string& reason) {
+    chosen.arithmetic = Arithmetic::exact;
+    bool is_least = false;  // the bound of letters is that of exact parameters, not the caller's
+    try {
+        const Rewriting rewriting(system, chosen, budget);
+        rewriting.rules().kinds.held()->set_most_work(most_work);
+        ModuleString word = rewriting.axiom();
+        std::uint64_t modules = word.kinds.size();
+        for (std::uint64_t generation = 0; generation < n; ++generation) {
+            budget.check();
+            Budget rest = budget;
+            const std::uint64_t left = modules < most_modules ? most_modules - modules : 0;
+            is_least = left < budget.letters;
+            if (is_least) rest.letters = left;
+            const std::size_t table =
+                tables.empty() ? rewriting.own_table(generation) : tables.at(generation);
+            word = rewriting.next(word, generation, table, rest);
+            modules += word.kinds.size() + 1;  // words without modules are counted too
+        }
+        DerivedModules out{rewriting.rules().kinds, std::move(word), chosen.seed, {}};
+        if (round_numbers(out.kinds, out.word)) return out;
+        reason = "a number is too large for a double";
+    } catch (const UndecidedValue& undecided) {
+        reason = undecided.what();
+    } catch (const BoundReached& bound) {
+        if (bound.bound() == Bound::letters && is_least)
+            reason = "the words up to it have more than " + std::to_string(most_modules) +
+                     " modules together";
+        else if (bound.bound() == Bound::method || bound.bound() == Bound::memory)
+            reason = bound.what();
+        else
+            throw;
+    }
+    return std::nullopt;
+}
+
+}  // namespace
+
 DerivedModules derived_modules(const LSystem& system, std::uint64_t n, const FigureChoices& choices,
                                const Budget& budget) {
     check_choices(system, n, choices);
     const RewritingChoices chosen = rewriting_choices(system, choices);
+    std::string reason;
+    if (class_of(system).parametric)
+        if (auto exact = exact_modules(system, n, chosen, choices.tables, budget, reason))
+            return *std::move(exact);
     const Rewriting rewriting(system, chosen, budget);
     ModuleString word = derive(rewriting, n, choices.tables, budget);
-    return {rewriting.rules().kinds, std::move(word), chosen.seed};
+    return {rewriting.rules().kinds, std::move(word), chosen.seed, std::move(reason)};
 }
 
 namespace {
@@ -177,7 +235,8 @@ DerivedModules open_modules(const Model& system, std::uint64_t n, const FigureCh
     const RewritingChoices chosen = rewriting_choices(system, choices);
     OpenDevelopment development(system, chosen, std::move(external), budget);
     development.go_to(n, choices.tables, budget);
-    return {development.rules().kinds, development.word(), chosen.seed};
+    return {development.rules().kinds, development.word(), chosen.seed,
+            class_of(system).parametric ? "an environment measures a figure" : ""};
 }
 
 }  // namespace algae

@@ -42,3 +42,19 @@ TEST_CASE("--realise as one JSON object") {
     CHECK(object.at("sequence") == "a(n) = 2 a(n-1) for n >= 1; 1");
     CHECK(object.at("system") == "title lengths 1, 2, 4, 8, 16, 32, ...\naxiom a\na -> aa\n");
 }
+
+TEST_CASE("--realise refuses what it does not heed") {
+    for (const std::string option :
+         {"--let", "-n", "--counts", "--bounds", "--words", "--plot", "--latex"}) {
+        INFO(option);
+        const std::string value = option == "--let"    ? " k=3"
+                                  : option == "-n"     ? " 3"
+                                  : option == "--plot" ? " x.svg"
+                                                       : "";
+        const Run asked = run("growth --realise 1,2,4 " + option + value);
+        CHECK(asked.status == 2);
+        CHECK(asked.err == "algae: --realise does not go with " + option + "\n");
+    }
+    CHECK(run("growth koch --realise 1,2,4").err ==
+          "algae: --realise stands instead of FILE, found both: \"koch\"\n");
+}

@@ -220,6 +220,8 @@ TEST_CASE("tree says what is wrong with what was asked") {
             "--tables: expected a table for each of 2 steps, found 1");
     refused("- -n 2 --tables sx -o t.svg", tables, "expected a table (s, t, or a number");
     refused("- --word b -o t.svg", "printf 'axiom ab; a < b -> c' |",
+            "--word: b is not in the language");
+    refused("- --word b -o t.svg", "printf 'axiom A(1); A(x) -> b' |",
             "-n draws the tree of a generation");
     refused("- -n 1 -o t.svg", "printf 'axiom A(1); A(x) : x > 0 -> B; A(x) -> C' |",
             "matches too");

@@ -54,4 +54,74 @@ TEST_CASE("letters of a system with context") {
     CHECK(beyond.status == 2);
     CHECK(beyond.err.find("generation 3 has no letter at 4: it has 4 letters") !=
           std::string::npos);
+    const Run choosing = run("letter - -n 3 --at 0", choices);
+    CHECK(choosing.status == 2);
+    CHECK(choosing.err.find("not a deterministic IL system: a has two rules") != std::string::npos);
+}
+
+TEST_CASE("derivations of words with context are counted and listed") {
+    const Run counted = run("member - bbb --count", choices);
+    CHECK(counted.status == 0);
+    CHECK(counted.out ==
+          "yes: bbb is in the language, first in generation 3\n"
+          "of 3 steps: 1 derivation\nof 4 steps: 1 derivation\nof 5 steps: 1 derivation\n"
+          "of 6 steps: 1 derivation\nof 7 steps: 1 derivation\nof 8 steps: 1 derivation\n"
+          "of 9 steps: 1 derivation\nof 10 steps: 1 derivation\nof 11 steps: 1 derivation\n"
+          "of 12 steps: 1 derivation\n"
+          "infinitely many derivations: there are some of infinitely many numbers of steps\n");
+    const Run listed = run("member - aab --all", choices);
+    CHECK(listed.out ==
+          "yes: aab is in the language, first in generation 1\n"
+          "of 1 step: 1 derivation\n"
+          "derivation 1 of 1 step\n"
+          "     0  ab\n"
+          "        a -> aa\n"
+          "     1  aab\n");
+    const std::string branching = "printf 'axiom aa; a > a -> b | a; a -> a | b' |";
+    const auto json = nlohmann::json::parse(run("member - bb --all -n 1..2 --json", branching).out);
+    CHECK(json["member"] == true);
+    CHECK(json["total"] == 5);
+    CHECK(json["counts"] ==
+          nlohmann::json::parse(R"([{"steps":1,"count":1},{"steps":2,"count":4}])"));
+    CHECK(json["derivations"].size() == 5);
+    CHECK(json["complete"] == true);
+    const Run no = run("member - ba --count --json", choices);
+    CHECK(no.status == 1);
+    CHECK(nlohmann::json::parse(no.out)["total"] == 0);
+    CHECK(run("member - b --count --max-memory 16M",
+              "printf 'axiom bab; a > b -> aa | b; b -> ε | b' |")
+              .status == 3);
+}
+
+TEST_CASE("a derivation of a word with context is drawn as a tree, its contexts as thin arcs") {
+    const auto facts = nlohmann::json::parse(
+        run("tree - --word abb --json -o /dev/null --format svg", choices).out);
+    CHECK(facts["generation"] == 2);
+    CHECK(facts["nodes"] == 8);
+    CHECK(facts["contexts"] == 2);
+    const Run no = run("tree - --word ba -o /dev/null --format svg", choices);
+    CHECK(no.status == 2);
+    CHECK(no.err.find("--word: ba is not in the language, `algae member` says why") !=
+          std::string::npos);
+}
+
+TEST_CASE(
+    "growth of a system with context and choices: lengths of all words, and whether they have a "
+    "bound") {
+    const Run rising = run("growth - -n 0..3", choices);
+    CHECK(rising.status == 0);
+    CHECK(rising.out.find("n = 0: 2..2, 1 word\nn = 1: 2..3, 2 words\nn = 2: 2..4, 3 words\n"
+                          "n = 3: 2..5, 4 words\n") != std::string::npos);
+    CHECK(rising.out.find("Lengths have no bound: L(A) is infinite") != std::string::npos);
+    const auto bounded =
+        nlohmann::json::parse(run("growth - --json", "printf 'axiom aab; a > b -> a | b' |").out);
+    CHECK(bounded["class"] == "bounded");
+    CHECK(bounded["generations"].size() == 11);
+    CHECK(bounded["generations"][3]["words"] == 3);
+    const std::string wide = "printf 'axiom aa; a > a -> ab | ba | aa; a -> a | aab' |";
+    const auto cut = nlohmann::json::parse(run("growth - --json", wide).out);
+    CHECK(cut["complete"] == false);
+    const Run asked = run("growth - -n 0..30", wide);
+    CHECK(asked.status == 3);
+    CHECK(asked.err.find("has those before") != std::string::npos);
 }

@@ -141,6 +141,16 @@ TEST_CASE("a derivation's ancestors give the words back") {
     const json stopped = json::parse(derivation_view(doubling, 40, std::nullopt, 1000, {}));
     CHECK(stopped["full"] == true);
     CHECK(stopped["words"].size() < 12);
+    CHECK(stopped["rounded"].is_null());
+    // Parameters are exact as far as that goes, as in `derive`.
+    const Model tenths = read_lsystem("axiom A(0)\nA(x) -> A(x+0.1)", "");
+    const json exact = json::parse(derivation_view(tenths, 3, std::nullopt, 1000, {}));
+    CHECK(exact["words"][3]["symbols"][0] == "A(0.3)");
+    CHECK(exact["rounded"].is_null());
+    const Model squares = read_lsystem("axiom A(1.0001)\nA(x) -> A(x*x)", "");
+    const json rounded = json::parse(derivation_view(squares, 14, std::nullopt, 1000, {}));
+    CHECK(rounded["words"].size() == 15);
+    CHECK(rounded["rounded"] == "2:9: the value of 'x*x' has more than 10,000 digits");
 }
 
 TEST_CASE("the page's questions are answered as the verbs answer them") {

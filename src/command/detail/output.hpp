@@ -85,8 +85,8 @@ private:
 /// library that asks nobody, or where a check was forgotten. Unfinished files are removed. For `main`, not for tests.
 void end_late_work();
 
-/// When the time of the work is over.
-void set_deadline(std::optional<std::chrono::steady_clock::time_point> time);
+/// When the time of the work is over, and the option that says so.
+void set_deadline(std::optional<std::chrono::steady_clock::time_point> time, const char* option);
 
 /// A bar on standard error, if that is a terminal; otherwise the heartbeat tells of it.
 class ProgressBar : public Progress {

@@ -136,6 +136,17 @@ private:
     bool many_seeds_ = false;
 };
 
+/// "generation 8 of plant" with the reason why its parameters are doubles.
+using Rounded = std::pair<std::string, std::string>;
+
+/// Those of these figures whose parameters are doubles.
+std::vector<Rounded> rounded_figures(const std::vector<FigurePlate>& figures);
+
+/// What to note of figures whose parameters are doubles; "" of none.
+std::string rounding_text(const std::vector<Rounded>& figures);
+void note_rounding(const std::vector<Rounded>& figures);
+void note_rounding(const Model& system, std::uint64_t n, const std::string& reason);
+
 /// Figures with the letters of their words where this format names them, and their exact points where it has these and they are known.
 /// What would take more letters or memory than the budget has is left out. Everything must outlive the result.
 class FigureSources {

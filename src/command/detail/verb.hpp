@@ -47,6 +47,8 @@ std::uint64_t natural(const std::string& option, const std::string& text);
 Integer position(const std::string& option, const std::string& text);
 /// A positive number of any kind: "600", "12.5".
 double positive(const std::string& option, const std::string& text);
+/// Seconds; "0" and "none" are as good as without end.
+double seconds(const std::string& option, const std::string& text);
 /// A positive number, or "0".
 double positive_or_zero(const std::string& option, const std::string& text);
 /// A number of bytes: "500000", "512M", "2G".
@@ -99,6 +101,14 @@ struct Values {
     std::vector<std::string> words;
     bool files = false, folders = false;
 };
+
+/// Whether the work of a verb is long by intent: it draws, marks, counts or serves as long as that takes. Other verbs answer questions.
+bool is_long_by_intent(const std::string& verb);
+
+/// Whether work without `--timeout` ends from now on after the usual time of questions; not so at first.
+void end_questions(bool do_end);
+inline constexpr double usual_seconds_of_questions = 300;
+inline constexpr double endless_seconds = 1e9;  // 30 years
 
 /// Bounds of the work that nearly every verb takes.
 struct Bounds {

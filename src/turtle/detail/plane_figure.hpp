@@ -70,15 +70,17 @@ bool draw_lattice_blocks(const D0L& rules, const Fates& fates, std::uint64_t ste
                          const PenSettings& settings, Canvas& canvas, const Budget& budget);
 
 /// `steps` steps of a D0L system from its axiom, drawn as generation `generation` of `system`. Facts
-/// come from folds where brackets and commands allow it, otherwise from one walk.
+/// come from folds where brackets and commands allow it, otherwise from one walk. `rounded` is what Facts says of the parameters.
 std::unique_ptr<Figure> plane_figure(const Model& system, D0L rules, std::uint64_t steps,
-                                     std::uint64_t generation, const Budget& budget);
+                                     std::uint64_t generation, const Budget& budget,
+                                     const std::string& rounded = {});
 
 /// The figure of a word of modules, walked in doubles whenever it is drawn. Throws Error if a symbol or a
 /// tropism leaves the plane, and as ModuleTurtle does. `seed` is for interpretations with probabilities.
 std::unique_ptr<Figure> module_figure(const Model& system, const ModuleKinds& kinds,
                                       ModuleString word, std::uint64_t generation,
-                                      std::uint64_t seed, const Budget& budget);
+                                      std::uint64_t seed, const Budget& budget,
+                                      const std::string& rounded = {});
 
 /// A canvas that measures what is drawn on it.
 class Surveyor : public Canvas {

@@ -432,16 +432,22 @@ std::optional<LimitWitness> limit_witness(const ExactDimension& found, const Bud
         out.pieces.push_back(std::move(piece));
     }
     if (found.status == Status::upper_bound) return out;
+    const auto& list = set.components().list;
+    std::size_t as_fast = 0;  // even if all of their parts count, others cannot exceed the value
+    for (std::size_t k = 0; k < list.size(); ++k)
+        if (list[k].rate && set.is_reached(list[k].letters.front()) && !is_point(set, list[k]) &&
+            !(*list[k].rate < found.value->log_ratio()->rate()))
+            ++as_fast;
     try {
         const Neighbours neighbours(set, *component, budget, most);
-        if (neighbours.parts_coincide()) return std::nullopt;
+        if (neighbours.parts_coincide() && as_fast > 1) return out;
         out.neighbours.emplace();
         for (const Neighbours::Pair& pair : neighbours.pairs())
-            out.neighbours->push_back(
-                {pair.piece, pair.other.piece, pair.other.heading, pair.other.offset});
+            if (!is_one_place(pair))
+                out.neighbours->push_back(
+                    {pair.piece, pair.other.piece, pair.other.heading, pair.other.offset});
     } catch (const BoundReached& bound) {
         if (bound.bound() == Bound::time) throw;
-        return std::nullopt;
     }
     return out;
 }

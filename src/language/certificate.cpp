@@ -583,9 +583,12 @@ struct ProofWriter {
         return {{"by", "morphism"}, {"morphism", morphism_json(said.step, alphabet)}};
     }
     Json operator()(const steps::LimitSet& said) const {
-        if (said.has_turtle && !said.boundary && !said.bounds)
-            if (const auto witness = limit_witness(*said.found))
-                return limit_set(*witness, said.model->alphabet);
+        const bool is_exact =
+            said.found->status == ExactDimension::Status::exact && !said.boundary && !said.bounds;
+        if (said.has_turtle)
+            if (const auto witness = limit_witness(*said.found);
+                witness && (witness->neighbours || !is_exact))
+                return limit_set(*witness, said);
         std::vector<std::string> conditions = said.found->conditions;
         if (said.bounds)
             conditions.push_back("at least " + shortest_text(said.bounds->low) + " by " +
@@ -607,7 +610,23 @@ struct ProofWriter {
         constexpr int digits = 9;
         return decimal(exactly(value), digits);
     }
-    static Json limit_set(const LimitWitness& witness, const Alphabet& letters) {
+    /// Whether one piece draws in each phase, and once in the axiom: the boundary is where such pieces meet.
+    static bool is_of_one_kind(const LimitWitness& witness, const Model& model) {
+        const View<D0L> rules = as_d0l(model);
+        std::vector<std::size_t> drawing(witness.phases, 0);
+        std::set<Symbol> letters;
+        for (const LimitWitness::Piece& piece : witness.pieces)
+            if (piece.draws) {
+                ++drawing[piece.phase];
+                letters.insert(piece.letter);
+            }
+        return rules &&
+               std::count_if(rules->axiom.begin(), rules->axiom.end(),
+                             [&](Symbol a) { return letters.contains(a); }) == 1 &&
+               std::all_of(drawing.begin(), drawing.end(), [](std::size_t n) { return n == 1; });
+    }
+    static Json limit_set(const LimitWitness& witness, const steps::LimitSet& said) {
+        const Alphabet& letters = said.model->alphabet;
         const auto matrix = [](const std::vector<Displacement::Vector>& rows) {
             Json result = Json::array();
             for (const auto& row : rows) result.push_back(integers(row));
@@ -617,7 +636,7 @@ struct ProofWriter {
             return letters.name(witness.pieces[piece].letter);
         };
         const auto phase = [&](std::size_t piece) { return witness.pieces[piece].phase; };
-        Json ways = Json::array(), discs = Json::array(), neighbours = Json::array();
+        Json ways = Json::array(), discs = Json::array();
         for (std::size_t p = 0; p < witness.pieces.size(); ++p) {
             const LimitWitness::Piece& piece = witness.pieces[p];
             if (std::any_of(piece.way.begin(), piece.way.end(), [](auto x) { return x != 0; }))
@@ -635,13 +654,21 @@ struct ProofWriter {
                     {"ways", std::move(ways)},
                     {"factor", Json::array({decimal_text(witness.factor.real()),
                                             decimal_text(witness.factor.imag())})}};
-        if (!witness.neighbours) return result;
+        if (witness.neighbours || said.boundary || said.bounds) result["discs"] = std::move(discs);
+        if (said.bounds) {
+            const bool below =
+                said.order == Order::greater ||
+                (said.order == Order::equal && said.claimed.comparison == Comparison::at_least);
+            result["bounds"] = below ? "from below" : "from above";
+            return result;
+        }
+        if (!witness.neighbours || (said.boundary && !is_of_one_kind(witness, *said.model)))
+            return result;
+        result["component"] = Json::array({name(witness.component), phase(witness.component)});
+        Json& neighbours = result["neighbours"] = Json::array();
         for (const LimitWitness::Pair& pair : *witness.neighbours)
             neighbours.push_back(Json::array({name(pair.piece), name(pair.other), phase(pair.piece),
                                               pair.heading, integers(pair.offset)}));
-        result["component"] = Json::array({name(witness.component), phase(witness.component)});
-        result["discs"] = std::move(discs);
-        result["neighbours"] = std::move(neighbours);
         return result;
     }
     Json operator()(const steps::OtherValues& said) const { return by_word(said.word); }
@@ -929,9 +956,14 @@ void add_turtles(const Statement& statement, Json& turtles) {
     if (const auto* said = std::get_if<ComparesNumbers>(&statement.says))
         for (const auto& [name, system] : said->turtles)
             if (!turtles.contains(name)) turtles[name] = turtle_certificate(*system);
+    const auto add_of = [&](const std::string& name, const Model& system) {
+        if (!turtles.contains(name) && has_lattice_turtle(system))
+            turtles[name] = turtle_certificate(system);
+    };
     if (const auto* said = std::get_if<HasDimension>(&statement.says))
-        if (!turtles.contains(said->name) && has_lattice_turtle(*said->system))
-            turtles[said->name] = turtle_certificate(*said->system);
+        add_of(said->name, *said->system);
+    if (const auto* said = std::get_if<BoundaryHasDimension>(&statement.says))
+        add_of(said->name, *said->system);
     const auto add_all = [&](const std::vector<Statement>& all) {
         for (const Statement& one : all) add_turtles(one, turtles);
     };

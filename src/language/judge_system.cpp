@@ -396,9 +396,11 @@ Answer judge_boundary(const BoundaryHasDimension& claimed, const Budget& budget)
         claimed.name,
         std::make_shared<const ExactDimension>(exact_dimension(*claimed.system, budget)),
         true,
-        false,
+        has_lattice_turtle(*claimed.system),
         claimed.dimension,
-        Order::unknown};
+        Order::unknown,
+        {},
+        claimed.system};
     return said.found->boundary ? judge_exact(*said.found->boundary, said) : open(said);
 }
 

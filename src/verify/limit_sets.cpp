@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "exact/exact.hpp"
-#include "verify/detail/checking.hpp"
+#include "verify/detail/limit_set.hpp"
 #include "verify/verify.hpp"
 
 // The dimension of the limit set of a D0L system, from the rules and the turtle of the certificate.
@@ -26,46 +26,17 @@
 // - that the discs of the certificate hold the pieces: those of the parts lie in those of the whole.
 //
 // The parts of a component multiply by the spectral radius r of its matrix, so log r / log |mu|, with the largest r of a
-// component that is reached, is an upper bound of the dimensions. It is them if in one such component the parts lie apart:
-// from two different parts of one piece no pair of parts is reached that lie in the same place, and only finitely
-// many others whose discs meet, the neighbours of the certificate (Mauldin and Williams 1988; Bandt and Graf 1992).
+// component that is reached, is an upper bound of the dimensions. They are known exactly where the parts of a component meet in
+// finitely many ways, the neighbours of the certificate, with the rate of its different parts (`limit_parts.cpp`); Mauldin and Williams
+// 1988, Bandt and Graf 1992. Bounds that a certificate names are searched for again, and so is the boundary (`limit_cells.cpp`).
 //
 // log r / log |mu| is compared with the number of the statement: less or greater by enclosures, equal by powers that are
 // equal.
 
 namespace algae::verify {
 
-namespace {
+namespace limits {
 
-constexpr long bits = 192;
-constexpr std::uint64_t largest_order = 3600, most_phases = 64;
-constexpr std::size_t largest_rank = 24, most_pieces = 400, most_levels = 10'000;
-constexpr std::size_t largest_matrix = 150;
-constexpr std::size_t most_looks = 3'000'000;  // at pairs of parts
-constexpr int deepest = 40;
-
-[[noreturn]] void too_hard(const std::string& why) { throw BoundReached(Bound::method, why); }
-
-/// A complex number within two intervals.
-struct Number {
-    Ball real, imaginary;
-};
-
-Number number(const Rational& real, const Rational& imaginary = 0) {
-    return {Ball(real, bits), Ball(imaginary, bits)};
-}
-Number operator+(const Number& a, const Number& b) {
-    return {a.real + b.real, a.imaginary + b.imaginary};
-}
-Number operator-(const Number& a, const Number& b) {
-    return {a.real - b.real, a.imaginary - b.imaginary};
-}
-Number operator*(const Number& a, const Number& b) {
-    return {a.real * b.real - a.imaginary * b.imaginary,
-            a.real * b.imaginary + a.imaginary * b.real};
-}
-Ball square_of_size(const Number& a) { return a.real * a.real + a.imaginary * a.imaginary; }
-bool is_above(const Ball& a, const Ball& b) { return compare(a, b) == Order::greater; }
 /// From 0 where it may be 0: the enclosure of the square may go below that.
 Ball size(const Number& a) {
     const Ball square = square_of_size(a);
@@ -77,19 +48,7 @@ Number operator/(const Number& a, const Number& b) {
     const Ball square = square_of_size(b);
     return {product.real / square, product.imaginary / square};
 }
-bool is_not_zero(const Number& a) { return is_above(square_of_size(a), Ball(0, bits)); }
-
-using Row = std::vector<Integer>;
-using Column = std::vector<Number>;
-
-/// A number above 1 that a dimension is made of: base^exponent, or the largest real root of an irreducible polynomial, or
-/// one that is only enclosed.
-struct Operand {
-    std::optional<Integer> base = {};
-    Rational exponent = 1;
-    Polynomial minimal = {};
-    std::function<Ball(long)> enclose;
-};
+namespace {
 
 std::optional<Ball> largest_real_root(const Polynomial& polynomial, long precision) {
     std::optional<Ball> largest;
@@ -104,7 +63,8 @@ Operand whole(const Integer& base, const Rational& exponent = 1) {
             }};
 }
 
-/// The largest real root of a polynomial; nothing if it has none above 1.
+}  // namespace
+
 std::optional<Operand> root_of(const Polynomial& polynomial) {
     if (polynomial.degree() < 1 || polynomial.degree() > 200) return std::nullopt;
     std::optional<Ball> largest;
@@ -127,6 +87,8 @@ std::optional<Operand> root_of(const Polynomial& polynomial) {
                    }};
 }
 
+namespace {
+
 /// A rational number t with left = right^t, where it is seen.
 std::optional<Rational> exponent_between(const Operand& left, const Operand& right) {
     if (left.base && right.base) {
@@ -145,21 +107,24 @@ std::optional<Rational> exponent_between(const Operand& left, const Operand& rig
     return std::nullopt;
 }
 
-/// A rational number, or log over / log under.
-struct Value {
-    std::optional<Rational> number = {};
-    std::optional<Operand> over = {}, under = {};
+}  // namespace
 
-    Ball enclosure(long precision) const {
-        if (number) return Ball(*number, precision);
-        return log(over->enclose(precision)) / log(under->enclose(precision));
-    }
-    std::optional<Rational> rational() const {
-        return number ? number : exponent_between(*over, *under);
-    }
-};
+Order compared(const Operand& left, const Operand& right) {
+    if (left.base == right.base && left.exponent == right.exponent &&
+        left.minimal == right.minimal && (left.base || !left.minimal.is_zero()))
+        return Order::equal;
+    return compare(left.enclose(bits), right.enclose(bits));
+}
 
-/// `unknown` where enclosures do not tell and no powers are seen to be equal.
+Ball Value::enclosure(long precision) const {
+    if (number) return Ball(*number, precision);
+    return log(over->enclose(precision)) / log(under->enclose(precision));
+}
+
+std::optional<Rational> Value::rational() const {
+    return number ? number : exponent_between(*over, *under);
+}
+
 Order compared(const Value& left, const Value& right) {
     for (const long precision : {128L, 1024L}) {
         const Order order = compare(left.enclosure(precision), right.enclosure(precision));
@@ -172,6 +137,47 @@ Order compared(const Value& left, const Value& right) {
                under = exponent_between(*left.under, *right.under);
     return over && under && *over == *under ? Order::equal : Order::unknown;
 }
+
+Number LimitSet::value(const Row& row) const {
+    Number sum = number(0);
+    for (std::size_t i = 0; i < rank; ++i)
+        if (!row[i].is_zero()) sum = sum + numbers[i] * number(Rational(row[i]));
+    return sum;
+}
+
+std::set<std::size_t> LimitSet::reached() const {
+    std::set<std::size_t> found;
+    std::vector<std::size_t> open;
+    const auto visit = [&](const Seen& part) {
+        if (found.insert(part.piece).second) open.push_back(part.piece);
+    };
+    for (const Seen& part : axiom) visit(part);
+    while (!open.empty()) {
+        const std::size_t piece = open.back();
+        open.pop_back();
+        for (const Seen& part : parts.at(piece)) visit(part);
+    }
+    return found;
+}
+
+Row Places::row(const Field& field) const {
+    Row found;
+    for (const Field& entry : field.list()) {
+        found.push_back(entry.integer(true));
+        if (!found.back().fits_int64()) entry.fail("expected a number of at most 64 bits");
+    }
+    if (found.size() != set.rank)
+        field.fail("expected " + std::to_string(set.rank) + " integers in a row");
+    return found;
+}
+
+namespace {
+
+constexpr std::uint64_t largest_order = 3600, most_phases = 64;
+constexpr std::size_t largest_rank = 24, most_pieces = 400, most_levels = 10'000;
+constexpr std::size_t largest_matrix = 150;
+
+bool is_not_zero(const Number& a) { return is_above(square_of_size(a), Ball(0, bits)); }
 
 // The number of a statement.
 
@@ -300,21 +306,10 @@ Value claimed_value(const Field& field) {
 
 // The set.
 
-/// A piece of the same level as another one, seen from it.
-struct Seen {
-    std::size_t piece = 0;
-    std::int64_t heading = 0;
-    Row offset;
-
-    bool operator<(const Seen& other) const {
-        return std::tie(piece, heading, offset) <
-               std::tie(other.piece, other.heading, other.offset);
-    }
-};
-
-class LimitSet {
+/// Reads a set, and checks what the proof says of its lattice.
+class SetReader {
 public:
-    explicit LimitSet(const Obligation& task)
+    explicit SetReader(const Obligation& task)
         : task_(task), proof_(task.proof), turtle_(turtle_of(task)) {
         read_sizes();
         read_rules();
@@ -323,61 +318,30 @@ public:
         find_numbers();
         check_tendency();
         find_parts();
-    }
-
-    /// log r / log |mu|.
-    Value upper_bound() {
         find_components();
-        Value found;
-        found.over = components_[largest_].rate;
-        found.under = factor();
-        return found;
+        set_.letters = letters_.size();
+        set_.phases = phases_;
+        set_.factor = *factor_;
+        set_.ratio = ratio();
+        if (proof_.has("discs")) read_discs();
     }
 
-    /// Throws Flaw unless the parts of a component of the largest rate lie apart.
-    void check_apart() {
-        read_discs();
-        const auto [letter, phase] = proof_.at("component").pair();
-        const std::size_t piece = piece_of(letter, phase);
-        if (!parts_.contains(piece)) letter.refuse("it does not draw for ever");
-        const auto at = std::find_if(components_.begin(), components_.end(), [&](const auto& c) {
-            return std::binary_search(c.pieces.begin(), c.pieces.end(), piece);
-        });
-        if (at == components_.end() || at->rank != components_[largest_].rank)
-            letter.refuse("its component is not one whose parts multiply the fastest");
-        inside_ = std::set<std::size_t>(at->pieces.begin(), at->pieces.end());
-        read_neighbours();
-        for (const std::size_t whole : inside_) {
-            const auto own = parts_of({whole, 0, Row(rank_)});
-            for (std::size_t i = 0; i < own.size(); ++i)
-                for (std::size_t k = i + 1; k < own.size(); ++k) visit(own[i], own[k]);
-        }
-        for (const auto& [first, other] : neighbours_) {
-            task_.budget.check();
-            const auto own = parts_of({first, 0, Row(rank_)});
-            const auto others = parts_of(other);
-            for (const Seen& one : own)
-                for (const Seen& each : others) visit(one, each);
-        }
+    LimitSet result() { return std::move(set_); }
+
+    std::size_t piece_of(const Field& letter, const Field& phase) const {
+        const auto symbol = task_.alphabet().find(letter.text());
+        const auto place = symbol ? place_.find(*symbol) : place_.end();
+        if (place == place_.end()) letter.fail("expected a letter that the turtle reads");
+        const std::uint64_t at = phase.number();
+        if (at >= phases_) phase.fail("expected a phase");
+        return static_cast<std::size_t>(at) * letters_.size() + place->second;
     }
 
 private:
-    using Pair = std::pair<std::size_t, Seen>;
-
     struct Item {
         std::size_t letter = 0;  // its place among the letters
         bool opens = false, closes = false;
     };
-    struct Part {
-        std::size_t piece;
-        std::int64_t heading;
-        Row offset;
-    };
-    struct Disc {
-        Number centre;
-        Ball radius;
-    };
-
     static Turtle turtle_of(const Obligation& task) {
         if (task.statement.systems.empty() || !is_d0l(task.system()))
             too_hard("dimensions of such systems are not worked out again");
@@ -395,21 +359,18 @@ private:
     }
 
     void read_sizes() {
-        order_ = static_cast<std::int64_t>(at_most(proof_.at("order"), largest_order));
+        set_.order = static_cast<std::int64_t>(at_most(proof_.at("order"), largest_order));
         phases_ = static_cast<std::size_t>(at_most(proof_.at("phases"), most_phases));
-        ring_.emplace(static_cast<long>(order_));
+        ring_.emplace(static_cast<long>(set_.order));
     }
 
     std::int64_t units(const Rational& part) const {
-        const Rational found = part * Rational(order_);
+        const Rational found = part * Rational(set_.order);
         if (!found.is_integer()) proof_.at("order").refuse("turns are not multiples of it");
         return normal(found.numerator().to_int64());
     }
 
-    std::int64_t normal(std::int64_t heading) const {
-        heading %= order_;
-        return heading < 0 ? heading + order_ : heading;
-    }
+    std::int64_t normal(std::int64_t heading) const { return set_.normal(heading); }
 
     // The rules.
 
@@ -471,11 +432,6 @@ private:
         return {heading, here, draws};
     }
 
-    Number zeta(std::int64_t heading) const {
-        const Rational part(2 * heading, order_);
-        return {cos_pi(part, bits), sin_pi(part, bits)};
-    }
-
     /// The turn of a word of letters that turn so; `see` is told of each letter, the heading before it, and whether no bracket is open.
     template <class See>
     std::int64_t turn_of(const std::vector<Item>& word, const std::vector<std::int64_t>& turns,
@@ -527,7 +483,7 @@ private:
     IntegerMatrix matrix(const Field& field) const {
         std::vector<Row> rows;
         for (const Field& row : field.list()) rows.push_back(integers(row));
-        if (rows.size() != rank_) field.fail("expected as many rows as there are columns");
+        if (rows.size() != set_.rank) field.fail("expected as many rows as there are columns");
         return IntegerMatrix(rows);
     }
 
@@ -537,47 +493,39 @@ private:
             found.push_back(entry.integer(true));
             if (!found.back().fits_int64()) entry.fail("expected a number of at most 64 bits");
         }
-        if (found.size() != rank_)
-            field.fail("expected " + std::to_string(rank_) + " integers in a row");
+        if (found.size() != set_.rank)
+            field.fail("expected " + std::to_string(set_.rank) + " integers in a row");
         return found;
     }
 
-    std::size_t piece_of(const Field& letter, const Field& phase) const {
-        const auto symbol = task_.alphabet().find(letter.text());
-        const auto place = symbol ? place_.find(*symbol) : place_.end();
-        if (place == place_.end()) letter.fail("expected a letter that the turtle reads");
-        const std::uint64_t at = phase.number();
-        if (at >= phases_) phase.fail("expected a phase");
-        return static_cast<std::size_t>(at) * letters_.size() + place->second;
-    }
-
     void read_lattice() {
-        rank_ = proof_.at("scale").list().size();
-        if (rank_ < 1 || rank_ > largest_rank) too_hard("positions lie in too large a field");
-        scale_ = matrix(proof_.at("scale"));
+        set_.rank = proof_.at("scale").list().size();
+        if (set_.rank < 1 || set_.rank > largest_rank)
+            too_hard("positions lie in too large a field");
+        set_.scale = matrix(proof_.at("scale"));
         const IntegerMatrix turn = matrix(proof_.at("turn"));
-        if (scale_ * turn != turn * scale_)
+        if (set_.scale * turn != turn * set_.scale)
             proof_.at("turn").refuse("scale and turn do not commute");
-        turns_of_rows_.push_back(IntegerMatrix::identity(rank_));
-        for (std::int64_t heading = 1; heading <= order_; ++heading) {
+        set_.turns.push_back(IntegerMatrix::identity(set_.rank));
+        for (std::int64_t heading = 1; heading <= set_.order; ++heading) {
             task_.budget.check();
-            turns_of_rows_.push_back(turns_of_rows_.back() * turn);
+            set_.turns.push_back(set_.turns.back() * turn);
         }
-        if (turns_of_rows_.back() != turns_of_rows_.front())
+        if (set_.turns.back() != set_.turns.front())
             proof_.at("turn").refuse("its power by the order is not 1");
-        ways_.assign(phases_ * letters_.size(), Row(rank_));
+        ways_.assign(phases_ * letters_.size(), Row(set_.rank));
         for (const Field& way : proof_.at("ways").list()) {
             const auto parts = way.list();
             if (parts.size() != 3) way.fail("expected a letter, a phase and a row");
             ways_[piece_of(parts[0], parts[1])] = integers(parts[2]);
         }
         for (std::size_t piece = 0; piece < ways_.size(); ++piece) {
-            Row sum(rank_);
+            Row sum(set_.rank);
             walk(piece, [&](const Item&, std::size_t below, std::int64_t heading, const Row&,
                             bool is_on_path) {
-                if (is_on_path) add(sum, turned(ways_[below], heading));
+                if (is_on_path) add(sum, set_.turned(ways_[below], heading));
             });
-            if (ways_[piece] * scale_ != sum)
+            if (ways_[piece] * set_.scale != sum)
                 proof_.at("ways").refuse("the way of '" +
                                          task_.alphabet().name(letters_[letter_of(piece)]) +
                                          "' does not follow from its successor's");
@@ -586,24 +534,12 @@ private:
 
     std::size_t letter_of(std::size_t piece) const { return piece % letters_.size(); }
 
-    static void add(Row& left, const Row& right, bool negative = false) {
-        for (std::size_t i = 0; i < left.size(); ++i)
-            if (negative)
-                left[i] -= right[i];
-            else
-                left[i] += right[i];
-    }
-
-    Row turned(const Row& row, std::int64_t heading) const {
-        return row * turns_of_rows_[static_cast<std::size_t>(normal(heading))];
-    }
-
     /// What a word consists of, one after the other: pieces of a phase, with headings and places.
     template <class See>
     void walk(const std::vector<Item>& word, std::size_t phase_below,
               const std::vector<std::int64_t>& below, const See& see) const {
         std::int64_t heading = 0;
-        Row here(rank_);
+        Row here(set_.rank);
         std::vector<std::pair<std::int64_t, Row>> kept;
         for (const Item& item : word) {
             if (item.opens) {
@@ -614,7 +550,7 @@ private:
             } else {
                 const std::size_t part = phase_below * letters_.size() + item.letter;
                 see(item, part, heading, here, kept.empty());
-                add(here, turned(ways_[part], heading));
+                add(here, set_.turned(ways_[part], heading));
                 heading = normal(heading + below[item.letter]);
             }
         }
@@ -629,13 +565,14 @@ private:
     // The numbers that rows stand for.
 
     void find_numbers() {
-        const Polynomial characteristic = characteristic_polynomial(scale_);
+        const Polynomial characteristic = characteristic_polynomial(set_.scale);
         Polynomial annihilating(1);
         for (const auto& [factor, times] : factorise(characteristic).powers) annihilating *= factor;
-        IntegerMatrix at_scale(rank_, rank_);
+        IntegerMatrix at_scale(set_.rank, set_.rank);
         for (std::size_t k = annihilating.coefficients().size(); k-- > 0;) {
-            at_scale = at_scale * scale_;
-            for (std::size_t i = 0; i < rank_; ++i) at_scale(i, i) += annihilating.coefficient(k);
+            at_scale = at_scale * set_.scale;
+            for (std::size_t i = 0; i < set_.rank; ++i)
+                at_scale(i, i) += annihilating.coefficient(k);
         }
         if (!at_scale.is_zero()) proof_.at("scale").refuse("it is not diagonal over the numbers");
         const auto [real, imaginary] = proof_.at("factor").pair();
@@ -662,27 +599,27 @@ private:
             carry = carry * *factor_ + number(Rational(annihilating.coefficient(k + 1)));
             quotient[k] = carry;
         }
-        for (std::size_t start = 0; start < rank_; ++start) {
-            Row power(rank_);
+        for (std::size_t start = 0; start < set_.rank; ++start) {
+            Row power(set_.rank);
             power[start] = 1;
-            Column column(rank_, number(0));
+            Column column(set_.rank, number(0));
             for (const Number& coefficient : quotient) {
-                for (std::size_t i = 0; i < rank_; ++i)
+                for (std::size_t i = 0; i < set_.rank; ++i)
                     column[i] = column[i] + coefficient * number(Rational(power[i]));
-                power = scale_ * power;
+                power = set_.scale * power;
             }
-            Column sum(rank_, number(0));
-            for (std::int64_t heading = 0; heading < order_; ++heading) {
-                const Number back = zeta(-heading);
-                const IntegerMatrix& turn = turns_of_rows_[static_cast<std::size_t>(heading)];
-                for (std::size_t i = 0; i < rank_; ++i)
-                    for (std::size_t k = 0; k < rank_; ++k)
+            Column sum(set_.rank, number(0));
+            for (std::int64_t heading = 0; heading < set_.order; ++heading) {
+                const Number back = set_.zeta(-heading);
+                const IntegerMatrix& turn = set_.turns[static_cast<std::size_t>(heading)];
+                for (std::size_t i = 0; i < set_.rank; ++i)
+                    for (std::size_t k = 0; k < set_.rank; ++k)
                         if (!turn(i, k).is_zero())
                             sum[i] = sum[i] + back * number(Rational(turn(i, k))) * column[k];
             }
             if (!is_not_zero(sum[0])) continue;
-            numbers_.clear();
-            for (const Number& each : sum) numbers_.push_back(each / sum[0]);
+            set_.numbers.clear();
+            for (const Number& each : sum) set_.numbers.push_back(each / sum[0]);
             return;
         }
         proof_.at("turn").refuse("no numbers are seen on which it acts as a turn");
@@ -696,13 +633,6 @@ private:
         } catch (const Error& error) {
             field.fail(error.what());
         }
-    }
-
-    Number value(const Row& row) const {
-        Number sum = number(0);
-        for (std::size_t i = 0; i < rank_; ++i)
-            if (!row[i].is_zero()) sum = sum + numbers_[i] * number(Rational(row[i]));
-        return sum;
     }
 
     // What ways tend to.
@@ -782,11 +712,11 @@ private:
             ways = next_round(std::move(ways));
         }
         const auto times = [&](const Row& row, const CyclotomicInteger& number) {
-            Row found(rank_);
+            Row found(set_.rank);
             for (std::size_t k = 0; k < number.coefficients.size(); ++k) {
                 if (number.coefficients[k].is_zero()) continue;
-                const Row part = turned(row, static_cast<std::int64_t>(k));
-                for (std::size_t i = 0; i < rank_; ++i)
+                const Row part = set_.turned(row, static_cast<std::int64_t>(k));
+                for (std::size_t i = 0; i < set_.rank; ++i)
                     found[i] += part[i] * number.coefficients[k];
             }
             return found;
@@ -796,7 +726,7 @@ private:
             for (std::size_t b = 0; b < a; ++b)
                 if (times(ways_[a], sum[b]) != times(ways_[b], sum[a]))
                     too_hard("it is not seen that ways tend to those of the certificate");
-            is_seen = is_seen || (sum[a] != ring_->zero() && is_not_zero(value(ways_[a])));
+            is_seen = is_seen || (sum[a] != ring_->zero() && is_not_zero(set_.value(ways_[a])));
         }
         if (!is_seen) proof_.at("ways").refuse("ways do not tend to them");
     }
@@ -807,15 +737,17 @@ private:
         const std::vector<bool> lasts = lasting();
         for (std::size_t piece = 0; piece < ways_.size(); ++piece) {
             if (!lasts[letter_of(piece)]) continue;
-            auto& own = parts_[piece];
+            auto& own = set_.parts[piece];
             walk(piece, [&](const Item& item, std::size_t part, std::int64_t heading,
                             const Row& here, bool) {
                 if (lasts[item.letter]) own.push_back({part, heading, here});
             });
         }
-        for (const Item& item : axiom_)
-            if (!item.opens && !item.closes && lasts[item.letter]) starts_.push_back(item.letter);
-        if (starts_.empty()) too_hard("nothing is drawn in late generations");
+        walk(axiom_, 0, turns(first_),
+             [&](const Item& item, std::size_t part, std::int64_t heading, const Row& here, bool) {
+                 if (lasts[item.letter]) set_.axiom.push_back({part, heading, here});
+             });
+        if (set_.axiom.empty()) too_hard("nothing is drawn in late generations");
     }
 
     /// The letters that lead to drawing in every later generation: to a letter that comes again and leads to one that
@@ -846,31 +778,25 @@ private:
         return found;
     }
 
-    struct Component {
-        std::vector<std::size_t> pieces;  // in order
-        Operand rate;
-        std::size_t rank = 0;  // of the rate among those of all components; equal ones are equal
-    };
-
     std::set<std::size_t> reached_from(const std::vector<std::size_t>& starts) const {
         std::set<std::size_t> found(starts.begin(), starts.end());
         std::vector<std::size_t> open(found.begin(), found.end());
         while (!open.empty()) {
             const std::size_t piece = open.back();
             open.pop_back();
-            for (const Part& part : parts_.at(piece))
+            for (const Seen& part : set_.parts.at(piece))
                 if (found.insert(part.piece).second) open.push_back(part.piece);
         }
         return found;
     }
 
     void find_components() {
-        const std::set<std::size_t> all = reached_from(starts_);
+        const std::set<std::size_t> all = set_.reached();
         std::map<std::size_t, std::set<std::size_t>> after;
         for (const std::size_t piece : all) {
             task_.budget.check();
             std::vector<std::size_t> next;
-            for (const Part& part : parts_.at(piece)) next.push_back(part.piece);
+            for (const Seen& part : set_.parts.at(piece)) next.push_back(part.piece);
             after[piece] = reached_from(next);
         }
         std::set<std::size_t> done;
@@ -884,12 +810,12 @@ private:
             bool multiplies = false, is_point = true;
             for (std::size_t i = 0; i < component.pieces.size(); ++i) {
                 std::size_t within = 0;
-                for (const Part& part : parts_.at(component.pieces[i])) {
+                for (const Seen& part : set_.parts.at(component.pieces[i])) {
                     const auto at = std::lower_bound(component.pieces.begin(),
                                                      component.pieces.end(), part.piece);
                     if (at == component.pieces.end() || *at != part.piece) continue;
                     matrix(i, static_cast<std::size_t>(at - component.pieces.begin())) += 1;
-                    is_point = is_point && part.offset == Row(rank_);
+                    is_point = is_point && part.offset == Row(set_.rank);
                     multiplies = multiplies || ++within > 1;
                 }
             }
@@ -898,25 +824,14 @@ private:
             const auto rate = root_of(characteristic_polynomial(matrix));
             if (!rate) too_hard("a rate is not found");
             component.rate = *rate;
-            components_.push_back(std::move(component));
+            set_.components.push_back(std::move(component));
         }
-        if (components_.empty()) too_hard("the parts that are drawn do not multiply");
-        for (std::size_t k = 1; k < components_.size(); ++k) {
-            Operand &rate = components_[k].rate, &best = components_[largest_].rate;
-            components_[k].rank = k;
-            if (rate.base == best.base && rate.minimal == best.minimal) {
-                components_[k].rank = components_[largest_].rank;
-                continue;
-            }
-            const Order order = compare(rate.enclose(bits), best.enclose(bits));
-            if (order == Order::greater) largest_ = k;
-            if (order == Order::unknown) too_hard("two rates are too near to each other");
-        }
+        if (set_.components.empty()) too_hard("the parts that are drawn do not multiply");
     }
 
     /// |mu|: the root of an integer where mu times its conjugate is one; the largest root of a polynomial where mu is
     /// real.
-    Operand factor() const {
+    Operand ratio() const {
         const Number mu = *factor_;
         const auto enclosed = [minimal = minimal_, mu](long precision) {
             for (const Root& root : roots(minimal, precision))
@@ -969,139 +884,245 @@ private:
             if (parts.size() != 5)
                 disc.fail("expected a letter, a phase, two coordinates and a radius");
             const std::size_t piece = piece_of(parts[0], parts[1]);
-            if (!parts_.contains(piece)) disc.refuse("the piece does not draw for ever");
-            discs_.insert_or_assign(piece, Disc{number(decimal_of(parts[2]), decimal_of(parts[3])),
-                                                Ball(decimal_of(parts[4]), bits)});
+            if (!set_.parts.contains(piece)) disc.refuse("the piece does not draw for ever");
+            set_.discs.insert_or_assign(piece,
+                                        Disc{number(decimal_of(parts[2]), decimal_of(parts[3])),
+                                             Ball(decimal_of(parts[4]), bits)});
         }
         const Ball ratio = size(*factor_);
-        for (const auto& [piece, parts] : parts_) {
-            if (!discs_.contains(piece)) proof_.at("discs").refuse("a piece has no disc");
-            const Disc& whole = discs_.at(piece);
-            for (const Part& part : parts) {
-                if (!discs_.contains(part.piece)) proof_.at("discs").refuse("a piece has no disc");
-                const Disc& inner = discs_.at(part.piece);
-                const Ball apart = size(zeta(part.heading) * inner.centre + value(part.offset) -
-                                        *factor_ * whole.centre);
+        for (const auto& [piece, parts] : set_.parts) {
+            if (!set_.discs.contains(piece)) proof_.at("discs").refuse("a piece has no disc");
+            const Disc& whole = set_.discs.at(piece);
+            for (const Seen& part : parts) {
+                if (!set_.discs.contains(part.piece))
+                    proof_.at("discs").refuse("a piece has no disc");
+                const Disc& inner = set_.discs.at(part.piece);
+                const Ball apart = size(set_.zeta(part.heading) * inner.centre +
+                                        set_.value(part.offset) - *factor_ * whole.centre);
                 if (!is_above(ratio * whole.radius, apart + inner.radius))
                     proof_.at("discs").refuse("a part's disc does not lie in that of its whole");
             }
         }
     }
 
-    void read_neighbours() {
-        for (const Field& neighbour : proof_.at("neighbours").list()) {
-            const auto parts = neighbour.list();
-            if (parts.size() != 5)
-                neighbour.fail("expected two letters, a phase, a heading and a row");
-            const std::size_t first = piece_of(parts[0], parts[2]);
-            const Seen other{
-                piece_of(parts[1], parts[2]),
-                static_cast<std::int64_t>(parts[3].number() % static_cast<std::uint64_t>(order_)),
-                integers(parts[4])};
-            if (!inside_.contains(first) || !inside_.contains(other.piece))
-                neighbour.refuse("it is not of the component");
-            if (is_same(first, other)) neighbour.refuse("the two are the same part");
-            neighbours_.emplace(first, other);
-        }
-    }
-
-    static bool is_same(std::size_t first, const Seen& other) {
-        return first == other.piece && other.heading == 0 &&
-               std::all_of(other.offset.begin(), other.offset.end(),
-                           [](const Integer& x) { return x.is_zero(); });
-    }
-
-    /// The parts of a piece that lie in the component, as they lie where it lies so.
-    std::vector<Seen> parts_of(const Seen& whole) const {
-        std::vector<Seen> found;
-        for (const Part& part : parts_.at(whole.piece)) {
-            if (!inside_.contains(part.piece)) continue;
-            Row offset = whole.offset * scale_;
-            add(offset, turned(part.offset, whole.heading));
-            found.push_back({part.piece, normal(whole.heading + part.heading), std::move(offset)});
-        }
-        return found;
-    }
-
-    Seen seen_from(const Seen& first, const Seen& other) const {
-        Row offset = other.offset;
-        add(offset, first.offset, true);
-        return {other.piece, normal(other.heading - first.heading), turned(offset, -first.heading)};
-    }
-
-    void visit(const Seen& first, const Seen& other) {
-        const Seen seen = seen_from(first, other);
-        if (is_same(first.piece, seen))
-            proof_.at("neighbours").refuse("two parts lie in the same place");
-        if (!neighbours_.contains({first.piece, seen}) && !is_apart(first.piece, seen, deepest))
-            proof_.at("neighbours").refuse("two parts may meet that are not among them");
-    }
-
-    /// Whether no parts of two pieces meet, of some level below: their discs do not.
-    bool is_apart(std::size_t first, const Seen& other, int depth) {
-        if (++looks_ > most_looks) too_hard("too many pairs of parts are looked at");
-        if (looks_ % 1024 == 0) task_.budget.check();
-        const Disc &one = discs_.at(first), &two = discs_.at(other.piece);
-        if (is_above(size(value(other.offset) + zeta(other.heading) * two.centre - one.centre),
-                     one.radius + two.radius))
-            return true;
-        if (depth == 0 || is_same(first, other)) return false;
-        const auto own = parts_of({first, 0, Row(rank_)}), others = parts_of(other);
-        for (const Seen& part : own)
-            for (const Seen& another : others)
-                if (!is_apart(part.piece, seen_from(part, another), depth - 1)) return false;
-        return true;
-    }
-
     const Obligation& task_;
     Field proof_;
     Turtle turtle_;
-    std::int64_t order_ = 1;
     std::optional<CyclotomicRing> ring_;
-    std::size_t phases_ = 1, rank_ = 0, first_ = 0;
+    std::size_t phases_ = 1, first_ = 0;
     std::vector<Symbol> letters_;
     std::map<Symbol, std::size_t> place_;
     std::vector<std::vector<Item>> words_;  // by letter
     std::vector<Item> axiom_;
     std::vector<std::vector<std::int64_t>> turns_;  // by generation
-    IntegerMatrix scale_;
-    std::vector<IntegerMatrix> turns_of_rows_;  // by heading
-    std::vector<Row> ways_;                     // by piece
+    std::vector<Row> ways_;                         // by piece
     std::optional<Number> factor_;
     Polynomial minimal_;
-    Column numbers_;
-    std::map<std::size_t, std::vector<Part>> parts_;
-    std::vector<std::size_t> starts_;
-    std::vector<Component> components_;
-    std::size_t largest_ = 0;
-    std::map<std::size_t, Disc> discs_;
-    std::set<std::size_t> inside_;
-    std::set<Pair> neighbours_;
-    std::size_t looks_ = 0;
+    LimitSet set_;
 };
 
+/// What is shown of how a dimension is to a number.
+struct Shown {
+    bool less = true, at_most = true, at_least = false, greater = false;
+
+    /// Whether the statement holds, if that is shown.
+    std::optional<bool> says(const std::string& compared) const {
+        if (compared == "at most")
+            return at_most ? std::optional(true) : greater ? std::optional(false) : std::nullopt;
+        if (compared == "at least")
+            return at_least ? std::optional(true) : less ? std::optional(false) : std::nullopt;
+        if (less || greater) return false;
+        return at_most && at_least ? std::optional(true) : std::nullopt;
+    }
+};
+
+/// Compares the dimension of a set with a number, by its components.
+class ComparedSet {
+public:
+    ComparedSet(const Obligation& task, const LimitSet& set, const Places& places,
+                const Value& claimed)
+        : task_(task), set_(set), places_(places), claimed_(claimed) {}
+
+    Shown shown() {
+        if (task_.proof.has("bounds")) {
+            bounds_ = task_.proof.at("bounds").text();
+            if (bounds_ != "from above" && bounds_ != "from below")
+                task_.proof.at("bounds").fail("expected 'from above' or 'from below'");
+        }
+        std::optional<std::size_t> piece;
+        if (task_.proof.has("component")) {
+            const auto [letter, phase] = task_.proof.at("component").pair();
+            piece = places_.piece_of(letter, phase);
+            if (!set_.parts.contains(*piece)) letter.refuse("it does not draw for ever");
+        }
+        for (const Component& component : set_.components)
+            look_at(component, piece && std::binary_search(component.pieces.begin(),
+                                                           component.pieces.end(), *piece));
+        const Order plane = compared(Value{Rational(2)}, claimed_);  // as for every set in it
+        found_.less = found_.less || plane == Order::less;
+        found_.at_most = found_.at_most || plane == Order::less || plane == Order::equal;
+        return found_;
+    }
+    /// Whether bounds beside the rates of all parts were looked for.
+    bool has_bounds() const { return !bounds_.empty(); }
+
+private:
+    void look_at(const Component& component, bool is_exact) {
+        Operand rate = component.rate;
+        Parts parts(places_, component);
+        if (is_exact) rate = distinct_rate(parts, task_.proof.at("neighbours"), rate);
+        Order order = compared(Value{{}, rate, set_.ratio}, claimed_);
+        if (is_exact && order == Order::unknown) too_hard("the numbers are too near to each other");
+        if (is_exact) {
+            found_.greater = found_.greater || order == Order::greater;
+            found_.at_least = found_.at_least || order == Order::greater || order == Order::equal;
+        }
+        if (bounds_ == "from above" && order != Order::less && is_below(parts)) order = Order::less;
+        found_.less = found_.less && order == Order::less;
+        found_.at_most = found_.at_most && (order == Order::less || order == Order::equal);
+        if (bounds_ == "from below" && !found_.greater && is_above(parts))
+            found_.greater = found_.at_least = true;
+    }
+
+    Operand distinct_rate(Parts& parts, const Field& list, const Operand& all) const {
+        const Neighbours neighbours(parts, places_, list);
+        if (!neighbours.parts_coincide()) return all;
+        return rate_of_paths(kinds_of_parts(
+                                 parts,
+                                 [&](std::size_t first, const Seen& other) {
+                                     return neighbours.may_coincide(first, other);
+                                 },
+                                 task_.budget),
+                             task_.budget);
+    }
+
+    /// What the search says; no where it comes to a bound of its own.
+    template <class Search>
+    static bool within_bounds(const Search& search) {
+        try {
+            return search();
+        } catch (const BoundReached& bound) {
+            if (bound.bound() != Bound::method) throw;
+            return false;
+        }
+    }
+
+    /// Whether different parts multiply less than the number says.
+    bool is_below(Parts& parts) {
+        const Ball most = exp(claimed_.enclosure(bits) * log(set_.ratio.enclose(bits)));
+        return within_bounds([&] {
+            for (std::uint64_t levels = 1; levels <= most_levels_apart; ++levels) {
+                const Graph kinds = kinds_of_parts(
+                    parts,
+                    [&](std::size_t first, const Seen& other) {
+                        return parts.coincide_within(first, other, levels);
+                    },
+                    task_.budget);
+                if (grows_below(
+                        kinds.size(), most.lower(),
+                        [&](std::size_t kind, const std::vector<std::uint64_t>& weights) {
+                            std::uint64_t sum = 0;
+                            for (const std::size_t next : kinds[kind]) sum += weights[next];
+                            return sum;
+                        },
+                        task_.budget))
+                    return true;
+            }
+            return false;
+        });
+    }
+
+    /// Whether pairs of parts multiply so little that the dimension is above the number. Longer blocks help where parts that
+    /// coincide are left out by them.
+    bool is_above(Parts& parts) {
+        std::vector<std::uint64_t> blocks;
+        std::optional<Ball> least;
+        for (std::uint64_t levels = 1; levels <= most_levels_in_block; ++levels)
+            within_bounds([&] {
+                const Ball rate = log(rate_of_blocks(parts, levels, task_.budget).enclose(bits)) /
+                                  Ball(Integer(levels), bits);
+                if (least && compare(rate, *least) != Order::less) return false;
+                least = rate;
+                blocks.push_back(levels);
+                return true;
+            });
+        for (std::uint64_t across = 8; across <= most_cells_across; across *= 2)
+            for (const std::uint64_t levels : blocks)
+                if (within_bounds([&] {
+                        return is_above_by_pairs(parts, levels, across, claimed_.enclosure(bits),
+                                                 task_.budget);
+                    }))
+                    return true;
+        return false;
+    }
+
+    static constexpr std::uint64_t most_levels_apart = 10, most_levels_in_block = 3,
+                                   most_cells_across = 256;
+
+    const Obligation& task_;
+    const LimitSet& set_;
+    const Places& places_;
+    const Value& claimed_;
+    std::string bounds_;
+    Shown found_;
+};
+
+/// Whether the whole is one piece, and all pieces that it leads to are of one kind in each phase: then it is similar to
+/// its parts.
+bool is_of_one_kind(const LimitSet& set) {
+    std::set<std::size_t> phases;
+    for (const std::size_t piece : set.reached())
+        if (!phases.insert(piece / set.letters).second) return false;
+    return set.axiom.size() == 1;
+}
+
+/// Of a set of one kind that fills an area: some part of it lies within, surrounded by those that it meets, and is similar to
+/// the whole.
+Operand rate_between_parts(const Obligation& task, const LimitSet& set, const Places& places) {
+    if (!is_of_one_kind(set) || set.components.size() != 1)
+        task.proof.at("neighbours").refuse("the set is not of one kind");
+    const Component& component = set.components.front();
+    if (compared(Value{{}, component.rate, set.ratio}, Value{Rational(2)}) != Order::equal)
+        task.proof.at("neighbours").refuse("it is not seen that the set fills an area");
+    Parts parts(places, component);
+    const Neighbours neighbours(parts, places, task.proof.at("neighbours"));
+    if (neighbours.parts_coincide())
+        task.proof.at("neighbours").refuse("two parts lie in the same place");
+    return neighbours.meeting_rate(task.budget);
+}
+
 }  // namespace
+}  // namespace limits
 
 void check_limit_set(const Obligation& task) {
+    using namespace limits;
     const Value claimed = claimed_value(*task.statement.formula);
-    LimitSet set(task);
-    const std::string& said = task.statement.compared;
-    const bool is_exact = task.proof.has("neighbours");
-    Value found = set.upper_bound();
-    if (!is_exact && is_above(found.enclosure(bits), Ball(2, bits)))
-        found = Value{Rational(2)};  // as for every set in the plane
-    const Order order = compared(found, claimed);
-    if (order == Order::unknown) too_hard("the numbers are too near to each other");
-    if (is_exact) set.check_apart();
-    // An upper bound says nothing where it is larger, nor where it is equal but that the dimension is at most that.
-    const bool holds = order == Order::equal || (order == Order::less && said == "at most") ||
-                       (order == Order::greater && said == "at least");
-    if (!is_exact && (order == Order::greater || (order == Order::equal && said != "at most")))
-        task.refuse("an upper bound does not show this");
-    if (holds != task.holds)
-        task.refuse(std::string("the dimension is ") + (order == Order::less      ? "less"
-                                                        : order == Order::greater ? "greater"
-                                                                                  : "that number"));
+    SetReader reader(task);
+    const LimitSet set = reader.result();
+    const Places places{task, set, [&](const Field& letter, const Field& phase) {
+                            return reader.piece_of(letter, phase);
+                        }};
+    Shown shown;
+    bool has_bounds = false;
+    if (task.statement.kind == Statement::Kind::boundary) {
+        const Operand rate = task.proof.has("neighbours") ? rate_between_parts(task, set, places)
+                                                          : rate_of_boundary(places);
+        const Order order = compared(Value{{}, rate, set.ratio}, claimed);
+        if (order == Order::unknown) too_hard("the numbers are too near to each other");
+        shown = {order == Order::less, order != Order::greater, order != Order::less,
+                 order == Order::greater};
+    } else {
+        ComparedSet comparison(task, set, places, claimed);
+        shown = comparison.shown();
+        has_bounds = comparison.has_bounds();
+    }
+    const auto says = shown.says(task.statement.compared);
+    if (!says && has_bounds) too_hard("bounds of the dimension are not seen to be near enough");
+    if (!says) task.refuse("an upper bound does not show this");
+    if (*says != task.holds)
+        task.refuse(std::string("the dimension is ") + (shown.less      ? "less"
+                                                        : shown.greater ? "greater"
+                                                                        : "that number"));
 }
 
 }  // namespace algae::verify

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "dimension/dimension.hpp"
@@ -30,7 +32,7 @@ Json certificate_of(const std::string& system, const std::string& statement) {
 
 verify::Finding found(const Json& certificate) {
     Budget budget;
-    budget.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    budget.deadline = std::chrono::steady_clock::now() + std::chrono::seconds(100);
     return verify::check_certificate(certificate.dump(), "x", budget).front();
 }
 
@@ -126,6 +128,193 @@ TEST_CASE("what a limit set is said to be wrongly is refused") {
     // The whole certificate of a curve whose parts lie apart, for one whose parts coincide.
     refuses("axiom F; F -> F+F-F-F+F", "dimension(G) = log 5 / log 3", "parts that coincide",
             [](Json& c) { c["systems"]["G"]["tables"][0]["F"][0] = "F + F - F | F | F"; });
+}
+
+namespace {
+
+const char* const folded = "axiom F-F-F-F; F -> FF-F-F-F-F-F+F";
+const char* const levy = "axiom F; F -> +F--F+; angle 45";
+const char* const gosper =
+    "axiom A; A -> A-B--B+A++AA+B-; B -> +A-BB--B-A++A+B; angle 60; interpret A -> F; interpret B "
+    "-> F";
+const char* const plant_f = "axiom X; X -> F-[[X]+X]+F[+FX]-X; F -> FF";
+
+/// How many changes of a proof are refused, of those that are tried: each numeral of it, by another one.
+struct Tampered {
+    std::size_t changes = 0, wrong = 0, accepted = 0;
+};
+
+Tampered with_other_numbers(const Json& whole, std::size_t every) {
+    Tampered out;
+    std::vector<Json::json_pointer> places;
+    const std::function<void(const Json&, const Json::json_pointer&)> note =
+        [&](const Json& at, const Json::json_pointer& path) {
+            if (at.is_number()) places.push_back(path);
+            if (at.is_object())
+                for (const auto& [key, part] : at.items()) note(part, path / key);
+            if (at.is_array())
+                for (std::size_t i = 0; i < at.size(); ++i) note(at[i], path / i);
+        };
+    Json copy = whole;
+    note(proof(copy), Json::json_pointer("/statements/0/proof"));
+    for (std::size_t k = 0; k < places.size(); k += every) {
+        Json changed = whole;
+        Json& at = changed[places[k]];
+        at = at.get<std::uint64_t>() + 1;
+        const Outcome what = outcome(changed);
+        ++out.changes;
+        out.wrong += what == Outcome::wrong ? 1 : 0;
+        out.accepted += what == Outcome::checked ? 1 : 0;
+    }
+    return out;
+}
+
+void check_all(const std::vector<std::pair<std::string, std::string>>& cases,
+               const std::string& field) {
+    for (const auto& [system, statement] : cases) {
+        CAPTURE(system);
+        CAPTURE(statement);
+        const Json certificate = certificate_of(system, statement);
+        CAPTURE(certificate.dump().substr(0, 2000));
+        CHECK(certificate["statements"][0]["proof"].contains(field));
+        const verify::Finding finding = found(certificate);
+        CAPTURE(finding.reason);
+        CHECK(finding.outcome == Outcome::checked);
+    }
+}
+
+}  // namespace
+
+TEST_CASE("dimensions of curves whose parts coincide are checked by counting the different ones") {
+    check_all({{folded, "dimension(G) = log 6 / log sqrt 10"},
+               {folded, "not dimension(G) >= log 8 / log sqrt 10"},
+               {"axiom F; F -> FF-F--F-F", "dimension(G) = log 5 / log 3"},
+               {"axiom F; F -> F+F|F+F", "dimension(G) = 2"},
+               {"axiom F; F -> F[+F]F[-F][F]", "dimension(G) <= 1.9"},
+               {"axiom F; F -> F[+F]F[-F][F]", "not dimension(G) = 1.7"}},
+              "neighbours");
+}
+
+TEST_CASE("dimensions with parts that coincide that are said wrongly are refused") {
+    const Json whole = certificate_of(folded, "dimension(G) = log 6 / log sqrt 10");
+    REQUIRE(found(whole).outcome == Outcome::checked);
+    for (const char* other :
+         {"log 8 / log sqrt 10", "log 7 / log sqrt 10", "log 5 / log sqrt 10", "1.5563", "3/2"}) {
+        Json changed = whole;
+        changed["statements"][0]["statement"]["equals"] = other;
+        CHECK(outcome(changed) == Outcome::wrong);
+    }
+    // A rule with other overlaps, which the neighbours of the first do not show.
+    Json rules = whole;
+    rules["systems"]["G"]["tables"][0]["F"][0] = "F F - F - F - F - F F + F";
+    CHECK(outcome(rules) != Outcome::checked);
+    // Each neighbour that leads to parts in one place is needed, or seen to lie apart.
+    const std::size_t count = proof(rules)["neighbours"].size();
+    REQUIRE(count > 3);
+    std::size_t refused = 0;
+    for (std::size_t k = 0; k < count; ++k) {
+        Json changed = whole;
+        proof(changed)["neighbours"].erase(k);
+        refused += outcome(changed) == Outcome::wrong ? 1 : 0;
+    }
+    MESSAGE(refused, " of ", count, " neighbours are needed");
+    CHECK(refused == count);
+    const Tampered numbers = with_other_numbers(whole, 1);
+    MESSAGE(numbers.changes, " numbers changed, ", numbers.wrong, " wrong, ", numbers.accepted,
+            " accepted");
+    CHECK(numbers.changes > 20);
+    // What a number in it does not matter for (a disc that is larger) may stay: the statement is true.
+    CHECK(numbers.wrong * 10 > numbers.changes * 8);
+}
+
+TEST_CASE("dimensions of boundaries are checked") {
+    const std::string cubic = "log the largest real root of x^3 - x^2 - 2 / log sqrt 2";
+    check_all({{dragon, "boundary(G) = " + cubic},
+               {dragon, "boundary(G) >= 1.5236"},
+               {dragon, "not boundary(G) <= 1.5236"},
+               {"axiom F; F -> F+F-F; angle 120", "boundary(G) = log 4 / log 3"},
+               {"axiom F; F -> F+F-F; angle 120", "not boundary(G) = 1.26"},
+               {levy, "boundary(G) >= 1.934007"},
+               {levy, "boundary(G) <= 1.934008"},
+               {gosper, "boundary(G) = log 3 / log sqrt 7"},
+               {"axiom F++++F; F -> -F++G-; G -> +F--G+; angle 45", "boundary(G) = " + cubic},
+               {"axiom X; X -> -YF+XFX+FY-; Y -> +XF-YFY-FX+", "boundary(G) = 1"},
+               {"axiom F; F -> F+F--F+F; angle 90", "boundary(G) = 1"}},
+              "discs");
+}
+
+TEST_CASE("boundaries that are said wrongly are refused") {
+    for (const auto& [system, is, others] :
+         std::vector<std::tuple<std::string, std::string, std::vector<std::string>>>{
+             {"axiom F; F -> F+F-F; angle 120",
+              "log 4 / log 3",
+              {"1", "1.2618", "log 5 / log 3", "2"}},
+             {gosper, "log 3 / log sqrt 7", {"1", "1.13", "log 2 / log sqrt 7", "2"}}}) {
+        CAPTURE(system);
+        const Json whole = certificate_of(system, "boundary(G) = " + is);
+        REQUIRE(found(whole).outcome == Outcome::checked);
+        for (const std::string& other : others) {
+            Json changed = whole;
+            changed["statements"][0]["statement"]["equals"] = other;
+            CHECK(outcome(changed) == Outcome::wrong);
+        }
+        // The proof of a boundary is none of the dimension, and the reverse.
+        Json of_all = whole;
+        of_all["statements"][0]["statement"] = {{"dimension", "G"}, {"equals", is}};
+        CHECK(outcome(of_all) == Outcome::wrong);
+        const Tampered numbers = with_other_numbers(whole, 1);
+        MESSAGE(numbers.changes, " numbers changed, ", numbers.wrong, " wrong, ", numbers.accepted,
+                " accepted");
+        CHECK(numbers.changes > 8);
+        CHECK(numbers.wrong * 2 > numbers.changes);
+    }
+    // Koch's curve has no inner points, and is of one kind.
+    Json koch_boundary = certificate_of(koch, "dimension(G) = log 4 / log 3");
+    koch_boundary["statements"][0]["statement"] = {{"boundary", "G"}, {"equals", "1"}};
+    CHECK(outcome(koch_boundary) == Outcome::wrong);
+    CHECK(found(koch_boundary).reason == "it is not seen that the set fills an area");
+    for (const char* name : {"neighbours", "component"}) proof(koch_boundary).erase(name);
+    CHECK(outcome(koch_boundary) != Outcome::checked);
+    // The boundary of a set of several kinds is not where its parts meet.
+    Json kinds = certificate_of(gosper, "dimension(G) = 2");
+    kinds["statements"][0]["statement"] = {{"boundary", "G"}, {"equals", "log 3 / log sqrt 7"}};
+    CHECK(found(kinds).reason == "the set is not of one kind");
+    // Without discs nothing is known of what meets.
+    Json discs = certificate_of(gosper, "boundary(G) = log 3 / log sqrt 7");
+    proof(discs).erase("discs");
+    CHECK(found(discs).reason == "the pieces have no discs");
+}
+
+TEST_CASE("certified bounds of dimensions are checked") {
+    check_all({{plant_f, "dimension(G) <= 1.95"}, {plant_f, "not dimension(G) >= 1.95"}}, "bounds");
+    check_all({{plant_f, "dimension(G) >= 1.5"}, {plant_f, "not dimension(G) <= 1.2"}}, "bounds");
+}
+
+TEST_CASE("bounds that are said too near are not accepted") {
+    const Json above = certificate_of(plant_f, "dimension(G) <= 1.95");
+    REQUIRE(found(above).outcome == Outcome::checked);
+    const Json below = certificate_of(plant_f, "dimension(G) >= 1.5");
+    REQUIRE(found(below).outcome == Outcome::checked);
+    const auto with = [](Json changed, const char* name, const char* number) {
+        changed["statements"][0]["statement"][name] = number;
+        return outcome(changed);
+    };
+    CHECK(with(above, "at most", "1.2") == Outcome::not_checked);
+    CHECK(with(below, "at least", "1.95") == Outcome::not_checked);
+    // Of one side nothing is shown of the other, and without either an upper bound only.
+    Json other = above;
+    other["statements"][0]["statement"] = {{"dimension", "G"}, {"at least", "1.5"}};
+    CHECK(outcome(other) == Outcome::not_checked);
+    Json none = above;
+    proof(none).erase("bounds");
+    CHECK(outcome(none) == Outcome::wrong);
+    Json named = above;
+    proof(named)["bounds"] = "from aside";
+    CHECK_THROWS_WITH_AS(found(named), doctest::Contains("expected 'from above' or 'from below'"),
+                         Error);
+    Json opposite = above;
+    opposite["statements"][0]["verdict"] = "refuted";
+    CHECK(outcome(opposite) == Outcome::wrong);
 }
 
 TEST_CASE("each neighbour of a curve whose parts touch is needed, or seen to lie apart") {

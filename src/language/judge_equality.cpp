@@ -369,8 +369,7 @@ private:
         if (!has_only_terminals(tables)) return std::nullopt;
         constexpr std::size_t most_states = 16;  // with more, lengths are faster than automata
         const auto lengths = is_finite(left) ? std::nullopt : lengths_of(left);
-        if (lengths && left.automaton().states() > most_states)
-            return by_lengths(*lengths, tables);
+        if (lengths && left.automaton().states() > most_states) return by_lengths(*lengths, tables);
         const auto found = regular_induction(left, tables.tables, most, budget_);
         if (!found && lengths) return by_lengths(*lengths, tables);
         if (!found) return std::nullopt;

@@ -747,8 +747,8 @@ private:
         return number / rest;
     }
 
-    /// The modulus on which it depends whether the set makes long lengths of long ones; 0 if it does not make those without other
-    /// small prime divisors than those of the period.
+    /// The modulus on which it depends whether the set makes long lengths of long shorter ones; 0 if it does not make those without
+    /// other small prime divisors than those of the period.
     std::size_t modulus_of(const Set& set) const {
         std::size_t shared = is_endless(set) ? set_.period : 0,
                     differences = is_endless(set) ? set_.period : 0;
@@ -760,6 +760,7 @@ private:
                 differences = std::gcd(differences, n - least);
             }
         if (!divides_power(shared, set_.period)) return 0;
+        if (differences == 0 && least == 1) return 0;  // it makes each length of itself only
         return differences == 0 ? least * set_.period : periodic_part(differences);
     }
 
@@ -767,8 +768,7 @@ private:
         const std::size_t modulus = modulus_of(set);
         if (modulus == 0) return Reaches::none;
         const std::size_t k = least_of(set), known = std::gcd(rest.second, modulus);
-        const bool one =
-            !is_endless(set) && std::count(set.begin(), set.end(), 1) == 1;
+        const bool one = !is_endless(set) && std::count(set.begin(), set.end(), 1) == 1;
         // A long x with x k = s modulo what the set and the rest have in common; of one number, modulo all.
         bool some = false;
         const std::size_t same = one ? rest.second : known, all = std::lcm(set_.period, same);
@@ -884,8 +884,8 @@ private:
         steps::ByLengths::Target target{goal.length, goal.rest, {}};
         for (const Frame& frame : frames()) {
             target.frames.push_back({frame.modulus, frame.rest, {}});
-            if (auto found = closed_part(whole(frame), Set(size_, 0), goal,
-                                         target.frames.back().root)) {
+            if (auto found =
+                    closed_part(whole(frame), Set(size_, 0), goal, target.frames.back().root)) {
                 for (std::size_t n = 1; form_.tables && n < size_; ++n) {
                     if ((*found)[n] || n % frame.modulus != frame.rest) continue;
                     (*found)[n] = 1;
@@ -949,9 +949,9 @@ private:
         return true;
     }
 
-    /// Of each length whose multiples are in S, all lengths that such a table makes.
+    /// Of each length whose multiples are in S, all lengths that such a table makes; and the table that makes 0 only.
     std::vector<LengthTable> erasing_tables() const {
-        std::vector<LengthTable> found;
+        std::vector<LengthTable> found{{{0}, {}, 0}};
         for (std::size_t n = 1; n < set_.tail; ++n)
             if (is_multiplied(n)) found.push_back({{0, n}, {}, 0});
         for (std::size_t d = 1; d <= set_.period; ++d) {
@@ -1043,8 +1043,8 @@ private:
     }
 
     static BoundReached too_long() {
-        return BoundReached(Bound::method, "lengths are looked at up to " +
-                                               std::to_string(longest_looked_at));
+        return BoundReached(Bound::method,
+                            "lengths are looked at up to " + std::to_string(longest_looked_at));
     }
 
     // --- Systems ---

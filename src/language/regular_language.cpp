@@ -505,8 +505,8 @@ std::optional<LengthInduction> made_from(const LengthSet& set, std::vector<First
         modulus = next;
         first = std::move(with);
         if (left(first) > 0) continue;
-        LengthInduction found{{}, std::max(set.tail, *std::max_element(first.begin(), first.end())),
-                              {}};
+        LengthInduction found{
+            {}, std::max(set.tail, *std::max_element(first.begin(), first.end())), {}};
         for (const FirstMade& each : used) found.tables.push_back(each.table);
         return found;
     }

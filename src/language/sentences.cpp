@@ -498,12 +498,14 @@ public:
         for (const Answer& member : said.members) add_new(of(member));
         const std::string other = "Every other word of " + language(said.left);
         if (said.from) {
-            say(other + " comes in one step from a shorter word of it, by induction on the length. "
-                        "Up to the length " +
+            say(other +
+                " comes in one step from a shorter word of it, by induction on the length. "
+                "Up to the length " +
                 number(*said.from) + " this is worked out for each.");
-            return say("If a table makes n letters of x letters, it makes n + p k of x + p, where p is "
-                       "the period of the lengths and k the length of a successor; so it is true of "
-                       "all.");
+            return say(
+                "If a table makes n letters of x letters, it makes n + p k of x + p, where p is "
+                "the period of the lengths and k the length of a successor; so it is true of "
+                "all.");
         }
         if (said.counted.empty())
             return say(other +
@@ -826,7 +828,8 @@ public:
         if (!said.sums.empty()) return sums_of_lengths(said, name);
         const std::string period = number(said.period);
         say("From some length on, the lengths of " + name + " have the least period " + period +
-            ". Of each table that does not erase, the lengths have one rest when they are divided by "
+            ". Of each table that does not erase, the lengths have one rest when they are divided "
+            "by "
             "a divisor d of the period, and their products with long lengths, and all that differ "
             "by d, are lengths.");
         std::size_t left = steps::ByLengths::most_shown;
@@ -849,7 +852,8 @@ public:
         if (said.size > steps::ByLengths::most_shown)
             say("These are the first of " + number(said.size) + " cases.");
         if (said.targets.size() > 1)
-            say("Only one of the two can be the axiom, so " + name + " is not " + said.family + ".");
+            say("Only one of the two can be the axiom, so " + name + " is not " + said.family +
+                ".");
         else
             say("So " + name + " is not " + said.family + ".");
     }
@@ -858,7 +862,8 @@ public:
                number(rest.second);
     }
     void sums_of_lengths(const steps::ByLengths& said, const std::string& name) {
-        say("It has the empty word, so a rule erases: a sum of lengths of successors comes of every "
+        say("It has the empty word, so a rule erases: a sum of lengths of successors comes of "
+            "every "
             "longer word. So " +
             name + " has the lengths of a set that is closed under sums, and of the axiom.");
         const auto sum = [&](std::size_t i) {

@@ -353,12 +353,13 @@ PeriodicLengths lengths_of(const Obligation& task) {
     if (automaton.letters.size() != 1) task.refuse("the words are not over one letter");
     PeriodicLengths found;
     found.letter = automaton.letters.front();
-    std::map<std::size_t, std::size_t> first;
-    for (std::size_t s = 0; first.emplace(s, found.has.size()).second;
-         s = automaton.next[s][found.letter]) {
+    std::map<std::size_t, std::size_t> first;  // by state, the least length that leads there
+    std::size_t s = 0;
+    while (first.emplace(s, found.has.size()).second) {
         found.has.push_back(automaton.accepting[s]);
-        found.tail = first.at(automaton.next[s][found.letter]);
+        s = automaton.next[s][found.letter];
     }
+    found.tail = first.at(s);
     found.period = found.has.size() - found.tail;
     bool is_infinite = false;
     for (std::size_t r = 0; r < found.period; ++r) is_infinite = is_infinite || found.in_long(r);
@@ -457,8 +458,8 @@ private:
 
     std::size_t length(const Field& field) const {
         if (field.number() > longest_length)
-            throw BoundReached(Bound::method, "lengths are looked at up to " +
-                                                  std::to_string(longest_length));
+            throw BoundReached(Bound::method,
+                               "lengths are looked at up to " + std::to_string(longest_length));
         return static_cast<std::size_t>(field.number());
     }
     Rest rest(const Field& field) const {
@@ -481,9 +482,10 @@ private:
             sums.emplace_back(length(u), length(v));
         }
         const auto leads_out = [&](const Rest& sum, std::size_t axiom) {
-            const auto is_other = [&](std::size_t n) { return n > 0 && n != axiom && lengths_.in(n); };
-            return is_other(sum.first) && is_other(sum.second) &&
-                   !is_other(sum.first + sum.second);
+            const auto is_other = [&](std::size_t n) {
+                return n > 0 && n != axiom && lengths_.in(n);
+            };
+            return is_other(sum.first) && is_other(sum.second) && !is_other(sum.first + sum.second);
         };
         if (sums.empty() || !leads_out(sums.front(), 0))
             task_.proof.at("sums").refuse("the first sum is one of the lengths");
@@ -515,7 +517,8 @@ private:
         std::vector<Rest> frames;  // modulus and rest
         for (const Field& frame : field.list()) {
             frame.only({"modulus", "rest", "case"});
-            const std::size_t modulus = length(frame.at("modulus")), rest = length(frame.at("rest"));
+            const std::size_t modulus = length(frame.at("modulus")),
+                              rest = length(frame.at("rest"));
             if (modulus == 0 || lengths_.period % modulus != 0)
                 frame.refuse("the modulus does not divide the period");
             frames.emplace_back(modulus, rest);
@@ -569,8 +572,9 @@ private:
                 field.refuse("these are not the lengths that are to be made");
             if (missed.second % lengths_.period != 0 || !has_primes_of_period(missed.second) ||
                 !lengths_.in_long(missed.first))
-                field.refuse("no words have these lengths, or the modulus has other prime divisors "
-                             "than the period");
+                field.refuse(
+                    "no words have these lengths, or the modulus has other prime divisors "
+                    "than the period");
             if (makes_long(set, missed))
                 field.refuse("a table with these lengths may make them of long ones");
             return;
@@ -607,9 +611,9 @@ private:
     }
 
     /// Whether a finite table of the set may make long lengths of this rest, without small prime divisors that the period has not, of long
-    /// ones.
+    /// shorter ones.
     bool makes_long(const Set& set, const Rest& rest) const {
-        if (set.empty()) return false;
+        if (set.empty() || set == Set{1}) return false;  // 1 makes each length of itself only
         const bool endless = *set.rbegin() >= lengths_.tail;
         std::size_t shared = endless ? lengths_.period : 0, differences = shared;
         for (const std::size_t n : set) {
@@ -663,7 +667,8 @@ void check_length_induction(const Obligation& task, const std::vector<Word>& bas
     for (const System::Successors& table : system.tables) {
         auto& successors = tables.emplace_back();
         for (const Word& word : table[lengths.letter])
-            if (std::all_of(word.begin(), word.end(), [&](Symbol a) { return a == lengths.letter; }))
+            if (std::all_of(word.begin(), word.end(),
+                            [&](Symbol a) { return a == lengths.letter; }))
                 successors.insert(word.size());
         made.emplace_back(lengths, successors, static_cast<std::size_t>(from), task.budget);
     }
@@ -686,13 +691,13 @@ void check_length_induction(const Obligation& task, const std::vector<Word>& bas
         if (all > greatest_modulus)
             throw BoundReached(Bound::method, "the period of the tables is too great");
         for (std::size_t n = 0; n <= from; ++n)
-            if (made[t].of_fewer(n, std::max<std::size_t>(lengths.tail, 1))) some.insert(n % modulus);
+            if (made[t].of_fewer(n, std::max<std::size_t>(lengths.tail, 1)))
+                some.insert(n % modulus);
     }
     for (std::size_t rest = 0; rest < all; ++rest)
         if (lengths.in_long(rest) &&
-            std::none_of(rests.begin(), rests.end(), [&](const auto& each) {
-                return each.second.contains(rest % each.first);
-            }))
+            std::none_of(rests.begin(), rests.end(),
+                         [&](const auto& each) { return each.second.contains(rest % each.first); }))
             task.refuse("long lengths with the rest " + std::to_string(rest) + " modulo " +
                         std::to_string(all) + " are not seen to be made");
 }

@@ -26,9 +26,7 @@ struct LengthSet {
     }
     bool contains(std::size_t length) const { return has[class_of(length)] != 0; }
     /// Whether long lengths that leave this rest are in it when they are divided by the period.
-    bool contains_long(std::size_t rest) const {
-        return contains(rest % period + tail * period);
-    }
+    bool contains_long(std::size_t rest) const { return contains(rest % period + tail * period); }
 };
 
 /// Nothing if two letters stand in words, or none does. Linear time.
@@ -45,7 +43,8 @@ public:
     bool at(std::size_t number) const { return (bits_[number / 64] >> (number % 64) & 1) != 0; }
     void set(std::size_t number) { bits_[number / 64] |= std::uint64_t{1} << (number % 64); }
     bool empty() const {
-        return std::all_of(bits_.begin(), bits_.end(), [](std::uint64_t each) { return each == 0; });
+        return std::all_of(bits_.begin(), bits_.end(),
+                           [](std::uint64_t each) { return each == 0; });
     }
     /// Adds the numbers of another one, all greater by `by`; those beyond the greatest are left out.
     void add(const Numbers& other, std::size_t by = 0) {

@@ -835,8 +835,8 @@ public:
         std::size_t left = steps::ByLengths::most_shown;
         for (const auto& target : said.targets) {
             if (target.length)
-                say("No such table makes " + number(*target.length) +
-                    " letters of fewer letters, and no table that erases makes them:");
+                say("No such table makes " + several(*target.length, "letter") +
+                    " of fewer letters, and no table that erases makes them:");
             else if (target.rest)
                 say("By finitely many such tables " + long_lengths(*target.rest) +
                     " do not come from long ones, nor from tables that erase:");
